@@ -1,0 +1,140 @@
+#include "base/alloc.h"
+
+#include <stdatomic.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/banned.h"
+
+enum { CACHE_LINE = 64 };
+
+static atomic_long live_blocks;
+static atomic_long fail_countdown;
+
+static int must_fail(void)
+{
+	if (atomic_load_explicit(&fail_countdown, memory_order_relaxed) <= 0)
+		return 0;
+	return atomic_fetch_sub(&fail_countdown, 1) == 1;
+}
+
+/* Blocks carry no header: a cache-line aligned block from aligned_alloc may be freed as any other. */
+static void *allocate(size_t n, size_t size, size_t alignment)
+{
+	void *p;
+	size_t bytes;
+
+	if (must_fail() || (size && n > (SIZE_MAX - CACHE_LINE) / size))
+		return NULL;
+	bytes = n && size ? n * size : 1;
+	if (alignment) {
+		bytes = (bytes + alignment - 1) / alignment * alignment;
+		p = aligned_alloc(alignment, bytes);
+		if (p)
+			memset(p, 0, bytes);
+	} else {
+		p = calloc(bytes, 1);
+	}
+	if (p)
+		atomic_fetch_add_explicit(&live_blocks, 1, memory_order_relaxed);
+	return p;
+}
+
+void *ts_alloc(size_t n, size_t size)
+{
+	return allocate(n, size, 0);
+}
+
+void *ts_alloc_aligned(size_t n, size_t size)
+{
+	return allocate(n, size, CACHE_LINE);
+}
+
+char *ts_strdup(const char *s)
+{
+	size_t n = strlen(s) + 1;
+	char *copy = ts_alloc(n, 1);
+
+	if (copy)
+		memcpy(copy, s, n);
+	return copy;
+}
+
+void ts_free(void *p)
+{
+	if (!p)
+		return;
+	atomic_fetch_sub_explicit(&live_blocks, 1, memory_order_relaxed);
+	free(p);
+}
+
+enum ts_status ts_grow(void **array, size_t *capacity, size_t need, size_t size)
+{
+	size_t bigger;
+	void *p;
+
+	if (need <= *capacity)
+		return TS_OK;
+	bigger = *capacity * 2 > need ? *capacity * 2 : need;
+	if (bigger < 8)
+		bigger = 8;
+	p = ts_alloc_aligned(bigger, size);
+	if (!p)
+		return TS_NOMEM;
+	if (*capacity)
+		memcpy(p, *array, *capacity * size);
+	ts_free(*array);
+	*array = p;
+	*capacity = bigger;
+	return TS_OK;
+}
+
+long ts_alloc_balance(void)
+{
+	return atomic_load(&live_blocks);
+}
+
+void ts_alloc_fail_at(long k)
+{
+	atomic_store(&fail_countdown, k);
+}
+
+struct ts_arena_block {
+	struct ts_arena_block *next;
+	max_align_t data[];
+};
+
+void *ts_arena_alloc(struct ts_arena *arena, size_t n, size_t size)
+{
+	struct ts_arena_block *block;
+
+	if (size && n > (SIZE_MAX - sizeof *block) / size)
+		return NULL;
+	block = ts_alloc(1, sizeof *block + n * size);
+	if (!block)
+		return NULL;
+	block->next = arena->first;
+	arena->first = block;
+	return block->data;
+}
+
+char *ts_arena_strdup(struct ts_arena *arena, const char *s)
+{
+	size_t n = strlen(s) + 1;
+	char *copy = ts_arena_alloc(arena, n, 1);
+
+	if (copy)
+		memcpy(copy, s, n);
+	return copy;
+}
+
+void ts_arena_release(struct ts_arena *arena)
+{
+	while (arena->first) {
+		struct ts_arena_block *block = arena->first;
+
+		arena->first = block->next;
+		ts_free(block);
+	}
+}

@@ -1,0 +1,41 @@
+#include "base/hash.h"
+
+#include <string.h>
+
+#include "base/banned.h"
+
+static uint64_t mix(uint64_t h, uint64_t word)
+{
+	h = (h ^ word) * 0x9fb21c651e98df25u;
+	return h ^ (h >> 32);
+}
+
+struct ts_hash ts_hash_start(void)
+{
+	return (struct ts_hash){ 0x243f6a8885a308d3u };
+}
+
+void ts_hash_add(struct ts_hash *hash, const void *bytes, size_t n)
+{
+	const unsigned char *p = bytes;
+	uint64_t word;
+
+	for (; n >= sizeof word; n -= sizeof word, p += sizeof word) {
+		memcpy(&word, p, sizeof word);
+		hash->state = mix(hash->state, word);
+	}
+	word = n;
+	if (n)
+		memcpy(&word, p, n);
+	hash->state = mix(hash->state, word ^ ((uint64_t)n << 56));
+}
+
+void ts_hash_text(struct ts_hash *hash, const char *text)
+{
+	ts_hash_add(hash, text, strlen(text) + 1);
+}
+
+uint64_t ts_hash_value(const struct ts_hash *hash)
+{
+	return mix(hash->state, 0x452821e638d01377u);
+}

@@ -1,0 +1,17 @@
+/* A 64-bit hash of bytes, to recognise unchanged state. Not for adversaries. */
+#ifndef TS_BASE_HASH_H
+#define TS_BASE_HASH_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+struct ts_hash {
+	uint64_t state;
+};
+
+struct ts_hash ts_hash_start(void);
+void ts_hash_add(struct ts_hash *hash, const void *bytes, size_t n);
+void ts_hash_text(struct ts_hash *hash, const char *text);
+uint64_t ts_hash_value(const struct ts_hash *hash);
+
+#endif

@@ -1,0 +1,37 @@
+/* What the user reads while a script runs: the screen and the log file. */
+#ifndef TS_BASE_LOG_H
+#define TS_BASE_LOG_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "base/status.h"
+
+/* Either stream may be NULL. The log owns `file`, not `screen`. */
+struct ts_log {
+	FILE *screen, *file;
+	bool echo_screen, echo_file; /* what `echo` says about input lines */
+	bool progress;               /* the screen is a terminal: show a progress line */
+	bool progress_shown;         /* a progress line now stands on the screen        */
+	int warnings;
+};
+
+void ts_log(struct ts_log *log, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void ts_log_screen(struct ts_log *log, const char *format, ...)
+	__attribute__((format(printf, 2, 3)));
+void ts_log_file(struct ts_log *log, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* "file:line: warning: ..." on both. place may be NULL. */
+void ts_warn(struct ts_log *log, const struct ts_place *place, const char *format, ...)
+	__attribute__((format(printf, 3, 4)));
+/* Overwrites the progress line of a terminal; an empty text removes it. */
+void ts_log_progress(struct ts_log *log, const char *text);
+/* An input line, to whom `echo` says. */
+void ts_log_echo(struct ts_log *log, const char *line);
+
+/* Opens the file for writing (or appending), closing the one before. path NULL: no file. */
+enum ts_status ts_log_open(struct ts_log *log, struct ts_error *err, const struct ts_place *place,
+			   const char *path, bool append);
+/* Closes the file; a write that failed (disk full) is reported here at the latest. */
+enum ts_status ts_log_close(struct ts_log *log, struct ts_error *err);
+
+#endif

@@ -1,0 +1,61 @@
+/* Status codes and the one error message of a simulation.
+ *
+ * Every function that can fail returns an enum ts_status and leaves the *first* message, with the
+ * place in the user's script that caused it, in the struct ts_error of its context. Nothing below
+ * main.c prints an error or exits. */
+#ifndef TS_BASE_STATUS_H
+#define TS_BASE_STATUS_H
+
+#define TS_STATUS_LIST(X)                                                                          \
+	X(OK, "success")                                                                           \
+	X(SYNTAX, "syntax error")                                                                  \
+	X(UNKNOWN, "unknown name")                                                                 \
+	X(RANGE, "value out of range")                                                             \
+	X(STATE, "not possible now")                                                               \
+	X(IO, "input or output failed")                                                            \
+	X(DAMAGED, "damaged file")                                                                 \
+	X(NOMEM, "out of memory")                                                                  \
+	X(PHYSICS, "the simulation left its valid region")                                         \
+	X(STOPPED, "stopped on request")
+
+#define TS_STATUS_ENUM(name, text) TS_##name,
+enum ts_status { TS_STATUS_LIST(TS_STATUS_ENUM) TS_NSTATUS };
+#undef TS_STATUS_ENUM
+
+/* A stretch of one line of a script. The strings belong to the simulation's string pool and live
+ * as long as the simulation. line == 0: no place known; column == 0: the whole line. */
+struct ts_place {
+	const char *file; /* name as the user gave it, "stdin", "-var" ... */
+	const char *text; /* the line as written, before substitution       */
+	int line, column, length; /* all counted from 1                     */
+};
+
+struct ts_error {
+	enum ts_status status;
+	struct ts_place place;
+	const char *source; /* C file and line that reported it, for developers */
+	int source_line;
+	char message[1024];
+};
+
+/* Records the message unless one is already there; returns code, so one writes
+ * `return ts_fail(&sim->error, TS_RANGE, &word->place, "...", ...);`. place may be NULL. */
+#define ts_fail(err, code, place, ...)                                                             \
+	ts_fail_at(err, code, place, __FILE__, __LINE__, __VA_ARGS__)
+enum ts_status ts_fail_at(struct ts_error *err, enum ts_status code, const struct ts_place *place,
+			  const char *source, int source_line, const char *format, ...)
+	__attribute__((format(printf, 6, 7)));
+
+#define ts_nomem(err) ts_fail(err, TS_NOMEM, NULL, "out of memory")
+
+void ts_error_clear(struct ts_error *err);
+const char *ts_status_text(enum ts_status status);
+
+#define TS_TRY(expr)                                                                               \
+	do {                                                                                       \
+		enum ts_status ts_try_status = (expr);                                             \
+		if (ts_try_status != TS_OK)                                                        \
+			return ts_try_status;                                                      \
+	} while (0)
+
+#endif

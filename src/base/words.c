@@ -1,0 +1,53 @@
+#include "base/words.h"
+
+#include <string.h>
+
+#include "base/banned.h"
+
+enum ts_status ts_words_copy(struct ts_arena *arena, struct ts_words from, struct ts_words *to)
+{
+	struct ts_word *word = ts_arena_alloc(arena, from.n, sizeof *word);
+
+	if (!word)
+		return TS_NOMEM;
+	for (size_t k = 0; k < from.n; k++) {
+		word[k] = from.word[k];
+		word[k].text = ts_arena_strdup(arena, from.word[k].text);
+		if (!word[k].text)
+			return TS_NOMEM;
+	}
+	*to = (struct ts_words){ word, from.n };
+	return TS_OK;
+}
+
+static size_t next_word(const char *line, size_t at, size_t *length)
+{
+	at += strspn(line + at, " \t\r\n");
+	*length = line[at] == '#' ? 0 : strcspn(line + at, " \t\r\n#");
+	return at;
+}
+
+enum ts_status ts_words_split(struct ts_arena *arena, const char *line, const struct ts_place *place,
+			      struct ts_words *out)
+{
+	size_t n = 0, length;
+	struct ts_word *word;
+	char *copy = ts_arena_strdup(arena, line);
+
+	for (size_t at = next_word(line, 0, &length); length; at = next_word(line, at + length, &length))
+		n++;
+	word = ts_arena_alloc(arena, n, sizeof *word);
+	if (!copy || !word)
+		return TS_NOMEM;
+	n = 0;
+	for (size_t at = next_word(line, 0, &length); length;
+	     at = next_word(line, at + length, &length)) {
+		word[n].text = copy + at;
+		word[n].place = *place;
+		word[n].place.column = (int)at + 1;
+		word[n++].place.length = (int)length;
+		copy[at + length] = '\0';
+	}
+	*out = (struct ts_words){ word, n };
+	return TS_OK;
+}

@@ -1,0 +1,278 @@
+/* One block of bytes: a magic word, the fields one after another, the checksum of all before it.
+ * A field: length of the name with its final 0 (u32), type (u32), number of elements (u64), name,
+ * elements. Numbers are in the byte order of the machine; io/restart.c checks that order. */
+#include "core/archive.h"
+
+#include <string.h>
+#include <zlib.h>
+
+#include "base/alloc.h"
+#include "core/sim.h"
+
+#include "base/banned.h"
+
+enum { MAGIC = 0x41525354, FIELD_HEAD = 16, LONGEST_NAME = 1024 };
+
+struct field {
+	size_t name, data; /* offsets into the block */
+	enum ts_saved_type type;
+	size_t count;
+};
+
+struct ts_archive {
+	struct tsim *sim;
+	bool writing, sealed;
+	unsigned char *block;
+	size_t length, capacity;
+	struct field *field;
+	size_t nfields, field_capacity;
+	size_t next; /* the field expected to be asked for next */
+};
+
+static size_t element_size(enum ts_saved_type type)
+{
+	switch (type) {
+	case TS_SAVED_F64:
+	case TS_SAVED_I64:
+		return 8;
+	case TS_SAVED_I32:
+		return 4;
+	case TS_SAVED_U8:
+		return 1;
+	case TS_SAVED_END:
+		break;
+	}
+	return 0;
+}
+
+bool ts_archive_writing(const struct ts_archive *archive)
+{
+	return archive->writing;
+}
+
+static enum ts_status append(struct ts_archive *a, const void *bytes, size_t n)
+{
+	if (TS_GROW(a->block, a->capacity, a->length + n) != TS_OK)
+		return ts_nomem(&a->sim->error);
+	if (n)
+		memcpy(a->block + a->length, bytes, n);
+	a->length += n;
+	return TS_OK;
+}
+
+static enum ts_status write_field(struct ts_archive *a, const char *name, enum ts_saved_type type,
+				  const void *data, size_t count)
+{
+	uint32_t head[2] = { (uint32_t)strlen(name) + 1, (uint32_t)type };
+	uint64_t n = count;
+
+	TS_TRY(append(a, head, sizeof head));
+	TS_TRY(append(a, &n, sizeof n));
+	TS_TRY(append(a, name, head[0]));
+	return append(a, data, count * element_size(type));
+}
+
+/* Fields are mostly asked for in the order in which they were written. */
+static const struct field *find(const struct ts_archive *a, const char *name, size_t *at)
+{
+	for (size_t k = 0; k < a->nfields; k++) {
+		size_t i = (a->next + k) % a->nfields;
+
+		if (ts_streq((const char *)a->block + a->field[i].name, name)) {
+			*at = i;
+			return &a->field[i];
+		}
+	}
+	return NULL;
+}
+
+static enum ts_status find_typed(struct ts_archive *a, const char *name, enum ts_saved_type type,
+				 const struct field **out)
+{
+	size_t at = 0;
+	const struct field *field = find(a, name, &at);
+
+	if (!field)
+		return ts_fail(&a->sim->error, TS_DAMAGED, NULL, "saved state: field '%s' is missing",
+			       name);
+	if (field->type != type)
+		return ts_fail(&a->sim->error, TS_DAMAGED, NULL,
+			       "saved state: field '%s' is of another type than expected", name);
+	a->next = at + 1;
+	*out = field;
+	return TS_OK;
+}
+
+enum ts_status ts_archive_fixed(struct ts_archive *archive, const char *name, enum ts_saved_type type,
+				void *data, size_t count)
+{
+	const struct field *field;
+
+	if (archive->writing)
+		return write_field(archive, name, type, data, count);
+	TS_TRY(find_typed(archive, name, type, &field));
+	if (field->count != count)
+		return ts_fail(&archive->sim->error, TS_DAMAGED, NULL,
+			       "saved state: field '%s' has %zu elements, expected %zu", name,
+			       field->count, count);
+	if (count)
+		memcpy(data, archive->block + field->data, count * element_size(type));
+	return TS_OK;
+}
+
+enum ts_status ts_archive_array(struct ts_archive *archive, const char *name,
+				enum ts_saved_type type, void **data, size_t *capacity,
+				size_t *count)
+{
+	const struct field *field;
+	size_t size = element_size(type);
+
+	if (archive->writing)
+		return write_field(archive, name, type, *data, *count);
+	TS_TRY(find_typed(archive, name, type, &field));
+	if (ts_grow(data, capacity, field->count, size) != TS_OK)
+		return ts_nomem(&archive->sim->error);
+	if (field->count)
+		memcpy(*data, archive->block + field->data, field->count * size);
+	*count = field->count;
+	return TS_OK;
+}
+
+/* Saved with its final 0. */
+enum ts_status ts_archive_string(struct ts_archive *archive, const char *name, const char **text)
+{
+	const struct field *field;
+	const char *saved;
+
+	if (archive->writing)
+		return write_field(archive, name, TS_SAVED_U8, *text, strlen(*text) + 1);
+	TS_TRY(find_typed(archive, name, TS_SAVED_U8, &field));
+	saved = (const char *)archive->block + field->data;
+	if (!field->count || strnlen(saved, field->count) != field->count - 1)
+		return ts_fail(&archive->sim->error, TS_DAMAGED, NULL,
+			       "saved state: field '%s' is not a string", name);
+	*text = ts_pool_get(archive->sim->pool, saved);
+	return *text ? TS_OK : ts_nomem(&archive->sim->error);
+}
+
+bool ts_archive_has(const struct ts_archive *archive, const char *name)
+{
+	size_t at;
+
+	return archive->writing || find(archive, name, &at);
+}
+
+enum ts_status ts_archive_instance(struct ts_archive *archive, struct ts_instance *inst,
+				   struct tsim *sim)
+{
+	for (const struct ts_saved *row = inst->style->saved; row && row->type != TS_SAVED_END; row++)
+		TS_TRY(ts_archive_fixed(archive, row->name, row->type,
+					(char *)inst->state + row->offset, row->count));
+	if (inst->style->archive)
+		return inst->style->archive(inst, sim, archive);
+	return TS_OK;
+}
+
+struct ts_archive *ts_archive_new(struct tsim *sim, bool writing)
+{
+	const uint32_t magic = MAGIC;
+	struct ts_archive *a = ts_alloc(1, sizeof *a);
+
+	if (!a)
+		return NULL;
+	a->sim = sim;
+	a->writing = writing;
+	if (writing && append(a, &magic, sizeof magic) != TS_OK) {
+		ts_archive_free(a);
+		return NULL;
+	}
+	return a;
+}
+
+void ts_archive_free(struct ts_archive *archive)
+{
+	if (!archive)
+		return;
+	ts_free(archive->block);
+	ts_free(archive->field);
+	ts_free(archive);
+}
+
+/* crc32 takes lengths of 32 bits; crc32_z does not. */
+static uint32_t checksum(const unsigned char *bytes, size_t n)
+{
+	return (uint32_t)crc32_z(crc32_z(0, NULL, 0), bytes, n);
+}
+
+enum ts_status ts_archive_bytes(struct ts_archive *archive, const unsigned char **bytes, size_t *n)
+{
+	uint32_t sum;
+
+	if (archive->writing && !archive->sealed) {
+		sum = checksum(archive->block, archive->length);
+		TS_TRY(append(archive, &sum, sizeof sum));
+		archive->sealed = true;
+	}
+	*bytes = archive->block;
+	*n = archive->length;
+	return TS_OK;
+}
+
+/* One field at `at`, which moves behind it; false if it does not fit before `end`. */
+static bool parse_field(const unsigned char *block, size_t *at, size_t end, struct field *field)
+{
+	uint32_t head[2];
+	uint64_t count;
+	size_t size;
+
+	if (end - *at < FIELD_HEAD)
+		return false;
+	memcpy(head, block + *at, sizeof head);
+	memcpy(&count, block + *at + sizeof head, sizeof count);
+	*at += FIELD_HEAD;
+	size = head[1] <= TS_SAVED_U8 ? element_size((enum ts_saved_type)head[1]) : 0;
+	if (!size || !head[0] || head[0] > LONGEST_NAME || head[0] > end - *at ||
+	    memchr(block + *at, 0, head[0]) != block + *at + head[0] - 1)
+		return false;
+	field->name = *at;
+	*at += head[0];
+	if (count > (end - *at) / size)
+		return false;
+	field->data = *at;
+	field->type = (enum ts_saved_type)head[1];
+	field->count = (size_t)count;
+	*at += field->count * size;
+	return true;
+}
+
+static enum ts_status damaged(struct ts_archive *a, const char *why)
+{
+	a->nfields = a->length = a->next = 0;
+	return ts_fail(&a->sim->error, TS_DAMAGED, NULL, "saved state is damaged: %s", why);
+}
+
+enum ts_status ts_archive_from(struct ts_archive *archive, const unsigned char *bytes, size_t n)
+{
+	size_t at = sizeof(uint32_t), end;
+	uint32_t magic, sum;
+
+	archive->length = archive->nfields = archive->next = 0;
+	if (n < sizeof magic + sizeof sum)
+		return damaged(archive, "too short");
+	TS_TRY(append(archive, bytes, n));
+	end = n - sizeof sum;
+	memcpy(&magic, bytes, sizeof magic);
+	memcpy(&sum, bytes + end, sizeof sum);
+	if (magic != MAGIC)
+		return damaged(archive, "it does not begin as it should");
+	if (sum != checksum(bytes, end))
+		return damaged(archive, "the checksum is wrong");
+	while (at < end) {
+		if (TS_GROW(archive->field, archive->field_capacity, archive->nfields + 1) != TS_OK)
+			return ts_nomem(&archive->sim->error);
+		if (!parse_field(archive->block, &at, end, &archive->field[archive->nfields]))
+			return damaged(archive, "a field does not fit into it");
+		archive->nfields++;
+	}
+	return TS_OK;
+}

@@ -1,0 +1,64 @@
+/* Saved state: one description serves writing and reading, so a restart is exact by construction.
+ *
+ * A style lists plain fields of its state in rows. State of changing length goes through
+ * ts_archive_array in the style's archive function. io/restart.c moves the bytes. */
+#ifndef TS_CORE_ARCHIVE_H
+#define TS_CORE_ARCHIVE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "base/status.h"
+
+struct tsim;
+struct ts_instance;
+struct ts_plan_report;
+struct ts_archive;
+
+enum ts_saved_type { TS_SAVED_END, TS_SAVED_F64, TS_SAVED_I64, TS_SAVED_I32, TS_SAVED_U8 };
+
+struct ts_saved {
+	const char *name;
+	enum ts_saved_type type;
+	size_t offset, count; /* count: elements of a fixed array, 1 for a scalar */
+};
+#define TS_SAVE_F64(T, f) { #f, TS_SAVED_F64, offsetof(T, f), sizeof(((T *)0)->f) / 8 }
+#define TS_SAVE_I64(T, f) { #f, TS_SAVED_I64, offsetof(T, f), sizeof(((T *)0)->f) / 8 }
+#define TS_SAVE_I32(T, f) { #f, TS_SAVED_I32, offsetof(T, f), sizeof(((T *)0)->f) / 4 }
+#define TS_SAVE_U8(T, f) { #f, TS_SAVED_U8, offsetof(T, f), sizeof(((T *)0)->f) }
+#define TS_SAVED_ROWS_END { .type = TS_SAVED_END }
+
+/* An archive holds named fields {name, type, element count, bytes}. Opaque. */
+bool ts_archive_writing(const struct ts_archive *archive);
+
+/* Writes `count` elements, or reads exactly that many; a field missing or of another type or length
+ * is an error (TS_DAMAGED). */
+enum ts_status ts_archive_fixed(struct ts_archive *archive, const char *name, enum ts_saved_type type,
+				void *data, size_t count);
+
+/* Writes *count elements of *data; or reads as many as there are, growing *data as ts_grow does and
+ * setting *count. */
+enum ts_status ts_archive_array(struct ts_archive *archive, const char *name,
+				enum ts_saved_type type, void **data, size_t *capacity,
+				size_t *count);
+
+/* A string; when reading it lives in the simulation's string pool. */
+enum ts_status ts_archive_string(struct ts_archive *archive, const char *name, const char **text);
+
+/* When reading: is the field there? (Writing: true.) */
+bool ts_archive_has(const struct ts_archive *archive, const char *name);
+
+/* The rows of a style and then its archive function. */
+enum ts_status ts_archive_instance(struct ts_archive *archive, struct ts_instance *inst,
+				   struct tsim *sim);
+
+/* In memory: for io/restart.c and for pending state of styles not yet defined again. */
+struct ts_archive *ts_archive_new(struct tsim *sim, bool writing); /* NULL: out of memory */
+void ts_archive_free(struct ts_archive *archive);
+/* All fields as one block of bytes, owned by the archive. */
+enum ts_status ts_archive_bytes(struct ts_archive *archive, const unsigned char **bytes, size_t *n);
+/* Makes the archive read from a copy of the block; checks that it is well formed. */
+enum ts_status ts_archive_from(struct ts_archive *archive, const unsigned char *bytes, size_t n);
+
+#endif

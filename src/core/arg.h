@@ -1,0 +1,166 @@
+/* Argument tables: one row per argument of a style or command.
+ *
+ * From the same rows come parsing, range checks, suggestions, `tsim -help`, the manual pages, the
+ * record of resolved values in the log, and the archive of coefficients in restart files.
+ *
+ * Grammar: positional rows (TS_POSITIONAL) come first, in order; then keywords in any order, each at
+ * most once. A TS_MODE row is a positional word that selects further rows (`create_atoms 1 random ...`
+ * against `create_atoms 1 single ...`). A TS_REST row takes all remaining words. */
+#ifndef TS_CORE_ARG_H
+#define TS_CORE_ARG_H
+
+#include <math.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "base/alloc.h"
+#include "base/str.h"
+#include "base/words.h"
+
+struct tsim;
+struct ts_instance;
+
+enum ts_arg_type {
+	TS_ARG_END, /* closes a table */
+	TS_ARG_REAL,
+	TS_ARG_INT,
+	TS_ARG_BOOL,   /* yes|no, on|off                                      -> bool        */
+	TS_ARG_FLAG,   /* a keyword without value                             -> bool        */
+	TS_ARG_WORD,   /* any word; copied                                    -> const char* */
+	TS_ARG_ENUM,   /* one of the choices                                  -> int (index) */
+	TS_ARG_VEC3,   /* three reals                                         -> double[3]   */
+	TS_ARG_COORD,  /* a real, INF or EDGE (EDGE = INF here)               -> double      */
+	TS_ARG_NUMBER, /* a real, v_name, or NULL where TS_NULLABLE           -> struct ts_number */
+	TS_ARG_TYPES,  /* particle types: n, *, n*, *m, n*m                   -> struct ts_types  */
+	TS_ARG_GROUP,  /* an existing group                                   -> int (bit number) */
+	TS_ARG_REGION, /* an existing region                                  -> struct ts_instance* */
+	TS_ARG_REF,    /* c_ID, c_ID[k], f_ID, v_NAME or thermo keyword; copied -> const char* */
+	TS_ARG_MODE,   /* one of the modes, each with rows of its own         -> int (index) */
+	TS_ARG_REST    /* all remaining words                                 -> struct ts_words */
+};
+
+/* A constant or the name of an equal- or atom-style variable; evaluate with ts_number_now. */
+struct ts_number {
+	double value;
+	const char *variable; /* NULL: constant */
+	bool null;            /* the user wrote NULL */
+};
+
+/* Inclusive range of particle types, counted from 1. hi == 0: up to the last. */
+struct ts_types {
+	int lo, hi;
+};
+
+enum ts_range { TS_ANY, TS_POSITIVE, TS_NOT_NEGATIVE, TS_FRACTION /* 0..1 */, TS_WITHIN /* lo..hi */ };
+
+enum ts_arg_flags {
+	TS_POSITIONAL = 1,
+	TS_OPTIONAL = 2, /* may be missing: NaN, INT64_MIN, NULL, -1, null ... is stored */
+	TS_NULLABLE = 4,
+	TS_TO_KEYWORD = 8 /* TS_ARG_REST: ends before the first word that is a keyword of the table */
+};
+
+struct ts_mode;
+
+struct ts_arg {
+	const char *name, *help;
+	enum ts_arg_type type;
+	unsigned flags;
+	size_t offset;
+	const char *unit;     /* dimension: "length", "force/length", "" ... */
+	enum ts_range range;
+	double lo, hi;        /* for TS_WITHIN */
+	const char *fallback; /* default, as the user would write it; NULL: required or TS_OPTIONAL */
+	const char *const *choices;  /* TS_ARG_ENUM, closed by NULL */
+	const struct ts_mode *modes; /* TS_ARG_MODE, closed by .name NULL */
+};
+
+struct ts_mode {
+	const char *name, *help;
+	const struct ts_arg *args;
+};
+
+/* offsetof that does not compile when the field has another type than the row says. */
+#define TS_FIELD(T, field, type)                                                                   \
+	(offsetof(T, field) +                                                                      \
+	 0 * sizeof(struct {                                                                       \
+		 int ok;                                                                           \
+		 _Static_assert(_Generic(&((T *)0)->field, type: 1, default: 0),                   \
+				"argument row and field differ in type");                          \
+	 }))
+
+#define TS_REAL(name_, T, f, ...)                                                                  \
+	{ .name = (name_), .type = TS_ARG_REAL, .offset = TS_FIELD(T, f, double *), __VA_ARGS__ }
+#define TS_INT(name_, T, f, ...)                                                                   \
+	{ .name = (name_), .type = TS_ARG_INT, .offset = TS_FIELD(T, f, int64_t *), __VA_ARGS__ }
+#define TS_BOOL(name_, T, f, ...)                                                                  \
+	{ .name = (name_), .type = TS_ARG_BOOL, .offset = TS_FIELD(T, f, bool *), __VA_ARGS__ }
+#define TS_FLAG(name_, T, f, ...)                                                                  \
+	{ .name = (name_), .type = TS_ARG_FLAG, .offset = TS_FIELD(T, f, bool *), __VA_ARGS__ }
+#define TS_WORD(name_, T, f, ...)                                                                  \
+	{ .name = (name_), .type = TS_ARG_WORD, .offset = TS_FIELD(T, f, const char **), __VA_ARGS__ }
+#define TS_ENUM(name_, T, f, choices_, ...)                                                        \
+	{ .name = (name_), .type = TS_ARG_ENUM, .offset = TS_FIELD(T, f, int *),                   \
+	  .choices = (choices_), __VA_ARGS__ }
+#define TS_VEC3(name_, T, f, ...)                                                                  \
+	{ .name = (name_), .type = TS_ARG_VEC3, .offset = TS_FIELD(T, f, double(*)[3]), __VA_ARGS__ }
+#define TS_COORD(name_, T, f, ...)                                                                 \
+	{ .name = (name_), .type = TS_ARG_COORD, .offset = TS_FIELD(T, f, double *), __VA_ARGS__ }
+#define TS_NUMBER(name_, T, f, ...)                                                                \
+	{ .name = (name_), .type = TS_ARG_NUMBER,                                                  \
+	  .offset = TS_FIELD(T, f, struct ts_number *), __VA_ARGS__ }
+#define TS_TYPES(name_, T, f, ...)                                                                 \
+	{ .name = (name_), .type = TS_ARG_TYPES, .offset = TS_FIELD(T, f, struct ts_types *),      \
+	  __VA_ARGS__ }
+#define TS_GROUP(name_, T, f, ...)                                                                 \
+	{ .name = (name_), .type = TS_ARG_GROUP, .offset = TS_FIELD(T, f, int *), __VA_ARGS__ }
+#define TS_REGION(name_, T, f, ...)                                                                \
+	{ .name = (name_), .type = TS_ARG_REGION,                                                  \
+	  .offset = TS_FIELD(T, f, struct ts_instance **), __VA_ARGS__ }
+#define TS_REF(name_, T, f, ...)                                                                   \
+	{ .name = (name_), .type = TS_ARG_REF, .offset = TS_FIELD(T, f, const char **), __VA_ARGS__ }
+#define TS_MODE(name_, T, f, modes_, ...)                                                          \
+	{ .name = (name_), .type = TS_ARG_MODE, .flags = TS_POSITIONAL,                            \
+	  .offset = TS_FIELD(T, f, int *), .modes = (modes_), __VA_ARGS__ }
+#define TS_REST(name_, T, f, ...)                                                                  \
+	{ .name = (name_), .type = TS_ARG_REST, .flags = TS_POSITIONAL,                            \
+	  .offset = TS_FIELD(T, f, struct ts_words *), __VA_ARGS__ }
+#define TS_LIST(name_, T, f, ...)                                                                  \
+	{ .name = (name_), .type = TS_ARG_REST, .flags = TS_POSITIONAL | TS_TO_KEYWORD,            \
+	  .offset = TS_FIELD(T, f, struct ts_words *), __VA_ARGS__ }
+/* The same, but the line may end before it. */
+#define TS_REST_OPTIONAL(name_, T, f, ...)                                                         \
+	{ .name = (name_), .type = TS_ARG_REST, .flags = TS_POSITIONAL | TS_OPTIONAL,              \
+	  .offset = TS_FIELD(T, f, struct ts_words *), __VA_ARGS__ }
+/* A keyword that takes all words after it. */
+#define TS_REST_KEYWORD(name_, T, f, ...)                                                          \
+	{ .name = (name_), .type = TS_ARG_REST, .flags = TS_OPTIONAL,                              \
+	  .offset = TS_FIELD(T, f, struct ts_words *), __VA_ARGS__ }
+#define TS_ARGS_END                                                                                \
+	{ .type = TS_ARG_END }
+
+/* Reads words into base after filling in the defaults. `what` names the owner in messages ("fix
+ * gravity"); `where` is its place for a word that is missing. Strings are copied to the arena.
+ * Rows NULL: no arguments allowed. */
+enum ts_status ts_args_parse(struct tsim *sim, const char *what, const struct ts_arg *rows,
+			     struct ts_words words, const struct ts_place *where,
+			     struct ts_arena *arena, void *base);
+
+/* Only the defaults. */
+enum ts_status ts_args_defaults(struct tsim *sim, const struct ts_arg *rows, struct ts_arena *arena,
+				void *base);
+
+/* "stiffness 20000 restitution 0.8 ..." with the resolved values of all rows, given or default;
+ * numbers with 17 digits. Used in the log and to recognise a changed setting at restart. */
+void ts_args_record(const struct tsim *sim, const struct ts_arg *rows, const void *base,
+		    struct ts_str *out);
+
+/* How a row is written in a synopsis: "stiffness K", "[side in|out]", "x y z" ... */
+void ts_arg_synopsis(const struct ts_arg *row, struct ts_str *out);
+
+/* The number as it is now: evaluates its variable if it has one. */
+enum ts_status ts_number_now(struct tsim *sim, const struct ts_number *number,
+			     const struct ts_place *where, double *out);
+
+#endif

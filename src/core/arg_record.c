@@ -1,0 +1,190 @@
+/* Writes argument rows back as text: synopsis and resolved values. */
+#include "core/arg.h"
+
+#include <inttypes.h>
+
+#include "core/group.h"
+#include "core/sim.h"
+
+#include "base/banned.h"
+
+static void add_real(struct ts_str *out, double value)
+{
+	if (isinf(value))
+		ts_str_add(out, " INF");
+	else
+		ts_str_addf(out, " %.17g", value);
+}
+
+static void add_number(struct ts_str *out, const struct ts_number *number)
+{
+	if (number->null)
+		ts_str_add(out, " NULL");
+	else if (number->variable)
+		ts_str_addf(out, " v_%s", number->variable);
+	else
+		add_real(out, number->value);
+}
+
+static void add_types(struct ts_str *out, const struct ts_types *t)
+{
+	if (t->hi)
+		ts_str_addf(out, " %d*%d", t->lo, t->hi);
+	else
+		ts_str_addf(out, " %d*", t->lo);
+}
+
+static void add_words(struct ts_str *out, const struct ts_words *words)
+{
+	for (size_t k = 0; k < words->n; k++)
+		ts_str_addf(out, " %s", words->word[k].text);
+}
+
+static bool absent(const struct ts_arg *row, const void *field)
+{
+	switch (row->type) {
+	case TS_ARG_REAL:
+	case TS_ARG_COORD:
+	case TS_ARG_VEC3:
+		return isnan(*(const double *)field);
+	case TS_ARG_INT:
+		return *(const int64_t *)field == INT64_MIN;
+	case TS_ARG_ENUM:
+	case TS_ARG_GROUP:
+	case TS_ARG_MODE:
+		return *(const int *)field < 0;
+	case TS_ARG_WORD:
+	case TS_ARG_REF:
+	case TS_ARG_REGION:
+		return !*(const void *const *)field;
+	case TS_ARG_FLAG:
+		return !*(const bool *)field;
+	default:
+		return false;
+	}
+}
+
+static void add_value(const struct tsim *sim, const struct ts_arg *row, const void *field,
+		      struct ts_str *out)
+{
+	switch (row->type) {
+	case TS_ARG_REAL:
+	case TS_ARG_COORD:
+		add_real(out, *(const double *)field);
+		break;
+	case TS_ARG_VEC3:
+		for (int d = 0; d < 3; d++)
+			add_real(out, ((const double *)field)[d]);
+		break;
+	case TS_ARG_INT:
+		ts_str_addf(out, " %" PRId64, *(const int64_t *)field);
+		break;
+	case TS_ARG_BOOL:
+		ts_str_add(out, *(const bool *)field ? " yes" : " no");
+		break;
+	case TS_ARG_WORD:
+	case TS_ARG_REF:
+		ts_str_addf(out, " %s", *(const char *const *)field);
+		break;
+	case TS_ARG_ENUM:
+		ts_str_addf(out, " %s", row->choices[*(const int *)field]);
+		break;
+	case TS_ARG_MODE:
+		ts_str_addf(out, " %s", row->modes[*(const int *)field].name);
+		break;
+	case TS_ARG_NUMBER:
+		add_number(out, field);
+		break;
+	case TS_ARG_TYPES:
+		add_types(out, field);
+		break;
+	case TS_ARG_GROUP:
+		ts_str_addf(out, " %s", ts_group_name(sim, *(const int *)field));
+		break;
+	case TS_ARG_REGION:
+		ts_str_addf(out, " %s", (*(struct ts_instance *const *)field)->id);
+		break;
+	case TS_ARG_REST:
+		add_words(out, field);
+		break;
+	case TS_ARG_FLAG:
+	case TS_ARG_END:
+		break;
+	}
+}
+
+void ts_args_record(const struct tsim *sim, const struct ts_arg *rows, const void *base,
+		    struct ts_str *out)
+{
+	for (const struct ts_arg *row = rows; row && row->type != TS_ARG_END; row++) {
+		const void *field = (const char *)base + row->offset;
+
+		if (absent(row, field))
+			continue;
+		if (!(row->flags & TS_POSITIONAL))
+			ts_str_addf(out, " %s", row->name);
+		add_value(sim, row, field, out);
+		if (row->type == TS_ARG_MODE)
+			ts_args_record(sim, row->modes[*(const int *)field].args, base, out);
+	}
+}
+
+static void add_choices(const char *const *choices, struct ts_str *out)
+{
+	for (size_t k = 0; choices[k]; k++)
+		ts_str_addf(out, "%s%s", k ? "|" : "", choices[k]);
+}
+
+static void add_modes(const struct ts_mode *modes, struct ts_str *out)
+{
+	for (size_t k = 0; modes[k].name; k++)
+		ts_str_addf(out, "%s%s", k ? "|" : "", modes[k].name);
+}
+
+static void add_placeholder(const struct ts_arg *row, struct ts_str *out)
+{
+	switch (row->type) {
+	case TS_ARG_ENUM:
+		add_choices(row->choices, out);
+		break;
+	case TS_ARG_MODE:
+		add_modes(row->modes, out);
+		ts_str_add(out, " ...");
+		break;
+	case TS_ARG_BOOL:
+		ts_str_add(out, "yes|no");
+		break;
+	case TS_ARG_VEC3:
+		ts_str_add(out, "x y z");
+		break;
+	case TS_ARG_REST:
+		ts_str_addf(out, "%s ...", row->name);
+		break;
+	case TS_ARG_GROUP:
+		ts_str_add(out, "GROUP");
+		break;
+	case TS_ARG_REGION:
+		ts_str_add(out, "REGION");
+		break;
+	default:
+		ts_str_add(out, row->flags & TS_POSITIONAL ? row->name : "value");
+		break;
+	}
+}
+
+void ts_arg_synopsis(const struct ts_arg *row, struct ts_str *out)
+{
+	bool bracket = (row->flags & TS_OPTIONAL) || row->fallback || row->type == TS_ARG_FLAG;
+
+	ts_str_add(out, bracket ? "[" : "");
+	if (row->flags & TS_POSITIONAL) {
+		add_placeholder(row, out);
+	} else {
+		ts_str_add(out, row->name);
+		if (row->type != TS_ARG_FLAG) {
+			ts_str_add(out, " ");
+			add_placeholder(row, out);
+		}
+	}
+	ts_str_add(out, bracket ? "]" : "");
+}

@@ -1,0 +1,173 @@
+#include "core/coeff.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/banned.h"
+
+enum ts_status ts_coeffs_resize(struct tsim *sim, struct ts_coeffs *c, size_t n)
+{
+	char *data;
+	bool *given;
+
+	if (n <= c->n)
+		return TS_OK;
+	data = ts_alloc(n, c->size);
+	given = ts_alloc(n, sizeof *given);
+	if (!data || !given) {
+		ts_free(data);
+		ts_free(given);
+		return ts_nomem(&sim->error);
+	}
+	if (c->n) {
+		memcpy(data, c->data, c->n * c->size);
+		memcpy(given, c->given, c->n * sizeof *given);
+	}
+	ts_coeffs_release(c);
+	c->data = data;
+	c->given = given;
+	c->n = n;
+	return TS_OK;
+}
+
+void ts_coeffs_release(struct ts_coeffs *c)
+{
+	ts_free(c->data);
+	ts_free(c->given);
+	c->data = NULL;
+	c->given = NULL;
+	c->n = 0;
+}
+
+#ifndef TS_POTENTIALS
+#define TS_POTENTIALS "potentials"
+#endif
+
+static FILE *open_potential(const char *name)
+{
+	const char *folders[] = { NULL, getenv("TSIM_POTENTIALS"), "potentials", TS_POTENTIALS };
+	FILE *file = fopen(name, "r");
+	char path[1024];
+
+	for (size_t k = 1; !file && k < sizeof folders / sizeof *folders; k++) {
+		if (!folders[k])
+			continue;
+		snprintf(path, sizeof path, "%s/%s", folders[k], name);
+		file = fopen(path, "r");
+	}
+	return file;
+}
+
+/* All words of the file, one after the other, each with its place. */
+static enum ts_status read_words(struct tsim *sim, FILE *file, const char *name,
+				 struct ts_arena *arena, struct ts_words *out)
+{
+	struct ts_word *all = NULL;
+	size_t capacity = 0, n = 0;
+	char line[1024];
+	struct ts_place place = { .file = ts_pool_get(sim->pool, name) };
+	enum ts_status status = place.file ? TS_OK : TS_NOMEM;
+
+	while (status == TS_OK && fgets(line, sizeof line, file)) {
+		struct ts_words words;
+
+		line[strcspn(line, "\r\n")] = '\0';
+		place.line++;
+		place.text = ts_pool_get(sim->pool, line);
+		status = place.text ? ts_words_split(arena, line, &place, &words) : TS_NOMEM;
+		if (status == TS_OK)
+			status = TS_GROW(all, capacity, n + words.n);
+		for (size_t k = 0; status == TS_OK && k < words.n; k++)
+			all[n++] = words.word[k];
+	}
+	if (status == TS_OK)
+		status = ts_words_copy(arena, (struct ts_words){ all, n }, out);
+	ts_free(all);
+	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
+}
+
+static enum ts_status parse_file(struct tsim *sim, const char *what, const struct ts_coeffs *c,
+				 const struct ts_word *name, struct ts_arena *arena, void *entry)
+{
+	FILE *file = open_potential(name->text);
+	struct ts_words words;
+	enum ts_status status;
+
+	if (!file)
+		return ts_fail(&sim->error, TS_IO, &name->place,
+			       "cannot read coefficient file '%s' (nor in potentials/): %s",
+			       name->text, strerror(errno));
+	status = read_words(sim, file, name->text, arena, &words);
+	fclose(file);
+	TS_TRY(status);
+	return ts_args_parse(sim, what, c->rows, words, &name->place, arena, entry);
+}
+
+enum ts_status ts_coeff_parse(struct tsim *sim, const char *what, const struct ts_coeffs *c,
+			      struct ts_words words, const struct ts_place *where, void *entry)
+{
+	struct ts_arena arena = { 0 };
+	enum ts_status status;
+
+	if (words.n == 2 && ts_streq(words.word[0].text, "file"))
+		status = parse_file(sim, what, c, &words.word[1], &arena, entry);
+	else
+		status = ts_args_parse(sim, what, c->rows, words, where, &arena, entry);
+	ts_arena_release(&arena);
+	return status;
+}
+
+static enum ts_status archive_entry(struct ts_archive *archive, struct tsim *sim,
+				    struct ts_coeffs *c, size_t k)
+{
+	const struct ts_place where = { .file = "restart file" };
+	struct ts_str record = { 0 };
+	struct ts_arena arena = { 0 };
+	struct ts_words words;
+	char name[32];
+	const char *text;
+	enum ts_status status;
+
+	snprintf(name, sizeof name, "coeff%zu", k);
+	if (c->given[k])
+		ts_args_record(sim, c->rows, ts_coeff(c, k), &record);
+	text = ts_str_text(&record);
+	status = ts_archive_string(archive, name, &text);
+	if (status == TS_OK && !ts_archive_writing(archive) && *text) {
+		status = ts_words_split(&arena, text, &where, &words);
+		if (status == TS_OK)
+			status = ts_args_parse(sim, "restart file", c->rows, words, &where, &arena,
+					       ts_coeff(c, k));
+		c->given[k] = status == TS_OK;
+	}
+	ts_str_release(&record);
+	ts_arena_release(&arena);
+	return status;
+}
+
+enum ts_status ts_coeffs_archive(struct ts_archive *archive, struct tsim *sim, struct ts_coeffs *c)
+{
+	int64_t n = (int64_t)c->n;
+
+	TS_TRY(ts_archive_fixed(archive, "ncoeffs", TS_SAVED_I64, &n, 1));
+	if (n < 0 || n > 1000000)
+		return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible number of coefficients");
+	TS_TRY(ts_coeffs_resize(sim, c, (size_t)n));
+	for (size_t k = 0; k < (size_t)n; k++)
+		TS_TRY(archive_entry(archive, sim, c, k));
+	return TS_OK;
+}
+
+void ts_coeffs_fingerprint(const struct ts_coeffs *c, const struct tsim *sim,
+			    struct ts_hash *hash)
+{
+	for (size_t k = 0; k < c->n; k++) {
+		struct ts_str record = { 0 };
+
+		if (c->given[k])
+			ts_args_record(sim, c->rows, ts_coeff(c, k), &record);
+		ts_hash_text(hash, ts_str_text(&record));
+		ts_str_release(&record);
+	}
+}

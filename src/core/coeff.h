@@ -1,0 +1,36 @@
+/* Coefficient tables: what pair_coeff and bond_coeff fill, one entry per pair of particle types or
+ * per bond type. */
+#ifndef TS_CORE_COEFF_H
+#define TS_CORE_COEFF_H
+
+#include "core/sim.h"
+
+struct ts_coeffs {
+	const struct ts_arg *rows; /* the arguments of one entry */
+	size_t size;               /* bytes of one entry */
+	size_t n;                  /* entries */
+	char *data;
+	bool *given;
+};
+
+/* Makes room for n entries, keeping what is given. */
+enum ts_status ts_coeffs_resize(struct tsim *sim, struct ts_coeffs *c, size_t n);
+void ts_coeffs_release(struct ts_coeffs *c);
+
+static inline void *ts_coeff(const struct ts_coeffs *c, size_t k)
+{
+	return c->data + k * c->size;
+}
+
+/* Parses the words of one entry into `entry`; the words `file NAME` stand for the contents of a
+ * coefficient file: keyword-value lines, `#` comments, searched as given, then in the folders of
+ * TSIM_POTENTIALS and of the installed potentials. */
+enum ts_status ts_coeff_parse(struct tsim *sim, const char *what, const struct ts_coeffs *c,
+			      struct ts_words words, const struct ts_place *where, void *entry);
+
+/* As text that parses back to the same bits. */
+enum ts_status ts_coeffs_archive(struct ts_archive *archive, struct tsim *sim, struct ts_coeffs *c);
+void ts_coeffs_fingerprint(const struct ts_coeffs *c, const struct tsim *sim,
+			    struct ts_hash *hash);
+
+#endif

@@ -1,0 +1,19 @@
+/* Manual pages, made from the tables of the styles. */
+#ifndef TS_CORE_HELP_H
+#define TS_CORE_HELP_H
+
+#include <stdbool.h>
+
+#include "base/str.h"
+#include "core/style.h"
+
+/* "fix" -> TS_KIND_FIX */
+bool ts_kind_find(const char *name, enum ts_kind *out);
+/* The page of one style, for the terminal or as Markdown. */
+void ts_help_page(const struct ts_style *style, bool markdown, struct ts_str *out);
+/* One line for each style of the kind; as Markdown with links to the pages. */
+void ts_help_list(enum ts_kind kind, bool markdown, struct ts_str *out);
+/* "fix_drag_ergun.md" */
+void ts_help_file_name(const struct ts_style *style, struct ts_str *out);
+
+#endif

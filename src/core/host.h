@@ -1,0 +1,26 @@
+/* What the core and the styles may ask of the script interpreter, which they do not see. */
+#ifndef TS_CORE_HOST_H
+#define TS_CORE_HOST_H
+
+#include "base/status.h"
+#include "base/str.h"
+#include "core/value.h"
+
+struct ts_host {
+	/* Executes command lines; `where` is blamed for errors in them. */
+	enum ts_status (*execute)(void *host, const char *text, const struct ts_place *where);
+	/* Substitutes ${x}, $x and $(...) in the text. */
+	enum ts_status (*substitute)(void *host, const char *text, const struct ts_place *where,
+				     struct ts_str *out);
+	/* The number an equal-, index-, loop- or string-style variable stands for now. */
+	enum ts_status (*scalar)(void *host, const char *variable, const struct ts_place *where,
+				 double *out);
+	/* The values of an atom-style variable, one per local particle (one column). */
+	enum ts_status (*peratom)(void *host, const char *variable, const struct ts_place *where,
+				  struct ts_table *out);
+	bool (*has_variable)(void *host, const char *variable);
+	bool (*is_peratom)(void *host, const char *variable);
+	void (*suggest_variable)(void *host, struct ts_suggest *suggest);
+};
+
+#endif

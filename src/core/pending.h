@@ -1,0 +1,14 @@
+/* State read from a restart file that waits for its style to be defined again by the script. */
+#ifndef TS_CORE_PENDING_H
+#define TS_CORE_PENDING_H
+
+#include "core/style.h"
+
+/* Keeps a copy of the block for the style of this kind, name and id. */
+enum ts_status ts_pending_add(struct tsim *sim, enum ts_kind kind, const char *style,
+			      const char *id, const unsigned char *bytes, size_t n);
+/* Restores the state of a new instance if some waits for it, and says so in the log. */
+enum ts_status ts_pending_apply(struct tsim *sim, struct ts_instance *inst);
+void ts_pending_free(struct tsim *sim);
+
+#endif

@@ -1,0 +1,174 @@
+#include "core/plan.h"
+
+#include <inttypes.h>
+#include <math.h>
+
+#include "base/clock.h"
+
+#include "base/banned.h"
+
+/* Within a stage, kinds act in this order. */
+static const enum ts_kind kind_order[] = { TS_KIND_SYSTEM, TS_KIND_PAIR, TS_KIND_BOND,
+					   TS_KIND_FLOW,   TS_KIND_REGION, TS_KIND_FIX,
+					   TS_KIND_COMPUTE, TS_KIND_DUMP };
+enum { NORDER = sizeof kind_order / sizeof *kind_order };
+
+static enum ts_status add_actions(struct ts_plan *plan, struct tsim *sim, struct ts_instance *inst)
+{
+	for (int stage = 0; stage < TS_NSTAGE; stage++) {
+		if (!inst->style->hook[stage])
+			continue;
+		if (TS_GROW(plan->actions[stage], plan->capacity[stage], plan->n[stage] + 1) != TS_OK)
+			return ts_nomem(&sim->error);
+		plan->actions[stage][plan->n[stage]++] =
+			(struct ts_action){ inst->style->hook[stage], inst };
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_plan_compile(struct ts_plan *plan, struct tsim *sim)
+{
+	for (int stage = 0; stage < TS_NSTAGE; stage++) {
+		plan->n[stage] = 0;
+		plan->seconds[stage] = 0;
+	}
+	for (int k = 0; k < NORDER; k++) {
+		const struct ts_instances *list = &sim->instances[kind_order[k]];
+
+		for (size_t i = 0; i < list->n; i++) {
+			if (list->item[i]->style->init)
+				TS_TRY(list->item[i]->style->init(list->item[i], sim));
+			TS_TRY(add_actions(plan, sim, list->item[i]));
+		}
+	}
+	return TS_OK;
+}
+
+void ts_plan_release(struct ts_plan *plan)
+{
+	for (int stage = 0; stage < TS_NSTAGE; stage++)
+		ts_free(plan->actions[stage]);
+	*plan = (struct ts_plan){ 0 };
+}
+
+enum ts_status ts_plan_stage(struct ts_plan *plan, struct tsim *sim, enum ts_stage stage)
+{
+	double start;
+
+	if (!plan->n[stage])
+		return TS_OK;
+	start = ts_clock();
+	for (size_t k = 0; k < plan->n[stage]; k++)
+		TS_TRY(plan->actions[stage][k].hook(plan->actions[stage][k].self, sim));
+	plan->seconds[stage] += ts_clock() - start;
+	return TS_OK;
+}
+
+static enum ts_status stages(struct ts_plan *plan, struct tsim *sim, enum ts_stage first,
+			     enum ts_stage last)
+{
+	for (int stage = (int)first; stage <= (int)last; stage++)
+		TS_TRY(ts_plan_stage(plan, sim, (enum ts_stage)stage));
+	return TS_OK;
+}
+
+/* Rows are always built anew; forces only if something they depend on has changed since the last
+ * step. So a run cut in two, in one script or through a restart file, is the run in one. */
+static enum ts_status set_up(struct ts_plan *plan, struct tsim *sim)
+{
+	uint64_t fingerprint;
+
+	TS_TRY(ts_sim_fingerprint(sim, &fingerprint));
+	sim->resuming = fingerprint == sim->fingerprint;
+	if (!sim->resuming)
+		TS_TRY(ts_plan_stage(plan, sim, TS_STAGE_EXCHANGE));
+	TS_TRY(stages(plan, sim, TS_STAGE_BUILD, TS_STAGE_POST_BUILD));
+	TS_TRY(ts_plan_review(plan, sim, sim->clock.last_step - sim->clock.step));
+	if (sim->explain)
+		return TS_OK;
+	if (!sim->resuming) {
+		sim->in_setup = true;
+		TS_TRY(stages(plan, sim, TS_STAGE_PRE_FORCE, TS_STAGE_POST_FORCE));
+	}
+	sim->in_setup = sim->resuming = false;
+	return ts_plan_stage(plan, sim, TS_STAGE_SETUP);
+}
+
+/* One step; the order is that of LIGGGHTS. */
+static enum ts_status step(struct ts_plan *plan, struct tsim *sim)
+{
+	sim->clock.step++;
+	TS_TRY(stages(plan, sim, TS_STAGE_INITIAL_INTEGRATE, TS_STAGE_CHECK));
+	if (sim->rebuild)
+		TS_TRY(stages(plan, sim, TS_STAGE_EXCHANGE, TS_STAGE_POST_BUILD));
+	else
+		TS_TRY(ts_plan_stage(plan, sim, TS_STAGE_FORWARD));
+	sim->rebuild = false;
+	return stages(plan, sim, TS_STAGE_PRE_FORCE, TS_STAGE_OUTPUT);
+}
+
+static enum ts_status run(struct ts_plan *plan, struct tsim *sim, bool setup)
+{
+	if (setup || sim->explain)
+		TS_TRY(set_up(plan, sim));
+	if (sim->explain) {
+		sim->clock.step = sim->clock.last_step;
+		return TS_OK;
+	}
+	/* only now have all fixes seen the first state */
+	TS_TRY(ts_plan_stage(plan, sim, TS_STAGE_OUTPUT));
+	while (sim->clock.step < sim->clock.last_step && !sim->stop)
+		TS_TRY(step(plan, sim));
+	TS_TRY(ts_plan_stage(plan, sim, TS_STAGE_FINISH));
+	return ts_sim_fingerprint(sim, &sim->fingerprint);
+}
+
+enum ts_status ts_plan_run(struct ts_plan *plan, struct tsim *sim, bool setup)
+{
+	enum ts_status status;
+
+	sim->running = true;
+	sim->clock.wall_start = ts_clock();
+	status = run(plan, sim, setup);
+	sim->running = sim->in_setup = sim->resuming = sim->rebuild = false;
+	if (status != TS_OK)
+		return status;
+	if (sim->stop)
+		return ts_fail(&sim->error, TS_STOPPED, NULL,
+			       "stopped on request after step %" PRId64
+			       "; all results up to here are written",
+			       sim->clock.step);
+	return TS_OK;
+}
+
+static void hash_instance(struct tsim *sim, const struct ts_instance *inst, struct ts_hash *hash)
+{
+	struct ts_str record = { 0 };
+
+	ts_str_addf(&record, "%s %s %d", inst->style->name, inst->id, inst->group);
+	ts_args_record(sim, inst->style->args, inst->state, &record);
+	ts_hash_text(hash, ts_str_text(&record));
+	ts_str_release(&record);
+	if (inst->style->fingerprint)
+		inst->style->fingerprint(inst, sim, hash);
+}
+
+enum ts_status ts_sim_fingerprint(struct tsim *sim, uint64_t *out)
+{
+	static const enum ts_kind kinds[] = { TS_KIND_SYSTEM, TS_KIND_PAIR, TS_KIND_BOND,
+					      TS_KIND_FLOW, TS_KIND_FIX };
+	struct ts_hash hash = ts_hash_start();
+
+	ts_hash_add(&hash, &sim->clock.dt, sizeof sim->clock.dt);
+	ts_hash_add(&hash, &sim->clock.step, sizeof sim->clock.step);
+	ts_hash_add(&hash, &sim->units, sizeof sim->units);
+	ts_hash_add(&hash, &sim->dimension, sizeof sim->dimension);
+	for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
+		const struct ts_instances *list = &sim->instances[kinds[k]];
+
+		for (size_t i = 0; i < list->n; i++)
+			hash_instance(sim, list->item[i], &hash);
+	}
+	*out = ts_hash_value(&hash);
+	return TS_OK;
+}

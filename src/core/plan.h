@@ -1,0 +1,60 @@
+/* The plan of a run: who acts in which stage, what is modelled and left out, and the limits of the
+ * time step. */
+#ifndef TS_CORE_PLAN_H
+#define TS_CORE_PLAN_H
+
+#include "core/sim.h"
+
+struct ts_action {
+	ts_hook_fn *hook;
+	struct ts_instance *self;
+};
+
+struct ts_plan {
+	struct ts_action *actions[TS_NSTAGE];
+	size_t n[TS_NSTAGE], capacity[TS_NSTAGE];
+	double seconds[TS_NSTAGE]; /* wall time spent in each stage of this run */
+};
+
+/* Calls init of every live instance, then lists per stage those that have something to do. */
+enum ts_status ts_plan_compile(struct ts_plan *plan, struct tsim *sim);
+enum ts_status ts_plan_stage(struct ts_plan *plan, struct tsim *sim, enum ts_stage stage);
+void ts_plan_release(struct ts_plan *plan);
+
+/* Steps until sim->clock.last_step or a stop. `setup`: rebuild rows and, unless nothing that forces
+ * depend on has changed since the last step, compute forces anew. With sim->explain nothing is
+ * stepped or written: the plan is printed. */
+enum ts_status ts_plan_run(struct ts_plan *plan, struct tsim *sim, bool setup);
+
+/* What a style may add to the report of -explain and to the checks before a run. */
+struct ts_limit {
+	double dt;           /* the largest stable step */
+	bool fatal;          /* beyond it the run is refused; else only warned */
+	char text[160];      /* "contact of types 1-1: 2/omega0, k* = ..., m* = ..." */
+	struct ts_place where;
+};
+struct ts_plan_report {
+	struct ts_limit *limit;
+	size_t nlimits, limit_capacity;
+	struct ts_str lines;   /* "  particles    3100 ..." */
+	struct ts_str left_out; /* "  rotation     no live style needs it" */
+	double bytes;          /* memory */
+};
+enum ts_status ts_report_limit(struct ts_plan_report *report, double dt, bool fatal,
+			       const struct ts_place *where, const char *format, ...)
+	__attribute__((format(printf, 5, 6)));
+void ts_report_line(struct ts_plan_report *report, const char *name, const char *format, ...)
+	__attribute__((format(printf, 3, 4)));
+void ts_report_left_out(struct ts_plan_report *report, const char *name, const char *format, ...)
+	__attribute__((format(printf, 3, 4)));
+void ts_report_release(struct ts_plan_report *report);
+
+/* Asks every live instance, checks dt against the limits (refusal or warning), and prints the report
+ * when sim->explain. */
+enum ts_status ts_plan_review(struct ts_plan *plan, struct tsim *sim, int64_t steps);
+
+/* Hash of every setting forces depend on (resolved arguments of pair, bond, flow, fixes; dt; box and
+ * particle columns as far as systems archive them). */
+enum ts_status ts_sim_fingerprint(struct tsim *sim, uint64_t *out);
+
+#endif

@@ -1,0 +1,152 @@
+/* What a run is going to do, said before it starts: limits of the time step, memory, what is left
+ * out. */
+#include "core/plan.h"
+
+#include <inttypes.h>
+#include <stdarg.h>
+#include <stdio.h>
+
+#include "base/banned.h"
+
+enum ts_status ts_report_limit(struct ts_plan_report *report, double dt, bool fatal,
+			       const struct ts_place *where, const char *format, ...)
+{
+	struct ts_limit *limit;
+	va_list args;
+
+	TS_TRY(TS_GROW(report->limit, report->limit_capacity, report->nlimits + 1));
+	limit = &report->limit[report->nlimits++];
+	limit->dt = dt;
+	limit->fatal = fatal;
+	limit->where = *where;
+	va_start(args, format);
+	vsnprintf(limit->text, sizeof limit->text, format, args);
+	va_end(args);
+	return TS_OK;
+}
+
+static void add_line(struct ts_str *to, const char *name, const char *format, va_list args)
+{
+	ts_str_addf(to, "  %-16s ", name);
+	ts_str_vaddf(to, format, args);
+	ts_str_add(to, "\n");
+}
+
+void ts_report_line(struct ts_plan_report *report, const char *name, const char *format, ...)
+{
+	va_list args;
+
+	va_start(args, format);
+	add_line(&report->lines, name, format, args);
+	va_end(args);
+}
+
+void ts_report_left_out(struct ts_plan_report *report, const char *name, const char *format, ...)
+{
+	va_list args;
+
+	va_start(args, format);
+	add_line(&report->left_out, name, format, args);
+	va_end(args);
+}
+
+void ts_report_release(struct ts_plan_report *report)
+{
+	ts_free(report->limit);
+	ts_str_release(&report->lines);
+	ts_str_release(&report->left_out);
+	*report = (struct ts_plan_report){ 0 };
+}
+
+static enum ts_status collect(struct ts_plan_report *report, struct tsim *sim)
+{
+	for (int kind = 0; kind < TS_NKIND; kind++) {
+		const struct ts_instances *list = &sim->instances[kind];
+
+		for (size_t k = 0; k < list->n; k++)
+			if (list->item[k]->style->plan)
+				TS_TRY(list->item[k]->style->plan(list->item[k], sim, report));
+	}
+	return TS_OK;
+}
+
+static const struct ts_limit *binding_limit(const struct ts_plan_report *report, bool fatal)
+{
+	const struct ts_limit *least = NULL;
+
+	for (size_t k = 0; k < report->nlimits; k++)
+		if (report->limit[k].fatal == fatal && (!least || report->limit[k].dt < least->dt))
+			least = &report->limit[k];
+	return least;
+}
+
+static enum ts_status judge(const struct ts_plan_report *report, struct tsim *sim)
+{
+	const struct ts_limit *hard = binding_limit(report, true);
+	const struct ts_limit *soft = binding_limit(report, false);
+	double dt = sim->clock.dt;
+
+	if (hard && !(dt < hard->dt))
+		return ts_fail(&sim->error, TS_PHYSICS, &hard->where,
+			       "the time step %g is beyond the stability limit %g of %s; "
+			       "use `timestep` with less than that, a tenth for accuracy",
+			       dt, hard->dt, hard->text);
+	if (soft && !(dt < soft->dt))
+		ts_warn(&sim->log, &soft->where, "the time step %g is larger than %g, the limit of %s",
+			dt, soft->dt, soft->text);
+	return TS_OK;
+}
+
+static void print_stages(const struct ts_plan *plan, struct tsim *sim)
+{
+#define STAGE_NAME(name) #name,
+	static const char *const names[] = { TS_STAGE_LIST(STAGE_NAME) };
+#undef STAGE_NAME
+
+	ts_log(&sim->log, "who acts when:\n");
+	for (int stage = 0; stage < TS_NSTAGE; stage++) {
+		if (!plan->n[stage])
+			continue;
+		ts_log(&sim->log, "  %-18s", names[stage]);
+		for (size_t k = 0; k < plan->n[stage]; k++) {
+			const struct ts_instance *inst = plan->actions[stage][k].self;
+
+			ts_log(&sim->log, " %s%s%s", inst->style->name,
+			       *inst->id && inst->style->kind != TS_KIND_SYSTEM ? ":" : "",
+			       inst->style->kind != TS_KIND_SYSTEM ? inst->id : "");
+		}
+		ts_log(&sim->log, "\n");
+	}
+}
+
+static void print_report(const struct ts_plan *plan, const struct ts_plan_report *report,
+			 struct tsim *sim, int64_t steps)
+{
+	const struct ts_limit *hard = binding_limit(report, true);
+
+	ts_log(&sim->log, "\nPlan of a run of %" PRId64 " steps of %g (time %g to %g)\n", steps,
+	       sim->clock.dt, ts_sim_time(sim),
+	       ts_sim_time(sim) + (double)steps * sim->clock.dt);
+	ts_log(&sim->log, "modelled:\n%s", ts_str_text(&report->lines));
+	ts_log(&sim->log, "left out:\n%s", ts_str_text(&report->left_out));
+	ts_log(&sim->log, "memory: about %.3g MB\n", report->bytes / 1e6);
+	ts_log(&sim->log, "limits of the time step (now %g):\n", sim->clock.dt);
+	for (size_t k = 0; k < report->nlimits; k++)
+		ts_log(&sim->log, "%s %-12.6g %s%s\n", &report->limit[k] == hard ? "->" : "  ",
+		       report->limit[k].dt, report->limit[k].text,
+		       report->limit[k].fatal ? "" : " (advice)");
+	print_stages(plan, sim);
+}
+
+enum ts_status ts_plan_review(struct ts_plan *plan, struct tsim *sim, int64_t steps)
+{
+	struct ts_plan_report report = { 0 };
+	enum ts_status status = collect(&report, sim);
+
+	if (status == TS_OK && sim->explain)
+		print_report(plan, &report, sim, steps);
+	if (status == TS_OK)
+		status = judge(&report, sim);
+	ts_report_release(&report);
+	return status;
+}

@@ -1,0 +1,105 @@
+/* The simulation: all that a run has. Two can live in one process; nothing is global. */
+#ifndef TS_CORE_SIM_H
+#define TS_CORE_SIM_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "base/log.h"
+#include "base/status.h"
+#include "base/str.h"
+#include "core/host.h"
+#include "core/style.h"
+
+/* Systems, owned by the folders of their names; the core knows them by pointer only. */
+struct ts_domain;
+struct ts_particles;
+struct ts_neigh;
+struct ts_bonds;
+struct ts_thermo;
+
+enum ts_units { TS_UNITS_LJ, TS_UNITS_SI, TS_UNITS_CGS, TS_UNITS_MICRO };
+
+/* Live instances of one kind, in script order. */
+struct ts_instances {
+	struct ts_instance **item;
+	size_t n, capacity;
+};
+
+struct ts_clock {
+	int64_t step;       /* the step counter                                    */
+	int64_t first_step; /* of the current run                                  */
+	int64_t last_step;  /* of the current run                                  */
+	int64_t base_step;  /* time = base_time + (step - base_step) dt: exact for */
+	double base_time;   /* a constant dt, whatever the number of steps         */
+	double dt;
+	double wall_start;  /* ts_clock() at the start of the current run */
+};
+
+struct tsim {
+	struct ts_error error;
+	struct ts_log log;
+	struct ts_pool *pool; /* file names and script lines of places */
+
+	struct ts_clock clock;
+	enum ts_units units;
+	int dimension;
+	int threads;
+	bool explain;      /* -explain: plan runs, do not step or write */
+	bool running;      /* inside a run */
+	bool rebuild;      /* this step exchanges particles and rebuilds the contact rows */
+	bool in_setup;     /* forces before the first step: contact history stands still */
+	bool resuming;     /* nothing forces depend on has changed since the last step: the run
+			    * goes on with the forces and the rows of that step */
+	volatile int stop; /* set from a signal handler: finish the step, then stop */
+	uint64_t fingerprint; /* of all that forces depend on, at the end of the last run */
+
+	unsigned columns;     /* all that live styles need */
+	struct ts_instances instances[TS_NKIND]; /* systems, pair, bond, flow: at most one live  */
+
+	/* the systems, by type: set when they are created */
+	struct ts_domain *domain;
+	struct ts_particles *particles;
+	struct ts_neigh *neigh;
+	struct ts_bonds *bonds;
+	struct ts_thermo *thermo;
+
+	struct ts_pending *pending; /* state from a restart file for styles not yet defined again */
+
+	const struct ts_host *host;
+	void *host_data;
+};
+
+/* threads 0: as OMP_NUM_THREADS says, else 1. NULL: out of memory. */
+struct tsim *ts_sim_new(void);
+void ts_sim_free(struct tsim *sim);
+/* `clear`: everything but log, error, strings, host. */
+enum ts_status ts_sim_clear(struct tsim *sim);
+
+double ts_sim_time(const struct tsim *sim);
+void ts_sim_set_dt(struct tsim *sim, double dt);
+
+/* Creates, parses and initialises an instance. On failure nothing stays behind. An id in use is
+ * replaced in place if it is of the same style (LIGGGHTS), else refused. `id` may be "" (pair, bond,
+ * flow: replaces the one that lives). `out` may be NULL. */
+enum ts_status ts_sim_create(struct tsim *sim, enum ts_kind kind, const struct ts_style *style,
+			     const char *id, int group, struct ts_words args,
+			     const struct ts_place *where, struct ts_instance **out);
+/* For kinds of which one lives at most: creates it from a line `STYLE arguments`. */
+enum ts_status ts_sim_choose(struct tsim *sim, enum ts_kind kind, struct ts_words line,
+			     const struct ts_place *where);
+enum ts_status ts_sim_destroy(struct tsim *sim, enum ts_kind kind, const struct ts_word *id);
+struct ts_instance *ts_sim_find(const struct tsim *sim, enum ts_kind kind, const char *id);
+/* The same, or an error with a suggestion. */
+enum ts_status ts_sim_require(struct tsim *sim, enum ts_kind kind, const struct ts_word *id,
+			      struct ts_instance **out);
+/* The one live pair, bond or flow, or NULL. */
+struct ts_instance *ts_sim_only(const struct tsim *sim, enum ts_kind kind);
+
+/* Whether create_box or read_restart has been done; defined by the domain system. */
+bool ts_sim_has_box(const struct tsim *sim);
+
+/* Runs a command by its words (word 0 is its name). */
+enum ts_status ts_sim_command(struct tsim *sim, struct ts_words words);
+
+#endif

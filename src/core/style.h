@@ -1,0 +1,134 @@
+/* Styles: everything a script can name. One file, one constant table, one exported symbol.
+ *
+ * The core allocates the state, fills in defaults, parses the arguments, documents, archives and
+ * frees; the style's own code is its physics. Life cycle:
+ *   parse -> init (when created, except pair and bond, and before each run: resolve names, derive
+ *   constants; may be called again) -> setup and other stage hooks -> fini (only what init and hooks allocated).
+ * A slot left NULL means: nothing to do. */
+#ifndef TS_CORE_STYLE_H
+#define TS_CORE_STYLE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "base/hash.h"
+#include "core/archive.h"
+#include "core/arg.h"
+#include "core/value.h"
+
+struct tsim;
+
+#define TS_KIND_LIST(X)                                                                            \
+	X(SYSTEM, "system")                                                                        \
+	X(COMMAND, "command")                                                                      \
+	X(FIX, "fix")                                                                              \
+	X(PAIR, "pair")                                                                            \
+	X(BOND, "bond")                                                                            \
+	X(COMPUTE, "compute")                                                                      \
+	X(REGION, "region")                                                                        \
+	X(DUMP, "dump")                                                                            \
+	X(FLOW, "flow")
+#define TS_KIND_ENUM(name, text) TS_KIND_##name,
+enum ts_kind { TS_KIND_LIST(TS_KIND_ENUM) TS_NKIND };
+#undef TS_KIND_ENUM
+const char *ts_kind_name(enum ts_kind kind);
+
+/* The stages of a run, in order. SETUP comes once, after the first forces. Of a step, EXCHANGE, BUILD
+ * and POST_BUILD are done when sim->rebuild is set (CHECK decides), else FORWARD. Within a stage
+ * systems act first, then pair, bond, flow, fixes in script order, computes, dumps. */
+#define TS_STAGE_LIST(X)                                                                           \
+	X(INITIAL_INTEGRATE)                                                                       \
+	X(POST_INTEGRATE)                                                                          \
+	X(CHECK)                                                                                   \
+	X(EXCHANGE)                                                                                \
+	X(BUILD)                                                                                   \
+	X(POST_BUILD)                                                                              \
+	X(FORWARD)                                                                                 \
+	X(PRE_FORCE)                                                                               \
+	X(FORCE)                                                                                   \
+	X(POST_FORCE)                                                                              \
+	X(FINAL_INTEGRATE)                                                                         \
+	X(END_OF_STEP)                                                                             \
+	X(OUTPUT)                                                                                  \
+	X(SETUP)                                                                                   \
+	X(FINISH)
+#define TS_STAGE_ENUM(name) TS_STAGE_##name,
+enum ts_stage { TS_STAGE_LIST(TS_STAGE_ENUM) TS_NSTAGE };
+#undef TS_STAGE_ENUM
+
+typedef enum ts_status ts_hook_fn(struct ts_instance *self, struct tsim *sim);
+
+/* What all styles have in common; first member of the tables of each kind. */
+struct ts_style {
+	const char *name;
+	enum ts_kind kind;
+	const char *summary;  /* one line, no full stop */
+	const char *doc;      /* paragraphs for the manual page: what it does, equations */
+	const char *example;  /* script lines */
+	const char *cite;     /* source of the method, or NULL */
+	const struct ts_arg *args;
+	size_t state_size;
+	const struct ts_saved *saved; /* state for restart files; see core/archive.h */
+	/* For state that rows cannot describe; same function for writing and reading. */
+	enum ts_status (*archive)(struct ts_instance *self, struct tsim *sim,
+				  struct ts_archive *archive);
+	/* Adds to the fingerprint whatever forces depend on besides the arguments. */
+	void (*fingerprint)(const struct ts_instance *self, const struct tsim *sim,
+			    struct ts_hash *hash);
+	const struct ts_value *values;
+	unsigned columns; /* particle columns it needs: bits of particles/particles.h */
+	ts_hook_fn *init;
+	ts_hook_fn *hook[TS_NSTAGE];
+	/* Appends limits of the time step and other lines to the plan; see core/plan.h. */
+	enum ts_status (*plan)(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *);
+	void (*fini)(struct ts_instance *self);
+};
+
+/* A live style: owned by the simulation. */
+struct ts_instance {
+	const struct ts_style *style;
+	const char *id;        /* "" where the kind has none */
+	int group;             /* bit number; 0 = all */
+	void *state;           /* style->state_size bytes */
+	struct ts_place where; /* the line that made it: for messages while running */
+	struct ts_arena arena; /* strings of its arguments */
+	struct ts_table table; /* for its outputs */
+	int64_t every;         /* dumps: interval in steps */
+};
+
+/* A command: parsed like any style, run once, freed. */
+struct ts_command_style {
+	struct ts_style style;
+	bool needs_box; /* refused before create_box or read_restart */
+	enum ts_status (*run)(struct tsim *sim, void *state, const struct ts_place *where);
+};
+
+/* A system: a part of the simulation that exists once (particles, contact rows, thermo ...). Its
+ * state is also reachable as a typed pointer of struct tsim. */
+struct ts_system_style {
+	struct ts_style style;
+	size_t slot; /* offset of that pointer in struct tsim */
+	const struct ts_keyword *keywords;
+	const struct ts_function *functions;
+	/* Per-particle numbers by script name (x, vy, radius ...): one row per local particle. */
+	bool (*has_quantity)(const char *name);
+	enum ts_status (*quantity)(struct tsim *sim, const char *name, struct ts_table *out);
+	void (*suggest_quantity)(struct ts_suggest *suggest);
+};
+
+/* The table of all styles, generated (src/styles/style_table.c): sorted by kind, then name; closed
+ * by NULL. The systems are listed by hand in order of their actions (src/systems.c). */
+extern const struct ts_style *const ts_style_table[];
+extern const struct ts_system_style *const ts_system_table[];
+
+/* The only lookup; NULL if unknown. */
+const struct ts_style *ts_style_find(enum ts_kind kind, const char *name);
+/* The same, or an error with a suggestion. */
+enum ts_status ts_style_require(struct tsim *sim, enum ts_kind kind, const struct ts_word *name,
+				const struct ts_style **out);
+
+/* Marks a table for the generator; expands to its declaration. */
+#define TS_STYLE(kind, type, symbol) extern const struct type symbol;
+
+#endif

@@ -1,0 +1,320 @@
+#include "core/value.h"
+
+#include <string.h>
+
+#include "core/sim.h"
+
+#include "base/banned.h"
+
+enum ts_status ts_table_resize(struct ts_table *table, size_t rows, size_t columns)
+{
+	TS_TRY(TS_GROW(table->data, table->capacity, rows * columns));
+	table->rows = rows;
+	table->columns = columns;
+	return TS_OK;
+}
+
+void ts_table_release(struct ts_table *table)
+{
+	ts_free(table->data);
+	*table = (struct ts_table){ 0 };
+}
+
+const struct ts_value *ts_value_find(const struct ts_instance *inst, enum ts_shape shape)
+{
+	for (const struct ts_value *v = inst->style->values; v && v->name; v++)
+		if (v->shape == shape)
+			return v;
+	return NULL;
+}
+
+enum ts_status ts_value_eval(struct ts_instance *inst, struct tsim *sim, const struct ts_value *value,
+			     struct ts_table *out)
+{
+	size_t columns = value->shape == TS_SCALAR ? 1 : value->columns;
+
+	if (value->shape == TS_SCALAR || (value->shape == TS_VECTOR && columns))
+		if (ts_table_resize(out, 1, columns) != TS_OK)
+			return ts_nomem(&sim->error);
+	return value->eval(inst, sim, out);
+}
+
+
+const struct ts_keyword *ts_keyword_find(const struct tsim *sim, const char *name)
+{
+	(void)sim;
+	for (const struct ts_system_style *const *s = ts_system_table; *s; s++)
+		for (const struct ts_keyword *k = (*s)->keywords; k && k->name; k++)
+			if (ts_streq(k->name, name))
+				return k;
+	return NULL;
+}
+
+const struct ts_function *ts_function_find(const struct tsim *sim, const char *name)
+{
+	(void)sim;
+	for (const struct ts_system_style *const *s = ts_system_table; *s; s++)
+		for (const struct ts_function *f = (*s)->functions; f && f->name; f++)
+			if (ts_streq(f->name, name))
+				return f;
+	return NULL;
+}
+
+static const struct ts_system_style *quantity_owner(const char *name)
+{
+	for (const struct ts_system_style *const *s = ts_system_table; *s; s++)
+		if ((*s)->has_quantity && (*s)->has_quantity(name))
+			return *s;
+	return NULL;
+}
+
+bool ts_quantity_has(const struct tsim *sim, const char *name)
+{
+	(void)sim;
+	return quantity_owner(name) != NULL;
+}
+
+enum ts_status ts_quantity_eval(struct tsim *sim, const char *name, struct ts_table *out)
+{
+	const struct ts_system_style *owner = quantity_owner(name);
+
+	if (!owner)
+		return ts_fail(&sim->error, TS_UNKNOWN, NULL, "unknown per-particle quantity '%s'",
+			       name);
+	return owner->quantity(sim, name, out);
+}
+
+void ts_quantity_suggest(struct ts_suggest *suggest)
+{
+	for (const struct ts_system_style *const *s = ts_system_table; *s; s++)
+		if ((*s)->suggest_quantity)
+			(*s)->suggest_quantity(suggest);
+}
+
+/* "name[12]" -> name and 12; no bracket: 0. */
+static bool split_index(const char *text, char *name, size_t size, long *index)
+{
+	const char *bracket = strchr(text, '[');
+	size_t n = bracket ? (size_t)(bracket - text) : strlen(text);
+	char digits[16];
+	int64_t k;
+
+	*index = 0;
+	if (n >= size)
+		return false;
+	memcpy(name, text, n);
+	name[n] = '\0';
+	if (!bracket)
+		return true;
+	n = strlen(bracket);
+	if (n < 3 || n - 2 >= sizeof digits || bracket[n - 1] != ']')
+		return false;
+	memcpy(digits, bracket + 1, n - 2);
+	digits[n - 2] = '\0';
+	if (!ts_parse_int(digits, &k) || k < 0 || k > 1000000)
+		return false;
+	*index = (long)k;
+	return true;
+}
+
+static enum ts_status resolve_variable(struct tsim *sim, const char *name,
+				       const struct ts_place *where, struct ts_ref *ref)
+{
+	struct ts_suggest suggest = ts_suggest_start(name);
+
+	ref->kind = TS_REF_VARIABLE;
+	ref->variable = name;
+	if (sim->host && sim->host->has_variable(sim->host_data, name))
+		return TS_OK;
+	if (sim->host)
+		sim->host->suggest_variable(sim->host_data, &suggest);
+	return ts_fail(&sim->error, TS_UNKNOWN, where, "unknown variable '%s'%s", name,
+		       ts_suggest_text(&suggest));
+}
+
+static enum ts_status resolve_keyword(struct tsim *sim, const char *name,
+				      const struct ts_place *where, struct ts_ref *ref)
+{
+	struct ts_suggest suggest = ts_suggest_start(name);
+
+	ref->kind = TS_REF_KEYWORD;
+	ref->keyword = ts_keyword_find(sim, name);
+	if (ref->keyword)
+		return TS_OK;
+	for (const struct ts_system_style *const *s = ts_system_table; *s; s++)
+		for (const struct ts_keyword *k = (*s)->keywords; k && k->name; k++)
+			ts_suggest_try(&suggest, k->name);
+	return ts_fail(&sim->error, TS_UNKNOWN, where,
+		       "unknown quantity '%s', expected a thermo keyword, c_ID, f_ID or v_name%s",
+		       name, ts_suggest_text(&suggest));
+}
+
+static enum ts_status resolve_instance(struct tsim *sim, const char *name, enum ts_kind kind,
+				       const struct ts_place *where, struct ts_ref *ref)
+{
+	char id[128];
+	struct ts_word word = { .text = id };
+
+	if (where)
+		word.place = *where;
+	ref->kind = kind == TS_KIND_COMPUTE ? TS_REF_COMPUTE : TS_REF_FIX;
+	if (!split_index(name + 2, id, sizeof id, &ref->index))
+		return ts_fail(&sim->error, TS_SYNTAX, where, "'%s' is malformed, expected %.2sID or %.2sID[k]",
+			       name, name, name);
+	TS_TRY(ts_sim_require(sim, kind, &word, &ref->inst));
+	if (!ref->inst->style->values)
+		return ts_fail(&sim->error, TS_STATE, where, "%s %s (%s) has no output to read",
+			       ts_kind_name(kind), id, ref->inst->style->name);
+	return TS_OK;
+}
+
+enum ts_status ts_ref_resolve(struct tsim *sim, const char *name, const struct ts_place *where,
+			      struct ts_ref *ref)
+{
+	*ref = (struct ts_ref){ 0 };
+	if (strncmp(name, "c_", 2) == 0)
+		return resolve_instance(sim, name, TS_KIND_COMPUTE, where, ref);
+	if (strncmp(name, "f_", 2) == 0)
+		return resolve_instance(sim, name, TS_KIND_FIX, where, ref);
+	if (strncmp(name, "v_", 2) == 0)
+		return resolve_variable(sim, name + 2, where, ref);
+	return resolve_keyword(sim, name, where, ref);
+}
+
+unsigned ts_ref_shapes(const struct tsim *sim, const struct ts_ref *ref)
+{
+	unsigned shapes = 0;
+
+	if (ref->kind == TS_REF_KEYWORD)
+		return 1u << TS_SCALAR;
+	if (ref->kind == TS_REF_VARIABLE)
+		return sim->host->is_peratom(sim->host_data, ref->variable) ? 1u << TS_PERATOM
+									    : 1u << TS_SCALAR;
+	for (const struct ts_value *v = ref->inst->style->values; v && v->name; v++)
+		shapes |= v->shape == TS_VECTOR && ref->index ? 1u << TS_SCALAR : 1u << v->shape;
+	return shapes;
+}
+
+static enum ts_status no_such_output(struct tsim *sim, const struct ts_ref *ref,
+				     const struct ts_place *where, const char *wanted)
+{
+	return ts_fail(&sim->error, TS_STATE, where, "%s %s (style %s) has no %s output",
+		       ts_kind_name(ref->inst->style->kind), ref->inst->id, ref->inst->style->name,
+		       wanted);
+}
+
+/* Column k of the rows: *column counted from 0. */
+static enum ts_status pick_column(struct tsim *sim, const struct ts_ref *ref,
+				  const struct ts_place *where, size_t columns, size_t *column)
+{
+	if (ref->index > (long)columns)
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "%s %s: column [%ld] asked for, it has %zu",
+			       ts_kind_name(ref->inst->style->kind), ref->inst->id, ref->index,
+			       columns);
+	if (!ref->index && columns > 1)
+		return ts_fail(&sim->error, TS_SYNTAX, where,
+			       "%s %s has %zu columns, choose one with [k]",
+			       ts_kind_name(ref->inst->style->kind), ref->inst->id, columns);
+	*column = ref->index ? (size_t)ref->index - 1 : 0;
+	return TS_OK;
+}
+
+static enum ts_status instance_scalar(struct tsim *sim, const struct ts_ref *ref,
+				      const struct ts_place *where, double *out)
+{
+	enum ts_shape shape = ref->index ? TS_VECTOR : TS_SCALAR;
+	const struct ts_value *value = ts_value_find(ref->inst, shape);
+	struct ts_table *table = &ref->inst->table;
+	size_t count;
+
+	if (!value)
+		return no_such_output(sim, ref, where,
+				      ref->index ? "vector" : "scalar (use an index [k]?)");
+	TS_TRY(ts_value_eval(ref->inst, sim, value, table));
+	count = table->rows * table->columns;
+	if (ref->index > (long)count)
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "%s %s: element [%ld] asked for, the vector has %zu",
+			       ts_kind_name(ref->inst->style->kind), ref->inst->id, ref->index,
+			       count);
+	*out = table->data[ref->index ? ref->index - 1 : 0];
+	return TS_OK;
+}
+
+enum ts_status ts_ref_scalar(struct tsim *sim, const struct ts_ref *ref,
+			     const struct ts_place *where, double *out)
+{
+	switch (ref->kind) {
+	case TS_REF_KEYWORD:
+		return ref->keyword->eval(sim, out);
+	case TS_REF_VARIABLE:
+		return sim->host->scalar(sim->host_data, ref->variable, where, out);
+	case TS_REF_COMPUTE:
+	case TS_REF_FIX:
+		break;
+	}
+	return instance_scalar(sim, ref, where, out);
+}
+
+static enum ts_status one_column(struct tsim *sim, const struct ts_ref *ref,
+				 const struct ts_place *where, enum ts_shape shape,
+				 struct ts_table *out)
+{
+	const struct ts_value *value = ts_value_find(ref->inst, shape);
+	const struct ts_table *table = &ref->inst->table;
+	size_t column = 0;
+
+	if (!value)
+		return no_such_output(sim, ref, where,
+				      shape == TS_LOCAL ? "local" : "per-particle");
+	TS_TRY(ts_value_eval(ref->inst, sim, value, &ref->inst->table));
+	TS_TRY(pick_column(sim, ref, where, table->columns, &column));
+	if (ts_table_resize(out, table->rows, 1) != TS_OK)
+		return ts_nomem(&sim->error);
+	for (size_t i = 0; i < table->rows; i++)
+		out->data[i] = table->data[i * table->columns + column];
+	return TS_OK;
+}
+
+static enum ts_status repeat_scalar(struct tsim *sim, const struct ts_ref *ref,
+				    const struct ts_place *where, struct ts_table *out)
+{
+	double value;
+
+	TS_TRY(ts_quantity_eval(sim, "id", out)); /* as many rows as there are particles */
+	TS_TRY(ts_ref_scalar(sim, ref, where, &value));
+	for (size_t i = 0; i < out->rows; i++)
+		out->data[i] = value;
+	return TS_OK;
+}
+
+enum ts_status ts_ref_peratom(struct tsim *sim, const struct ts_ref *ref,
+			      const struct ts_place *where, struct ts_table *out)
+{
+	if (!(ts_ref_shapes(sim, ref) & (1u << TS_PERATOM)))
+		return repeat_scalar(sim, ref, where, out);
+	if (ref->kind == TS_REF_VARIABLE)
+		return sim->host->peratom(sim->host_data, ref->variable, where, out);
+	return one_column(sim, ref, where, TS_PERATOM, out);
+}
+
+enum ts_status ts_ref_vector(struct tsim *sim, const struct ts_ref *ref,
+			     const struct ts_place *where, struct ts_table *out)
+{
+	const struct ts_value *value = ref->inst ? ts_value_find(ref->inst, TS_VECTOR) : NULL;
+
+	if (!value)
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "expected a compute or fix with a vector output");
+	return ts_value_eval(ref->inst, sim, value, out);
+}
+
+enum ts_status ts_ref_local(struct tsim *sim, const struct ts_ref *ref,
+			    const struct ts_place *where, struct ts_table *out)
+{
+	if (!ref->inst)
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "expected a compute or fix with a local output");
+	return one_column(sim, ref, where, TS_LOCAL, out);
+}

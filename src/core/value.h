@@ -1,0 +1,99 @@
+/* What styles let others read: outputs of computes and fixes, thermo keywords, variables.
+ *
+ * A style lists its outputs in rows; scripts read them as c_ID, c_ID[2], f_ID[1], v_NAME. */
+#ifndef TS_CORE_VALUE_H
+#define TS_CORE_VALUE_H
+
+#include <stddef.h>
+
+#include <stdbool.h>
+
+#include "base/status.h"
+#include "base/str.h"
+#include "base/words.h"
+
+struct tsim;
+struct ts_instance;
+
+enum ts_shape {
+	TS_SCALAR = 1, /* one number                                      c_ID                 */
+	TS_VECTOR,     /* `columns` numbers, or as many as rows come out  c_ID[k]              */
+	TS_PERATOM,    /* rows = local particles, `columns` each          c_ID or c_ID[k]      */
+	TS_LOCAL       /* any number of rows (contacts, bonds ...)        c_ID[k] in dump local */
+};
+
+/* A table of doubles that grows and is reused from call to call; zero-initialise. */
+struct ts_table {
+	double *data; /* data[row * columns + column] */
+	size_t rows, columns, capacity;
+};
+enum ts_status ts_table_resize(struct ts_table *table, size_t rows, size_t columns);
+void ts_table_release(struct ts_table *table);
+
+/* One row of a style's output table; the list is closed by .name NULL. */
+struct ts_value {
+	const char *name, *unit, *help;
+	enum ts_shape shape;
+	size_t columns;                /* 0: not known before evaluation */
+	const char *const *column_names; /* may be NULL */
+	/* Fills `out` (already resized for TS_SCALAR and, with columns > 0, TS_VECTOR). */
+	enum ts_status (*eval)(struct ts_instance *self, const struct tsim *sim,
+			       struct ts_table *out);
+};
+const struct ts_value *ts_value_find(const struct ts_instance *inst, enum ts_shape shape);
+enum ts_status ts_value_eval(struct ts_instance *inst, struct tsim *sim, const struct ts_value *value,
+			     struct ts_table *out);
+
+/* A name that stands for a number or a list of numbers. */
+enum ts_ref_kind { TS_REF_KEYWORD, TS_REF_COMPUTE, TS_REF_FIX, TS_REF_VARIABLE };
+struct ts_keyword;
+struct ts_ref {
+	enum ts_ref_kind kind;
+	struct ts_instance *inst;           /* compute or fix */
+	const struct ts_keyword *keyword;
+	const char *variable;
+	long index; /* k of [k], counted from 1; 0: none given */
+};
+
+/* Resolves a name. `name` must outlive the ref (arg tables copy it to the owner's arena). */
+enum ts_status ts_ref_resolve(struct tsim *sim, const char *name, const struct ts_place *where,
+			      struct ts_ref *ref);
+enum ts_status ts_ref_scalar(struct tsim *sim, const struct ts_ref *ref,
+			     const struct ts_place *where, double *out);
+/* One value per local particle, in local order. A scalar is repeated. */
+enum ts_status ts_ref_peratom(struct tsim *sim, const struct ts_ref *ref,
+			      const struct ts_place *where, struct ts_table *out);
+/* A whole global vector (c_ID, f_ID without index). */
+enum ts_status ts_ref_vector(struct tsim *sim, const struct ts_ref *ref,
+			     const struct ts_place *where, struct ts_table *out);
+/* One column of a local table: c_ID[k], or c_ID where it has one column. */
+enum ts_status ts_ref_local(struct tsim *sim, const struct ts_ref *ref,
+			    const struct ts_place *where, struct ts_table *out);
+/* Which of the shapes a ref can give: bit (1 << shape) set. */
+unsigned ts_ref_shapes(const struct tsim *sim, const struct ts_ref *ref);
+
+/* A named number of a system, usable in thermo_style and expressions; closed by .name NULL. */
+struct ts_keyword {
+	const char *name;  /* "vol" */
+	const char *title; /* thermo column title: "Volume" */
+	const char *unit, *help;
+	int integer; /* printed as %8ld */
+	enum ts_status (*eval)(struct tsim *sim, double *out);
+};
+const struct ts_keyword *ts_keyword_find(const struct tsim *sim, const char *name);
+
+/* Per-particle numbers by script name (x, vy, radius ...), from whichever system has them. */
+bool ts_quantity_has(const struct tsim *sim, const char *name);
+enum ts_status ts_quantity_eval(struct tsim *sim, const char *name, struct ts_table *out);
+void ts_quantity_suggest(struct ts_suggest *suggest);
+
+/* A function of expressions that needs the simulation: count(group), xcm(group,x) ...; closed by
+ * .name NULL. Arguments come as words, since groups and regions are no numbers. */
+struct ts_function {
+	const char *name, *arguments, *help;
+	size_t least, most; /* number of arguments */
+	enum ts_status (*eval)(struct tsim *sim, struct ts_words args, double *out);
+};
+const struct ts_function *ts_function_find(const struct tsim *sim, const char *name);
+
+#endif

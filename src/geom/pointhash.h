@@ -1,0 +1,34 @@
+/* A hash of points by cubic cells, for questions of the kind "is there a point nearer than d?" in
+ * space without bounds. Periodic images are put to the question by the caller. */
+#ifndef TS_GEOM_POINTHASH_H
+#define TS_GEOM_POINTHASH_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "base/status.h"
+#include "geom/box.h"
+
+struct ts_pointhash {
+	double cell; /* edge of a cell: the largest distance that can be asked for */
+	size_t n, capacity;
+	double (*x)[3];
+	int32_t *next; /* chain of points in the same bucket, -1: end */
+	size_t next_capacity;
+	int32_t *bucket; /* nbuckets, a power of two; heads of chains */
+	size_t nbuckets;
+};
+
+/* cell > 0. Zero-initialised or released before. */
+enum ts_status ts_pointhash_start(struct ts_pointhash *hash, double cell);
+void ts_pointhash_release(struct ts_pointhash *hash);
+enum ts_status ts_pointhash_add(struct ts_pointhash *hash, const double x[3]);
+
+/* Is a point nearer to x than distance (<= cell)? */
+bool ts_pointhash_near(const struct ts_pointhash *hash, const double x[3], double distance);
+/* The same with the images of x across the periodic faces of the box. */
+bool ts_pointhash_near_periodic(const struct ts_pointhash *hash, const struct ts_box *box,
+				const double x[3], double distance);
+
+#endif

@@ -1,0 +1,153 @@
+#include "io/dump_vtk.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "base/banned.h"
+
+enum ts_status ts_dump_vtk_init(struct ts_instance *self, struct tsim *sim, bool local)
+{
+	struct ts_dump_vtk *s = self->state;
+	const char *file = s->common.file;
+
+	if (!ts_ends_with(file, ".vtp"))
+		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+			       "dump %s writes VTK XML: the name of the file must end in .vtp, found "
+			       "'%s'",
+			       self->style->name, file);
+	if (!strchr(file, '*'))
+		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+			       "dump %s writes one file per frame: the name '%s' needs a `*` for the "
+			       "step",
+			       self->style->name, file);
+	if (!s->array) {
+		s->array = ts_arena_alloc(&self->arena, s->names.n, sizeof *s->array);
+		if (!s->array)
+			return ts_nomem(&sim->error);
+	}
+	return ts_dump_columns(self, sim, s->names, local);
+}
+
+/* "vx", "vy", "vz" -> "v"; "c_a[2]", "c_a[3]", "c_a[4]" -> "c_a[2-4]". */
+static bool vector_name(const struct ts_dump_column *c, char *out, size_t size)
+{
+	size_t n = strlen(c[0].name);
+	const char *bracket = strchr(c[0].name, '[');
+	size_t stem = bracket ? (size_t)(bracket - c[0].name) + 1 : n - 1;
+	int64_t index[3];
+	char digits[16];
+
+	for (int k = 0; k < 3; k++) {
+		const char *name = c[k].name, *rest;
+
+		if (strlen(name) <= stem || strncmp(name, c[0].name, stem) != 0)
+			return false;
+		rest = name + stem;
+		if (!bracket) {
+			if (rest[0] != "xyz"[k] || rest[1] || c[k].kind != TS_DUMP_QUANTITY)
+				return false;
+			continue;
+		}
+		snprintf(digits, sizeof digits, "%.*s", (int)strcspn(rest, "]"), rest);
+		if (!ts_parse_int(digits, &index[k]) || index[k] != index[0] + k)
+			return false;
+	}
+	if (bracket)
+		snprintf(out, size, "%.*s%lld-%lld]", (int)stem, c[0].name, (long long)index[0],
+			 (long long)index[2]);
+	else
+		snprintf(out, size, "%.*s", (int)stem, c[0].name);
+	return true;
+}
+
+static bool is_position(const struct ts_dump_column *c)
+{
+	return c->kind == TS_DUMP_QUANTITY && strchr("xyz", c->name[0]) && !c->name[1];
+}
+
+static void copy_columns(const struct ts_dump_common *d, size_t first, size_t count, double *to)
+{
+	for (size_t row = 0; row < d->nrows; row++)
+		for (size_t k = 0; k < count; k++)
+			*to++ = d->column[first + k].values.data[d->order[row]];
+}
+
+/* Columns k.. as one array; its name is made once. Returns how many were taken. */
+static size_t take_array(struct ts_instance *self, size_t k, bool vectors, double *to)
+{
+	struct ts_dump_vtk *s = self->state;
+	const struct ts_dump_common *d = &s->common;
+	struct ts_vtk_array *a = &s->array[s->narrays];
+	char name[256];
+	bool vector = vectors && k + 2 < d->ncolumns &&
+		      vector_name(&d->column[k], name, sizeof name);
+
+	if (!vector)
+		snprintf(name, sizeof name, "%s", d->column[k].name);
+	if (!a->name || !ts_streq(a->name, name))
+		a->name = ts_arena_strdup(&self->arena, name);
+	a->components = vector ? 3 : 1;
+	a->integer = d->column[k].integer;
+	a->data = to;
+	copy_columns(d, k, a->components, to);
+	s->narrays++;
+	return a->components;
+}
+
+enum ts_status ts_dump_vtk_merge(struct ts_instance *self, struct tsim *sim, bool vectors)
+{
+	struct ts_dump_vtk *s = self->state;
+	const struct ts_dump_common *d = &s->common;
+	double *to;
+
+	if (ts_table_resize(&s->merged, d->nrows, d->ncolumns) != TS_OK)
+		return ts_nomem(&sim->error);
+	to = s->merged.data;
+	s->narrays = 0;
+	for (size_t k = 0; k < d->ncolumns;) {
+		size_t taken = 1;
+
+		if (!is_position(&d->column[k])) {
+			taken = take_array(self, k, vectors, to);
+			if (!s->array[s->narrays - 1].name)
+				return ts_nomem(&sim->error);
+			to += taken * d->nrows;
+		}
+		k += taken;
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_dump_vtk_write(struct ts_instance *self, struct tsim *sim,
+				 struct ts_vtk_poly *poly)
+{
+	struct ts_dump_vtk *s = self->state;
+	struct ts_dump_common *d = &s->common;
+
+	poly->time = ts_sim_time(sim);
+	ts_step_path(&d->path, d->file, (long long)sim->clock.step, (int)d->pad);
+	if (d->path.failed)
+		return ts_nomem(&sim->error);
+	TS_TRY(ts_vtk_write_poly(sim, ts_str_text(&d->path), &self->where, poly));
+	TS_TRY(ts_vtk_series_add(sim, &s->series, sim->clock.step, poly->time));
+	return ts_vtk_series_write(sim, &s->series, d->file, (int)d->pad, &self->where);
+}
+
+enum ts_status ts_dump_vtk_archive(struct ts_instance *self, struct tsim *sim,
+				   struct ts_archive *archive)
+{
+	struct ts_dump_vtk *s = self->state;
+
+	(void)sim;
+	return ts_vtk_series_archive(archive, &s->series);
+}
+
+void ts_dump_vtk_fini(struct ts_instance *self)
+{
+	struct ts_dump_vtk *s = self->state;
+
+	ts_vtk_series_release(&s->series);
+	ts_table_release(&s->merged);
+	ts_table_release(&s->points);
+	ts_dump_fini(self);
+}

@@ -1,0 +1,31 @@
+/* What the VTK dumps share: columns merged into vectors, files, the collection over time. */
+#ifndef TS_IO_DUMP_VTK_H
+#define TS_IO_DUMP_VTK_H
+
+#include "io/dump.h"
+#include "io/vtk.h"
+
+/* First member of their states. */
+struct ts_dump_vtk {
+	struct ts_dump_common common;
+	struct ts_words names;
+	struct ts_vtk_series series;
+	struct ts_vtk_array *array; /* in the instance's arena, at most one per column */
+	size_t narrays;
+	struct ts_table merged; /* their numbers, one after another */
+	struct ts_table points;
+};
+
+/* Refuses file names without `*` or of another type than .vtp. */
+enum ts_status ts_dump_vtk_init(struct ts_instance *self, struct tsim *sim, bool local);
+/* Fills `array` with the columns in order of writing. `vectors`: three columns that are components
+ * of one vector (vx vy vz, c_ID[1] c_ID[2] c_ID[3]) become one array. x, y, z are left out. */
+enum ts_status ts_dump_vtk_merge(struct ts_instance *self, struct tsim *sim, bool vectors);
+/* Writes the frame and the collection. */
+enum ts_status ts_dump_vtk_write(struct ts_instance *self, struct tsim *sim,
+				 struct ts_vtk_poly *poly);
+enum ts_status ts_dump_vtk_archive(struct ts_instance *self, struct tsim *sim,
+				   struct ts_archive *archive);
+void ts_dump_vtk_fini(struct ts_instance *self);
+
+#endif

@@ -1,0 +1,38 @@
+/* Output streams for text, compressed where the name ends in .gz. Every failed write is reported. */
+#ifndef TS_IO_TEXTFILE_H
+#define TS_IO_TEXTFILE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+
+#include "base/status.h"
+#include "base/str.h"
+
+/* Zero-initialise. */
+struct ts_textfile {
+	FILE *plain;
+	void *gz; /* gzFile */
+	char *path;
+	struct ts_error *err;
+	struct ts_place where; /* blamed for later errors */
+};
+
+/* Writes anew or appends. Creates no folders: a missing one is an error. */
+enum ts_status ts_textfile_open(struct ts_textfile *file, struct ts_error *err,
+				const struct ts_place *where, const char *path, bool append);
+bool ts_textfile_is_open(const struct ts_textfile *file);
+enum ts_status ts_textfile_write(struct ts_textfile *file, const char *bytes, size_t n);
+enum ts_status ts_textfile_printf(struct ts_textfile *file, const char *format, ...)
+	__attribute__((format(printf, 2, 3)));
+/* Hands all written so far to the system: it survives the end of this process, however it comes. */
+enum ts_status ts_textfile_flush(struct ts_textfile *file);
+enum ts_status ts_textfile_close(struct ts_textfile *file);
+
+/* "cannot open PATH: reason", with advice where the folder is missing. Uses errno. */
+enum ts_status ts_open_failed(struct ts_error *err, const struct ts_place *where, const char *path);
+
+/* The path with each `*` replaced by the step, filled with zeros to `pad` digits. */
+void ts_step_path(struct ts_str *out, const char *path, long long step, int pad);
+
+#endif

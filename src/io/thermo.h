@@ -1,0 +1,38 @@
+/* The table of numbers in the log, and the progress line. */
+#ifndef TS_IO_THERMO_H
+#define TS_IO_THERMO_H
+
+#include "core/sim.h"
+#include "io/format.h"
+#include "io/textfile.h"
+
+struct ts_thermo_column {
+	const char *name, *title;
+	struct ts_place where;
+	struct ts_ref ref; /* resolved when a run begins */
+};
+
+struct ts_thermo {
+	int64_t every; /* 0: only the first and the last step */
+	struct ts_thermo_column *column;
+	size_t n;
+	struct ts_arena arena; /* columns and their names */
+	char float_format[TS_FORMAT_SIZE], int_format[TS_FORMAT_SIZE];
+	struct ts_textfile file; /* `thermo_log` */
+	struct ts_str line;
+	double progress_due, last_row_time; /* ts_clock(); seconds since the start of the run */
+	int64_t last_row_step;
+};
+
+extern const struct ts_system_style ts_thermo_system;
+
+/* Replaces the columns. */
+enum ts_status ts_thermo_columns(struct tsim *sim, struct ts_words names);
+/* A line of formats, one per kind: `float %20.15g`, `int %10d`. */
+enum ts_status ts_thermo_format(struct tsim *sim, bool integer, const char *format,
+				const struct ts_place *where);
+
+/* The keywords of this system. */
+extern const struct ts_keyword ts_thermo_keywords[];
+
+#endif

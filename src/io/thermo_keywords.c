@@ -1,0 +1,195 @@
+/* The numbers of the whole simulation that thermo_style and expressions can name. */
+#include "io/thermo.h"
+
+#include <math.h>
+
+#include "base/clock.h"
+#include "math/exactsum.h"
+#include "particles/domain.h"
+#include "particles/particles.h"
+
+#include "base/banned.h"
+
+static enum ts_status step(struct tsim *sim, double *out)
+{
+	*out = (double)sim->clock.step;
+	return TS_OK;
+}
+
+static enum ts_status elapsed(struct tsim *sim, double *out)
+{
+	*out = (double)(sim->clock.step - sim->clock.first_step);
+	return TS_OK;
+}
+
+static enum ts_status time_now(struct tsim *sim, double *out)
+{
+	*out = ts_sim_time(sim);
+	return TS_OK;
+}
+
+static enum ts_status dt(struct tsim *sim, double *out)
+{
+	*out = sim->clock.dt;
+	return TS_OK;
+}
+
+/* Wall time since the start of the run; 0 at its first step and outside of runs. */
+static enum ts_status cpu(struct tsim *sim, double *out)
+{
+	bool started = sim->running && sim->clock.step > sim->clock.first_step;
+
+	*out = started ? ts_clock() - sim->clock.wall_start : 0;
+	return TS_OK;
+}
+
+/* Simulated time per second, since the row before. */
+static enum ts_status tpcpu(struct tsim *sim, double *out)
+{
+	const struct ts_thermo *t = sim->thermo;
+	double now, steps = (double)(sim->clock.step - t->last_row_step);
+
+	TS_TRY(cpu(sim, &now));
+	*out = now > t->last_row_time ? steps * sim->clock.dt / (now - t->last_row_time) : 0;
+	return TS_OK;
+}
+
+/* Steps per second, since the row before. */
+static enum ts_status spcpu(struct tsim *sim, double *out)
+{
+	TS_TRY(tpcpu(sim, out));
+	*out = sim->clock.dt > 0 ? *out / sim->clock.dt : 0;
+	return TS_OK;
+}
+
+static enum ts_status cpuremain(struct tsim *sim, double *out)
+{
+	double done = (double)(sim->clock.step - sim->clock.first_step);
+	double left = (double)(sim->clock.last_step - sim->clock.step);
+
+	TS_TRY(cpu(sim, out));
+	*out = done > 0 && left > 0 ? *out * left / done : 0;
+	return TS_OK;
+}
+
+static enum ts_status atoms(struct tsim *sim, double *out)
+{
+	*out = (double)sim->particles->n;
+	return TS_OK;
+}
+
+/* sum m v^2 / 2, without rounding in the sum. */
+static enum ts_status ke(struct tsim *sim, double *out)
+{
+	const struct ts_particles *p = sim->particles;
+	struct ts_exactsum sum = ts_exactsum_start();
+
+	for (size_t i = 0; i < p->n; i++)
+		for (int d = 0; d < 3; d++)
+			ts_exactsum_add(&sum, 0.5 * p->mass[i] * p->v[i][d] * p->v[i][d]);
+	*out = ts_exactsum_value(&sum);
+	return TS_OK;
+}
+
+/* sum I omega^2 / 2 of full spheres, I = 0.4 m R^2. */
+static enum ts_status erotate(struct tsim *sim, double *out)
+{
+	const struct ts_particles *p = sim->particles;
+	struct ts_exactsum sum = ts_exactsum_start();
+
+	for (size_t i = 0; p->omega && i < p->n; i++)
+		for (int d = 0; d < 3; d++)
+			ts_exactsum_add(&sum, 0.2 * p->mass[i] * p->radius[i] * p->radius[i] *
+						      p->omega[i][d] * p->omega[i][d]);
+	*out = ts_exactsum_value(&sum);
+	return TS_OK;
+}
+
+static enum ts_status fmax_now(struct tsim *sim, double *out)
+{
+	const struct ts_particles *p = sim->particles;
+
+	*out = 0;
+	for (size_t i = 0; i < p->n; i++)
+		for (int d = 0; d < 3; d++)
+			*out = fmax(*out, fabs(p->f[i][d]));
+	return TS_OK;
+}
+
+static enum ts_status fnorm(struct tsim *sim, double *out)
+{
+	const struct ts_particles *p = sim->particles;
+	struct ts_exactsum sum = ts_exactsum_start();
+
+	for (size_t i = 0; i < p->n; i++)
+		for (int d = 0; d < 3; d++)
+			ts_exactsum_add(&sum, p->f[i][d] * p->f[i][d]);
+	*out = sqrt(ts_exactsum_value(&sum));
+	return TS_OK;
+}
+
+static enum ts_status vol(struct tsim *sim, double *out)
+{
+	*out = 1;
+	for (int d = 0; d < sim->dimension; d++)
+		*out *= ts_box_length(&sim->domain->box, d);
+	return TS_OK;
+}
+
+static enum ts_status density(struct tsim *sim, double *out)
+{
+	double mass = ts_exactsum_of(sim->particles->mass, sim->particles->n, 1);
+
+	TS_TRY(vol(sim, out));
+	*out = *out > 0 ? mass / *out : 0;
+	return TS_OK;
+}
+
+#define BOX_NUMBERS(d, lo_, hi_, l_)                                                               \
+	static enum ts_status lo_(struct tsim *sim, double *out)                                   \
+	{                                                                                          \
+		*out = sim->domain->box.lo[d];                                                     \
+		return TS_OK;                                                                      \
+	}                                                                                          \
+	static enum ts_status hi_(struct tsim *sim, double *out)                                   \
+	{                                                                                          \
+		*out = sim->domain->box.hi[d];                                                     \
+		return TS_OK;                                                                      \
+	}                                                                                          \
+	static enum ts_status l_(struct tsim *sim, double *out)                                    \
+	{                                                                                          \
+		*out = ts_box_length(&sim->domain->box, d);                                        \
+		return TS_OK;                                                                      \
+	}
+BOX_NUMBERS(0, xlo, xhi, lx)
+BOX_NUMBERS(1, ylo, yhi, ly)
+BOX_NUMBERS(2, zlo, zhi, lz)
+
+/* clang-format off */
+const struct ts_keyword ts_thermo_keywords[] = {
+	{ "step", "Step", "", "step counter", 1, step },
+	{ "elapsed", "Elapsed", "", "steps since the start of the run", 1, elapsed },
+	{ "time", "Time", "time", "simulated time", 0, time_now },
+	{ "dt", "Dt", "time", "time step", 0, dt },
+	{ "cpu", "CPU", "s", "wall time since the start of the run", 0, cpu },
+	{ "tpcpu", "T/CPU", "time/s", "simulated time per second since the row before", 0, tpcpu },
+	{ "spcpu", "S/CPU", "1/s", "steps per second since the row before", 0, spcpu },
+	{ "cpuremain", "CPULeft", "s", "wall time the rest of the run will take", 0, cpuremain },
+	{ "atoms", "Atoms", "", "number of particles", 1, atoms },
+	{ "ke", "KinEng", "energy", "kinetic energy of translation", 0, ke },
+	{ "erotate", "RotEng", "energy", "kinetic energy of rotation", 0, erotate },
+	{ "fmax", "Fmax", "force", "largest component of a force on a particle", 0, fmax_now },
+	{ "fnorm", "Fnorm", "force", "length of the vector of all forces", 0, fnorm },
+	{ "vol", "Volume", "volume", "volume of the box", 0, vol },
+	{ "density", "Density", "density", "mass of all particles by the volume of the box", 0, density },
+	{ "lx", "Lx", "length", "length of the box along x", 0, lx },
+	{ "ly", "Ly", "length", "length of the box along y", 0, ly },
+	{ "lz", "Lz", "length", "length of the box along z", 0, lz },
+	{ "xlo", "Xlo", "length", "lower x of the box", 0, xlo },
+	{ "xhi", "Xhi", "length", "upper x of the box", 0, xhi },
+	{ "ylo", "Ylo", "length", "lower y of the box", 0, ylo },
+	{ "yhi", "Yhi", "length", "upper y of the box", 0, yhi },
+	{ "zlo", "Zlo", "length", "lower z of the box", 0, zlo },
+	{ "zhi", "Zhi", "length", "upper z of the box", 0, zhi },
+	{ .name = NULL },
+};

@@ -1,0 +1,45 @@
+/* VTK XML files: PolyData (.vtp) and collections over time (.pvd), for ParaView.
+ *
+ * Arrays are stored inline, cut into blocks, each compressed by zlib, in base64: the layout of
+ * vtkZLibDataCompressor with 64-bit headers. */
+#ifndef TS_IO_VTK_H
+#define TS_IO_VTK_H
+
+#include "core/sim.h"
+
+/* A column of numbers, interleaved if it has several components. */
+struct ts_vtk_array {
+	const char *name;
+	const double *data; /* n * components */
+	size_t components;
+	bool integer; /* written as Int64, else Float64 */
+};
+
+/* Vertices (nlines 0: each point is one), or lines of two points each: 2k, 2k+1. */
+struct ts_vtk_poly {
+	const double *points; /* npoints * 3 */
+	size_t npoints, nlines;
+	const struct ts_vtk_array *point_data, *cell_data;
+	size_t npoint_data, ncell_data;
+	double time;
+};
+enum ts_status ts_vtk_write_poly(struct tsim *sim, const char *path, const struct ts_place *where,
+				 const struct ts_vtk_poly *poly);
+
+/* The frames written so far; zero-initialise. */
+struct ts_vtk_series {
+	int64_t *step;
+	double *time;
+	size_t n, step_capacity, time_capacity;
+};
+enum ts_status ts_vtk_series_add(struct tsim *sim, struct ts_vtk_series *series, int64_t step,
+				 double time);
+/* Writes the collection anew. `pattern` is the name of the frames with its `*`. */
+enum ts_status ts_vtk_series_write(struct tsim *sim, const struct ts_vtk_series *series,
+				   const char *pattern, int pad, const struct ts_place *where);
+enum ts_status ts_vtk_series_archive(struct ts_archive *archive, struct ts_vtk_series *series);
+void ts_vtk_series_release(struct ts_vtk_series *series);
+
+void ts_base64(struct ts_str *out, const unsigned char *bytes, size_t n);
+
+#endif

@@ -1,0 +1,437 @@
+/* Command line in, exit status out. */
+#include <signal.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "core/help.h"
+#include "core/sim.h"
+#include "script/script.h"
+#include "tsim.h"
+
+#include "base/banned.h"
+
+enum { EXIT_USAGE = 2, MOST_VALUES = 256 };
+
+enum option_id {
+	OPT_IN,
+	OPT_VAR,
+	OPT_LOG,
+	OPT_SCREEN,
+	OPT_ECHO,
+	OPT_THREADS,
+	OPT_EXPLAIN,
+	OPT_HELP,
+	OPT_DOC,
+	OPT_VERSION,
+	NOPTIONS
+};
+
+static const struct {
+	const char *name, *values, *help;
+	int least; /* number of values it must have */
+} options[NOPTIONS] = {
+	[OPT_IN] = { "in", "FILE", "script to run; without it standard input is read", 1 },
+	[OPT_VAR] = { "var", "NAME VALUE ...", "set an index variable of the script", 2 },
+	[OPT_LOG] = { "log", "FILE|none", "log file (log.tsim)", 1 },
+	[OPT_SCREEN] = { "screen", "FILE|none", "write there what else goes to the screen", 1 },
+	[OPT_ECHO] = { "echo", "none|screen|log|both", "where input lines are shown (log)", 1 },
+	[OPT_THREADS] = { "threads", "N", "number of threads (OMP_NUM_THREADS, else 1)", 1 },
+	[OPT_EXPLAIN] = { "explain", "", "run nothing: print the plan of each run", 0 },
+	[OPT_HELP] = { "help", "[KIND [STYLE]]", "manual page, e.g. -help fix gravity", 0 },
+	[OPT_DOC] = { "doc", "DIR", "write all manual pages to the directory as Markdown", 1 },
+	[OPT_VERSION] = { "version", "", "print the version", 0 },
+};
+
+struct setup {
+	const char *input, *log, *screen, *doc;
+	FILE *screen_file;
+	bool help, version, log_given;
+	const char *help_kind, *help_style;
+};
+
+/* A signal handler can reach the simulation by no other way. */
+static struct tsim *volatile interrupted;
+static volatile sig_atomic_t signal_number;
+static volatile time_t signal_time;
+
+/* The first signal asks politely; one that comes later kills. `timeout` and some batch systems send
+ * theirs twice at once, which means the same as once. */
+static void on_signal(int number)
+{
+	struct tsim *sim = interrupted;
+	time_t now = time(NULL);
+
+	if (signal_number && now - signal_time > 1) {
+		signal(number, SIG_DFL);
+		raise(number);
+	}
+	if (!signal_number)
+		signal_time = now;
+	signal_number = number;
+	if (sim)
+		tsim_stop(sim);
+}
+
+static void catch_signals(struct tsim *sim)
+{
+	struct sigaction action = { .sa_handler = on_signal };
+
+	interrupted = sim;
+	sigaction(SIGINT, &action, NULL);
+	sigaction(SIGTERM, &action, NULL);
+}
+
+static int usage_error(const char *format, const char *what, const char *more)
+{
+	fputs("tsim: ", stderr);
+	fprintf(stderr, format, what, more);
+	fputs("\n'tsim -help' lists the options\n", stderr);
+	return EXIT_USAGE;
+}
+
+static void print_usage(void)
+{
+	puts("usage: tsim [options] -in FILE\n\noptions");
+	for (int k = 0; k < NOPTIONS; k++)
+		printf("  -%s %-*s %s\n", options[k].name, 30 - (int)strlen(options[k].name),
+		       options[k].values, options[k].help);
+	puts("\nmanual pages: tsim -help KIND for a list, tsim -help KIND STYLE for one of them; "
+	     "kinds are");
+	for (int kind = TS_KIND_COMMAND; kind < TS_NKIND; kind++)
+		printf("  %s\n", ts_kind_name((enum ts_kind)kind));
+}
+
+static int print_text(struct ts_str *text)
+{
+	bool bad = text->failed;
+
+	fputs(ts_str_text(text), stdout);
+	ts_str_release(text);
+	return bad ? EXIT_FAILURE : EXIT_SUCCESS;
+}
+
+/* -help NAME where the name is no kind: every style of that name. */
+static int help_by_name(const char *name)
+{
+	struct ts_suggest suggest = ts_suggest_start(name);
+	struct ts_str text = { 0 };
+
+	for (const struct ts_style *const *s = ts_style_table; *s; s++) {
+		ts_suggest_try(&suggest, (*s)->name);
+		if (ts_streq((*s)->name, name)) {
+			ts_str_add(&text, text.length ? "\n\n" : "");
+			ts_help_page(*s, false, &text);
+		}
+	}
+	for (int kind = TS_KIND_COMMAND; kind < TS_NKIND; kind++)
+		ts_suggest_try(&suggest, ts_kind_name((enum ts_kind)kind));
+	if (!text.length)
+		return usage_error("there is no kind or style '%s'%s", name,
+				   ts_suggest_text(&suggest));
+	return print_text(&text);
+}
+
+static int help(const struct setup *setup)
+{
+	struct ts_suggest suggest;
+	struct ts_str text = { 0 };
+	const struct ts_style *style;
+	enum ts_kind kind;
+
+	if (!setup->help_kind) {
+		print_usage();
+		return EXIT_SUCCESS;
+	}
+	if (!setup->help_style) {
+		if (!ts_kind_find(setup->help_kind, &kind))
+			return help_by_name(setup->help_kind);
+		ts_help_list(kind, false, &text);
+		return print_text(&text);
+	}
+	if (!ts_kind_find(setup->help_kind, &kind))
+		return usage_error("there is no kind '%s'%s", setup->help_kind, "");
+	style = ts_style_find(kind, setup->help_style);
+	if (!style) {
+		suggest = ts_suggest_start(setup->help_style);
+		for (const struct ts_style *const *s = ts_style_table; *s; s++)
+			if ((*s)->kind == kind)
+				ts_suggest_try(&suggest, (*s)->name);
+		return usage_error("there is no such style: '%s'%s", setup->help_style,
+				   ts_suggest_text(&suggest));
+	}
+	ts_help_page(style, false, &text);
+	return print_text(&text);
+}
+
+static int write_page(const char *directory, const char *name, const struct ts_str *text)
+{
+	struct ts_str path = { 0 };
+	FILE *file;
+	int bad = 1;
+
+	ts_str_addf(&path, "%s/%s", directory, name);
+	file = path.failed || text->failed ? NULL : fopen(path.text, "w");
+	if (file) {
+		bad = fputs(ts_str_text(text), file) < 0;
+		bad |= fclose(file) != 0;
+	}
+	if (bad)
+		fprintf(stderr, "tsim: cannot write '%s'\n", ts_str_text(&path));
+	ts_str_release(&path);
+	return bad ? EXIT_FAILURE : EXIT_SUCCESS;
+}
+
+static int write_manual(const char *directory)
+{
+	struct ts_str text = { 0 }, name = { 0 };
+	int status = EXIT_SUCCESS;
+
+	for (const struct ts_style *const *s = ts_style_table; *s && !status; s++) {
+		ts_str_clear(&text);
+		ts_str_clear(&name);
+		ts_help_file_name(*s, &name);
+		ts_help_page(*s, true, &text);
+		status = write_page(directory, ts_str_text(&name), &text);
+	}
+	ts_str_clear(&text);
+	ts_str_add(&text, "# Commands and styles\n");
+	for (int kind = TS_KIND_COMMAND; kind < TS_NKIND; kind++) {
+		ts_str_addf(&text, "\n## %s\n\n", ts_kind_name((enum ts_kind)kind));
+		ts_help_list((enum ts_kind)kind, true, &text);
+	}
+	if (!status)
+		status = write_page(directory, "index.md", &text);
+	ts_str_release(&text);
+	ts_str_release(&name);
+	return status;
+}
+
+static int set_echo(struct tsim *sim, const char *where)
+{
+	static const char *const choices[] = { "none", "screen", "log", "both" };
+
+	for (int k = 0; k < 4; k++) {
+		if (!ts_streq(choices[k], where))
+			continue;
+		sim->log.echo_screen = k & 1;
+		sim->log.echo_file = k & 2;
+		return 0;
+	}
+	return usage_error("expected none, screen, log or both after -echo, found '%s'%s", where,
+			   "");
+}
+
+static int set_threads(struct tsim *sim, const char *text)
+{
+	int64_t n;
+
+	if (!ts_parse_int(text, &n) || n < 1 || n > 1024)
+		return usage_error("expected a number from 1 to 1024 after -threads, found '%s'%s",
+				   text, "");
+	sim->threads = (int)n;
+	return 0;
+}
+
+static int set_variable(struct tsim *sim, char *const *value, int n)
+{
+	const char *list[MOST_VALUES];
+
+	if (n > MOST_VALUES)
+		return usage_error("too many values for variable '%s'%s", value[0], "");
+	for (int k = 1; k < n; k++)
+		list[k - 1] = value[k];
+	if (ts_script_set(sim->host_data, value[0], list, (size_t)n - 1, "-var") == TS_OK)
+		return 0;
+	fputs(tsim_error(sim), stderr);
+	return EXIT_USAGE;
+}
+
+static int apply(struct tsim *sim, struct setup *setup, enum option_id id, char *const *value,
+		 int n)
+{
+	switch (id) {
+	case OPT_IN:
+		setup->input = value[0];
+		break;
+	case OPT_VAR:
+		return set_variable(sim, value, n);
+	case OPT_LOG:
+		setup->log = value[0];
+		setup->log_given = true;
+		break;
+	case OPT_SCREEN:
+		setup->screen = value[0];
+		break;
+	case OPT_ECHO:
+		return set_echo(sim, value[0]);
+	case OPT_THREADS:
+		return set_threads(sim, value[0]);
+	case OPT_EXPLAIN:
+		sim->explain = true;
+		break;
+	case OPT_HELP:
+		setup->help = true;
+		setup->help_kind = n > 0 ? value[0] : NULL;
+		setup->help_style = n > 1 ? value[1] : NULL;
+		break;
+	case OPT_DOC:
+		setup->doc = value[0];
+		break;
+	case OPT_VERSION:
+		setup->version = true;
+		break;
+	case NOPTIONS:
+		break;
+	}
+	return 0;
+}
+
+/* -x or --x, but not -1.5 or a lone "-". */
+static bool is_option(const char *text)
+{
+	return text[0] == '-' && text[1] && !strchr("0123456789.", text[1]);
+}
+
+static int unknown_option(const char *text)
+{
+	struct ts_suggest suggest = ts_suggest_start(text + 1);
+
+	for (int k = 0; k < NOPTIONS; k++)
+		ts_suggest_try(&suggest, options[k].name);
+	if (suggest.best)
+		return usage_error("unknown option '%s'; did you mean '-%s'?", text, suggest.best);
+	return usage_error("unknown option '%s'%s", text, "");
+}
+
+static int read_options(struct tsim *sim, struct setup *setup, int argc, char **argv)
+{
+	int k = 1;
+
+	while (k < argc) {
+		const char *text = argv[k++];
+		const char *name = text + (is_option(text) ? 1 + (text[1] == '-') : 0);
+		bool variadic;
+		int id = 0, n = 0, status;
+
+		if (name == text)
+			return usage_error("expected an option, found '%s'%s; a script is given by "
+					   "-in FILE",
+					   text, "");
+		while (id < NOPTIONS && !ts_streq(options[id].name, name) &&
+		       !(name[0] == options[id].name[0] && !name[1] && strchr("ivleh", name[0])))
+			id++;
+		if (id == NOPTIONS)
+			return unknown_option(text);
+		variadic = id == OPT_VAR || id == OPT_HELP;
+		while (k + n < argc && !is_option(argv[k + n]) &&
+		       (variadic || n < options[id].least))
+			n++;
+		if (n < options[id].least)
+			return usage_error("option -%s needs %s", options[id].name,
+					   options[id].values);
+		status = apply(sim, setup, (enum option_id)id, argv + k, n);
+		if (status)
+			return status;
+		k += n;
+	}
+	return 0;
+}
+
+static int open_output(struct tsim *sim, struct setup *setup)
+{
+	const char *log = setup->log_given ? setup->log : sim->explain ? "none" : "log.tsim";
+
+	sim->log.screen = stdout;
+	if (setup->screen && ts_streq(setup->screen, "none")) {
+		sim->log.screen = NULL;
+	} else if (setup->screen) {
+		setup->screen_file = sim->log.screen = fopen(setup->screen, "w");
+		if (!sim->log.screen)
+			return usage_error("cannot open screen file '%s'%s", setup->screen, "");
+	}
+	sim->log.progress = sim->log.screen == stdout && isatty(STDOUT_FILENO);
+	return ts_streq(log, "none") ? 0 : tsim_log(sim, log);
+}
+
+static void report_error(struct tsim *sim)
+{
+	const char *text = tsim_error(sim);
+
+	ts_log_progress(&sim->log, "");
+	fflush(stdout);
+	fputs(text, stderr);
+	ts_log_file(&sim->log, "%s", text);
+}
+
+/* Runs the script; the exit status. */
+static int run(struct tsim *sim, struct setup *setup)
+{
+	int status = open_output(sim, setup), quit = EXIT_SUCCESS;
+
+	if (status == EXIT_USAGE && sim->error.status == TS_OK)
+		return status;
+	catch_signals(sim);
+	if (!status)
+		ts_log(&sim->log, "tsim %s\n", tsim_version());
+	if (!status && setup->input)
+		status = tsim_file(sim, setup->input);
+	else if (!status)
+		status = tsim_stream(sim, stdin, "stdin");
+	if (status) {
+		report_error(sim);
+		quit = sim->error.status == TS_STOPPED && signal_number ? 128 + signal_number
+									: EXIT_FAILURE;
+	} else {
+		ts_script_warn_unused(sim->host_data);
+		ts_script_quit(sim->host_data, &quit);
+		if (ts_log_close(&sim->log, &sim->error) != TS_OK) {
+			report_error(sim);
+			quit = EXIT_FAILURE;
+		}
+	}
+	interrupted = NULL;
+	return quit;
+}
+
+static int act(struct tsim *sim, struct setup *setup, int argc, char **argv)
+{
+	int status = read_options(sim, setup, argc, argv);
+
+	if (status)
+		return status;
+	if (setup->version) {
+		printf("tsim %s\n", tsim_version());
+		return EXIT_SUCCESS;
+	}
+	if (setup->help)
+		return help(setup);
+	if (setup->doc)
+		return write_manual(setup->doc);
+	return run(sim, setup);
+}
+
+int main(int argc, char **argv)
+{
+	struct tsim *sim = tsim_open();
+	struct setup setup = { 0 };
+	int status;
+
+	if (!sim) {
+		fputs(tsim_error(NULL), stderr);
+		exit(EXIT_FAILURE);
+	}
+	sim->log.echo_file = true;
+	status = act(sim, &setup, argc, argv);
+	tsim_close(sim);
+	if (setup.screen_file && fclose(setup.screen_file) != 0)
+		status = status ? status : EXIT_FAILURE;
+	if (fflush(stdout) != 0 && !status) {
+		fputs("tsim: cannot write to standard output\n", stderr);
+		status = EXIT_FAILURE;
+	}
+	exit(status);
+}

@@ -1,0 +1,136 @@
+#include "math/exactsum.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <string.h>
+
+#include "base/banned.h"
+
+/* An addition changes a limb by less than 2^32, so this many fit before limbs could overflow. */
+enum { MOST_WAITING = 1 << 29 };
+
+/* Brings all limbs but the last, which carries the sign, into [0, 2^32). */
+static void carry(struct ts_exactsum *sum)
+{
+	int64_t up = 0;
+
+	for (int k = 0; k < TS_EXACTSUM_LIMBS; k++) {
+		int64_t now = sum->limb[k] + up;
+
+		if (k == TS_EXACTSUM_LIMBS - 1) {
+			sum->limb[k] = now;
+			break;
+		}
+		sum->limb[k] = now & 0xffffffff;
+		up = (now - sum->limb[k]) / (INT64_C(1) << 32);
+	}
+	sum->waiting = 0;
+}
+
+void ts_exactsum_add(struct ts_exactsum *sum, double term)
+{
+	uint64_t bits, mantissa, low, high;
+	unsigned exponent, shift;
+	int64_t *limb;
+
+	memcpy(&bits, &term, sizeof bits);
+	exponent = (unsigned)(bits >> 52) & 0x7ff;
+	mantissa = bits & ((UINT64_C(1) << 52) - 1);
+	if (exponent == 0x7ff) {
+		sum->special += term;
+		return;
+	}
+	if (exponent) {
+		mantissa |= UINT64_C(1) << 52;
+		exponent--;
+	}
+	/* term = +-mantissa 2^(exponent - 1074); the 53 bits spread over three limbs */
+	limb = &sum->limb[exponent / 32];
+	shift = exponent % 32;
+	low = mantissa << shift;
+	high = shift ? mantissa >> (64 - shift) : 0;
+	if (bits >> 63) {
+		limb[0] -= (int64_t)(low & 0xffffffff);
+		limb[1] -= (int64_t)(low >> 32);
+		limb[2] -= (int64_t)high;
+	} else {
+		limb[0] += (int64_t)(low & 0xffffffff);
+		limb[1] += (int64_t)(low >> 32);
+		limb[2] += (int64_t)high;
+	}
+	if (++sum->waiting >= MOST_WAITING)
+		carry(sum);
+}
+
+void ts_exactsum_merge(struct ts_exactsum *sum, const struct ts_exactsum *other)
+{
+	struct ts_exactsum copy = *other;
+
+	carry(&copy);
+	carry(sum);
+	for (int k = 0; k < TS_EXACTSUM_LIMBS; k++)
+		sum->limb[k] += copy.limb[k];
+	sum->special += other->special;
+	sum->waiting = 1;
+}
+
+static bool bit(const struct ts_exactsum *sum, int k)
+{
+	return (sum->limb[k / 32] >> (k % 32)) & 1;
+}
+
+/* Number of the highest bit set; -1: none. The sum is not negative and carried. */
+static int top_bit(const struct ts_exactsum *sum)
+{
+	for (int k = TS_EXACTSUM_LIMBS - 1; k >= 0; k--)
+		if (sum->limb[k])
+			for (int b = 62;; b--)
+				if (sum->limb[k] >> b)
+					return 32 * k + b;
+	return -1;
+}
+
+/* Is any bit below the k-th set? */
+static bool sticky(const struct ts_exactsum *sum, int k)
+{
+	while (--k >= 0)
+		if (bit(sum, k))
+			return true;
+	return false;
+}
+
+double ts_exactsum_value(const struct ts_exactsum *sum)
+{
+	struct ts_exactsum s = *sum;
+	bool negative;
+	int64_t mantissa = 0;
+	int top, least;
+
+	if (s.special != 0) /* true for NaN too */
+		return s.special;
+	carry(&s);
+	negative = s.limb[TS_EXACTSUM_LIMBS - 1] < 0;
+	if (negative) {
+		for (int k = 0; k < TS_EXACTSUM_LIMBS; k++)
+			s.limb[k] = -s.limb[k];
+		carry(&s);
+	}
+	top = top_bit(&s);
+	if (top < 0)
+		return 0;
+	least = top > 52 ? top - 52 : 0; /* the last bit a double can keep */
+	for (int k = top; k >= least; k--)
+		mantissa = 2 * mantissa + bit(&s, k);
+	if (least > 0 && bit(&s, least - 1) && (mantissa % 2 || sticky(&s, least - 1)))
+		mantissa++;
+	return ldexp((double)(negative ? -mantissa : mantissa), least - 1074);
+}
+
+double ts_exactsum_of(const double *data, size_t n, size_t stride)
+{
+	struct ts_exactsum sum = ts_exactsum_start();
+
+	for (size_t i = 0; i < n; i++)
+		ts_exactsum_add(&sum, data[i * stride]);
+	return ts_exactsum_value(&sum);
+}

@@ -1,0 +1,33 @@
+/* Sums of doubles without rounding: the result does not depend on the order of the terms, hence not
+ * on threads or ranks. A fixed-point number that spans the whole range of doubles, cut into limbs
+ * of 32 bits kept in 64-bit words so that carries can wait (Kulisch; Neal, arXiv:1505.05571). */
+#ifndef TS_MATH_EXACTSUM_H
+#define TS_MATH_EXACTSUM_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* 2098 bits from 2^-1074 to 2^1023, and 64 for the growth of the sum. */
+enum { TS_EXACTSUM_LIMBS = 68 };
+
+struct ts_exactsum {
+	int64_t limb[TS_EXACTSUM_LIMBS]; /* sum of limb[k] 2^(32 k - 1074) */
+	uint32_t waiting;		 /* additions since the last carry */
+	double special;			 /* sum of the infinities and NaNs */
+};
+
+static inline struct ts_exactsum ts_exactsum_start(void)
+{
+	return (struct ts_exactsum){ { 0 }, 0, 0 };
+}
+
+void ts_exactsum_add(struct ts_exactsum *sum, double term);
+/* Adds what the other has summed. */
+void ts_exactsum_merge(struct ts_exactsum *sum, const struct ts_exactsum *other);
+/* The exact sum, rounded once to nearest-even. */
+double ts_exactsum_value(const struct ts_exactsum *sum);
+
+/* Of n numbers, `stride` apart. */
+double ts_exactsum_of(const double *data, size_t n, size_t stride);
+
+#endif

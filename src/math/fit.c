@@ -1,0 +1,47 @@
+#include "math/fit.h"
+
+#include <math.h>
+#include <stdbool.h>
+
+#include <gsl/gsl_fit.h>
+
+#include "base/alloc.h"
+#include "base/banned.h"
+
+static bool usable(const double *x, const double *y, size_t n)
+{
+	bool spread = false;
+
+	for (size_t i = 0; i < n; i++) {
+		if (!isfinite(x[i]) || !isfinite(y[i]))
+			return false;
+		spread |= x[i] < x[0] || x[i] > x[0];
+	}
+	return spread;
+}
+
+enum ts_status ts_fit_line(const double *x, const double *y, size_t n, struct ts_fit *out)
+{
+	double *count = NULL, c00, c01, c11;
+	enum ts_status status = TS_RANGE;
+
+	*out = (struct ts_fit){ .n = n };
+	if (n < 2)
+		return TS_RANGE;
+	if (!x) {
+		count = ts_alloc(n, sizeof *count);
+		if (!count)
+			return TS_NOMEM;
+		for (size_t i = 0; i < n; i++)
+			count[i] = (double)i;
+		x = count;
+	}
+	if (usable(x, y, n) && gsl_fit_linear(x, 1, y, 1, n, &out->intercept, &out->slope, &c00,
+					      &c01, &c11, &out->residual) == 0) {
+		/* With two points no degree of freedom is left and GSL divides 0 by 0. */
+		out->slope_error = n > 2 ? sqrt(c11) : 0;
+		status = isfinite(out->slope) ? TS_OK : TS_RANGE;
+	}
+	ts_free(count);
+	return status;
+}

@@ -1,0 +1,245 @@
+/* Forces of the bonds, their breaking, and the coefficients of bond styles. */
+#include <math.h>
+#include <string.h>
+
+#include "core/plan.h"
+#include "neigh/bonds.h"
+#include "particles/domain.h"
+#include "particles/particles.h"
+
+#include "base/banned.h"
+
+/* Vector from the second to the first partner, by the nearest image. */
+static void separation(const struct tsim *sim, size_t i, size_t j, double d[3])
+{
+	const struct ts_particles *p = sim->particles;
+	const struct ts_box *box = &sim->domain->box;
+
+	for (int k = 0; k < 3; k++) {
+		d[k] = p->x[i][k] - p->x[j][k];
+		if (ts_box_periodic(box, k))
+			d[k] -= ts_box_length(box, k) * rint(d[k] / ts_box_length(box, k));
+	}
+}
+
+/* Force of bond b on its first partner; false if it breaks. */
+static bool evaluate(struct tsim *sim, const struct ts_bond_style *style,
+		     const struct ts_coeffs *coeffs, size_t b)
+{
+	struct ts_bonds *bonds = sim->bonds;
+	const struct ts_particles *p = sim->particles;
+	size_t i = (size_t)bonds->row[b][0], j = (size_t)bonds->row[b][1];
+	struct ts_bond_state state = { 0 };
+	double d[3], length, tension;
+	bool holds;
+
+	separation(sim, i, j, d);
+	length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+	for (int k = 0; k < 3; k++)
+		d[k] = length > 0 ? d[k] / length : 0;
+	state.extension = length - bonds->rest[b];
+	state.mass = 1 / (p->imass[i] + p->imass[j]);
+	for (int k = 0; k < 3; k++)
+		state.rate += (p->v[i][k] - p->v[j][k]) * d[k];
+	holds = style->law(ts_coeff(coeffs, (size_t)bonds->type[b]), &state, &tension);
+	bonds->tension[b] = tension;
+	for (int k = 0; k < 3; k++)
+		bonds->force[b][k] = holds ? -tension * d[k] : 0;
+	return holds;
+}
+
+static enum ts_status record_event(struct tsim *sim, size_t b)
+{
+	struct ts_bonds *bonds = sim->bonds;
+	const struct ts_particles *p = sim->particles;
+	size_t i = (size_t)bonds->row[b][0], j = (size_t)bonds->row[b][1];
+	struct ts_bond_event *e;
+	double d[3];
+
+	if (TS_GROW(bonds->event, bonds->event_capacity, bonds->nevents + 1) != TS_OK)
+		return ts_nomem(&sim->error);
+	e = &bonds->event[bonds->nevents++];
+	memset(e, 0, sizeof *e); /* events are saved as bytes: no stray padding */
+	e->step = sim->clock.step;
+	e->time = ts_sim_time(sim);
+	e->force = bonds->tension[b];
+	e->type = bonds->type[b];
+	separation(sim, i, j, d);
+	for (int k = 0; k < 3; k++)
+		e->x[k] = p->x[j][k] + 0.5 * d[k];
+	for (int s = 0; s < 2; s++)
+		e->tag[s] = bonds->tag[b][s];
+	bonds->broken++;
+	return TS_OK;
+}
+
+static enum ts_status remove_broken(struct tsim *sim)
+{
+	struct ts_bonds *bonds = sim->bonds;
+	unsigned char *broken = bonds->breaks;
+
+	for (size_t b = 0; b < bonds->n; b++)
+		if (broken[b])
+			TS_TRY(record_event(sim, b));
+	ts_bonds_delete(bonds, broken);
+	return TS_OK;
+}
+
+static void gather(struct tsim *sim)
+{
+	struct ts_particles *p = sim->particles;
+	const struct ts_bonds *bonds = sim->bonds;
+
+#pragma omp parallel for num_threads(sim->threads) schedule(static)
+	for (size_t i = 0; i < p->n; i++) {
+		double f[3] = { 0 };
+
+		for (size_t k = bonds->first[i]; k < bonds->first[i + 1]; k++) {
+			const double *force = bonds->force[bonds->entry[k] >> 1];
+
+			for (int d = 0; d < 3; d++)
+				f[d] += bonds->entry[k] & 1 ? -force[d] : force[d];
+		}
+		for (int d = 0; d < 3; d++)
+			p->f[i][d] += f[d];
+	}
+}
+
+enum ts_status ts_bond_force(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_bond_style *style = ts_bond_style_of(self);
+	const struct ts_bond *bond = self->state;
+	struct ts_bonds *bonds = sim->bonds;
+	long nbroken = 0;
+
+#pragma omp parallel for num_threads(sim->threads) schedule(static) reduction(+ : nbroken)
+	for (size_t b = 0; b < bonds->n; b++) {
+		bonds->breaks[b] = !evaluate(sim, style, &bond->coeffs, b);
+		nbroken += bonds->breaks[b];
+	}
+	if (!bonds->n)
+		return TS_OK;
+	gather(sim);
+	if (!nbroken)
+		return TS_OK;
+	TS_TRY(remove_broken(sim));
+	return ts_bonds_index(sim);
+}
+
+static enum ts_status prepare(struct tsim *sim, struct ts_instance *self)
+{
+	struct ts_bond *bond = self->state;
+
+	bond->coeffs.rows = ts_bond_style_of(self)->coeff;
+	bond->coeffs.size = ts_bond_style_of(self)->coeff_size;
+	return ts_coeffs_resize(sim, &bond->coeffs, (size_t)sim->bonds->ntypes + 1);
+}
+
+enum ts_status ts_bond_set(struct tsim *sim, struct ts_types types, struct ts_words words,
+			   const struct ts_place *where)
+{
+	struct ts_instance *self = ts_sim_only(sim, TS_KIND_BOND);
+	struct ts_bond *bond;
+	int most = sim->bonds->ntypes > 0 ? sim->bonds->ntypes : 1;
+
+	if (!self)
+		return ts_fail(&sim->error, TS_STATE, where, "bond_coeff needs a bond_style before it");
+	bond = self->state;
+	if (!types.hi)
+		types.hi = most;
+	if (types.hi > 1000)
+		return ts_fail(&sim->error, TS_RANGE, where, "bond type %d: at most 1000", types.hi);
+	if (types.hi > sim->bonds->ntypes)
+		sim->bonds->ntypes = types.hi;
+	TS_TRY(prepare(sim, self));
+	for (int t = types.lo; t <= types.hi; t++) {
+		void *entry = ts_coeff(&bond->coeffs, (size_t)t);
+
+		TS_TRY(ts_coeff_parse(sim, "bond_coeff", &bond->coeffs, words, where, entry));
+		TS_TRY(ts_bond_style_of(self)->complete(sim, entry, where));
+		bond->coeffs.given[t] = true;
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_bond_init(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_bond *bond = self->state;
+	const struct ts_bonds *bonds = sim->bonds;
+
+	TS_TRY(prepare(sim, self));
+	for (size_t b = 0; b < bonds->n; b++)
+		if (!bond->coeffs.given[bonds->type[b]])
+			return ts_fail(&sim->error, TS_STATE, &self->where,
+				       "there are bonds of type %d, but no `bond_coeff %d ...`",
+				       bonds->type[b], bonds->type[b]);
+	return TS_OK;
+}
+
+enum ts_status ts_bond_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	struct ts_bond *bond = self->state;
+
+	TS_TRY(prepare(sim, self));
+	TS_TRY(ts_coeffs_archive(a, sim, &bond->coeffs));
+	for (size_t k = 0; !ts_archive_writing(a) && k < bond->coeffs.n; k++)
+		if (bond->coeffs.given[k])
+			TS_TRY(ts_bond_style_of(self)->complete(sim, ts_coeff(&bond->coeffs, k),
+								&self->where));
+	return TS_OK;
+}
+
+void ts_bond_fingerprint(const struct ts_instance *self, const struct tsim *sim,
+			 struct ts_hash *hash)
+{
+	const struct ts_bond *bond = self->state;
+
+	ts_coeffs_fingerprint(&bond->coeffs, sim, hash);
+}
+
+/* Gershgorin: omega_max^2 <= 2 max_i sum_b k_b / m_i. */
+static double network_limit(const struct tsim *sim, const struct ts_bond_style *style,
+			    const struct ts_coeffs *coeffs)
+{
+	const struct ts_bonds *bonds = sim->bonds;
+	const struct ts_particles *p = sim->particles;
+	double worst = 0;
+
+	for (size_t i = 0; i < p->n; i++) {
+		double k = 0;
+
+		for (size_t e = bonds->first[i]; e < bonds->first[i + 1]; e++)
+			k += style->stiffness(ts_coeff(
+				coeffs, (size_t)bonds->type[bonds->entry[e] >> 1]));
+		worst = fmax(worst, k * p->imass[i]);
+	}
+	return worst > 0 ? 2 / sqrt(2 * worst) : INFINITY;
+}
+
+enum ts_status ts_bond_plan(struct ts_instance *self, struct tsim *sim,
+			    struct ts_plan_report *report)
+{
+	const struct ts_bond_style *style = ts_bond_style_of(self);
+	const struct ts_bond *bond = self->state;
+	const struct ts_bonds *bonds = sim->bonds;
+	const struct ts_particles *p = sim->particles;
+	double worst = 0;
+
+	if (!bonds->n)
+		return TS_OK;
+	for (size_t b = 0; b < bonds->n; b++) {
+		double k = style->stiffness(ts_coeff(&bond->coeffs, (size_t)bonds->type[b]));
+
+		worst = fmax(worst, k * (p->imass[bonds->row[b][0]] + p->imass[bonds->row[b][1]]));
+	}
+	TS_TRY(ts_report_limit(report, 2 / sqrt(worst), true, &self->where, "a single bond"));
+	return ts_report_limit(report, network_limit(sim, style, &bond->coeffs), false,
+			       &self->where, "the network of bonds (Gershgorin's bound)");
+}
+
+void ts_bond_fini(struct ts_instance *self)
+{
+	struct ts_bond *bond = self->state;
+
+	ts_coeffs_release(&bond->coeffs);
+}

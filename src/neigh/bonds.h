@@ -1,0 +1,91 @@
+/* Bonds: an explicit list of pairs that hold together until they break.
+ *
+ * Forces are computed over the list and gathered per particle in the order of partners' identities,
+ * as for contact rows, so results do not depend on threads or order in memory. */
+#ifndef TS_NEIGH_BONDS_H
+#define TS_NEIGH_BONDS_H
+
+#include "core/coeff.h"
+#include "core/sim.h"
+
+/* What a broken bond leaves behind. */
+struct ts_bond_event {
+	int64_t step;
+	double time, x[3], force; /* place: middle between the partners */
+	int32_t tag[2], type;
+};
+
+struct ts_bonds {
+	size_t n, capacity;
+	int32_t (*tag)[2]; /* identities, smaller first */
+	int32_t *type;     /* 1..ntypes */
+	double *rest;      /* length without force */
+	int32_t (*row)[2]; /* rows of the particle columns; made at each rebuild */
+	double (*force)[3]; /* on the first partner */
+	double *tension;   /* along the bond, > 0 pulling */
+	unsigned char *breaks; /* in this step */
+
+	size_t *first;   /* gather lists as in struct ts_rows: entries 2 bond + side */
+	uint32_t *entry;
+	size_t first_capacity, entry_capacity;
+
+	int ntypes;
+	int64_t created, broken; /* ever */
+	int64_t gone;            /* lost because a partner left the simulation */
+	struct ts_bond_event *event;
+	size_t nevents, event_capacity;
+};
+
+/* One bond, as bond laws see it. */
+struct ts_bond_state {
+	double extension; /* length - rest */
+	double rate;      /* of extension */
+	double mass;      /* m* */
+};
+
+struct ts_bond_style {
+	struct ts_style style;
+	const struct ts_arg *coeff; /* arguments of bond_coeff */
+	size_t coeff_size;
+	enum ts_status (*complete)(struct tsim *sim, void *coeff, const struct ts_place *where);
+	/* Tension (> 0 pulls the partners together) into *tension; false if the bond breaks. */
+	bool (*law)(const void *coeff, const struct ts_bond_state *state, double *tension);
+	double (*stiffness)(const void *coeff);
+};
+
+/* First member of every bond style's state. */
+struct ts_bond {
+	struct ts_coeffs coeffs; /* entry of bond type t: t */
+};
+
+static inline const struct ts_bond_style *ts_bond_style_of(const struct ts_instance *inst)
+{
+	return (const struct ts_bond_style *)inst->style;
+}
+
+/* Adds a bond of the present length between two particles; nothing if they are bonded already. Keep
+ * the list sorted with ts_bonds_sort after a series. */
+enum ts_status ts_bonds_add(struct tsim *sim, int32_t tag_a, int32_t tag_b, int type, double rest);
+void ts_bonds_sort(struct ts_bonds *bonds);
+bool ts_bonds_has(const struct ts_bonds *bonds, int32_t tag_a, int32_t tag_b); /* sorted list */
+/* Removes the bonds whose flag is set. */
+void ts_bonds_delete(struct ts_bonds *bonds, const unsigned char *flag);
+
+/* Makes the gather lists anew after the list or the particles' rows have changed. */
+enum ts_status ts_bonds_index(struct tsim *sim);
+
+enum ts_status ts_bond_set(struct tsim *sim, struct ts_types types, struct ts_words words,
+			   const struct ts_place *where);
+/* Shared by all bond styles: slots of struct ts_style. */
+enum ts_status ts_bond_init(struct ts_instance *self, struct tsim *sim);
+enum ts_status ts_bond_force(struct ts_instance *self, struct tsim *sim);
+enum ts_status ts_bond_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a);
+void ts_bond_fingerprint(const struct ts_instance *self, const struct tsim *sim,
+			 struct ts_hash *hash);
+enum ts_status ts_bond_plan(struct ts_instance *self, struct tsim *sim,
+			    struct ts_plan_report *report);
+void ts_bond_fini(struct ts_instance *self);
+
+extern const struct ts_system_style ts_bonds_system;
+
+#endif

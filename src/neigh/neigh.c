@@ -1,0 +1,268 @@
+#include "neigh/neigh.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <string.h>
+
+#include "core/plan.h"
+#include "particles/exchange.h"
+#include "particles/particles.h"
+
+#include "base/banned.h"
+
+double ts_neigh_skin(const struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+	double least = INFINITY, most = 0;
+
+	if (sim->neigh->skin > 0)
+		return sim->neigh->skin;
+	for (size_t i = 0; i < p->n; i++) {
+		least = fmin(least, p->radius[i]);
+		most = fmax(most, p->radius[i]);
+	}
+	return p->n ? fmax(0.3 * least, 0.05 * most) : 1;
+}
+
+static void describe_contacts(struct tsim *sim, size_t i, struct ts_str *out)
+{
+	const struct ts_rows *rows = &sim->neigh->rows;
+	const struct ts_particles *p = sim->particles;
+
+	for (size_t r = 0; r < rows->n; r++) {
+		bool is_i = rows->tag[0][r] == p->tag[i], is_j = rows->tag[1][r] == p->tag[i];
+
+		if (rows->touching[r] && (is_i || is_j))
+			ts_str_addf(out, "%sparticle %d (force %g)", out->length ? ", " : "",
+				    rows->tag[is_i ? 1 : 0][r],
+				    sqrt(rows->force[r][0] * rows->force[r][0] +
+					 rows->force[r][1] * rows->force[r][1] +
+					 rows->force[r][2] * rows->force[r][2]));
+	}
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_neigh *nb = self->state;
+
+	sim->particles->describe_contacts = describe_contacts;
+	nb->wanted = ts_sim_only(sim, TS_KIND_PAIR) != NULL;
+	nb->builds = 0;
+	return TS_OK;
+}
+
+/* Stops a run that has gone wrong before anything more is written. */
+static enum ts_status runaway(struct tsim *sim, size_t i)
+{
+	struct ts_particles *p = sim->particles;
+	const double *v = p->v[i], *x = p->x[i];
+	double speed = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+	struct ts_str contacts = { 0 };
+	bool finite = isfinite(speed) && isfinite(x[0] + x[1] + x[2]);
+	enum ts_status status;
+
+	describe_contacts(sim, i, &contacts);
+	status = ts_fail(&sim->error, TS_PHYSICS, NULL,
+			 "particle %d (type %d) %s at step %" PRId64
+			 ": position (%g %g %g), velocity (%g %g %g); last contacts: %.300s; "
+			 "probable cause: %s",
+			 p->tag[i], p->type[i],
+			 finite ? "moves more than its radius in one step"
+				: "has a position or velocity that is not a number",
+			 sim->clock.step, x[0], x[1], x[2], v[0], v[1], v[2],
+			 contacts.length ? contacts.text : "none",
+			 contacts.length ? "the time step is too large for the stiffness, or particles "
+					   "overlapped when they were created"
+					 : "a force or a velocity that was set is too large for the "
+					   "time step");
+	ts_str_release(&contacts);
+	return status;
+}
+
+static enum ts_status check(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_neigh *nb = self->state;
+	const struct ts_particles *p = sim->particles;
+	double limit = nb->built_skin * nb->built_skin / 4, dt2 = sim->clock.dt * sim->clock.dt;
+	long moved = 0, bad = 0;
+
+#pragma omp parallel for num_threads(sim->threads) schedule(static) reduction(+ : moved, bad)
+	for (size_t i = 0; i < p->n; i++) {
+		double d[3], d2 = 0, v2 = 0;
+
+		for (int k = 0; k < 3; k++) {
+			d[k] = p->x[i][k] - p->xhold[i][k];
+			d2 += d[k] * d[k];
+			v2 += p->v[i][k] * p->v[i][k];
+		}
+		moved += d2 > limit;
+		bad += !(v2 * dt2 <= p->radius[i] * p->radius[i]) || !(d2 < INFINITY);
+	}
+	for (size_t i = 0; bad && i < p->n; i++) {
+		const double *v = p->v[i], *x = p->x[i];
+		double v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+
+		if (!(v2 * dt2 <= p->radius[i] * p->radius[i]) || !isfinite(x[0] + x[1] + x[2]))
+			return runaway(sim, i);
+	}
+	sim->rebuild |= moved > 0 || ts_exchange_needed(sim);
+	return TS_OK;
+}
+
+static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
+{
+	(void)self;
+	TS_TRY(ts_exchange_migrate(sim));
+	ts_particles_inverse_mass(sim->particles);
+	return TS_OK;
+}
+
+static bool excludes(const struct ts_exclude *e, const struct ts_particles *p, size_t i, size_t j)
+{
+	if (e->by_group)
+		return (ts_in_group(p, i, e->a) && ts_in_group(p, j, e->b)) ||
+		       (ts_in_group(p, i, e->b) && ts_in_group(p, j, e->a));
+	return (p->type[i] == e->a && p->type[j] == e->b) ||
+	       (p->type[i] == e->b && p->type[j] == e->a);
+}
+
+static bool excluded(const struct tsim *sim, size_t i, size_t j)
+{
+	for (int k = 0; k < sim->neigh->nexclude; k++)
+		if (excludes(&sim->neigh->exclude[k], sim->particles, i, j))
+			return true;
+	return false;
+}
+
+static double largest_radius(const struct ts_particles *p)
+{
+	double most = 0;
+
+	for (size_t i = 0; i < p->n; i++)
+		most = fmax(most, p->radius[i]);
+	return most;
+}
+
+static enum ts_status build(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_neigh *nb = self->state;
+	struct ts_particles *p = sim->particles;
+
+	/* a run that goes on keeps the positions of its last build, and so builds the same rows */
+	if (!sim->resuming && p->n)
+		memcpy(p->xhold, p->x, p->n * sizeof *p->xhold);
+	if (!sim->resuming || !(nb->built_skin > 0))
+		nb->built_skin = ts_neigh_skin(sim);
+	TS_TRY(ts_exchange_borders(sim, 2 * largest_radius(p) + nb->built_skin));
+	nb->builds++;
+	if (!nb->wanted)
+		return TS_OK;
+	TS_TRY(ts_rows_build(sim, &nb->rows, nb->built_skin, nb->nexclude ? excluded : NULL));
+	if (nb->saved.n && nb->saved.width == nb->rows.history_width)
+		ts_row_history_give(&nb->saved, &nb->rows);
+	ts_row_history_release(&nb->saved);
+	return TS_OK;
+}
+
+static enum ts_status forward(struct ts_instance *self, struct tsim *sim)
+{
+	(void)self;
+	ts_exchange_forward(sim);
+	return TS_OK;
+}
+
+static enum ts_status clear_forces(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_particles *p = sim->particles;
+
+	(void)self;
+	if (p->n)
+		memset(p->f, 0, p->n * sizeof *p->f);
+	if (p->n && p->torque)
+		memset(p->torque, 0, p->n * sizeof *p->torque);
+	return TS_OK;
+}
+
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	struct ts_neigh *nb = self->state;
+	struct ts_row_history h = { 0 };
+	enum ts_status status;
+
+	TS_TRY(ts_archive_fixed(a, "exclude", TS_SAVED_I32, nb->exclude,
+				3 * TS_MAX_EXCLUDE));
+	if (!ts_archive_writing(a))
+		return ts_row_history_archive(a, sim, &nb->saved);
+	TS_TRY(ts_row_history_take(sim, &nb->rows, &h));
+	status = ts_row_history_archive(a, sim, &h);
+	ts_row_history_release(&h);
+	return status;
+}
+
+static void fingerprint(const struct ts_instance *self, const struct tsim *sim,
+			struct ts_hash *hash)
+{
+	const struct ts_neigh *nb = self->state;
+
+	(void)sim;
+	ts_hash_add(hash, &nb->skin, sizeof nb->skin);
+	ts_hash_add(hash, &nb->nexclude, sizeof nb->nexclude);
+	ts_hash_add(hash, nb->exclude, sizeof nb->exclude);
+}
+
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
+			   struct ts_plan_report *report)
+{
+	const struct ts_neigh *nb = self->state;
+	size_t row = 3 * sizeof(double) + 4 * sizeof(int32_t) + 2 + 2 * sizeof(uint32_t) +
+		     nb->rows.history_width * sizeof(double);
+
+	if (!nb->wanted) {
+		ts_report_left_out(report, "contact rows", "no pair_style");
+		return TS_OK;
+	}
+	report->bytes += (double)(nb->rows.n * row);
+	ts_report_line(report, "contact rows",
+		       "%zu within the skin %g (%.1f a particle), %zu bytes each", nb->rows.n,
+		       nb->built_skin,
+		       sim->particles->n ? (double)nb->rows.n / (double)sim->particles->n : 0.0, row);
+	if (!nb->rows.history_width)
+		ts_report_left_out(report, "contact history", "the contact law remembers nothing");
+	if (!sim->particles->nghost)
+		ts_report_left_out(report, "ghosts", "no periodic faces");
+	return TS_OK;
+}
+
+static void fini(struct ts_instance *self)
+{
+	struct ts_neigh *nb = self->state;
+
+	ts_rows_release(&nb->rows);
+	ts_row_history_release(&nb->saved);
+}
+
+static const struct ts_saved saved[] = {
+	TS_SAVE_F64(struct ts_neigh, skin),
+	TS_SAVE_F64(struct ts_neigh, built_skin),
+	TS_SAVE_I32(struct ts_neigh, nexclude),
+	TS_SAVED_ROWS_END,
+};
+
+const struct ts_system_style ts_neigh_system = {
+	.style = { .name = "neigh",
+		   .kind = TS_KIND_SYSTEM,
+		   .summary = "contact rows: who may touch whom",
+		   .state_size = sizeof(struct ts_neigh),
+		   .saved = saved,
+		   .archive = archive,
+		   .fingerprint = fingerprint,
+		   .init = init,
+		   .hook = { [TS_STAGE_CHECK] = check,
+			     [TS_STAGE_EXCHANGE] = exchange,
+			     [TS_STAGE_BUILD] = build,
+			     [TS_STAGE_FORWARD] = forward,
+			     [TS_STAGE_PRE_FORCE] = clear_forces },
+		   .plan = plan,
+		   .fini = fini },
+	.slot = offsetof(struct tsim, neigh),
+};

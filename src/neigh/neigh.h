@@ -1,0 +1,35 @@
+/* The neighbour system: contact rows with a skin, rebuilt exactly when some particle has moved half
+ * the skin since the last build. The check runs after every move and before every force, so no
+ * contact is ever missed, whatever the skin; the skin only decides the cost. */
+#ifndef TS_NEIGH_NEIGH_H
+#define TS_NEIGH_NEIGH_H
+
+#include "neigh/row_history.h"
+#include "neigh/rows.h"
+
+enum { TS_MAX_EXCLUDE = 16 };
+
+/* A pair of types or groups that do not touch each other (neigh_modify exclude). */
+struct ts_exclude {
+	int32_t by_group; /* 0: types, 1: group bits */
+	int32_t a, b;
+};
+
+struct ts_neigh {
+	double skin;        /* <= 0: chosen from the particles, see ts_neigh_skin */
+	double built_skin;  /* of the rows now in use */
+	int32_t nexclude;
+	struct ts_exclude exclude[TS_MAX_EXCLUDE];
+	int64_t builds;     /* in this run */
+	bool wanted;        /* some live style acts on contacts */
+	struct ts_rows rows;
+	struct ts_row_history saved; /* from a restart file, for the next build */
+};
+
+/* The skin in use: as given by `neighbor`, else 0.3 of the smallest radius (at least 0.05 of the
+ * largest). */
+double ts_neigh_skin(const struct tsim *sim);
+
+extern const struct ts_system_style ts_neigh_system;
+
+#endif

@@ -1,0 +1,176 @@
+#include "neigh/pair.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/plan.h"
+
+#include "base/banned.h"
+
+static size_t entry_of(const struct ts_pair *pair, int a, int b)
+{
+	return (size_t)(a * (pair->ntypes + 1) + b);
+}
+
+static enum ts_status prepare(struct tsim *sim, struct ts_instance *self)
+{
+	const struct ts_pair_style *style = ts_pair_style_of(self);
+	struct ts_pair *pair = self->state;
+	size_t n = (size_t)(sim->particles->ntypes + 1);
+
+	pair->coeffs.rows = style->coeff;
+	pair->coeffs.size = style->coeff_size;
+	pair->ntypes = sim->particles->ntypes;
+	return ts_coeffs_resize(sim, &pair->coeffs, n * n);
+}
+
+static enum ts_status limit_types(struct tsim *sim, struct ts_types *t, const struct ts_place *where)
+{
+	int most = sim->particles->ntypes;
+
+	if (!t->hi)
+		t->hi = most;
+	if (t->lo > most || t->hi > most)
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "pair_coeff: particle type %d does not exist, create_box made %d",
+			       t->hi > most ? t->hi : t->lo, most);
+	return TS_OK;
+}
+
+enum ts_status ts_pair_set(struct tsim *sim, struct ts_types a, struct ts_types b,
+			   struct ts_words words, const struct ts_place *where)
+{
+	struct ts_instance *self = ts_sim_only(sim, TS_KIND_PAIR);
+	struct ts_pair *pair;
+	enum ts_status status;
+	void *entry;
+
+	if (!self)
+		return ts_fail(&sim->error, TS_STATE, where, "pair_coeff needs a pair_style before it");
+	pair = self->state;
+	TS_TRY(prepare(sim, self));
+	TS_TRY(limit_types(sim, &a, where));
+	TS_TRY(limit_types(sim, &b, where));
+	entry = ts_alloc(1, pair->coeffs.size ? pair->coeffs.size : 1);
+	if (!entry)
+		return ts_nomem(&sim->error);
+	status = ts_coeff_parse(sim, "pair_coeff", &pair->coeffs, words, where, entry);
+	if (status == TS_OK)
+		status = ts_pair_style_of(self)->complete(sim, entry, where);
+	for (int i = a.lo; status == TS_OK && i <= a.hi; i++) {
+		for (int j = b.lo; j <= b.hi; j++) {
+			memcpy(ts_coeff(&pair->coeffs, entry_of(pair, i, j)), entry,
+			       pair->coeffs.size);
+			memcpy(ts_coeff(&pair->coeffs, entry_of(pair, j, i)), entry,
+			       pair->coeffs.size);
+			pair->coeffs.given[entry_of(pair, i, j)] = true;
+			pair->coeffs.given[entry_of(pair, j, i)] = true;
+		}
+	}
+	ts_free(entry);
+	return status;
+}
+
+static void types_present(const struct ts_particles *p, bool *present)
+{
+	for (size_t i = 0; i < p->n; i++)
+		present[p->type[i]] = true;
+}
+
+static enum ts_status check_given(struct tsim *sim, struct ts_instance *self)
+{
+	const struct ts_pair *pair = self->state;
+	bool *present = ts_alloc((size_t)pair->ntypes + 1, sizeof *present);
+
+	if (!present)
+		return ts_nomem(&sim->error);
+	types_present(sim->particles, present);
+	for (int a = 1; a <= pair->ntypes; a++) {
+		for (int b = a; b <= pair->ntypes; b++) {
+			if (!present[a] || !present[b] || pair->coeffs.given[entry_of(pair, a, b)])
+				continue;
+			ts_free(present);
+			return ts_fail(&sim->error, TS_STATE, &self->where,
+				       "particles of types %d and %d exist, but there is no "
+				       "`pair_coeff %d %d ...`",
+				       a, b, a, b);
+		}
+	}
+	ts_free(present);
+	return TS_OK;
+}
+
+enum ts_status ts_pair_init(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_pair_style *style = ts_pair_style_of(self);
+
+	if (!sim->particles->ntypes)
+		return TS_OK;
+	TS_TRY(prepare(sim, self));
+	TS_TRY(ts_rows_set_history(sim, &sim->neigh->rows, style->history_width,
+				   style->history_sign));
+	return check_given(sim, self);
+}
+
+enum ts_status ts_pair_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	struct ts_pair *pair = self->state;
+
+	TS_TRY(prepare(sim, self));
+	TS_TRY(ts_coeffs_archive(a, sim, &pair->coeffs));
+	for (size_t k = 0; !ts_archive_writing(a) && k < pair->coeffs.n; k++)
+		if (pair->coeffs.given[k])
+			TS_TRY(ts_pair_style_of(self)->complete(sim, ts_coeff(&pair->coeffs, k),
+								&self->where));
+	return TS_OK;
+}
+
+void ts_pair_fingerprint(const struct ts_instance *self, const struct tsim *sim,
+			 struct ts_hash *hash)
+{
+	const struct ts_pair *pair = self->state;
+
+	ts_coeffs_fingerprint(&pair->coeffs, sim, hash);
+}
+
+/* Least mass of each type, infinite where there are no particles. */
+static double *least_masses(const struct ts_particles *p)
+{
+	double *least = ts_alloc((size_t)p->ntypes + 1, sizeof *least);
+
+	for (int t = 0; least && t <= p->ntypes; t++)
+		least[t] = INFINITY;
+	for (size_t i = 0; least && i < p->n; i++)
+		least[p->type[i]] = fmin(least[p->type[i]], p->mass[i]);
+	return least;
+}
+
+enum ts_status ts_pair_plan(struct ts_instance *self, struct tsim *sim,
+			    struct ts_plan_report *report)
+{
+	const struct ts_pair_style *style = ts_pair_style_of(self);
+	const struct ts_pair *pair = self->state;
+	double *least = least_masses(sim->particles);
+	enum ts_status status = least ? TS_OK : ts_nomem(&sim->error);
+
+	for (int a = 1; status == TS_OK && a <= pair->ntypes; a++) {
+		for (int b = a; status == TS_OK && b <= pair->ntypes; b++) {
+			double mass = 1 / (1 / least[a] + 1 / least[b]);
+
+			if (isinf(least[a]) || isinf(least[b]))
+				continue;
+			status = ts_report_limit(report, style->limit(ts_pair_coeff(pair, a, b), mass),
+						 true, &self->where,
+						 "a contact of types %d and %d (m* = %.4g)", a, b, mass);
+		}
+	}
+	ts_free(least);
+	return status;
+}
+
+void ts_pair_fini(struct ts_instance *self)
+{
+	struct ts_pair *pair = self->state;
+
+	ts_coeffs_release(&pair->coeffs);
+}

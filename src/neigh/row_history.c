@@ -1,0 +1,154 @@
+#include "neigh/row_history.h"
+
+#include <string.h>
+
+#include "base/banned.h"
+
+/* The key of a row, and whether its i has the larger tag. Opposite images have codes that add up to
+ * 2 TS_IMAGE_SELF. */
+static struct ts_row_key key_of(const struct ts_rows *rows, size_t r, bool *swapped)
+{
+	int32_t a = rows->tag[0][r], b = rows->tag[1][r];
+	uint8_t image = rows->image[r];
+	uint8_t opposite = (uint8_t)(2 * TS_IMAGE_SELF - image);
+
+	*swapped = a > b || (a == b && image < opposite);
+	if (*swapped)
+		return (struct ts_row_key){ { b, a }, opposite };
+	return (struct ts_row_key){ { a, b }, image };
+}
+
+static bool same(const struct ts_row_key *a, const struct ts_row_key *b)
+{
+	return a->tag[0] == b->tag[0] && a->tag[1] == b->tag[1] && a->image == b->image;
+}
+
+static size_t hash(const struct ts_row_key *k)
+{
+	uint64_t h = (uint64_t)(uint32_t)k->tag[0] << 32 | (uint32_t)k->tag[1];
+
+	h = (h ^ (uint32_t)k->image) * 0x9fb21c651e98df25u;
+	return (size_t)(h ^ (h >> 29));
+}
+
+static int32_t *find(const struct ts_row_history *h, const struct ts_row_key *key)
+{
+	size_t k = hash(key) & (h->slots - 1);
+
+	while (h->slot[k] && !same(&h->key[h->slot[k] - 1], key))
+		k = (k + 1) & (h->slots - 1);
+	return &h->slot[k];
+}
+
+static void copy_signed(double *to, const double *from, size_t width, const signed char *sign,
+			bool swapped)
+{
+	for (size_t c = 0; c < width; c++)
+		to[c] = swapped && sign[c] < 0 ? -from[c] : from[c];
+}
+
+static enum ts_status allocate(struct tsim *sim, struct ts_row_history *h, size_t n)
+{
+	for (h->slots = 16; h->slots < 2 * n; h->slots *= 2)
+		;
+	h->key = ts_alloc(n, sizeof *h->key);
+	h->value = ts_alloc(n * h->width, sizeof *h->value);
+	h->slot = ts_alloc(h->slots, sizeof *h->slot);
+	if (!h->key || !h->value || !h->slot) {
+		ts_row_history_release(h);
+		return ts_nomem(&sim->error);
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_row_history_take(struct tsim *sim, const struct ts_rows *rows,
+				   struct ts_row_history *h)
+{
+	size_t n = 0;
+
+	*h = (struct ts_row_history){ .width = rows->history_width };
+	for (size_t r = 0; h->width && r < rows->n; r++)
+		n += rows->touching[r];
+	if (!n)
+		return TS_OK;
+	TS_TRY(allocate(sim, h, n));
+	for (size_t r = 0; r < rows->n; r++) {
+		bool swapped;
+		int32_t *slot;
+
+		if (!rows->touching[r])
+			continue;
+		h->key[h->n] = key_of(rows, r, &swapped);
+		slot = find(h, &h->key[h->n]);
+		if (*slot)
+			continue; /* the other side's row of a pair with a ghost */
+		copy_signed(h->value + h->n * h->width, rows->history + r * h->width, h->width,
+			    rows->history_sign, swapped);
+		*slot = (int32_t)++h->n;
+	}
+	return TS_OK;
+}
+
+void ts_row_history_give(const struct ts_row_history *h, struct ts_rows *rows)
+{
+	for (size_t r = 0; h->n && r < rows->n; r++) {
+		bool swapped;
+		struct ts_row_key key = key_of(rows, r, &swapped);
+		int32_t slot = *find(h, &key);
+
+		if (!slot)
+			continue;
+		rows->touching[r] = 1;
+		copy_signed(rows->history + r * h->width, h->value + (size_t)(slot - 1) * h->width,
+			    h->width, rows->history_sign, swapped);
+	}
+}
+
+void ts_row_history_release(struct ts_row_history *h)
+{
+	ts_free(h->key);
+	ts_free(h->value);
+	ts_free(h->slot);
+	*h = (struct ts_row_history){ 0 };
+}
+
+enum ts_status ts_rows_set_history(struct tsim *sim, struct ts_rows *rows, size_t width,
+				   const signed char *sign)
+{
+	double *history = NULL;
+
+	rows->history_sign = sign;
+	if (width == rows->history_width)
+		return TS_OK;
+	if (width) {
+		history = ts_alloc_aligned(rows->capacity * width, sizeof *history);
+		if (!history)
+			return ts_nomem(&sim->error);
+	}
+	ts_free(rows->history);
+	rows->history = history;
+	rows->history_width = width;
+	return TS_OK;
+}
+
+enum ts_status ts_row_history_archive(struct ts_archive *archive, struct tsim *sim,
+				      struct ts_row_history *h)
+{
+	int64_t size[2] = { (int64_t)h->n, (int64_t)h->width };
+
+	TS_TRY(ts_archive_fixed(archive, "history_size", TS_SAVED_I64, size, 2));
+	if (size[0] < 0 || size[0] > INT32_MAX || size[1] < 0 || size[1] > 1024)
+		return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible contact history");
+	if (!ts_archive_writing(archive)) {
+		ts_row_history_release(h);
+		h->width = (size_t)size[1];
+		if (size[0])
+			TS_TRY(allocate(sim, h, (size_t)size[0]));
+		h->n = (size_t)size[0];
+	}
+	TS_TRY(ts_archive_fixed(archive, "history_keys", TS_SAVED_I32, h->key, 3 * h->n));
+	TS_TRY(ts_archive_fixed(archive, "history", TS_SAVED_F64, h->value, h->n * h->width));
+	for (size_t k = 0; !ts_archive_writing(archive) && k < h->n; k++)
+		*find(h, &h->key[k]) = (int32_t)k + 1;
+	return TS_OK;
+}

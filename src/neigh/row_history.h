@@ -1,0 +1,27 @@
+/* Carries the history columns of touching rows over a rebuild, by the identities of the partners. */
+#ifndef TS_NEIGH_ROW_HISTORY_H
+#define TS_NEIGH_ROW_HISTORY_H
+
+#include "neigh/rows.h"
+
+struct ts_row_history {
+	size_t n, width, slots;
+	struct ts_row_key {
+		int32_t tag[2]; /* smaller first */
+		int32_t image;  /* of the larger, seen from the smaller */
+	} *key;
+	double *value;     /* width numbers each, as seen from the smaller tag */
+	int32_t *slot;     /* open addressing: index of key + 1, 0 free */
+};
+
+/* Copies out the history of the touching rows. */
+enum ts_status ts_row_history_take(struct tsim *sim, const struct ts_rows *rows,
+				   struct ts_row_history *h);
+/* Gives it to the rows of the same partners. */
+void ts_row_history_give(const struct ts_row_history *h, struct ts_rows *rows);
+void ts_row_history_release(struct ts_row_history *h);
+/* Restart files. */
+enum ts_status ts_row_history_archive(struct ts_archive *archive, struct tsim *sim,
+				      struct ts_row_history *h);
+
+#endif

@@ -1,0 +1,56 @@
+/* Contact rows: one row per pair of particles that may touch before the next rebuild.
+ *
+ * Rows are sorted by particle i (local), then by the partner's identity. Forces are computed over
+ * rows, without write conflicts; then each particle gathers its own in the order of its partners'
+ * identities. So sums do not depend on the number of threads, on the order of particles in memory,
+ * nor on which of two partners owns the row: forces of a pair are exactly opposite.
+ *
+ * A pair of locals has one row; a local and a ghost have one row here and one on the other side. */
+#ifndef TS_NEIGH_ROWS_H
+#define TS_NEIGH_ROWS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "core/sim.h"
+
+struct ts_rows {
+	size_t n, capacity;
+	int32_t *i, *j;     /* rows of the particle columns; i local, j local or ghost */
+	int32_t *tag[2];    /* identities of i and j */
+	uint8_t *image;     /* which image of j: 13 = itself; see ts_image_code */
+	double (*force)[3]; /* on i; j gets the opposite. Zero where not touching */
+	uint8_t *touching;
+	double *history;    /* history_width numbers per row; zero where never touched */
+	size_t history_width;
+	const signed char *history_sign; /* +1 or -1: factor when i and j change places */
+
+	/* gather lists: for local particle p the entries first[p] .. first[p+1]-1; an entry is
+	 * 2 row + side, side 1 when p is the row's j */
+	size_t *first;
+	uint32_t *entry;
+	size_t first_capacity, entry_capacity;
+};
+
+enum { TS_IMAGE_SELF = 13 };
+/* Image shift (-1, 0, 1 per dimension) as a number 0..26. */
+static inline uint8_t ts_image_code(const int8_t shift[3])
+{
+	return (uint8_t)(TS_IMAGE_SELF + shift[0] + 3 * shift[1] + 9 * shift[2]);
+}
+
+/* Builds rows of all pairs of particles (xhold) nearer than r_i + r_j + skin, at least one of them of
+ * finite mass; carries history over from the rows before. `excluded` may be NULL. */
+typedef bool ts_excluded_fn(const struct tsim *sim, size_t i, size_t j);
+enum ts_status ts_rows_build(struct tsim *sim, struct ts_rows *rows, double skin,
+			     ts_excluded_fn *excluded);
+
+/* Adds the row forces to the particles' force column. */
+void ts_rows_gather(struct tsim *sim, const struct ts_rows *rows);
+
+enum ts_status ts_rows_set_history(struct tsim *sim, struct ts_rows *rows, size_t width,
+				   const signed char *sign);
+void ts_rows_release(struct ts_rows *rows);
+
+#endif

@@ -1,0 +1,176 @@
+/* Storage of the particle columns: growth, adding, deleting, reordering of rows. */
+#include "particles/particles.h"
+
+#include <string.h>
+
+#include "base/banned.h"
+
+static void *column_row(const struct ts_column *c, size_t row)
+{
+	return (char *)c->data + row * c->element * c->width;
+}
+
+static void bind(struct ts_column *c)
+{
+	if (c->bound)
+		*c->bound = c->data;
+}
+
+static enum ts_status enlarge(struct tsim *sim, struct ts_column *c, size_t rows, size_t capacity)
+{
+	void *data = ts_alloc_aligned(capacity * c->width, c->element);
+
+	if (!data)
+		return ts_nomem(&sim->error);
+	if (c->data)
+		memcpy(data, c->data, rows * c->width * c->element);
+	ts_free(c->data);
+	c->data = data;
+	bind(c);
+	return TS_OK;
+}
+
+enum ts_status ts_particles_reserve(struct tsim *sim, size_t rows)
+{
+	struct ts_particles *p = sim->particles;
+	size_t capacity = rows > 2 * p->capacity ? rows : 2 * p->capacity;
+
+	if (rows <= p->capacity)
+		return TS_OK;
+	if (capacity < 16)
+		capacity = 16;
+	for (size_t k = 0; k < p->ncolumns; k++)
+		if (p->column[k].active)
+			TS_TRY(enlarge(sim, &p->column[k], p->n + p->nghost, capacity));
+	p->capacity = capacity;
+	return TS_OK;
+}
+
+enum ts_status ts_particles_need(struct tsim *sim, unsigned columns)
+{
+	struct ts_particles *p = sim->particles;
+
+	for (size_t k = 0; k < TS_NCOLUMN_BUILTIN; k++) {
+		struct ts_column *c = &p->column[k];
+
+		if (c->active || !((columns >> k) & 1u || c->flags & TS_COL_ALWAYS))
+			continue;
+		c->active = true;
+		if (p->capacity)
+			TS_TRY(enlarge(sim, c, 0, p->capacity));
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_particles_add_column(struct tsim *sim, const char *name, size_t width,
+				       unsigned flags, size_t *index)
+{
+	struct ts_particles *p = sim->particles;
+	struct ts_column *c;
+
+	for (*index = 0; *index < p->ncolumns; ++*index)
+		if (ts_streq(p->column[*index].name, name))
+			return TS_OK;
+	if (TS_GROW(p->column, p->column_capacity, p->ncolumns + 1) != TS_OK)
+		return ts_nomem(&sim->error);
+	c = &p->column[p->ncolumns];
+	*c = (struct ts_column){ .name = ts_pool_get(sim->pool, name), .type = TS_SAVED_F64,
+				 .element = sizeof(double), .width = width, .flags = flags,
+				 .active = true };
+	if (!c->name || (p->capacity && enlarge(sim, c, 0, p->capacity) != TS_OK))
+		return ts_nomem(&sim->error);
+	p->ncolumns++;
+	return TS_OK;
+}
+
+enum ts_status ts_particles_add(struct tsim *sim, size_t n, size_t *first)
+{
+	struct ts_particles *p = sim->particles;
+
+	p->nghost = 0;
+	if (n > (size_t)(INT32_MAX - p->max_tag))
+		return ts_fail(&sim->error, TS_RANGE, NULL, "too many particles");
+	TS_TRY(ts_particles_reserve(sim, p->n + n));
+	for (size_t k = 0; k < p->ncolumns; k++)
+		if (p->column[k].active)
+			memset(column_row(&p->column[k], p->n), 0,
+			       n * p->column[k].width * p->column[k].element);
+	*first = p->n;
+	for (size_t i = p->n; i < p->n + n; i++) {
+		p->tag[i] = ++p->max_tag;
+		p->type[i] = 1;
+		p->mask[i] = 1;
+		p->radius[i] = 0.5;
+		p->mass[i] = 0.52359877559829887308; /* pi/6 */
+	}
+	p->n += n;
+	return TS_OK;
+}
+
+static void move_row(struct ts_particles *p, size_t from, size_t to)
+{
+	for (size_t k = 0; k < p->ncolumns; k++)
+		if (p->column[k].active)
+			memcpy(column_row(&p->column[k], to), column_row(&p->column[k], from),
+			       p->column[k].width * p->column[k].element);
+}
+
+enum ts_status ts_particles_delete(struct tsim *sim, const unsigned char *flag)
+{
+	struct ts_particles *p = sim->particles;
+	size_t kept = 0;
+
+	p->nghost = 0;
+	for (size_t i = 0; i < p->n; i++) {
+		if (flag[i])
+			continue;
+		if (kept != i)
+			move_row(p, i, kept);
+		kept++;
+	}
+	p->n = kept;
+	return TS_OK;
+}
+
+enum ts_status ts_particles_reorder(struct tsim *sim, const int32_t *order)
+{
+	struct ts_particles *p = sim->particles;
+
+	p->nghost = 0;
+	for (size_t k = 0; k < p->ncolumns; k++) {
+		struct ts_column *c = &p->column[k];
+		size_t row = c->width * c->element;
+		char *data;
+
+		if (!c->active || !p->capacity)
+			continue;
+		data = ts_alloc_aligned(p->capacity, row);
+		if (!data)
+			return ts_nomem(&sim->error);
+		for (size_t i = 0; i < p->n; i++)
+			memcpy(data + i * row, column_row(c, (size_t)order[i]), row);
+		ts_free(c->data);
+		c->data = data;
+		bind(c);
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_particles_map(struct tsim *sim, const int32_t **row_of_tag)
+{
+	struct ts_particles *p = sim->particles;
+
+	if (TS_GROW(p->map, p->map_capacity, (size_t)p->max_tag + 1) != TS_OK)
+		return ts_nomem(&sim->error);
+	memset(p->map, 0xff, ((size_t)p->max_tag + 1) * sizeof *p->map); /* -1 */
+	for (size_t i = 0; i < p->n; i++)
+		p->map[p->tag[i]] = (int32_t)i;
+	*row_of_tag = p->map;
+	return TS_OK;
+}
+
+void ts_particles_inverse_mass(struct ts_particles *p)
+{
+	for (size_t i = 0; i < p->n; i++)
+		p->imass[i] = 1.0 / p->mass[i];
+}

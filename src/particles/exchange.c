@@ -1,0 +1,211 @@
+#include "particles/exchange.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <string.h>
+
+#include "particles/domain.h"
+#include "particles/particles.h"
+
+#include "base/banned.h"
+
+static void wrap(struct ts_particles *p, const struct ts_box *box, int dim)
+{
+	double length = ts_box_length(box, dim);
+
+	for (size_t i = 0; i < p->n; i++) {
+		double x = p->x[i][dim];
+		double turns = floor((x - box->lo[dim]) / length);
+
+		if (turns == 0)
+			continue;
+		x -= turns * length;
+		if (x < box->lo[dim]) /* rounding */
+			x = box->lo[dim];
+		p->x[i][dim] = x;
+		p->image[i][dim] += (int32_t)turns;
+	}
+}
+
+/* Number of the fixed face (2 dim + side) through which x has left, or -1. */
+static int left_through(const struct ts_box *box, const double x[3])
+{
+	for (int dim = 0; dim < 3; dim++) {
+		if (box->face[dim][0] == TS_FACE_FIXED && x[dim] < box->lo[dim])
+			return 2 * dim;
+		if (box->face[dim][1] == TS_FACE_FIXED && x[dim] > box->hi[dim])
+			return 2 * dim + 1;
+	}
+	return -1;
+}
+
+bool ts_exchange_needed(const struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+
+	for (size_t i = 0; i < p->n; i++)
+		if (left_through(&sim->domain->box, p->x[i]) >= 0)
+			return true;
+	return false;
+}
+
+static enum ts_status report_lost(struct tsim *sim, size_t i, int face)
+{
+	static const char *const faces[] = { "xlo", "xhi", "ylo", "yhi", "zlo", "zhi" };
+	struct ts_particles *p = sim->particles;
+	const double *v = p->v[i];
+	double travel = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) * sim->clock.dt / p->radius[i];
+	struct ts_str contacts = { 0 };
+	char text[900];
+	enum ts_status status = TS_OK;
+
+	if (p->lost_policy == TS_LOST_IGNORE || (p->lost_policy == TS_LOST_WARN && p->lost_warned))
+		return TS_OK;
+	if (p->describe_contacts)
+		p->describe_contacts(sim, i, &contacts);
+	snprintf(text, sizeof text,
+		 "particle %d (type %d) left the box through its fixed face %s at step %" PRId64
+		 ": position (%g %g %g), velocity (%g %g %g); last contacts: %.300s; probable cause: %s",
+		 p->tag[i], p->type[i], faces[face], sim->clock.step, p->x[i][0], p->x[i][1],
+		 p->x[i][2], v[0], v[1], v[2], contacts.length ? contacts.text : "none",
+		 travel > 0.1 ? "it moves a large part of its radius in a step: the time step is too "
+				"large or something is too stiff"
+			      : "no wall stands at that face");
+	ts_str_release(&contacts);
+	if (p->lost_policy == TS_LOST_ERROR)
+		status = ts_fail(&sim->error, TS_PHYSICS, NULL, "%s", text);
+	else
+		ts_warn(&sim->log, NULL,
+			"%s (said once; `thermo_modify lost ignore` is silent, `lost error` stops)",
+			text);
+	p->lost_warned = true;
+	return status;
+}
+
+static enum ts_status drop_lost(struct tsim *sim)
+{
+	struct ts_particles *p = sim->particles;
+	unsigned char *gone = NULL;
+	enum ts_status status = TS_OK;
+
+	for (size_t i = 0; i < p->n && status == TS_OK; i++) {
+		int face = left_through(&sim->domain->box, p->x[i]);
+
+		if (face < 0)
+			continue;
+		status = report_lost(sim, i, face);
+		if (!gone)
+			gone = ts_alloc(p->n, 1);
+		if (!gone)
+			return ts_nomem(&sim->error);
+		gone[i] = 1;
+		p->lost++;
+	}
+	if (gone && status == TS_OK)
+		status = ts_particles_delete(sim, gone);
+	ts_free(gone);
+	return status;
+}
+
+enum ts_status ts_exchange_migrate(struct tsim *sim)
+{
+	struct ts_particles *p = sim->particles;
+
+	p->nghost = 0;
+	for (int dim = 0; dim < 3; dim++)
+		if (ts_box_periodic(&sim->domain->box, dim))
+			wrap(p, &sim->domain->box, dim);
+	TS_TRY(drop_lost(sim));
+	ts_domain_shrink(sim);
+	return TS_OK;
+}
+
+static void copy_row(struct ts_particles *p, size_t from, size_t to, unsigned flag)
+{
+	for (size_t k = 0; k < p->ncolumns; k++) {
+		const struct ts_column *c = &p->column[k];
+		size_t bytes = c->element * c->width;
+
+		if (c->active && (c->flags & flag))
+			memcpy((char *)c->data + to * bytes, (char *)c->data + from * bytes, bytes);
+	}
+}
+
+/* A ghost's coordinates are its original's plus whole box lengths, always from the original, so that
+ * they do not depend on the way the ghost was made. */
+static void place_ghost(struct ts_particles *p, const struct ts_box *box, size_t g)
+{
+	size_t k = g - p->n, owner = (size_t)p->ghost_owner[k];
+
+	for (int d = 0; d < 3; d++) {
+		double shift = p->ghost_shift[k][d] * ts_box_length(box, d);
+
+		p->x[g][d] = p->x[owner][d] + shift;
+		p->xhold[g][d] = p->xhold[owner][d] + shift;
+	}
+}
+
+static enum ts_status add_ghost(struct tsim *sim, size_t from, int dim, int shift)
+{
+	struct ts_particles *p = sim->particles;
+	size_t g = p->n + p->nghost, k = p->nghost;
+	size_t capacity = p->ghost_capacity;
+
+	TS_TRY(ts_particles_reserve(sim, g + 1));
+	if (TS_GROW(p->ghost_owner, capacity, k + 1) != TS_OK)
+		return ts_nomem(&sim->error);
+	capacity = p->ghost_capacity;
+	if (TS_GROW(p->ghost_shift, capacity, k + 1) != TS_OK)
+		return ts_nomem(&sim->error);
+	p->ghost_capacity = capacity;
+	copy_row(p, from, g, TS_COL_BORDER);
+	p->ghost_owner[k] = from < p->n ? (int32_t)from : p->ghost_owner[from - p->n];
+	memset(p->ghost_shift[k], 0, sizeof p->ghost_shift[k]);
+	if (from >= p->n)
+		memcpy(p->ghost_shift[k], p->ghost_shift[from - p->n], sizeof p->ghost_shift[k]);
+	p->ghost_shift[k][dim] = (int8_t)shift;
+	place_ghost(p, &sim->domain->box, g);
+	p->nghost++;
+	return TS_OK;
+}
+
+static enum ts_status borders(struct tsim *sim, int dim, double cutoff)
+{
+	struct ts_particles *p = sim->particles;
+	const struct ts_box *box = &sim->domain->box;
+	size_t present = p->n + p->nghost; /* images of images fill edges and corners */
+
+	if (cutoff > ts_box_length(box, dim))
+		return ts_fail(&sim->error, TS_RANGE, NULL,
+			       "the periodic box is %g long in dimension %c, less than the reach %g of "
+			       "a contact: make it longer or the skin smaller",
+			       ts_box_length(box, dim), 'x' + dim, cutoff);
+	for (size_t i = 0; i < present; i++) {
+		double x = p->xhold[i][dim];
+
+		if (x < box->lo[dim] + cutoff)
+			TS_TRY(add_ghost(sim, i, dim, 1));
+		if (x >= box->hi[dim] - cutoff)
+			TS_TRY(add_ghost(sim, i, dim, -1));
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_exchange_borders(struct tsim *sim, double cutoff)
+{
+	sim->particles->nghost = 0;
+	for (int dim = 0; dim < 3; dim++)
+		if (ts_box_periodic(&sim->domain->box, dim))
+			TS_TRY(borders(sim, dim, cutoff));
+	return TS_OK;
+}
+
+void ts_exchange_forward(struct tsim *sim)
+{
+	struct ts_particles *p = sim->particles;
+
+	for (size_t g = p->n; g < p->n + p->nghost; g++) {
+		copy_row(p, (size_t)p->ghost_owner[g - p->n], g, TS_COL_FORWARD);
+		place_ghost(p, &sim->domain->box, g);
+	}
+}

@@ -1,0 +1,23 @@
+/* Where particles come and go: periodic wrapping, loss through fixed faces, ghosts.
+ *
+ * The one interface through which images of particles (and, with several processes, the neighbours'
+ * particles) arrive; no style may assume that all particles are local. */
+#ifndef TS_PARTICLES_EXCHANGE_H
+#define TS_PARTICLES_EXCHANGE_H
+
+#include "core/sim.h"
+
+/* Wraps periodic coordinates and deletes (or reports, see enum ts_lost) particles outside fixed
+ * faces; fits `s` and `m` faces. Drops the ghosts. */
+enum ts_status ts_exchange_migrate(struct tsim *sim);
+
+/* Makes ghosts of all particles whose xhold lies within `cutoff` of a periodic face. */
+enum ts_status ts_exchange_borders(struct tsim *sim, double cutoff);
+
+/* Refreshes positions, velocities and other TS_COL_FORWARD columns of the ghosts. */
+void ts_exchange_forward(struct tsim *sim);
+
+/* Has any local particle left through a fixed face? */
+bool ts_exchange_needed(const struct tsim *sim);
+
+#endif

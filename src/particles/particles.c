@@ -1,0 +1,164 @@
+#include "particles/particles.h"
+
+#include "core/plan.h"
+
+#include "base/banned.h"
+
+/* Type of a column's numbers in files, by their C type. */
+#define SAVED_TYPE(type)                                                                           \
+	_Generic((type)0, double: TS_SAVED_F64, int32_t: TS_SAVED_I32, uint32_t: TS_SAVED_I32)
+
+static enum ts_status describe_columns(struct tsim *sim, struct ts_particles *p)
+{
+#define COLUMN_ROW(id, name_, ctype, width_, flags_)                                               \
+	{ .name = #name_, .type = SAVED_TYPE(ctype), .element = sizeof(ctype), .width = (width_),  \
+	  .flags = (flags_), .bound = (void **)(void *)&p->name_ },
+	const struct ts_column builtin[] = { TS_COLUMN_LIST(COLUMN_ROW) };
+#undef COLUMN_ROW
+
+	if (TS_GROW(p->column, p->column_capacity, TS_NCOLUMN_BUILTIN) != TS_OK)
+		return ts_nomem(&sim->error);
+	for (size_t k = 0; k < TS_NCOLUMN_BUILTIN; k++)
+		p->column[k] = builtin[k];
+	p->ncolumns = TS_NCOLUMN_BUILTIN;
+	return TS_OK;
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_particles *p = self->state;
+
+	if (!p->ncolumns) {
+		TS_TRY(describe_columns(sim, p));
+		p->group[0] = "all";
+		p->lost_policy = TS_LOST_WARN;
+	}
+	return ts_particles_need(sim, sim->columns);
+}
+
+static void fini(struct ts_instance *self)
+{
+	struct ts_particles *p = self->state;
+
+	for (size_t k = 0; k < p->ncolumns; k++)
+		ts_free(p->column[k].data);
+	ts_free(p->column);
+	ts_free(p->type_mass);
+	ts_free(p->ghost_owner);
+	ts_free(p->ghost_shift);
+	ts_free(p->map);
+}
+
+static enum ts_status archive_groups(struct ts_particles *p, struct ts_archive *a)
+{
+	for (int g = 1; g < TS_MAX_GROUPS; g++) {
+		char name[16];
+		const char *text = p->group[g] ? p->group[g] : "";
+
+		snprintf(name, sizeof name, "group%d", g);
+		TS_TRY(ts_archive_string(a, name, &text));
+		p->group[g] = *text ? text : NULL;
+	}
+	return TS_OK;
+}
+
+static enum ts_status archive_columns(struct tsim *sim, struct ts_particles *p,
+				      struct ts_archive *a)
+{
+	for (size_t k = 0; k < p->ncolumns; k++) {
+		struct ts_column *c = &p->column[k];
+
+		if (!(c->flags & TS_COL_SAVED) || (ts_archive_writing(a) && !c->active))
+			continue;
+		if (!ts_archive_has(a, c->name))
+			continue;
+		if (k < TS_NCOLUMN_BUILTIN)
+			TS_TRY(ts_particles_need(sim, 1u << k));
+		TS_TRY(ts_archive_fixed(a, c->name, c->type, c->data, p->n * c->width));
+	}
+	return TS_OK;
+}
+
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	struct ts_particles *p = self->state;
+	int64_t n = (int64_t)p->n;
+	int32_t ntypes = p->ntypes;
+	size_t capacity = p->type_mass ? (size_t)p->ntypes + 1 : 0, count = capacity;
+
+	TS_TRY(ts_archive_fixed(a, "n", TS_SAVED_I64, &n, 1));
+	TS_TRY(ts_archive_fixed(a, "ntypes", TS_SAVED_I32, &ntypes, 1));
+	TS_TRY(ts_archive_array(a, "type_mass", TS_SAVED_F64, (void **)(void *)&p->type_mass,
+				&capacity, &count));
+	if (!ts_archive_writing(a)) {
+		if (n < 0 || n > INT32_MAX || ntypes < 0 ||
+		    (count && count != (size_t)ntypes + 1))
+			return ts_fail(&sim->error, TS_DAMAGED, NULL,
+				       "impossible number of particles or types");
+		p->n = p->nghost = 0;
+		TS_TRY(ts_particles_reserve(sim, (size_t)n));
+		p->n = (size_t)n;
+		p->ntypes = ntypes;
+	}
+	TS_TRY(archive_groups(p, a));
+	return archive_columns(sim, p, a);
+}
+
+static void fingerprint(const struct ts_instance *self, const struct tsim *sim,
+			struct ts_hash *hash)
+{
+	const struct ts_particles *p = self->state;
+
+	(void)sim;
+	ts_hash_add(hash, &p->n, sizeof p->n);
+	for (size_t k = 0; k < p->ncolumns; k++)
+		if (p->column[k].active && !(p->column[k].flags & TS_COL_RESULT) && p->n)
+			ts_hash_add(hash, p->column[k].data,
+				    p->n * p->column[k].width * p->column[k].element);
+}
+
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
+			   struct ts_plan_report *report)
+{
+	const struct ts_particles *p = self->state;
+	double bytes = 0;
+
+	(void)sim;
+	for (size_t k = 0; k < p->ncolumns; k++) {
+		const struct ts_column *c = &p->column[k];
+
+		if (c->active)
+			bytes += (double)(p->capacity * c->width * c->element);
+		else
+			ts_report_left_out(report, c->name, "no live style needs this column");
+	}
+	report->bytes += bytes;
+	ts_report_line(report, "particles", "%zu of %d types, %.0f bytes each", p->n, p->ntypes,
+		       p->capacity ? bytes / (double)p->capacity : 0.0);
+	return TS_OK;
+}
+
+static const struct ts_saved saved[] = {
+	TS_SAVE_I32(struct ts_particles, max_tag),
+	TS_SAVE_I32(struct ts_particles, lost_policy),
+	TS_SAVE_I64(struct ts_particles, lost),
+	TS_SAVED_ROWS_END,
+};
+
+const struct ts_system_style ts_particles_system = {
+	.style = { .name = "particles",
+		   .kind = TS_KIND_SYSTEM,
+		   .summary = "the particles and their groups",
+		   .state_size = sizeof(struct ts_particles),
+		   .saved = saved,
+		   .archive = archive,
+		   .fingerprint = fingerprint,
+		   .init = init,
+		   .plan = plan,
+		   .fini = fini },
+	.slot = offsetof(struct tsim, particles),
+	.functions = ts_group_functions,
+	.has_quantity = ts_particles_has_quantity,
+	.quantity = ts_particles_quantity,
+	.suggest_quantity = ts_particles_suggest_quantity,
+};

@@ -1,0 +1,138 @@
+/* The particles: a structure of arrays whose columns exist only if a live style needs them.
+ *
+ * Rows 0..n-1 are local particles, n..n+nghost-1 ghosts: images across periodic faces (and, later,
+ * neighbours' particles). Ghosts carry the identity (tag) of their original. */
+#ifndef TS_PARTICLES_PARTICLES_H
+#define TS_PARTICLES_PARTICLES_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "core/group.h"
+#include "core/sim.h"
+
+/* Built-in columns. X(id, name, C type, width, flags) */
+#define TS_COLUMN_LIST(X)                                                                          \
+	X(TAG, tag, int32_t, 1, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_BORDER)                      \
+	X(TYPE, type, int32_t, 1, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_BORDER)                    \
+	X(MASK, mask, uint32_t, 1, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_BORDER)                   \
+	X(IMAGE, image, int32_t, 3, TS_COL_ALWAYS | TS_COL_SAVED)                                  \
+	X(X, x, double, 3, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_BORDER | TS_COL_FORWARD)          \
+	X(V, v, double, 3, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_BORDER | TS_COL_FORWARD)          \
+	X(F, f, double, 3, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_RESULT)                           \
+	X(RADIUS, radius, double, 1, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_BORDER)                 \
+	X(MASS, mass, double, 1, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_BORDER)                     \
+	X(IMASS, imass, double, 1, TS_COL_ALWAYS | TS_COL_BORDER)                                  \
+	X(XHOLD, xhold, double, 3, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_BORDER | TS_COL_RESULT)   \
+	X(OMEGA, omega, double, 3, TS_COL_SAVED | TS_COL_BORDER | TS_COL_FORWARD)                  \
+	X(TORQUE, torque, double, 3, TS_COL_SAVED | TS_COL_RESULT)
+
+enum ts_column_flags {
+	TS_COL_ALWAYS = 1,
+	TS_COL_SAVED = 2,   /* goes to restart files */
+	TS_COL_BORDER = 4,  /* copied to ghosts when they are made */
+	TS_COL_FORWARD = 8, /* refreshed in ghosts every step */
+	TS_COL_RESULT = 16  /* forces do not depend on it: not in the fingerprint */
+};
+
+#define TS_COLUMN_ENUM(id, name, type, width, flags) TS_COL_##id,
+enum ts_column_id { TS_COLUMN_LIST(TS_COLUMN_ENUM) TS_NCOLUMN_BUILTIN };
+#undef TS_COLUMN_ENUM
+#define TS_NEED(id) (1u << TS_COL_##id) /* for ts_style.columns */
+
+struct ts_column {
+	const char *name;
+	enum ts_saved_type type;
+	size_t element, width; /* bytes of one number, numbers per particle */
+	unsigned flags;
+	bool active;
+	void *data; /* capacity * width elements, cache-line aligned; NULL if not active */
+	void **bound; /* the named pointer below that mirrors data, or NULL */
+};
+
+enum { TS_MAX_GROUPS = 32 };
+
+struct ts_particles {
+	size_t n, nghost, capacity;
+
+	/* the built-in columns; NULL when not active. Vectors are interleaved: x[i][0..2]. */
+	int32_t *tag;  /* identity, 1..max_tag, never reused */
+	int32_t *type; /* 1..ntypes */
+	uint32_t *mask; /* bit g: member of group g */
+	int32_t (*image)[3]; /* how often it crossed periodic faces */
+	double (*x)[3], (*v)[3], (*f)[3];
+	double *radius, *mass;
+	double *imass; /* 1/mass; 0 for frozen and prescribed particles: infinite mass */
+	double (*xhold)[3]; /* positions at the last build of the contact rows */
+	double (*omega)[3], (*torque)[3];
+
+	struct ts_column *column; /* built-in ones first, then those styles add */
+	size_t ncolumns, column_capacity;
+
+	int ntypes;
+	int32_t max_tag;
+	double *type_mass; /* `mass` command, by type; 0: not given */
+	const char *group[TS_MAX_GROUPS]; /* names; NULL: free. group[0] = "all" */
+
+	/* ghosts: where they come from */
+	int32_t *ghost_owner;  /* local index of the original */
+	int8_t (*ghost_shift)[3]; /* in box lengths */
+	size_t ghost_capacity;
+
+	int64_t lost;    /* particles that left through fixed faces, ever */
+	int lost_policy; /* enum ts_lost */
+	bool lost_warned;
+
+	int32_t *map; /* row of tag, made by ts_particles_map */
+	size_t map_capacity;
+	/* Says whom particle i touches; set by who keeps the contacts. */
+	void (*describe_contacts)(struct tsim *sim, size_t i, struct ts_str *out);
+};
+
+enum ts_lost { TS_LOST_IGNORE, TS_LOST_WARN, TS_LOST_ERROR };
+
+/* Adds n particles with consecutive new tags at the end of the locals (ghosts are dropped); they are
+ * in group all, v = 0, radius 0.5, mass from density 1; the caller fills in the rest. */
+enum ts_status ts_particles_add(struct tsim *sim, size_t n, size_t *first);
+/* Deletes the local particles whose flag is set; order of the others is kept. Ghosts are dropped. */
+enum ts_status ts_particles_delete(struct tsim *sim, const unsigned char *flag);
+/* Reorders locals: new row k is old row order[k]. */
+enum ts_status ts_particles_reorder(struct tsim *sim, const int32_t *order);
+
+/* Makes the columns exist (zero-filled); bits of enum ts_column_id. */
+enum ts_status ts_particles_need(struct tsim *sim, unsigned columns);
+/* Adds or finds a column of doubles for a style, e.g. "f_heat"; *index into particles->column. */
+enum ts_status ts_particles_add_column(struct tsim *sim, const char *name, size_t width,
+				       unsigned flags, size_t *index);
+
+/* A table row_of_tag[tag]: local row, -1 if there is no such particle. Valid until particles are
+ * added, deleted or reordered. */
+enum ts_status ts_particles_map(struct tsim *sim, const int32_t **row_of_tag);
+
+/* Room for so many rows, ghosts included. */
+enum ts_status ts_particles_reserve(struct tsim *sim, size_t rows);
+/* 1/mass into imass; frozen particles are set to 0 afterwards by who freezes them. */
+void ts_particles_inverse_mass(struct ts_particles *p);
+
+/* Per-particle quantity by its script name (x, vy, fz, radius, mass, id, type, diameter, density ...):
+ * one value for each local particle. */
+enum ts_status ts_particles_quantity(struct tsim *sim, const char *name, struct ts_table *out);
+bool ts_particles_has_quantity(const char *name);
+void ts_particles_suggest_quantity(struct ts_suggest *suggest);
+
+/* Groups. */
+int ts_group_find(const struct ts_particles *p, const char *name); /* bit, or -1 */
+
+enum ts_status ts_group_make(struct tsim *sim, const char *name, const struct ts_place *where,
+			     int *bit);
+static inline bool ts_in_group(const struct ts_particles *p, size_t i, int group)
+{
+	return (p->mask[i] >> group) & 1u;
+}
+
+/* Functions of expressions over groups: count(g), mass(g), xcm(g,x) ... */
+extern const struct ts_function ts_group_functions[];
+extern const struct ts_system_style ts_particles_system;
+
+#endif

@@ -1,0 +1,126 @@
+/* if "condition" then commands [elif "condition" commands ...] [else commands] */
+#include "script/interpreter.h"
+
+#include "base/banned.h"
+
+TS_STYLE(command, ts_command_style, ts_command_if)
+
+struct condition {
+	struct ts_words words;
+};
+
+static const struct ts_arg if_args[] = {
+	TS_REST("condition then commands", struct condition, words,
+		.help = "a condition in quotes, `then`, and one or more commands, each in quotes; "
+			"`elif \"condition\" commands` and `else commands` may follow"),
+	TS_ARGS_END
+};
+
+static bool is(const struct ts_word *word, const char *text)
+{
+	return !word->quoted && ts_streq(word->text, text);
+}
+
+static enum ts_status holds(struct ts_script *script, const struct ts_word *word, bool *out)
+{
+	struct ts_str text = { 0 };
+	enum ts_status status = ts_substitute_text(script, word->text, &word->place, &text);
+
+	if (status == TS_OK)
+		status = ts_expr_condition(script, ts_str_text(&text), &word->place, out);
+	ts_str_release(&text);
+	return status;
+}
+
+/* Index of the first word at or behind k that is elif or else. */
+static size_t branch_end(struct ts_words words, size_t k)
+{
+	while (k < words.n && !is(&words.word[k], "elif") && !is(&words.word[k], "else"))
+		k++;
+	return k;
+}
+
+static enum ts_status check(struct tsim *sim, struct ts_words words, const struct ts_place *where)
+{
+	const struct ts_word *word = words.word;
+
+	if (words.n < 3)
+		return ts_fail(&sim->error, TS_SYNTAX, where,
+			       "expected: if \"condition\" then \"command\" ...");
+	if (!is(&word[1], "then"))
+		return ts_fail(&sim->error, TS_SYNTAX, &word[1].place,
+			       "expected 'then' after the condition, found '%s' (a condition with "
+			       "blanks needs quotes)",
+			       word[1].text);
+	for (size_t k = 0, end; k < words.n; k = end) {
+		bool otherwise = is(&word[k], "else");
+		size_t first = k == 0 ? 2 : k + 2 - otherwise;
+
+		if (first < words.n && k && !otherwise && is(&word[first], "then"))
+			first++;
+		end = branch_end(words, first);
+		if (first >= words.n || end == first)
+			return ts_fail(&sim->error, TS_SYNTAX, &word[k].place,
+				       "expected a command for this branch, found none");
+		if (otherwise && end < words.n)
+			return ts_fail(&sim->error, TS_SYNTAX, &word[end].place,
+				       "nothing may follow the else branch, found '%s'",
+				       word[end].text);
+	}
+	return TS_OK;
+}
+
+static enum ts_status run_branch(struct ts_script *script, struct ts_words words, size_t k)
+{
+	size_t end = branch_end(words, k);
+
+	for (; k < end && !script->label && !script->quit; k++) {
+		struct ts_source *source = script->source;
+		size_t at = source ? source->at : 0;
+
+		TS_TRY(ts_script_execute(script, words.word[k].text, &words.word[k].place));
+		if (source && source->at != at)
+			break; /* jumped */
+	}
+	return TS_OK;
+}
+
+static enum ts_status run_if(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	struct ts_words words = ((const struct condition *)state)->words;
+	struct ts_script *script;
+	size_t k = 0;
+
+	TS_TRY(ts_script_of(sim, where, &script));
+	TS_TRY(check(sim, words, where));
+	while (k < words.n) {
+		bool yes = true, otherwise = is(&words.word[k], "else");
+		size_t test = k == 0 ? 0 : k + 1, first = otherwise ? k + 1 : test + 1;
+
+		if (!otherwise) {
+			TS_TRY(holds(script, &words.word[test], &yes));
+			first += is(&words.word[first], "then");
+		}
+		if (yes)
+			return run_branch(script, words, first);
+		k = branch_end(words, first);
+	}
+	return TS_OK;
+}
+
+const struct ts_command_style ts_command_if = {
+	.style = {
+		.name = "if",
+		.kind = TS_KIND_COMMAND,
+		.summary = "runs commands if a condition holds",
+		.doc = "The condition is a formula: numbers, v_NAME, c_ID, functions, comparisons, "
+		       "&& and ||; it holds if its value is not 0. Bare names are words, which can "
+		       "be compared with == and !=. Variables are put into the condition and the "
+		       "commands when they are reached.",
+		.example = "if \"${n} > 3 && ${mode} == drill\" then \"print 'deep enough'\" \"quit\" "
+			   "else \"print 'go on'\"",
+		.args = if_args,
+		.state_size = sizeof(struct condition),
+	},
+	.run = run_if,
+};

@@ -1,0 +1,49 @@
+#include <string.h>
+
+#include "script/script.h"
+
+#include "base/banned.h"
+
+/* Blanks under the first n bytes of the line: tabs stay, bytes that continue a UTF-8 character take
+ * no room. */
+static void indent(struct ts_str *out, const char *text, int n)
+{
+	for (int k = 0; k < n && text[k]; k++) {
+		if (text[k] == '\t')
+			ts_str_add(out, "\t");
+		else if (((unsigned char)text[k] & 0xc0) != 0x80)
+			ts_str_add(out, " ");
+	}
+}
+
+static void underline(struct ts_str *out, const char *text, const struct ts_place *place)
+{
+	int length = place->length > 0 ? place->length : 1;
+
+	ts_str_add(out, "  ");
+	indent(out, text, place->column - 1);
+	ts_str_add(out, "^");
+	for (int k = 1; k < length; k++)
+		if (((unsigned char)text[place->column - 1 + k] & 0xc0) != 0x80)
+			ts_str_add(out, "~");
+	ts_str_add(out, "\n");
+}
+
+void ts_diagnostic(const struct ts_error *error, struct ts_str *out)
+{
+	const struct ts_place *place = &error->place;
+	size_t width = place->text ? strlen(place->text) : 0;
+
+	if (place->line && place->column)
+		ts_str_addf(out, "%s:%d:%d: ", place->file, place->line, place->column);
+	else if (place->line)
+		ts_str_addf(out, "%s:%d: ", place->file, place->line);
+	else if (place->file)
+		ts_str_addf(out, "%s: ", place->file);
+	ts_str_addf(out, "error: %s\n", error->message);
+	if (!place->line || !width)
+		return;
+	ts_str_addf(out, "  %s\n", place->text);
+	if (place->column > 0 && (size_t)(place->column + place->length) <= width + 2)
+		underline(out, place->text, place);
+}

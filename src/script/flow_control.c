@@ -1,0 +1,218 @@
+/* Which line comes next: label, jump, next, include, quit, clear. */
+#include "script/interpreter.h"
+
+#include "base/banned.h"
+
+TS_STYLE(command, ts_command_style, ts_command_clear)
+TS_STYLE(command, ts_command_style, ts_command_include)
+TS_STYLE(command, ts_command_style, ts_command_jump)
+TS_STYLE(command, ts_command_style, ts_command_label)
+TS_STYLE(command, ts_command_style, ts_command_next)
+TS_STYLE(command, ts_command_style, ts_command_quit)
+
+struct jump {
+	const char *file, *label;
+};
+
+static const struct ts_arg jump_args[] = {
+	TS_WORD("file", struct jump, file, .flags = TS_POSITIONAL,
+		.help = "script to go on with; SELF: the present one from its first line"),
+	TS_WORD("label", struct jump, label, .flags = TS_POSITIONAL | TS_OPTIONAL,
+		.help = "skip all lines up to this label"),
+	TS_ARGS_END
+};
+
+static enum ts_status run_jump(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	const struct jump *jump = state;
+	struct ts_script *script;
+	struct ts_source source;
+
+	TS_TRY(ts_script_of(sim, where, &script));
+	if (script->skip_jump) {
+		script->skip_jump = false;
+		return TS_OK;
+	}
+	if (!script->source)
+		return ts_fail(&sim->error, TS_STATE, where, "there is no script to jump in");
+	if (ts_streq(jump->file, "SELF")) {
+		ts_source_rewind(script->source);
+	} else {
+		TS_TRY(ts_source_open(&source, sim, jump->file, ts_script_place(script, 1, where)));
+		ts_source_close(script->source);
+		*script->source = source;
+	}
+	if (!jump->label)
+		return TS_OK;
+	script->label = ts_pool_get(sim->pool, jump->label);
+	script->label_place = *ts_script_place(script, 2, where);
+	return script->label ? TS_OK : ts_nomem(&sim->error);
+}
+
+const struct ts_command_style ts_command_jump = {
+	.style = {
+		.name = "jump",
+		.kind = TS_KIND_COMMAND,
+		.summary = "goes on with another line or script",
+		.doc = "The script goes on with the first line of the file, or with the line behind "
+		       "the label. Lines that are skipped are neither substituted nor checked. A "
+		       "jump that follows a `next` without a further value does nothing: so loops "
+		       "end.",
+		.example = "variable n loop 3\nlabel again\nprint \"round $n\"\nnext n\njump SELF again",
+		.args = jump_args,
+		.state_size = sizeof(struct jump),
+	},
+	.run = run_jump,
+};
+
+struct name {
+	const char *name;
+};
+
+static const struct ts_arg label_args[] = { TS_WORD("name", struct name, name,
+						    .flags = TS_POSITIONAL,
+						    .help = "name that `jump` can look for"),
+					    TS_ARGS_END };
+
+static enum ts_status run_label(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	(void)sim, (void)state, (void)where;
+	return TS_OK;
+}
+
+const struct ts_command_style ts_command_label = {
+	.style = {
+		.name = "label",
+		.kind = TS_KIND_COMMAND,
+		.summary = "marks a line for jump",
+		.doc = "By itself the line does nothing.",
+		.example = "label again",
+		.args = label_args,
+		.state_size = sizeof(struct name),
+	},
+	.run = run_label,
+};
+
+struct next {
+	struct ts_words names;
+};
+
+static const struct ts_arg next_args[] = {
+	TS_REST("variables", struct next, names,
+		.help = "index and loop variables that take their next value"),
+	TS_ARGS_END
+};
+
+static enum ts_status run_next(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	const struct next *next = state;
+	struct ts_script *script;
+	struct ts_variable *variable;
+	bool exhausted;
+
+	TS_TRY(ts_script_of(sim, where, &script));
+	for (size_t k = 0; k < next->names.n; k++) {
+		const struct ts_word *name = &next->names.word[k];
+
+		TS_TRY(ts_variable_require(script, name->text, &name->place, &variable));
+		TS_TRY(ts_variable_next(script, variable, &name->place, &exhausted));
+		if (!exhausted)
+			continue;
+		script->skip_jump = true;
+		ts_variable_delete(script, variable);
+	}
+	return TS_OK;
+}
+
+const struct ts_command_style ts_command_next = {
+	.style = {
+		.name = "next",
+		.kind = TS_KIND_COMMAND,
+		.summary = "gives index and loop variables their next value",
+		.doc = "A variable that has no further value is deleted, and the next `jump` does "
+		       "nothing.",
+		.example = "next n",
+		.args = next_args,
+		.state_size = sizeof(struct next),
+	},
+	.run = run_next,
+};
+
+static const struct ts_arg include_args[] = {
+	TS_WORD("file", struct name, name, .flags = TS_POSITIONAL, .help = "script to run"),
+	TS_ARGS_END
+};
+
+static enum ts_status run_include(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	const struct name *file = state;
+	struct ts_script *script;
+
+	TS_TRY(ts_script_of(sim, where, &script));
+	return ts_script_include(script, file->name, ts_script_place(script, 1, where));
+}
+
+const struct ts_command_style ts_command_include = {
+	.style = {
+		.name = "include",
+		.kind = TS_KIND_COMMAND,
+		.summary = "runs another script, then goes on here",
+		.doc = "The other script shares all variables. Its jumps stay inside of it.",
+		.example = "include materials.in",
+		.args = include_args,
+		.state_size = sizeof(struct name),
+	},
+	.run = run_include,
+};
+
+struct quit {
+	int64_t status;
+};
+
+static const struct ts_arg quit_args[] = {
+	TS_INT("status", struct quit, status, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 0,
+	       .hi = 255, .fallback = "0", .help = "exit status of the program"),
+	TS_ARGS_END
+};
+
+static enum ts_status run_quit(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	const struct quit *quit = state;
+	struct ts_script *script;
+
+	TS_TRY(ts_script_of(sim, where, &script));
+	script->quit = true;
+	script->quit_status = (int)quit->status;
+	return TS_OK;
+}
+
+const struct ts_command_style ts_command_quit = {
+	.style = {
+		.name = "quit",
+		.kind = TS_KIND_COMMAND,
+		.summary = "ends the script here",
+		.doc = "All scripts that include this one end too; files are closed properly.",
+		.example = "if \"${broken} > 0\" then \"quit 3\"",
+		.args = quit_args,
+		.state_size = sizeof(struct quit),
+	},
+	.run = run_quit,
+};
+
+static enum ts_status run_clear(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	(void)state, (void)where;
+	return ts_sim_clear(sim);
+}
+
+const struct ts_command_style ts_command_clear = {
+	.style = {
+		.name = "clear",
+		.kind = TS_KIND_COMMAND,
+		.summary = "forgets the simulation, but not the variables",
+		.doc = "Box, particles, all styles and the step counter are as at the start of the "
+		       "program; variables, working directory and log file stay.",
+		.example = "clear",
+	},
+	.run = run_clear,
+};

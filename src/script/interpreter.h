@@ -1,0 +1,60 @@
+/* The inside of the interpreter, for the files of this folder. */
+#ifndef TS_SCRIPT_INTERPRETER_H
+#define TS_SCRIPT_INTERPRETER_H
+
+#include "core/sim.h"
+#include "math/rng.h"
+#include "script/line.h"
+#include "script/script.h"
+#include "script/source.h"
+#include "script/variable.h"
+
+struct ts_stream {
+	int64_t seed;
+	struct ts_rng rng;
+};
+
+struct ts_script {
+	struct tsim *sim;
+	struct ts_variables variables;
+	struct ts_source *source;    /* the innermost script that runs */
+	const char *label;	     /* skip lines up to this label; NULL: do not */
+	struct ts_place label_place; /* the jump that wants it */
+	bool skip_jump;		     /* `next` ran out: the next jump does nothing */
+	bool quit;
+	int quit_status;
+	int depth;		  /* of scripts and commands in each other */
+	struct ts_words current;  /* the command that runs */
+	struct ts_stream *stream; /* one per seed of random() and normal() */
+	size_t nstreams, stream_capacity;
+};
+
+/* The interpreter a command was called by; fails if there is none. */
+enum ts_status ts_script_of(struct tsim *sim, const struct ts_place *where, struct ts_script **out);
+/* The place of the k-th word of the running command, or `where`. */
+const struct ts_place *ts_script_place(const struct ts_script *script, size_t k,
+				       const struct ts_place *where);
+
+/* Runs a line or several, as the argument of a command that stands at `where`. */
+enum ts_status ts_script_execute(struct ts_script *script, const char *text,
+				 const struct ts_place *where);
+/* Runs a script inside the one that runs. */
+enum ts_status ts_script_include(struct ts_script *script, const char *path,
+				 const struct ts_place *where);
+
+/* Replaces ${name}, $x and $(expression) outside of quotes. echo: show every step, as LIGGGHTS. */
+enum ts_status ts_substitute(struct ts_script *script, struct ts_line *line, bool echo);
+/* The same for a text that stands at `where`. */
+enum ts_status ts_substitute_text(struct ts_script *script, const char *text,
+				  const struct ts_place *where, struct ts_str *out);
+
+/* Formulas. The text stands at `place`. */
+enum ts_status ts_expr_scalar(struct ts_script *script, const char *text,
+			      const struct ts_place *place, double *out);
+enum ts_status ts_expr_peratom(struct ts_script *script, const char *text,
+			       const struct ts_place *place, struct ts_table *out);
+/* A condition of `if`, where bare names are words that can be compared. */
+enum ts_status ts_expr_condition(struct ts_script *script, const char *text,
+				 const struct ts_place *place, bool *out);
+
+#endif

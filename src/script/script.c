@@ -1,0 +1,312 @@
+#include "script/script.h"
+
+#include <inttypes.h>
+#include <string.h>
+
+#include "script/interpreter.h"
+
+#include "base/banned.h"
+
+enum { DEEPEST = 50 };
+
+static enum ts_status host_execute(void *host, const char *text, const struct ts_place *where)
+{
+	return ts_script_execute(host, text, where);
+}
+
+static enum ts_status host_substitute(void *host, const char *text, const struct ts_place *where,
+				      struct ts_str *out)
+{
+	return ts_substitute_text(host, text, where, out);
+}
+
+static enum ts_status host_scalar(void *host, const char *name, const struct ts_place *where,
+				  double *out)
+{
+	struct ts_variable *variable;
+
+	TS_TRY(ts_variable_require(host, name, where, &variable));
+	return ts_variable_number(host, variable, where, out);
+}
+
+static enum ts_status host_peratom(void *host, const char *name, const struct ts_place *where,
+				   struct ts_table *out)
+{
+	struct ts_variable *variable;
+
+	TS_TRY(ts_variable_require(host, name, where, &variable));
+	return ts_variable_peratom(host, variable, where, out);
+}
+
+static bool host_has_variable(void *host, const char *name)
+{
+	return ts_variable_find(host, name) != NULL;
+}
+
+static bool host_is_peratom(void *host, const char *name)
+{
+	const struct ts_variable *variable = ts_variable_find(host, name);
+
+	return variable && variable->style == TS_VAR_ATOM;
+}
+
+static void host_suggest_variable(void *host, struct ts_suggest *suggest)
+{
+	const struct ts_script *script = host;
+
+	for (size_t k = 0; k < script->variables.n; k++)
+		ts_suggest_try(suggest, script->variables.item[k]->name);
+}
+
+static const struct ts_host host_table = {
+	.execute = host_execute,
+	.substitute = host_substitute,
+	.scalar = host_scalar,
+	.peratom = host_peratom,
+	.has_variable = host_has_variable,
+	.is_peratom = host_is_peratom,
+	.suggest_variable = host_suggest_variable,
+};
+
+struct ts_script *ts_script_new(struct tsim *sim)
+{
+	struct ts_script *script = ts_alloc(1, sizeof *script);
+
+	if (!script)
+		return NULL;
+	script->sim = sim;
+	sim->host = &host_table;
+	sim->host_data = script;
+	return script;
+}
+
+void ts_script_free(struct ts_script *script)
+{
+	if (!script)
+		return;
+	ts_variables_release(script);
+	ts_free(script->stream);
+	script->sim->host = NULL;
+	script->sim->host_data = NULL;
+	ts_free(script);
+}
+
+enum ts_status ts_script_of(struct tsim *sim, const struct ts_place *where, struct ts_script **out)
+{
+	*out = sim->host == &host_table ? sim->host_data : NULL;
+	if (*out)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, where, "this command works only in a script");
+}
+
+const struct ts_place *ts_script_place(const struct ts_script *script, size_t k,
+				       const struct ts_place *where)
+{
+	return k < script->current.n ? &script->current.word[k].place : where;
+}
+
+static enum ts_status dispatch(struct ts_script *script, struct ts_words words)
+{
+	struct ts_words outer = script->current;
+	struct ts_error *error = &script->sim->error;
+	enum ts_status status;
+
+	script->current = words;
+	status = ts_sim_command(script->sim, words);
+	script->current = outer;
+	if (status != TS_OK && status != TS_NOMEM && !error->place.line) {
+		error->place = words.word[0].place;
+		error->place.column = error->place.length = 0;
+	}
+	return status;
+}
+
+static enum ts_status run_line(struct ts_script *script, struct ts_line *line)
+{
+	struct ts_error *error = &script->sim->error;
+	struct ts_arena arena = { 0 };
+	struct ts_words words = { 0 };
+	enum ts_status status;
+
+	ts_log_echo(&script->sim->log, ts_str_text(&line->text));
+	ts_line_uncomment(line);
+	status = ts_substitute(script, line, true);
+	if (status == TS_OK)
+		status = ts_line_cut(line, error, &arena, &words);
+	if (status == TS_OK && words.n)
+		status = dispatch(script, words);
+	if (status == TS_OK && words.n && script->sim->stop)
+		status = ts_fail(error, TS_STOPPED, &words.word[0].place, "stopped on request");
+	ts_arena_release(&arena);
+	return status;
+}
+
+/* A line that is skipped: does it carry the label that is looked for? */
+static enum ts_status look_for_label(struct ts_script *script, struct ts_line *line)
+{
+	struct ts_arena arena = { 0 };
+	struct ts_words words = { 0 };
+	struct ts_error ignored = { 0 }; /* skipped lines may be wrong */
+	enum ts_status status;
+
+	ts_line_uncomment(line);
+	status = ts_line_cut(line, &ignored, &arena, &words);
+	if (status == TS_OK && words.n == 2 && ts_streq(words.word[0].text, "label") &&
+	    ts_streq(words.word[1].text, script->label))
+		script->label = NULL;
+	ts_arena_release(&arena);
+	return status == TS_NOMEM ? ts_nomem(&script->sim->error) : TS_OK;
+}
+
+static enum ts_status run_lines(struct ts_script *script)
+{
+	struct ts_line line = { 0 };
+	enum ts_status status = TS_OK;
+	bool end = false;
+
+	while (status == TS_OK && !script->quit) {
+		status = ts_source_line(script->source, script->sim, &line, &end);
+		if (status != TS_OK || end)
+			break;
+		status = script->label ? look_for_label(script, &line) : run_line(script, &line);
+	}
+	ts_line_release(&line);
+	if (status == TS_OK && script->label)
+		status = ts_fail(&script->sim->error, TS_UNKNOWN, &script->label_place,
+				 "there is no 'label %s' in %s", script->label,
+				 script->source->name);
+	return status;
+}
+
+/* Runs and closes the source. */
+static enum ts_status run_source(struct ts_script *script, struct ts_source *source,
+				 const struct ts_place *where)
+{
+	struct ts_source *outer = script->source;
+	enum ts_status status;
+
+	if (script->depth >= DEEPEST) {
+		ts_source_close(source);
+		return ts_fail(&script->sim->error, TS_RANGE, where,
+			       "scripts include each other more than %d deep", DEEPEST);
+	}
+	script->depth++;
+	script->source = source;
+	script->label = NULL;
+	status = run_lines(script);
+	script->label = NULL;
+	script->source = outer;
+	script->depth--;
+	ts_source_close(source);
+	return status;
+}
+
+enum ts_status ts_script_include(struct ts_script *script, const char *path,
+				 const struct ts_place *where)
+{
+	struct ts_source source;
+
+	TS_TRY(ts_source_open(&source, script->sim, path, where));
+	return run_source(script, &source, where);
+}
+
+enum ts_status ts_script_file(struct ts_script *script, const char *path)
+{
+	return ts_script_include(script, path, NULL);
+}
+
+enum ts_status ts_script_stream(struct ts_script *script, FILE *stream, const char *name)
+{
+	struct ts_source source;
+
+	TS_TRY(ts_source_stream(&source, script->sim, stream, name));
+	return run_source(script, &source, NULL);
+}
+
+enum ts_status ts_script_string(struct ts_script *script, const char *text, const char *name)
+{
+	struct ts_source source;
+
+	TS_TRY(ts_source_string(&source, script->sim, text, name));
+	return run_source(script, &source, NULL);
+}
+
+enum ts_status ts_script_execute(struct ts_script *script, const char *text,
+				 const struct ts_place *where)
+{
+	struct ts_place nowhere = { 0 };
+	struct ts_line line = { 0 };
+	size_t length = strlen(text), at = 0, n;
+	enum ts_status status = TS_OK;
+
+	if (!where)
+		where = &nowhere;
+	if (script->depth >= DEEPEST)
+		return ts_fail(&script->sim->error, TS_RANGE, where,
+			       "commands are nested more than %d deep", DEEPEST);
+	script->depth++;
+	while (status == TS_OK && at < length && !script->quit && !script->label) {
+		struct ts_place part;
+
+		n = strcspn(text + at, "\n");
+		part = n == length ? *where : ts_place_inside(where, length, at, n);
+		if (ts_line_set(&line, text + at, n, &part) != TS_OK)
+			status = ts_nomem(&script->sim->error);
+		else
+			status = run_line(script, &line);
+		at += n + 1;
+	}
+	script->depth--;
+	ts_line_release(&line);
+	return status;
+}
+
+enum ts_status ts_script_set(struct ts_script *script, const char *name, const char *const *values,
+			     size_t n, const char *origin)
+{
+	struct ts_error *error = &script->sim->error;
+	struct ts_arena arena = { 0 };
+	struct ts_word *word = ts_arena_alloc(&arena, n + 1, sizeof *word);
+	struct ts_variable *variable;
+	enum ts_status status;
+
+	if (!word)
+		return ts_nomem(error);
+	for (size_t k = 0; k <= n; k++) {
+		word[k].text = k ? values[k - 1] : name;
+		word[k].place.file = ts_pool_get(script->sim->pool, origin);
+	}
+	variable = ts_variable_find(script, name);
+	if (variable) /* the last one given wins */
+		ts_variable_delete(script, variable);
+	status = ts_variable_define(script, &word[0], TS_VAR_INDEX,
+				    (struct ts_words){ word + 1, n });
+	if (status == TS_OK)
+		ts_variable_find(script, name)->given = true;
+	ts_arena_release(&arena);
+	return status;
+}
+
+enum ts_status ts_script_value(struct ts_script *script, const char *expression, double *out)
+{
+	return ts_expr_scalar(script, expression, NULL, out);
+}
+
+bool ts_script_quit(const struct ts_script *script, int *status)
+{
+	*status = script->quit_status;
+	return script->quit;
+}
+
+void ts_script_warn_unused(struct ts_script *script)
+{
+	for (size_t k = 0; k < script->variables.n; k++) {
+		const struct ts_variable *variable = script->variables.item[k];
+
+		if (variable->given && !variable->used)
+			ts_warn(&script->sim->log, NULL,
+				"variable '%s' was set from outside, but the script does not use "
+				"it",
+				variable->name);
+	}
+}

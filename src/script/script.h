@@ -1,0 +1,37 @@
+/* The script interpreter of a simulation. It puts itself into sim->host and sim->host_data. */
+#ifndef TS_SCRIPT_SCRIPT_H
+#define TS_SCRIPT_SCRIPT_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "base/status.h"
+#include "base/str.h"
+
+struct tsim;
+struct ts_script;
+
+struct ts_script *ts_script_new(struct tsim *sim); /* NULL: out of memory */
+void ts_script_free(struct ts_script *script);
+
+/* Run a script to its end, to `quit`, or to its first error. */
+enum ts_status ts_script_file(struct ts_script *script, const char *path);
+enum ts_status ts_script_stream(struct ts_script *script, FILE *stream, const char *name);
+enum ts_status ts_script_string(struct ts_script *script, const char *text, const char *name);
+
+/* An index variable from outside the script, which wins over the script's own. `origin` stands for
+ * the file name in messages. */
+enum ts_status ts_script_set(struct ts_script *script, const char *name, const char *const *values,
+			     size_t n, const char *origin);
+/* A number by an expression: "v_x", "2*PI", "c_ke", "step" ... */
+enum ts_status ts_script_value(struct ts_script *script, const char *expression, double *out);
+
+/* Whether the script said `quit`, and with which status. */
+bool ts_script_quit(const struct ts_script *script, int *status);
+/* Warns of variables of ts_script_set that nobody used: most often a misspelt name. */
+void ts_script_warn_unused(struct ts_script *script);
+
+/* The error as the user sees it: place, message, the line and a mark below the culprit. */
+void ts_diagnostic(const struct ts_error *error, struct ts_str *out);
+
+#endif

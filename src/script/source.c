@@ -1,0 +1,131 @@
+#include "script/source.h"
+
+#include <errno.h>
+#include <string.h>
+
+#include "core/sim.h"
+
+#include "base/banned.h"
+
+static enum ts_status start(struct ts_source *source, struct tsim *sim, const char *name)
+{
+	*source = (struct ts_source){ .name = ts_pool_get(sim->pool, name) };
+	return source->name ? TS_OK : ts_nomem(&sim->error);
+}
+
+enum ts_status ts_source_open(struct ts_source *source, struct tsim *sim, const char *path,
+			      const struct ts_place *where)
+{
+	TS_TRY(start(source, sim, path));
+	source->stream = fopen(path, "r");
+	source->owns_stream = true;
+	if (!source->stream)
+		return ts_fail(&sim->error, TS_IO, where, "cannot open script '%s': %s", path,
+			       strerror(errno));
+	return TS_OK;
+}
+
+enum ts_status ts_source_stream(struct ts_source *source, struct tsim *sim, FILE *stream,
+				const char *name)
+{
+	TS_TRY(start(source, sim, name));
+	source->stream = stream;
+	return TS_OK;
+}
+
+enum ts_status ts_source_string(struct ts_source *source, struct tsim *sim, const char *text,
+				const char *name)
+{
+	TS_TRY(start(source, sim, name));
+	ts_str_add(&source->text, text);
+	return source->text.failed ? ts_nomem(&sim->error) : TS_OK;
+}
+
+void ts_source_rewind(struct ts_source *source)
+{
+	source->at = 0;
+	source->line = 0;
+}
+
+void ts_source_close(struct ts_source *source)
+{
+	if (source->owns_stream && source->stream)
+		fclose(source->stream);
+	ts_str_release(&source->text);
+	*source = (struct ts_source){ 0 };
+}
+
+/* Reads one more line of the stream into the text. */
+static enum ts_status fetch(struct ts_source *source, struct tsim *sim)
+{
+	struct ts_place place = { .file = source->name, .text = "", .line = source->line + 1 };
+	int c = 0;
+
+	while (c != '\n' && (c = getc(source->stream)) != EOF) {
+		char byte = (char)c;
+
+		if (!c)
+			return ts_fail(&sim->error, TS_SYNTAX, &place,
+				       "the script is not a text file: it has a byte 0 here");
+		ts_str_add_n(&source->text, &byte, 1);
+	}
+	if (source->text.failed)
+		return ts_nomem(&sim->error);
+	if (c == EOF && ferror(source->stream))
+		return ts_fail(&sim->error, TS_IO, &place, "cannot read the script: %s",
+			       strerror(errno));
+	return TS_OK;
+}
+
+/* The next line of the file as a row; NULL in place->text at the end. */
+static enum ts_status next_row(struct ts_source *source, struct tsim *sim, struct ts_place *place)
+{
+	struct ts_str row = { 0 };
+	size_t n;
+	const char *text;
+
+	*place = (struct ts_place){ .file = source->name };
+	if (source->at == source->text.length && source->stream)
+		TS_TRY(fetch(source, sim));
+	if (source->at == source->text.length)
+		return TS_OK;
+	text = source->text.text + source->at;
+	n = strcspn(text, "\n");
+	source->at += n + (text[n] == '\n');
+	source->line++;
+	while (n && strchr(" \t\r\f\v", text[n - 1]))
+		n--;
+	ts_str_add_n(&row, text, n);
+	place->line = source->line;
+	place->text = row.failed ? NULL : ts_pool_get(sim->pool, ts_str_text(&row));
+	ts_str_release(&row);
+	return place->text ? TS_OK : ts_nomem(&sim->error);
+}
+
+enum ts_status ts_source_line(struct ts_source *source, struct tsim *sim, struct ts_line *line,
+			      bool *end)
+{
+	bool more = true;
+
+	ts_line_clear(line);
+	while (more) {
+		struct ts_place row;
+		size_t n;
+
+		TS_TRY(next_row(source, sim, &row));
+		if (!row.text)
+			break;
+		if (ts_line_row(line, &row) != TS_OK)
+			return ts_nomem(&sim->error);
+		/* `&` counts even behind a comment sign, and not before one (LIGGGHTS). */
+		n = strlen(row.text);
+		more = n && row.text[n - 1] == '&';
+		ts_line_add(line, row.text, n - more, 1, 0);
+		if (!more && ts_quote_open(ts_str_text(&line->text))) {
+			ts_line_add(line, "\n", 1, (int)n + 1, 0);
+			more = true;
+		}
+	}
+	*end = line->rows == 0;
+	return line->text.failed ? ts_nomem(&sim->error) : TS_OK;
+}

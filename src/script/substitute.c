@@ -1,0 +1,201 @@
+#include "script/interpreter.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "base/banned.h"
+
+/* Position of the bracket that closes the one at `at`, 0 if none does. */
+static size_t closing(const char *text, size_t at)
+{
+	int depth = 0;
+
+	for (size_t k = at; text[k]; k++) {
+		depth += text[k] == '(';
+		depth -= text[k] == ')';
+		if (!depth)
+			return k;
+	}
+	return 0;
+}
+
+/* "%.4f" and the like: one conversion of a double, so that printf may be trusted with it. */
+static bool good_format(const char *format)
+{
+	const char *c = format + 1;
+
+	if (format[0] != '%' || strlen(format) > 16)
+		return false;
+	c += strspn(c, "-+ 0#");
+	c += strspn(c, "0123456789");
+	if (*c == '.')
+		c += 1 + strspn(c + 1, "0123456789");
+	return *c && strchr("eEfFgG", *c) && !c[1];
+}
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wformat-nonliteral"
+static void add_number(struct ts_str *out, const char *format, double value)
+{
+	ts_str_addf(out, format, value);
+}
+#pragma GCC diagnostic pop
+
+/* The expression of $(expression) or $(expression:%format) that stands at from..to of the line. */
+static enum ts_status expression(struct ts_script *script, const struct ts_line *line, size_t from,
+				 size_t to, struct ts_str *out)
+{
+	struct ts_place place = ts_line_place(line, from, to - from);
+	struct ts_str inner = { 0 };
+	const char *format = "%.20g";
+	enum ts_status status;
+	double value;
+	char *colon;
+
+	if (from == to) {
+		place = ts_line_place(line, from - 2, 3);
+		return ts_fail(&script->sim->error, TS_SYNTAX, &place,
+			       "$() needs a formula between its brackets");
+	}
+	ts_str_add_n(&inner, line->text.text + from, to - from);
+	if (inner.failed)
+		return ts_nomem(&script->sim->error);
+	colon = strstr(inner.text, ":%");
+	if (colon) {
+		*colon = '\0';
+		format = colon + 1;
+		place = ts_line_place(line, from, (size_t)(colon - inner.text));
+	}
+	if (!good_format(format))
+		status = ts_fail(&script->sim->error, TS_SYNTAX, &place,
+				 "expected a format such as %%.4f after ':', found '%s'", format);
+	else
+		status = ts_expr_scalar(script, inner.text, &place, &value);
+	if (status == TS_OK)
+		add_number(out, format, value);
+	ts_str_release(&inner);
+	return status;
+}
+
+static enum ts_status variable(struct ts_script *script, const struct ts_line *line, size_t from,
+			       size_t to, const struct ts_place *where, struct ts_str *out)
+{
+	struct ts_variable *found;
+	struct ts_str name = { 0 };
+	enum ts_status status;
+
+	ts_str_add_n(&name, line->text.text + from, to - from);
+	if (name.failed)
+		return ts_nomem(&script->sim->error);
+	status = ts_variable_require(script, name.text, where, &found);
+	ts_str_release(&name);
+	return status == TS_OK ? ts_variable_text(script, found, where, out) : status;
+}
+
+/* The value of the reference whose $ stands at `at`; *next is the position behind it. */
+static enum ts_status reference(struct ts_script *script, const struct ts_line *line, size_t at,
+				size_t *next, struct ts_str *out)
+{
+	const char *text = line->text.text, *brace;
+	struct ts_place where;
+	size_t end;
+
+	if (text[at + 1] == '(') {
+		end = closing(text, at + 1);
+		*next = end + 1;
+		if (end)
+			return expression(script, line, at + 2, end, out);
+		where = ts_line_place(line, at, 2);
+		return ts_fail(&script->sim->error, TS_SYNTAX, &where, "'$(' is never closed");
+	}
+	if (text[at + 1] == '{') {
+		brace = strchr(text + at, '}');
+		if (!brace) {
+			where = ts_line_place(line, at, 2);
+			return ts_fail(&script->sim->error, TS_SYNTAX, &where,
+				       "'${' is never closed");
+		}
+		end = (size_t)(brace - text);
+		where = ts_line_place(line, at, end + 1 - at);
+		*next = end + 1;
+		return variable(script, line, at + 2, end, &where, out);
+	}
+	if (!text[at + 1] || strchr(" \t\n", text[at + 1])) {
+		where = ts_line_place(line, at, 1);
+		return ts_fail(&script->sim->error, TS_SYNTAX, &where,
+			       "'$' must be followed by the name of a variable");
+	}
+	where = ts_line_place(line, at, 2);
+	*next = at + 2;
+	return variable(script, line, at + 1, at + 2, &where, out);
+}
+
+static enum ts_status replace(struct ts_script *script, const struct ts_line *line, bool echo,
+			      struct ts_line *out, struct ts_str *value)
+{
+	const char *text = ts_str_text(&line->text);
+	size_t at = 0;
+
+	if (ts_line_same_rows(out, line) != TS_OK)
+		return TS_NOMEM;
+	while (text[at]) {
+		size_t end = ts_quote_end(text, at);
+
+		if (text[at] == '$') {
+			ts_str_clear(value);
+			TS_TRY(reference(script, line, at, &end, value));
+			ts_line_add_from(out, ts_str_text(value), value->length, line, at,
+					 end - at);
+			if (echo && !out->text.failed) {
+				struct ts_str shown = { 0 };
+
+				ts_str_addf(&shown, "%s%s", ts_str_text(&out->text), text + end);
+				ts_log_echo(&script->sim->log, ts_str_text(&shown));
+				ts_str_release(&shown);
+			}
+			at = end;
+			continue;
+		}
+		for (end = end > at ? end : at + 1; at < end; at++)
+			ts_line_add_from(out, text + at, 1, line, at, 1);
+	}
+	return out->text.failed || value->failed ? TS_NOMEM : TS_OK;
+}
+
+enum ts_status ts_substitute(struct ts_script *script, struct ts_line *line, bool echo)
+{
+	struct ts_line out = { 0 };
+	struct ts_str value = { 0 };
+	enum ts_status status;
+
+	if (!strchr(ts_str_text(&line->text), '$'))
+		return TS_OK;
+	status = replace(script, line, echo, &out, &value);
+	if (status == TS_NOMEM)
+		ts_nomem(&script->sim->error);
+	ts_str_release(&value);
+	if (status == TS_OK) {
+		ts_line_release(line);
+		*line = out;
+	} else {
+		ts_line_release(&out);
+	}
+	return status;
+}
+
+enum ts_status ts_substitute_text(struct ts_script *script, const char *text,
+				  const struct ts_place *where, struct ts_str *out)
+{
+	struct ts_place nowhere = { 0 };
+	struct ts_line line = { 0 };
+	enum ts_status status = ts_line_set(&line, text, strlen(text), where ? where : &nowhere);
+
+	if (status == TS_OK)
+		status = ts_substitute(script, &line, false);
+	if (status == TS_OK)
+		ts_str_add_n(out, ts_str_text(&line.text), line.text.length);
+	if (status == TS_NOMEM || out->failed)
+		status = ts_nomem(&script->sim->error);
+	ts_line_release(&line);
+	return status;
+}

@@ -1,0 +1,154 @@
+/* What the user reads: print, echo, log. */
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "script/interpreter.h"
+
+#include "base/banned.h"
+
+TS_STYLE(command, ts_command_style, ts_command_echo)
+TS_STYLE(command, ts_command_style, ts_command_log)
+TS_STYLE(command, ts_command_style, ts_command_print)
+
+struct print {
+	const char *text, *file, *append;
+	bool screen;
+};
+
+static const struct ts_arg print_args[] = {
+	TS_WORD("text", struct print, text, .flags = TS_POSITIONAL,
+		.help = "text, in quotes if it has blanks; variables in it are replaced"),
+	TS_WORD("file", struct print, file, .flags = TS_OPTIONAL,
+		.help = "file to write the line to; it is made anew"),
+	TS_WORD("append", struct print, append, .flags = TS_OPTIONAL,
+		.help = "file to add the line to"),
+	TS_BOOL("screen", struct print, screen, .fallback = "yes",
+		.help = "whether the line goes to screen and log too"),
+	TS_ARGS_END
+};
+
+static enum ts_status write_line(struct tsim *sim, const char *path, const char *mode,
+				 const char *text, const struct ts_place *where)
+{
+	FILE *file;
+	int bad;
+
+	if (!path || sim->explain)
+		return TS_OK;
+	file = fopen(path, mode);
+	if (!file)
+		return ts_fail(&sim->error, TS_IO, where, "cannot open '%s': %s", path,
+			       strerror(errno));
+	bad = fprintf(file, "%s\n", text) < 0;
+	bad |= fclose(file) != 0;
+	if (bad)
+		return ts_fail(&sim->error, TS_IO, where, "cannot write '%s': %s", path,
+			       strerror(errno));
+	return TS_OK;
+}
+
+static enum ts_status run_print(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	const struct print *print = state;
+	struct ts_str text = { 0 };
+	struct ts_script *script;
+	enum ts_status status;
+
+	TS_TRY(ts_script_of(sim, where, &script));
+	status = ts_substitute_text(script, print->text, ts_script_place(script, 1, where), &text);
+	if (status == TS_OK && print->screen)
+		ts_log(&sim->log, "%s\n", ts_str_text(&text));
+	if (status == TS_OK)
+		status = write_line(sim, print->file, "w", ts_str_text(&text), where);
+	if (status == TS_OK)
+		status = write_line(sim, print->append, "a", ts_str_text(&text), where);
+	ts_str_release(&text);
+	return status;
+}
+
+const struct ts_command_style ts_command_print = {
+	.style = {
+		.name = "print",
+		.kind = TS_KIND_COMMAND,
+		.summary = "prints a line of text",
+		.doc = "The text goes to the screen, to the log file, and to a file if one is named. "
+		       "$(formula:%.3f) prints a number with the format given.",
+		.example = "print \"depth ${depth} m, energy $(ke:%.4g) J\" append depth.txt",
+		.args = print_args,
+		.state_size = sizeof(struct print),
+	},
+	.run = run_print,
+};
+
+struct echo {
+	int where;
+};
+
+static const char *const echo_choices[] = { "none", "screen", "log", "both", NULL };
+
+static const struct ts_arg echo_args[] = {
+	TS_ENUM("where", struct echo, where, echo_choices, .flags = TS_POSITIONAL,
+		.help = "where input lines are shown before they are run"),
+	TS_ARGS_END
+};
+
+static enum ts_status run_echo(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	const struct echo *echo = state;
+
+	(void)where;
+	sim->log.echo_screen = echo->where & 1;
+	sim->log.echo_file = echo->where & 2;
+	return TS_OK;
+}
+
+const struct ts_command_style ts_command_echo = {
+	.style = {
+		.name = "echo",
+		.kind = TS_KIND_COMMAND,
+		.summary = "chooses where input lines are shown",
+		.doc = "At the start it is `log`, or what the option -echo says.",
+		.example = "echo both",
+		.args = echo_args,
+		.state_size = sizeof(struct echo),
+	},
+	.run = run_echo,
+};
+
+struct log_to {
+	const char *file;
+	bool append;
+};
+
+static const struct ts_arg log_args[] = {
+	TS_WORD("file", struct log_to, file, .flags = TS_POSITIONAL,
+		.help = "new log file; none: write no log"),
+	TS_FLAG("append", struct log_to, append, .help = "add to the file if it exists"),
+	TS_ARGS_END
+};
+
+static enum ts_status run_log(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	const struct log_to *to = state;
+	struct ts_script *script;
+
+	TS_TRY(ts_script_of(sim, where, &script));
+	if (sim->explain)
+		return TS_OK;
+	return ts_log_open(&sim->log, &sim->error, ts_script_place(script, 1, where),
+			   ts_streq(to->file, "none") ? NULL : to->file, to->append);
+}
+
+const struct ts_command_style ts_command_log = {
+	.style = {
+		.name = "log",
+		.kind = TS_KIND_COMMAND,
+		.summary = "closes the log file and opens another",
+		.doc = "At the start it is log.tsim, or what the option -log says.",
+		.example = "log drilling.log",
+		.args = log_args,
+		.state_size = sizeof(struct log_to),
+	},
+	.run = run_log,
+};

@@ -1,0 +1,75 @@
+#include "neigh/bonds.h"
+
+#include <math.h>
+
+#include "base/banned.h"
+
+struct contact_bond {
+	struct ts_bond bond;
+};
+
+struct coeff {
+	double stiffness, ultimate, damping;
+};
+
+static enum ts_status complete(struct tsim *sim, void *coeff, const struct ts_place *where)
+{
+	(void)sim, (void)coeff, (void)where;
+	return TS_OK;
+}
+
+static bool law(const void *coeff, const struct ts_bond_state *state, double *tension)
+{
+	const struct coeff *c = coeff;
+
+	*tension = c->stiffness * state->extension;
+	if (fabs(*tension) > c->ultimate)
+		return false;
+	*tension += c->damping * state->rate;
+	return true;
+}
+
+static double stiffness(const void *coeff)
+{
+	return ((const struct coeff *)coeff)->stiffness;
+}
+
+static const struct ts_arg coeff_rows[] = {
+	TS_REAL("stiffness", struct coeff, stiffness, .range = TS_POSITIVE, .unit = "force/length",
+		.help = "spring constant K between the centres"),
+	TS_REAL("ultimate", struct coeff, ultimate, .range = TS_POSITIVE, .unit = "force",
+		.help = "the bond breaks for good when |F| exceeds this"),
+	TS_REAL("damping", struct coeff, damping, .range = TS_NOT_NEGATIVE, .fallback = "0",
+		.unit = "force/velocity", .help = "dashpot along the bond; does not count for breaking"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(bond, ts_bond_style, ts_bond_contact)
+const struct ts_bond_style ts_bond_contact = {
+	.style = { .name = "contact",
+		   .kind = TS_KIND_BOND,
+		   .summary = "contact bond: a breakable linear spring between two centres",
+		   .doc = "F = -K U along the line of centres, U the extension from the length the "
+			  "bond was made with. No shear force, no moment. The bond breaks for good when "
+			  "|F| > ultimate, in tension or compression; breakages are counted (thermo "
+			  "keyword brokenbonds) and listed with time and place (fix bond/breakage).\n\n"
+			  "Bonded particles that overlap also feel the pair style. A single bond is "
+			  "stable for steps below 2 sqrt(m*/K); for a network, Gershgorin's bound "
+			  "2/sqrt(2 max_i sum K/m_i) is reported as advice.",
+		   .example = "bond_style contact\n"
+			      "bond_coeff 1 stiffness 2.0e5 ultimate 3.0\n"
+			      "create_bonds many rock rock 1 0.0 1.05e-3",
+		   .cite = "D. O. Potyondy, P. A. Cundall, Int. J. Rock Mech. Min. Sci. 41 (2004) 1329",
+		   .state_size = sizeof(struct contact_bond),
+		   .archive = ts_bond_archive,
+		   .fingerprint = ts_bond_fingerprint,
+		   .init = ts_bond_init,
+		   .hook = { [TS_STAGE_FORCE] = ts_bond_force },
+		   .plan = ts_bond_plan,
+		   .fini = ts_bond_fini },
+	.coeff = coeff_rows,
+	.coeff_size = sizeof(struct coeff),
+	.complete = complete,
+	.law = law,
+	.stiffness = stiffness,
+};

@@ -1,0 +1,32 @@
+#include "core/sim.h"
+
+#include "base/banned.h"
+
+struct style_line {
+	struct ts_words words;
+};
+
+static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	const struct style_line *line = state;
+
+	return ts_sim_choose(sim, TS_KIND_BOND, line->words, where);
+}
+
+static const struct ts_arg args[] = {
+	TS_REST("style", struct style_line, words, .help = "a bond style and its arguments"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(command, ts_command_style, ts_command_bond_style)
+const struct ts_command_style ts_command_bond_style = {
+	.style = { .name = "bond_style",
+		   .kind = TS_KIND_COMMAND,
+		   .summary = "chooses the law of the bonds",
+		   .doc = "Replaces the bond style there was, and its coefficients. Without one, "
+			  "bonds have no force.",
+		   .example = "bond_style contact",
+		   .args = args,
+		   .state_size = sizeof(struct style_line) },
+	.run = run,
+};

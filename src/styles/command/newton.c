@@ -1,0 +1,36 @@
+/* Command newton: accepted for compatibility. */
+#include "core/sim.h"
+
+#include "base/banned.h"
+
+struct state {
+	bool pair, bond;
+};
+
+static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	(void)sim, (void)state, (void)where;
+	return TS_OK;
+}
+
+static const struct ts_arg args[] = {
+	TS_BOOL("pair", struct state, pair, .flags = TS_POSITIONAL, .help = "on or off: no effect"),
+	TS_BOOL("bond", struct state, bond, .flags = TS_POSITIONAL | TS_OPTIONAL,
+		.help = "on or off: no effect"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(command, ts_command_style, ts_command_newton)
+const struct ts_command_style ts_command_newton = {
+	.style = {
+		.name = "newton",
+		.kind = TS_KIND_COMMAND,
+		.summary = "Accepted for compatibility; has no effect",
+		.doc = "Elsewhere it says whether forces between processes are computed once or twice. Here each\n"
+		       "force is computed once, and results do not depend on it.",
+		.example = "newton off",
+		.args = args,
+		.state_size = sizeof(struct state),
+	},
+	.run = run,
+};

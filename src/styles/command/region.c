@@ -1,0 +1,65 @@
+/* Command region: names a set of points. */
+#include "core/sim.h"
+
+#include "core/uses.h"
+
+#include "base/banned.h"
+
+struct state {
+	const char *id;
+	struct ts_words rest;
+};
+
+static enum ts_status delete_region(struct tsim *sim, const char *id, const struct ts_place *where)
+{
+	const struct ts_word word = { .text = id, .place = *where };
+	const struct ts_instance *user;
+	struct ts_instance *region;
+
+	TS_TRY(ts_sim_require(sim, TS_KIND_REGION, &word, &region));
+	user = ts_uses_region(sim, region);
+	if (user)
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "region '%s' is in use by %s %s (line %d)", id,
+			       ts_kind_name(user->style->kind), user->id, user->where.line);
+	return ts_sim_destroy(sim, TS_KIND_REGION, &word);
+}
+
+static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	const struct state *s = state;
+	const struct ts_style *style;
+	const struct ts_instance *old;
+
+	if (ts_streq(s->rest.word[0].text, "delete"))
+		return delete_region(sim, s->id, where);
+	old = ts_sim_find(sim, TS_KIND_REGION, s->id);
+	if (old)
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "there is a region '%s' already (line %d)", s->id, old->where.line);
+	TS_TRY(ts_style_require(sim, TS_KIND_REGION, &s->rest.word[0], &style));
+	return ts_sim_create(sim, TS_KIND_REGION, style, s->id, 0, ts_words_from(s->rest, 1),
+			     &s->rest.word[0].place, NULL);
+}
+
+static const struct ts_arg args[] = {
+	TS_WORD("id", struct state, id, .flags = TS_POSITIONAL, .help = "its name"),
+	TS_REST("style", struct state, rest, .help = "style and its arguments, or delete"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(command, ts_command_style, ts_command_region)
+const struct ts_command_style ts_command_region = {
+	.style = {
+		.name = "region",
+		.kind = TS_KIND_COMMAND,
+		.summary = "Names a set of points",
+		.doc = "Other commands refer to it by its name. `region ID delete` forgets it, unless something\n"
+		       "still refers to it. See the pages of the region styles.",
+		.example = "region bed block 0 1 0 1 0 0.5 units box\n"
+		       "region bed delete",
+		.args = args,
+		.state_size = sizeof(struct state),
+	},
+	.run = run,
+};

@@ -1,0 +1,71 @@
+/* Command restart: saves the state at intervals during runs. */
+#include "core/sim.h"
+
+#include "base/banned.h"
+
+struct state {
+	int64_t every;
+	struct ts_words files;
+};
+
+static enum ts_status stop(struct tsim *sim, const struct ts_word *id)
+{
+	return ts_sim_find(sim, TS_KIND_DUMP, id->text) ? ts_sim_destroy(sim, TS_KIND_DUMP, id)
+							: TS_OK;
+}
+
+static enum ts_status start(struct tsim *sim, const struct ts_word *id, const struct ts_word *word,
+			    size_t n)
+{
+	struct ts_word style_name = { .text = "restart", .place = id->place };
+	const struct ts_style *style;
+
+	TS_TRY(ts_style_require(sim, TS_KIND_DUMP, &style_name, &style));
+	return ts_sim_create(sim, TS_KIND_DUMP, style, id->text, 0, (struct ts_words){ word, n },
+			     &id->place, NULL);
+}
+
+static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	const struct state *s = state;
+	const struct ts_word id = { .text = "restart", .place = *where };
+	struct ts_word word[3];
+	char every[24];
+
+	TS_TRY(stop(sim, &id));
+	if (s->every == 0)
+		return TS_OK;
+	if (s->files.n < 1 || s->files.n > 2)
+		return ts_fail(&sim->error, TS_SYNTAX, where,
+			       "restart: expected one or two file names, found %zu", s->files.n);
+	snprintf(every, sizeof every, "%lld", (long long)s->every);
+	word[0] = (struct ts_word){ .text = every, .place = *where };
+	for (size_t k = 0; k < s->files.n; k++)
+		word[k + 1] = s->files.word[k];
+	return start(sim, &id, word, s->files.n + 1);
+}
+
+static const struct ts_arg args[] = {
+	TS_INT("every", struct state, every, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
+	       .help = "steps between files; 0: none"),
+	{ .name = "files", .type = TS_ARG_REST, .flags = TS_POSITIONAL | TS_OPTIONAL,
+	  .offset = TS_FIELD(struct state, files, struct ts_words *),
+	  .help = "one file name, `*` stands for the step, or two to be written in turn" },
+	TS_ARGS_END,
+};
+
+TS_STYLE(command, ts_command_style, ts_command_restart)
+const struct ts_command_style ts_command_restart = {
+	.style = {
+		.name = "restart",
+		.kind = TS_KIND_COMMAND,
+		.summary = "Saves the state at intervals during runs",
+		.doc = "Makes dump style restart with the id restart, which acts after the dumps defined before it.",
+		.example = "restart 10000 a.restart b.restart\n"
+			   "restart 0",
+		.args = args,
+		.state_size = sizeof(struct state),
+	},
+	.needs_box = true,
+	.run = run,
+};

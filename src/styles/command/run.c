@@ -1,0 +1,150 @@
+#include "core/plan.h"
+
+#include <inttypes.h>
+
+#include "base/clock.h"
+#include "particles/particles.h"
+#include "neigh/neigh.h"
+
+#include "base/banned.h"
+
+struct run {
+	int64_t steps;
+	bool upto, pre, post;
+	struct ts_words pieces; /* M and the commands after each M steps */
+};
+
+/* Wall time by what it was spent on, as LAMMPS names it. */
+static void print_times(const struct ts_plan *plan, struct tsim *sim, double wall)
+{
+	static const struct {
+		const char *name;
+		enum ts_stage first, last;
+	} part[] = {
+		{ "Move", TS_STAGE_INITIAL_INTEGRATE, TS_STAGE_POST_INTEGRATE },
+		{ "Neigh", TS_STAGE_CHECK, TS_STAGE_POST_BUILD },
+		{ "Comm", TS_STAGE_FORWARD, TS_STAGE_FORWARD },
+		{ "Force", TS_STAGE_PRE_FORCE, TS_STAGE_FORCE },
+		{ "Fixes", TS_STAGE_POST_FORCE, TS_STAGE_END_OF_STEP },
+		{ "Outpt", TS_STAGE_OUTPUT, TS_STAGE_FINISH },
+	};
+
+	for (size_t k = 0; k < sizeof part / sizeof *part; k++) {
+		double seconds = 0;
+
+		for (int s = (int)part[k].first; s <= (int)part[k].last; s++)
+			seconds += plan->seconds[s];
+		ts_log(&sim->log, "%-5s time (%%) = %g (%.3g)\n", part[k].name, seconds,
+		       wall > 0 ? 100 * seconds / wall : 0);
+	}
+}
+
+static void print_footer(const struct ts_plan *plan, struct tsim *sim, int64_t steps)
+{
+	double wall = ts_clock() - sim->clock.wall_start;
+	const struct ts_particles *p = sim->particles;
+
+	ts_log(&sim->log, "Loop time of %g on %d procs for %" PRId64 " steps with %zu atoms\n", wall,
+	       sim->threads, steps, p->n);
+	if (steps && p->n)
+		ts_log(&sim->log, "%.1f ns per particle-step\n\n",
+		       1e9 * wall / ((double)steps * (double)p->n));
+	print_times(plan, sim, wall);
+	ts_log(&sim->log, "\nNlocal: %zu\nNghost: %zu\nNeighs: %zu\n", p->n, p->nghost,
+	       sim->neigh->rows.n);
+	ts_log(&sim->log, "Neighbor list builds = %" PRId64 "\nDangerous builds = 0\n\n",
+	       sim->neigh->builds);
+	if (p->lost)
+		ts_log(&sim->log, "Particles lost through fixed faces so far: %" PRId64 "\n", p->lost);
+}
+
+static enum ts_status run_plan(struct ts_plan *plan, struct tsim *sim, int64_t steps,
+			       const struct run *r)
+{
+	sim->clock.first_step = sim->clock.step;
+	sim->clock.last_step = sim->clock.step + steps;
+	TS_TRY(ts_plan_compile(plan, sim));
+	TS_TRY(ts_plan_run(plan, sim, r->pre));
+	if (sim->explain)
+		return TS_OK;
+	if (r->post)
+		print_footer(plan, sim, steps);
+	else
+		ts_log(&sim->log, "Loop time of %g on %d procs for %" PRId64 " steps with %zu atoms\n",
+		       ts_clock() - sim->clock.wall_start, sim->threads, steps, sim->particles->n);
+	return TS_OK;
+}
+
+static enum ts_status run_once(struct tsim *sim, int64_t steps, const struct run *r)
+{
+	struct ts_plan plan = { 0 };
+	enum ts_status status = run_plan(&plan, sim, steps, r);
+
+	ts_plan_release(&plan);
+	return status;
+}
+
+/* Runs in pieces, executing the commands after each; they are substituted anew every time. */
+static enum ts_status run_pieces(struct tsim *sim, int64_t last, const struct run *r)
+{
+	const struct ts_word *word = r->pieces.word;
+	int64_t every;
+
+	if (!ts_parse_int(word[0].text, &every) || every < 1)
+		return ts_fail(&sim->error, TS_SYNTAX, &word[0].place,
+			       "run: every is '%s', expected a number of steps > 0", word[0].text);
+	while (sim->clock.step < last) {
+		int64_t left = last - sim->clock.step;
+
+		TS_TRY(run_once(sim, left < every ? left : every, r));
+		for (size_t k = 1; k < r->pieces.n; k++)
+			if (!ts_streq(word[k].text, "NULL"))
+				TS_TRY(sim->host->execute(sim->host_data, word[k].text,
+							  &word[k].place));
+	}
+	return TS_OK;
+}
+
+static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	const struct run *r = state;
+	int64_t last = r->upto ? r->steps : sim->clock.step + r->steps;
+
+	if (last < sim->clock.step)
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "run upto %" PRId64 ": the simulation is already at step %" PRId64,
+			       r->steps, sim->clock.step);
+	if (!r->pieces.n)
+		return run_once(sim, last - sim->clock.step, r);
+	return run_pieces(sim, last, r);
+}
+
+static const struct ts_arg args[] = {
+	TS_INT("N", struct run, steps, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
+	       .help = "number of steps"),
+	TS_FLAG("upto", struct run, upto, .help = "run until step N instead of N more steps"),
+	TS_BOOL("pre", struct run, pre, .fallback = "yes",
+		.help = "set up before the run; no: go on as after the last step"),
+	TS_BOOL("post", struct run, post, .fallback = "yes", .help = "print the timing summary"),
+	TS_REST_KEYWORD("every", struct run, pieces,
+			.help = "M and quoted commands: interrupt every M steps to execute them"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(command, ts_command_style, ts_command_run)
+const struct ts_command_style ts_command_run = {
+	.style = { .name = "run",
+		   .kind = TS_KIND_COMMAND,
+		   .summary = "steps the simulation",
+		   .doc = "Plans the run (see -explain), checks the time step against the stability "
+			  "limits of all live styles, and steps. Forces are computed anew at its start "
+			  "only if something they depend on has changed since the last step, so that a "
+			  "run cut into several is the same, bit for bit.\n\n"
+			  "`every M \"command\" ...` interrupts the run every M steps to execute the "
+			  "commands; variables in them are substituted each time.",
+		   .example = "run 20000\nrun 100000 upto\nrun 5000 every 1000 \"print 'step $(step)'\"",
+		   .args = args,
+		   .state_size = sizeof(struct run) },
+	.needs_box = true,
+	.run = run,
+};

@@ -1,0 +1,38 @@
+/* Command timestep: the length of a step. */
+#include "core/sim.h"
+
+#include "base/banned.h"
+
+struct state {
+	double dt;
+};
+
+static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	const struct state *s = state;
+
+	(void)where;
+	ts_sim_set_dt(sim, s->dt);
+	return TS_OK;
+}
+
+static const struct ts_arg args[] = {
+	TS_REAL("dt", struct state, dt, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+		.unit = "time", .help = "length of a step"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(command, ts_command_style, ts_command_timestep)
+const struct ts_command_style ts_command_timestep = {
+	.style = {
+		.name = "timestep",
+		.kind = TS_KIND_COMMAND,
+		.summary = "Sets the length of a step",
+		.doc = "Each run compares it with the limits of stability of everything that acts; -explain\n"
+		       "prints them.",
+		.example = "timestep 1e-5",
+		.args = args,
+		.state_size = sizeof(struct state),
+	},
+	.run = run,
+};

@@ -1,0 +1,79 @@
+/* Dump custom/vtk: particles as points for ParaView. */
+#include "core/sim.h"
+#include "io/dump_vtk.h"
+#include "particles/particles.h"
+
+#include "base/banned.h"
+
+struct state {
+	struct ts_dump_vtk vtk;
+};
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	return ts_dump_vtk_init(self, sim, false);
+}
+
+static enum ts_status fill_points(struct ts_dump_vtk *s, struct tsim *sim)
+{
+	if (ts_table_resize(&s->points, s->common.nrows, 3) != TS_OK)
+		return ts_nomem(&sim->error);
+	for (size_t row = 0; row < s->common.nrows; row++)
+		for (size_t d = 0; d < 3; d++)
+			s->points.data[3 * row + d] = sim->particles->x[s->common.order[row]][d];
+	return TS_OK;
+}
+
+static enum ts_status output(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *state = self->state;
+	struct ts_dump_vtk *s = &state->vtk;
+	struct ts_vtk_poly poly = { 0 };
+
+	if (!ts_dump_due(self, sim))
+		return TS_OK;
+	TS_TRY(ts_dump_gather(self, sim, false));
+	TS_TRY(fill_points(s, sim));
+	TS_TRY(ts_dump_vtk_merge(self, sim, true));
+	poly.points = s->points.data;
+	poly.npoints = s->common.nrows;
+	poly.point_data = s->array;
+	poly.npoint_data = s->narrays;
+	return ts_dump_vtk_write(self, sim, &poly);
+}
+
+static const struct ts_arg args[] = {
+	TS_INT("every", struct state, vtk.common.every, .flags = TS_POSITIONAL,
+	       .range = TS_POSITIVE, .help = "steps between frames"),
+	TS_WORD("file", struct state, vtk.common.file, .flags = TS_POSITIONAL,
+		.help = "name of the frames, ending in .vtp, with a `*` for the step"),
+	TS_REST("columns", struct state, vtk.names,
+		.help = "what to write: id, type, vx, vy, vz, radius ..., c_ID[k], f_ID[k], v_NAME"),
+	TS_ARGS_END,
+};
+
+static const struct ts_saved saved[] = {
+	TS_SAVE_I64(struct state, vtk.common.last),
+	TS_SAVE_I64(struct state, vtk.common.frames),
+	TS_SAVED_ROWS_END,
+};
+
+TS_STYLE(dump, ts_style, ts_dump_custom_vtk)
+const struct ts_style ts_dump_custom_vtk = {
+	.name = "custom/vtk",
+	.kind = TS_KIND_DUMP,
+	.summary = "Particles as points with quantities for ParaView (.vtp and .pvd)",
+	.doc = "Writes a compressed VTK XML file per frame and a collection (.pvd, named like the frames\n"
+	       "without the `*`) that gives each its time; open that in ParaView. Positions are always\n"
+	       "written. Components become vectors: vx vy vz is written as v, fx fy fz as f, three columns\n"
+	       "c_ID[1] c_ID[2] c_ID[3] as c_ID[1-3]. The collection is renamed into place, so it is complete\n"
+	       "at any time.",
+	.example = "dump rock all custom/vtk 1000 post/rock*.vtp id type x y z vx vy vz radius",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.saved = saved,
+	.archive = ts_dump_vtk_archive,
+	.init = init,
+	.hook[TS_STAGE_OUTPUT] = output,
+	.fini = ts_dump_vtk_fini,
+};

@@ -1,0 +1,130 @@
+/* Dump local/vtk: rows between two particles, such as bonds and contacts, as lines for ParaView. */
+#include "core/sim.h"
+#include "io/dump_vtk.h"
+#include "particles/domain.h"
+#include "particles/particles.h"
+
+#include <math.h>
+
+#include "base/banned.h"
+
+struct state {
+	struct ts_dump_vtk vtk;
+};
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	const struct state *s = self->state;
+
+	if (s->vtk.names.n < 2)
+		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+			       "dump local/vtk: the first two columns must be the ids of the ends, "
+			       "found %zu column",
+			       s->vtk.names.n);
+	TS_TRY(ts_dump_vtk_init(self, sim, true));
+	s->vtk.common.column[0].integer = s->vtk.common.column[1].integer = true;
+	return TS_OK;
+}
+
+static enum ts_status find_row(struct ts_instance *self, struct tsim *sim, const int32_t *row_of_tag,
+			       double id, int32_t *row)
+{
+	if (id >= 1 && id <= sim->particles->max_tag && floor(id) == id)
+		*row = row_of_tag[(int32_t)id];
+	else
+		*row = -1;
+	if (*row >= 0)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, &self->where,
+		       "dump local/vtk: %g in the first two columns is not the id of a particle", id);
+}
+
+/* The second end is the image nearest to the first. */
+static void place_ends(const struct tsim *sim, const double *a, const double *b, double *to)
+{
+	const struct ts_box *box = &sim->domain->box;
+
+	for (int d = 0; d < 3; d++) {
+		double apart = b[d] - a[d], length = ts_box_length(box, d);
+
+		if (ts_box_periodic(box, d))
+			apart -= length * round(apart / length);
+		to[d] = a[d];
+		to[3 + d] = a[d] + apart;
+	}
+}
+
+static enum ts_status fill_points(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *state = self->state;
+	struct ts_dump_vtk *s = &state->vtk;
+	const struct ts_dump_common *d = &s->common;
+	const double(*x)[3] = (const double(*)[3])sim->particles->x;
+	const int32_t *row_of_tag;
+	int32_t i, j;
+
+	if (ts_table_resize(&s->points, 2 * d->nrows, 3) != TS_OK)
+		return ts_nomem(&sim->error);
+	TS_TRY(ts_particles_map(sim, &row_of_tag));
+	for (size_t row = 0; row < d->nrows; row++) {
+		int32_t from = d->order[row];
+
+		TS_TRY(find_row(self, sim, row_of_tag, d->column[0].values.data[from], &i));
+		TS_TRY(find_row(self, sim, row_of_tag, d->column[1].values.data[from], &j));
+		place_ends(sim, x[i], x[j], &s->points.data[6 * row]);
+	}
+	return TS_OK;
+}
+
+static enum ts_status output(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *state = self->state;
+	struct ts_dump_vtk *s = &state->vtk;
+	struct ts_vtk_poly poly = { 0 };
+
+	if (!ts_dump_due(self, sim))
+		return TS_OK;
+	TS_TRY(ts_dump_gather(self, sim, true));
+	TS_TRY(fill_points(self, sim));
+	TS_TRY(ts_dump_vtk_merge(self, sim, false));
+	poly.points = s->points.data;
+	poly.npoints = 2 * s->common.nrows;
+	poly.nlines = s->common.nrows;
+	poly.cell_data = s->array;
+	poly.ncell_data = s->narrays;
+	return ts_dump_vtk_write(self, sim, &poly);
+}
+
+static const struct ts_arg args[] = {
+	TS_INT("every", struct state, vtk.common.every, .flags = TS_POSITIONAL,
+	       .range = TS_POSITIVE, .help = "steps between frames"),
+	TS_WORD("file", struct state, vtk.common.file, .flags = TS_POSITIONAL,
+		.help = "name of the frames, ending in .vtp, with a `*` for the step"),
+	TS_REST("columns", struct state, vtk.names,
+		.help = "c_ID[k] or f_ID[k]; the first two are the ids of the particles at the ends"),
+	TS_ARGS_END,
+};
+
+static const struct ts_saved saved[] = {
+	TS_SAVE_I64(struct state, vtk.common.last),
+	TS_SAVE_I64(struct state, vtk.common.frames),
+	TS_SAVED_ROWS_END,
+};
+
+TS_STYLE(dump, ts_style, ts_dump_local_vtk)
+const struct ts_style ts_dump_local_vtk = {
+	.name = "local/vtk",
+	.kind = TS_KIND_DUMP,
+	.summary = "Bonds or contacts as lines between particles for ParaView (.vtp and .pvd)",
+	.doc = "The first two columns are the ids of the particles at the ends; a line is drawn from the first\n"
+	       "to the nearest image of the second. All columns are written as data of the lines. Files as\n"
+	       "with dump custom/vtk.",
+	.example = "dump bonds all local/vtk 1000 post/bonds*.vtp c_bonds[1] c_bonds[2] c_bonds[3]",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.saved = saved,
+	.archive = ts_dump_vtk_archive,
+	.init = init,
+	.hook[TS_STAGE_OUTPUT] = output,
+	.fini = ts_dump_vtk_fini,
+};

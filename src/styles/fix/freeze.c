@@ -1,0 +1,44 @@
+#include "particles/particles.h"
+
+#include <string.h>
+
+#include "base/banned.h"
+
+/* Before the contact rows are built: pairs of frozen particles are no pairs. */
+static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_particles *p = sim->particles;
+
+	for (size_t i = 0; i < p->n; i++)
+		if (ts_in_group(p, i, self->group))
+			p->imass[i] = 0;
+	return TS_OK;
+}
+
+static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_particles *p = sim->particles;
+
+#pragma omp parallel for num_threads(sim->threads) schedule(static)
+	for (size_t i = 0; i < p->n; i++) {
+		if (!ts_in_group(p, i, self->group))
+			continue;
+		memset(p->f[i], 0, sizeof p->f[i]);
+		if (p->torque)
+			memset(p->torque[i], 0, sizeof p->torque[i]);
+	}
+	return TS_OK;
+}
+
+TS_STYLE(fix, ts_style, ts_fix_freeze)
+const struct ts_style ts_fix_freeze = {
+	.name = "freeze",
+	.kind = TS_KIND_FIX,
+	.summary = "holds the particles of the group where they are",
+	.doc = "Sets force and torque to zero, so that particles at rest stay there (particles that "
+	       "move go on moving: give them zero velocity first). Frozen particles count as "
+	       "infinitely heavy in contacts, and contacts between two of them are not evaluated. "
+	       "Define it after the fixes whose forces it cancels.",
+	.example = "velocity wall set 0 0 0\nfix hold wall freeze",
+	.hook = { [TS_STAGE_EXCHANGE] = exchange, [TS_STAGE_POST_FORCE] = post_force },
+};

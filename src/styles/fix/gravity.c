@@ -1,0 +1,105 @@
+#include "core/plan.h"
+
+#include <math.h>
+
+#include "particles/particles.h"
+
+#include "base/banned.h"
+
+enum { VECTOR, CHUTE, SPHERICAL };
+
+struct gravity {
+	struct ts_number magnitude;
+	int mode;
+	double vector[3], angle, phi, theta;
+	double direction[3]; /* unit vector */
+};
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct gravity *g = self->state;
+	const double degree = 3.14159265358979323846 / 180;
+	double *d = g->direction, length;
+
+	if (g->mode == VECTOR) {
+		for (int k = 0; k < 3; k++)
+			d[k] = g->vector[k];
+	} else if (g->mode == CHUTE) {
+		d[0] = sin(g->angle * degree);
+		d[1] = 0;
+		d[2] = -cos(g->angle * degree);
+	} else {
+		d[0] = sin(g->theta * degree) * cos(g->phi * degree);
+		d[1] = sin(g->theta * degree) * sin(g->phi * degree);
+		d[2] = cos(g->theta * degree);
+	}
+	length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+	if (!(length > 0))
+		return ts_fail(&sim->error, TS_RANGE, &self->where,
+			       "fix gravity: the direction has no length");
+	for (int k = 0; k < 3; k++)
+		d[k] /= length;
+	return TS_OK;
+}
+
+static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+{
+	const struct gravity *g = self->state;
+	struct ts_particles *p = sim->particles;
+	double magnitude, a[3];
+
+	TS_TRY(ts_number_now(sim, &g->magnitude, &self->where, &magnitude));
+	for (int k = 0; k < 3; k++)
+		a[k] = magnitude * g->direction[k];
+#pragma omp parallel for num_threads(sim->threads) schedule(static)
+	for (size_t i = 0; i < p->n; i++)
+		if (ts_in_group(p, i, self->group))
+			for (int k = 0; k < 3; k++)
+				p->f[i][k] += p->mass[i] * a[k];
+	return TS_OK;
+}
+
+static const struct ts_arg vector_rows[] = {
+	TS_VEC3("direction", struct gravity, vector, .flags = TS_POSITIONAL,
+		.help = "where it points; normalised"),
+	TS_ARGS_END,
+};
+static const struct ts_arg chute_rows[] = {
+	TS_REAL("angle", struct gravity, angle, .flags = TS_POSITIONAL, .unit = "degree",
+		.help = "tilt from -z towards +x"),
+	TS_ARGS_END,
+};
+static const struct ts_arg spherical_rows[] = {
+	TS_REAL("phi", struct gravity, phi, .flags = TS_POSITIONAL, .unit = "degree",
+		.help = "angle around z from x"),
+	TS_REAL("theta", struct gravity, theta, .flags = TS_POSITIONAL, .unit = "degree",
+		.help = "angle from +z"),
+	TS_ARGS_END,
+};
+static const struct ts_mode modes[] = {
+	{ "vector", "by its components", vector_rows },
+	{ "chute", "tilted in the x-z plane", chute_rows },
+	{ "spherical", "by two angles", spherical_rows },
+	{ .name = NULL },
+};
+
+static const struct ts_arg args[] = {
+	TS_NUMBER("magnitude", struct gravity, magnitude, .flags = TS_POSITIONAL,
+		  .unit = "acceleration", .help = "size of the acceleration; may be v_name"),
+	TS_MODE("mode", struct gravity, mode, modes, .help = "how its direction is given"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(fix, ts_style, ts_fix_gravity)
+const struct ts_style ts_fix_gravity = {
+	.name = "gravity",
+	.kind = TS_KIND_FIX,
+	.summary = "constant acceleration of all particles of the group",
+	.doc = "f += m g. The direction is given by `vector x y z` (normalised), `chute angle` "
+	       "(from -z towards +x, in degrees) or `spherical phi theta`.",
+	.example = "fix g all gravity 9.81 vector 0.0 0.0 -1.0",
+	.args = args,
+	.state_size = sizeof(struct gravity),
+	.init = init,
+	.hook = { [TS_STAGE_POST_FORCE] = post_force },
+};

@@ -1,0 +1,48 @@
+#include "core/plan.h"
+
+#include "particles/particles.h"
+
+#include "base/banned.h"
+
+static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_particles *p = sim->particles;
+	double dt = sim->clock.dt;
+
+#pragma omp parallel for num_threads(sim->threads) schedule(static)
+	for (size_t i = 0; i < p->n; i++) {
+		double s = dt / p->mass[i];
+
+		if (!ts_in_group(p, i, self->group))
+			continue;
+		for (int k = 0; k < 3; k++) {
+			p->x[i][k] += dt * p->v[i][k];
+			p->v[i][k] += s * p->f[i][k];
+		}
+	}
+	return TS_OK;
+}
+
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
+			   struct ts_plan_report *report)
+{
+	(void)self, (void)sim;
+	ts_report_line(report, "explicit Euler",
+		       "gains energy: undamped contacts are unstable for every step, damped ones "
+		       "above beta/k");
+	return TS_OK;
+}
+
+TS_STYLE(fix, ts_style, ts_fix_nve_euler)
+const struct ts_style ts_fix_nve_euler = {
+	.name = "nve/euler",
+	.kind = TS_KIND_FIX,
+	.summary = "moves the particles of the group by the explicit Euler scheme",
+	.doc = "x += h v; v += h f/m (both with the values at the beginning of the step). First "
+	       "order. An undamped oscillator gains energy at every step, its amplitude growing by "
+	       "sqrt(1 + omega^2 h^2); one with a dashpot is stable for h < beta/k. Kept to "
+	       "reproduce work done with it; prefer fix nve.",
+	.example = "fix move rock nve/euler",
+	.hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate },
+	.plan = plan,
+};

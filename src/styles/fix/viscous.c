@@ -1,0 +1,59 @@
+#include "core/plan.h"
+
+#include <math.h>
+
+#include "particles/particles.h"
+
+#include "base/banned.h"
+
+struct viscous {
+	double gamma;
+};
+
+static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+{
+	const struct viscous *s = self->state;
+	struct ts_particles *p = sim->particles;
+
+#pragma omp parallel for num_threads(sim->threads) schedule(static)
+	for (size_t i = 0; i < p->n; i++)
+		if (ts_in_group(p, i, self->group))
+			for (int k = 0; k < 3; k++)
+				p->f[i][k] -= s->gamma * p->v[i][k];
+	return TS_OK;
+}
+
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
+			   struct ts_plan_report *report)
+{
+	const struct viscous *s = self->state;
+	const struct ts_particles *p = sim->particles;
+	double least = INFINITY;
+
+	for (size_t i = 0; i < p->n; i++)
+		if (ts_in_group(p, i, self->group))
+			least = fmin(least, p->mass[i]);
+	if (!(s->gamma > 0) || isinf(least))
+		return TS_OK;
+	return ts_report_limit(report, 2 * least / s->gamma, true, &self->where,
+			       "fix viscous, 2 m/gamma");
+}
+
+static const struct ts_arg args[] = {
+	TS_REAL("gamma", struct viscous, gamma, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
+		.unit = "force/velocity", .help = "damping constant"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(fix, ts_style, ts_fix_viscous)
+const struct ts_style ts_fix_viscous = {
+	.name = "viscous",
+	.kind = TS_KIND_FIX,
+	.summary = "damping proportional to velocity",
+	.doc = "f -= gamma v. Stable for steps below 2 m/gamma.",
+	.example = "fix calm all viscous 0.2",
+	.args = args,
+	.state_size = sizeof(struct viscous),
+	.hook = { [TS_STAGE_POST_FORCE] = post_force },
+	.plan = plan,
+};

@@ -1,0 +1,102 @@
+#include "law/spring_dashpot.h"
+
+#include "neigh/pair.h"
+#include "neigh/row_loop.h"
+
+#include "base/banned.h"
+
+struct spring_dashpot {
+	struct ts_pair pair;
+	bool generic;
+};
+
+static enum ts_status complete(struct tsim *sim, void *coeff, const struct ts_place *where)
+{
+	struct ts_spring_dashpot *c = coeff;
+
+	if (isnan(c->damping) == isnan(c->restitution))
+		return ts_fail(&sim->error, TS_SYNTAX, where,
+			       "pair_coeff: give either damping or restitution%s",
+			       isnan(c->damping) ? "" : ", not both");
+	if (c->restitution == 0)
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "pair_coeff: restitution must be > 0 (1e-6 is as good as none)");
+	ts_spring_dashpot_complete(c);
+	return TS_OK;
+}
+
+static double law(const void *coeff, const struct ts_contact *contact, double *history)
+{
+	(void)history;
+	return ts_spring_dashpot_force(coeff, contact);
+}
+
+static double limit(const void *coeff, double mass)
+{
+	return ts_spring_dashpot_limit(coeff, mass);
+}
+
+static enum ts_status force(struct ts_instance *self, struct tsim *sim)
+{
+	const struct spring_dashpot *s = self->state;
+
+	if (s->generic)
+		ts_row_loop(sim, &s->pair, ts_pair_style_of(self)->law);
+	else
+		ts_row_loop(sim, &s->pair, law);
+	return TS_OK;
+}
+
+static const struct ts_arg args[] = {
+	TS_FLAG("generic", struct spring_dashpot, generic,
+		.help = "call the law through its pointer, to compare with the specialised loop"),
+	TS_ARGS_END,
+};
+
+static const struct ts_arg coeff[] = {
+	TS_REAL("stiffness", struct ts_spring_dashpot, stiffness, .range = TS_POSITIVE,
+		.unit = "force/length", .help = "spring constant k"),
+	TS_REAL("damping", struct ts_spring_dashpot, damping, .flags = TS_OPTIONAL,
+		.range = TS_NOT_NEGATIVE, .unit = "force/velocity", .help = "dashpot constant beta"),
+	TS_REAL("restitution", struct ts_spring_dashpot, restitution, .flags = TS_OPTIONAL,
+		.range = TS_FRACTION, .unit = "",
+		.help = "coefficient of restitution e, instead of beta"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(pair, ts_pair_style, ts_pair_spring_dashpot)
+const struct ts_pair_style ts_pair_spring_dashpot = {
+	.style = { .name = "spring/dashpot",
+		   .kind = TS_KIND_PAIR,
+		   .summary = "linear spring and dashpot, normal force only",
+		   .doc = "Overlapping spheres repel with F = k delta - beta v_n along the line of "
+			  "centres, delta = r_i + r_j - |x_i - x_j|, v_n > 0 while separating.\n\n"
+			  "beta is given by `damping`, or by the coefficient of `restitution` e of two "
+			  "free bodies: beta = -2 ln e sqrt(m* k / (pi^2 + ln^2 e)) with the effective "
+			  "mass m* = m_i m_j / (m_i + m_j); frozen partners and walls count as "
+			  "infinitely heavy. The contact ends at zero overlap, so the force may pull "
+			  "shortly before the end when e is small.\n\n"
+			  "Coefficients are per pair of particle types; "
+			  "`pair_coeff I J file NAME` reads them from a file of keyword-value lines, "
+			  "such as those in potentials/. A contact lasts pi/sqrt(omega0^2 - gamma^2), "
+			  "omega0^2 = k/m*, gamma = beta/(2 m*); velocity Verlet is stable for steps "
+			  "below 2 (sqrt(omega0^2 + gamma^2) - gamma)/omega0^2, and a run beyond that "
+			  "is refused. There are no tangential forces and no rotation.",
+		   .example = "pair_style spring/dashpot\n"
+			      "pair_coeff * * stiffness 2.0e5 restitution 0.5\n"
+			      "pair_coeff 1 2 file sandstone.spring",
+		   .cite = "P. A. Cundall, O. D. L. Strack, Geotechnique 29 (1979) 47",
+		   .args = args,
+		   .state_size = sizeof(struct spring_dashpot),
+		   .archive = ts_pair_archive,
+		   .fingerprint = ts_pair_fingerprint,
+		   .init = ts_pair_init,
+		   .hook = { [TS_STAGE_FORCE] = force },
+		   .plan = ts_pair_plan,
+		   .fini = ts_pair_fini },
+	.coeff = coeff,
+	.coeff_size = sizeof(struct ts_spring_dashpot),
+	.complete = complete,
+	.law = law,
+	.limit = limit,
+};

@@ -1,0 +1,81 @@
+/* Region: a cuboid with edges along the axes. */
+#include "particles/region.h"
+
+#include "base/banned.h"
+
+struct block {
+	struct ts_region region;
+	double lo[3], hi[3];
+	double given[6]; /* xlo xhi ylo yhi zlo zhi as written */
+};
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct block *b = self->state;
+
+	ts_region_init(self, sim);
+	for (int d = 0; d < 3; d++) {
+		b->lo[d] = b->region.scale * b->given[2 * d];
+		b->hi[d] = b->region.scale * b->given[2 * d + 1];
+		if (b->lo[d] > b->hi[d])
+			return ts_fail(&sim->error, TS_RANGE, &self->where,
+				       "region block: %clo = %g is above %chi = %g", 'x' + d,
+				       b->lo[d], 'x' + d, b->hi[d]);
+	}
+	return TS_OK;
+}
+
+static bool contains(const struct ts_instance *self, const double x[3])
+{
+	const struct block *b = self->state;
+
+	for (int d = 0; d < 3; d++)
+		if (x[d] < b->lo[d] || x[d] > b->hi[d])
+			return false;
+	return true;
+}
+
+static void bounds(const struct ts_instance *self, double lo[3], double hi[3])
+{
+	const struct block *b = self->state;
+
+	for (int d = 0; d < 3; d++) {
+		lo[d] = b->lo[d];
+		hi[d] = b->hi[d];
+	}
+}
+
+static const struct ts_arg args[] = {
+	TS_COORD("xlo", struct block, given[0], .flags = TS_POSITIONAL, .unit = "length",
+		 .help = "least x, or INF"),
+	TS_COORD("xhi", struct block, given[1], .flags = TS_POSITIONAL, .unit = "length",
+		 .help = "largest x, or INF"),
+	TS_COORD("ylo", struct block, given[2], .flags = TS_POSITIONAL, .unit = "length",
+		 .help = "least y, or INF"),
+	TS_COORD("yhi", struct block, given[3], .flags = TS_POSITIONAL, .unit = "length",
+		 .help = "largest y, or INF"),
+	TS_COORD("zlo", struct block, given[4], .flags = TS_POSITIONAL, .unit = "length",
+		 .help = "least z, or INF"),
+	TS_COORD("zhi", struct block, given[5], .flags = TS_POSITIONAL, .unit = "length",
+		 .help = "largest z, or INF"),
+	TS_REGION_ARGS(struct block),
+	TS_ARGS_END,
+};
+
+TS_STYLE(region, ts_region_style, ts_region_block)
+const struct ts_region_style ts_region_block = {
+	.style = {
+		.name = "block",
+		.kind = TS_KIND_REGION,
+		.summary = "A cuboid along the axes",
+		.doc = "All points with xlo <= x <= xhi, ylo <= y <= yhi and zlo <= z <= zhi. INF or EDGE\n"
+		       "leaves a side open.",
+		.example = "region bed block 0 1 0 1 0 0.5 units box\n"
+			   "region top block INF INF INF INF 0.4 INF units box",
+		.args = args,
+		.state_size = sizeof(struct block),
+		.init = init,
+	},
+	.contains = contains,
+	.bounds = bounds,
+};

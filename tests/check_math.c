@@ -1,0 +1,212 @@
+#include <check.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "math/exactsum.h"
+#include "math/rng.h"
+#include "math/vec3.h"
+
+/* Known answers published with the reference implementation of the authors of Philox. */
+START_TEST(philox_known_answers)
+{
+	static const struct {
+		uint32_t counter[4], key[2], out[4];
+	} known[] = {
+		{ { 0, 0, 0, 0 }, { 0, 0 }, { 0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8 } },
+		{ { 0xffffffff, 0xffffffff, 0xffffffff, 0xffffffff },
+		  { 0xffffffff, 0xffffffff },
+		  { 0x408f276d, 0x41c83b0e, 0xa20bc7c6, 0x6d5451fd } },
+		{ { 0x243f6a88, 0x85a308d3, 0x13198a2e, 0x03707344 },
+		  { 0xa4093822, 0x299f31d0 },
+		  { 0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1 } },
+	};
+
+	for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
+		uint32_t out[4];
+
+		ts_philox(known[k].counter, known[k].key, out);
+		for (int i = 0; i < 4; i++)
+			ck_assert_uint_eq(out[i], known[k].out[i]);
+	}
+}
+END_TEST
+
+/* Mean and variance of 10^5 draws within five standard errors. */
+START_TEST(rng_moments)
+{
+	enum { N = 100000 };
+	struct ts_rng a = ts_rng_start(86028157, 3), b = ts_rng_start(86028157, 4);
+	double u = 0, u2 = 0, g = 0, g2 = 0, g4 = 0;
+
+	for (int k = 0; k < N; k++) {
+		double x = ts_rng_uniform(&a), y = ts_rng_normal(&b);
+
+		ck_assert(x > 0 && x < 1);
+		u += x;
+		u2 += x * x;
+		g += y;
+		g2 += y * y;
+		g4 += y * y * y * y;
+	}
+	ck_assert_double_eq_tol(u / N, 0.5, 5 * sqrt(1. / 12 / N));
+	ck_assert_double_eq_tol(u2 / N, 1. / 3, 5 * sqrt(4. / 45 / N));
+	ck_assert_double_eq_tol(g / N, 0, 5 * sqrt(1. / N));
+	ck_assert_double_eq_tol(g2 / N, 1, 5 * sqrt(2. / N));
+	ck_assert_double_eq_tol(g4 / N, 3, 5 * sqrt(96. / N));
+}
+END_TEST
+
+START_TEST(rng_is_a_function)
+{
+	struct ts_rng a = ts_rng_start(7, 1), b = ts_rng_start(7, 1), c = ts_rng_start(7, 2);
+	double x, y;
+
+	for (int k = 0; k < 10; k++)
+		x = ts_rng_uniform(&a);
+	b.counter = 9;
+	c.counter = 9;
+	y = ts_rng_uniform(&b);
+	ck_assert(x == y);
+	ck_assert(x != ts_rng_uniform(&c));
+}
+END_TEST
+
+START_TEST(exactsum_cancels)
+{
+	struct ts_exactsum s = ts_exactsum_start();
+
+	ts_exactsum_add(&s, 1e300);
+	ts_exactsum_add(&s, 1);
+	ts_exactsum_add(&s, 0x1p-1074);
+	ts_exactsum_add(&s, -1e300);
+	ck_assert(ts_exactsum_value(&s) == 1);
+	ts_exactsum_add(&s, -1);
+	ck_assert(ts_exactsum_value(&s) == 0x1p-1074);
+	ts_exactsum_add(&s, -0x1p-1073);
+	ck_assert(ts_exactsum_value(&s) == -0x1p-1074);
+	ts_exactsum_add(&s, 0x1p-1074);
+	ck_assert(ts_exactsum_value(&s) == 0);
+}
+END_TEST
+
+/* The sum of the two largest doubles overflows and comes back. */
+START_TEST(exactsum_range)
+{
+	struct ts_exactsum s = ts_exactsum_start();
+	const double most = 0x1.fffffffffffffp1023;
+
+	ts_exactsum_add(&s, most);
+	ck_assert(ts_exactsum_value(&s) == most);
+	ts_exactsum_add(&s, most);
+	ck_assert(isinf(ts_exactsum_value(&s)));
+	ts_exactsum_add(&s, -most);
+	ck_assert(ts_exactsum_value(&s) == most);
+	ts_exactsum_add(&s, INFINITY);
+	ck_assert(ts_exactsum_value(&s) == (double)INFINITY);
+	ts_exactsum_add(&s, -INFINITY);
+	ck_assert(isnan(ts_exactsum_value(&s)));
+}
+END_TEST
+
+/* Ties go to even, anything beyond a tie goes up. */
+START_TEST(exactsum_rounding)
+{
+	static const struct {
+		double a, b, c, sum;
+	} known[] = {
+		{ 0x1p53, 1, 0, 0x1p53 },	  { 0x1p53, 1, 0x1p-1074, 0x1p53 + 2 },
+		{ 0x1p53 + 2, 1, 0, 0x1p53 + 4 }, { 0x1p53 + 2, 1, -0x1p-1074, 0x1p53 + 2 },
+		{ 0x1p53 - 1, 0.5, 0, 0x1p53 },	  { 0x1p53 - 2, 0.25, 0x1p-60, 0x1p53 - 2 },
+	};
+
+	for (size_t k = 0; k < sizeof known / sizeof *known; k++)
+		for (int sign = -1; sign <= 1; sign += 2) {
+			struct ts_exactsum s = ts_exactsum_start();
+
+			ts_exactsum_add(&s, sign * known[k].a);
+			ts_exactsum_add(&s, sign * known[k].b);
+			ts_exactsum_add(&s, sign * known[k].c);
+			ck_assert(ts_exactsum_value(&s) == sign * known[k].sum);
+		}
+}
+END_TEST
+
+/* Any order, and any split into partial sums, gives the same bits. */
+START_TEST(exactsum_order)
+{
+	enum { N = 5000 };
+	static double term[N];
+	struct ts_rng rng = ts_rng_start(49979687, 0);
+	struct ts_exactsum forth = ts_exactsum_start(), part[3];
+
+	for (int p = 0; p < 3; p++)
+		part[p] = ts_exactsum_start();
+	for (int k = 0; k < N; k++) {
+		term[k] = ldexp(ts_rng_normal(&rng), (int)(600 * ts_rng_uniform(&rng)) - 300);
+		ts_exactsum_add(&forth, term[k]);
+		ts_exactsum_add(&part[k % 3], term[k]);
+	}
+	ts_exactsum_merge(&part[2], &part[0]);
+	ts_exactsum_merge(&part[2], &part[1]);
+	ck_assert(ts_exactsum_value(&forth) == ts_exactsum_value(&part[2]));
+	for (int k = N - 1; k >= 0; k--)
+		ts_exactsum_add(&forth, -term[k]);
+	ck_assert(ts_exactsum_value(&forth) == 0);
+}
+END_TEST
+
+/* Integers too large for doubles, against 64-bit arithmetic. */
+START_TEST(exactsum_integers)
+{
+	struct ts_rng rng = ts_rng_start(15485863, 0);
+	struct ts_exactsum s = ts_exactsum_start();
+	int64_t sum = 0;
+
+	for (int k = 0; k < 1000; k++) {
+		double term = rint((ts_rng_uniform(&rng) - 0.4) * 0x1p52);
+
+		sum += (int64_t)term;
+		ts_exactsum_add(&s, term);
+	}
+	ck_assert(ts_exactsum_value(&s) == (double)sum);
+}
+END_TEST
+
+START_TEST(vectors)
+{
+	const double a[3] = { 2.385, -0.5, 1.25 }, b[3] = { 0.75, 3, -1.5 };
+	double c[3], d[3] = { 2.385, -0.5, 1.25 };
+
+	ts_cross(a, b, c);
+	ck_assert_double_eq_tol(ts_dot(a, c), 0, 1e-14);
+	ck_assert_double_eq_tol(ts_dot(b, c), 0, 1e-14);
+	ck_assert_double_eq_tol(ts_dot(c, c) + ts_dot(a, b) * ts_dot(a, b),
+				ts_dot(a, a) * ts_dot(b, b), 1e-12);
+	ts_cross(d, b, d);
+	ck_assert(d[0] == c[0] && d[1] == c[1] && d[2] == c[2]);
+}
+END_TEST
+
+int main(void)
+{
+	Suite *suite = suite_create("math");
+	TCase *tests = tcase_create("math");
+	SRunner *runner;
+	int failed;
+
+	tcase_add_test(tests, philox_known_answers);
+	tcase_add_test(tests, rng_moments);
+	tcase_add_test(tests, rng_is_a_function);
+	tcase_add_test(tests, exactsum_cancels);
+	tcase_add_test(tests, exactsum_range);
+	tcase_add_test(tests, exactsum_rounding);
+	tcase_add_test(tests, exactsum_order);
+	tcase_add_test(tests, exactsum_integers);
+	tcase_add_test(tests, vectors);
+	suite_add_tcase(suite, tests);
+	runner = srunner_create(suite);
+	srunner_run_all(runner, CK_NORMAL);
+	failed = srunner_ntests_failed(runner);
+	srunner_free(runner);
+	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}

@@ -1,0 +1,206 @@
+/* The contract every style keeps, checked in a loop over the table of styles. */
+#include <check.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/sim.h"
+
+/* Names of the row being looked at, for messages. */
+static char here[256];
+
+static void at(const struct ts_style *style, const char *row)
+{
+	snprintf(here, sizeof here, "%s %s%s%s", ts_kind_name(style->kind), style->name,
+		 row ? ": " : "", row ? row : "");
+}
+
+#define EXPECT(condition, what) ck_assert_msg(condition, "%s: %s", here, what)
+
+static bool filled(const char *text)
+{
+	return text && *text;
+}
+
+START_TEST(described)
+{
+	const struct ts_style *s = ts_style_table[_i];
+
+	at(s, NULL);
+	EXPECT(filled(s->name), "no name");
+	EXPECT(s->kind > TS_KIND_SYSTEM && s->kind < TS_NKIND, "impossible kind");
+	EXPECT(filled(s->summary), "no summary");
+	EXPECT(!ts_ends_with(s->summary, "."), "the summary ends with a full stop");
+	EXPECT(!strchr(s->summary, '\n'), "the summary is longer than a line");
+	EXPECT(filled(s->doc), "no doc");
+	EXPECT(filled(s->example), "no example");
+	EXPECT(!s->args || s->state_size > 0, "arguments, but no state to put them in");
+	EXPECT(ts_style_find(s->kind, s->name) == s,
+	       "not found by its name: is it twice in the table?");
+}
+END_TEST
+
+START_TEST(example_names_style)
+{
+	const struct ts_style *s = ts_style_table[_i];
+
+	at(s, NULL);
+	EXPECT(strstr(s->example, s->name), "the example does not name the style");
+}
+END_TEST
+
+static void check_row(const struct ts_style *style, const struct ts_arg *row, bool in_mode)
+{
+	at(style, row->name);
+	EXPECT(filled(row->name), "a row without name");
+	EXPECT(filled(row->help), "no help");
+	EXPECT(row->offset < style->state_size, "lands outside the state");
+	if (row->type == TS_ARG_ENUM)
+		EXPECT(row->choices && row->choices[0], "no choices");
+	if (row->type == TS_ARG_MODE) {
+		EXPECT(row->modes && row->modes[0].name, "no modes");
+		EXPECT(!in_mode, "a mode within a mode");
+	}
+	if (row->range == TS_WITHIN)
+		EXPECT(row->lo < row->hi, "an empty range");
+	EXPECT(!(row->flags & TS_OPTIONAL) || !row->fallback, "both optional and with a default");
+}
+
+static void check_rows(const struct ts_style *style, const struct ts_arg *rows, bool in_mode)
+{
+	bool keywords = false, may_lack = false, rest = false;
+
+	for (const struct ts_arg *row = rows; row && row->type != TS_ARG_END; row++) {
+		bool positional = row->flags & TS_POSITIONAL;
+		bool optional = (row->flags & TS_OPTIONAL) || row->fallback;
+
+		check_row(style, row, in_mode);
+		EXPECT(!positional || !keywords, "positional after a keyword");
+		EXPECT(!positional || !rest, "positional after the row that takes all words");
+		EXPECT(!positional || optional || !may_lack, "required after one that may lack");
+		keywords |= !positional;
+		may_lack |= positional && optional;
+		rest |= row->type == TS_ARG_REST;
+		for (const struct ts_arg *other = rows; other < row; other++)
+			EXPECT(!ts_streq(other->name, row->name), "two rows of this name");
+		for (const struct ts_mode *m = row->modes; m && m->name; m++) {
+			EXPECT(filled(m->help), "a mode without help");
+			check_rows(style, m->args, true);
+		}
+	}
+}
+
+START_TEST(arguments)
+{
+	check_rows(ts_style_table[_i], ts_style_table[_i]->args, false);
+}
+END_TEST
+
+/* All defaults can be read and lie in their ranges: the parser that reads the user's words reads
+ * them too. */
+START_TEST(defaults)
+{
+	const struct ts_style *s = ts_style_table[_i];
+	struct tsim *sim = ts_sim_new();
+	struct ts_arena arena = { 0 };
+	void *state = ts_alloc_aligned(1, s->state_size + 1);
+
+	at(s, NULL);
+	ck_assert(sim && state);
+	ts_args_defaults(sim, s->args, &arena, state);
+	ck_assert_msg(sim->error.status == TS_OK, "%s: %s", here, sim->error.message);
+	ts_arena_release(&arena);
+	ts_free(state);
+	ts_sim_free(sim);
+}
+END_TEST
+
+START_TEST(values)
+{
+	const struct ts_style *s = ts_style_table[_i];
+	unsigned shapes = 0;
+
+	for (const struct ts_value *v = s->values; v && v->name; v++) {
+		at(s, v->name);
+		EXPECT(filled(v->help), "an output without help");
+		EXPECT(v->unit, "an output without unit (\"\" for a pure number)");
+		EXPECT(v->eval, "an output that cannot be evaluated");
+		EXPECT(v->shape >= TS_SCALAR && v->shape <= TS_LOCAL, "impossible shape");
+		EXPECT(!(shapes & 1u << v->shape), "two outputs of the same shape");
+		shapes |= 1u << v->shape;
+		for (size_t k = 0; v->column_names && k < v->columns; k++)
+			EXPECT(filled(v->column_names[k]), "a column without name");
+	}
+}
+END_TEST
+
+START_TEST(saved_rows)
+{
+	const struct ts_style *s = ts_style_table[_i];
+
+	for (const struct ts_saved *row = s->saved; row && row->type != TS_SAVED_END; row++) {
+		at(s, row->name);
+		EXPECT(row->offset < s->state_size, "lies outside the state");
+		EXPECT(row->count > 0, "saves nothing");
+	}
+}
+END_TEST
+
+START_TEST(manual_page)
+{
+	const struct ts_style *s = ts_style_table[_i];
+	const char *top = getenv("top_srcdir");
+	struct ts_str path = { 0 };
+	FILE *file;
+
+	at(s, NULL);
+	ts_str_addf(&path, "%s/doc/styles/%s_%s.md", top ? top : ".", ts_kind_name(s->kind),
+		    s->name);
+	for (char *c = strstr(path.text, "/doc/styles/") + strlen("/doc/styles/"); *c; c++)
+		if (*c == '/')
+			*c = '_';
+	file = fopen(path.text, "r");
+	ck_assert_msg(file, "%s: no manual page %s", here, path.text);
+	fclose(file);
+	ts_str_release(&path);
+}
+END_TEST
+
+START_TEST(sorted)
+{
+	for (size_t k = 0; ts_style_table[k] && ts_style_table[k + 1]; k++) {
+		const struct ts_style *a = ts_style_table[k], *b = ts_style_table[k + 1];
+		int order = strcmp(ts_kind_name(a->kind), ts_kind_name(b->kind));
+
+		at(b, NULL);
+		EXPECT(order < 0 || (order == 0 && strcmp(a->name, b->name) < 0),
+		       "out of order, or twice in the table");
+	}
+}
+END_TEST
+
+int main(void)
+{
+	Suite *suite = suite_create("styles");
+	TCase *each = tcase_create("each style"), *all = tcase_create("the table");
+	SRunner *runner;
+	int n = 0, failed;
+
+	while (ts_style_table[n])
+		n++;
+	tcase_add_loop_test(each, described, 0, n);
+	tcase_add_loop_test(each, example_names_style, 0, n);
+	tcase_add_loop_test(each, arguments, 0, n);
+	tcase_add_loop_test(each, defaults, 0, n);
+	tcase_add_loop_test(each, values, 0, n);
+	tcase_add_loop_test(each, saved_rows, 0, n);
+	tcase_add_loop_test(each, manual_page, 0, n);
+	tcase_add_test(all, sorted);
+	suite_add_tcase(suite, each);
+	suite_add_tcase(suite, all);
+	runner = srunner_create(suite);
+	srunner_run_all(runner, CK_NORMAL);
+	failed = srunner_ntests_failed(runner);
+	srunner_free(runner);
+	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}

@@ -1,0 +1,69 @@
+#!/bin/bash
+# Options, exit statuses, and the form of errors of the program.
+set -u
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 99
+[ -x "$TSIM" ] || { echo "no program: $TSIM"; exit 99; }
+failed=0
+
+# expect NAME STATUS EXPECTED-STANDARD-OUTPUT EXPECTED-STANDARD-ERROR ARGUMENTS...
+expect() {
+	local name=$1 status=$2 out=$3 err=$4
+	shift 4
+	"$TSIM" "$@" >out 2>err </dev/null
+	local got=$?
+	if [ $got != "$status" ] || [ "$(cat out)" != "$out" ] || [ "$(cat err)" != "$err" ]; then
+		echo "FAILED: $name: status $got, expected $status"
+		diff <(echo "$out") out
+		diff <(echo "$err") err
+		failed=1
+	fi
+}
+
+version=$("$TSIM" -version)
+more="'tsim -help' lists the options"
+printf 'variable n index 2.5\nprint "n $n"  # so\nif "$n > 3" then "prnit $n"\n' >in.script
+
+expect 'script' 0 "$version
+n 2.5" '' -in in.script
+printf '%s\n' "$version" 'variable n index 2.5' 'print "n $n"  # so' 'n 2.5' \
+	'if "$n > 3" then "prnit $n"' >expected.log
+cmp expected.log log.tsim || failed=1
+
+error="in.script:3:19: error: unknown command 'prnit'; did you mean 'print'?
+  if \"\$n > 3\" then \"prnit \$n\"
+                    ^~~~~"
+expect 'error with place' 1 "$version
+n 7" "$error" --in in.script -var n 7 -log mine.log
+tail -n 3 mine.log >got.log
+[ "$(cat got.log)" = "$error" ] || { echo 'FAILED: the error is not in the log'; failed=1; }
+expect 'negative value' 0 "$version
+n -7" '' -in in.script -v n -7 8 -log none
+expect 'no screen' 1 '' "$error" -in in.script -screen none -log none -var n 7
+expect 'unused variable' 0 "$version
+n 2.5
+warning: variable 'm' was set from outside, but the script does not use it" '' \
+	-var m 7 -in in.script -log none
+expect 'unknown option' 2 '' "tsim: unknown option '-lgo'; did you mean '-log'?
+$more" -lgo none
+expect 'option without value' 2 '' "tsim: option -in needs FILE
+$more" -in
+expect 'stray word' 2 '' "tsim: expected an option, found 'in.script'; a script is given by -in FILE
+$more" in.script
+expect 'threads' 2 '' "tsim: expected a number from 1 to 1024 after -threads, found '0'
+$more" -threads 0
+expect 'missing script' 1 "$version" \
+	"error: cannot open script 'none': No such file or directory" -in none -log none
+expect 'unknown page' 2 '' "tsim: there is no such style: 'prin'; did you mean 'print'?
+$more" -help command prin
+
+echo 'quit 7' | "$TSIM" -log none -screen none
+[ $? = 7 ] || { echo 'FAILED: quit'; failed=1; }
+printf 'label a\njump SELF a\n' >in.loop
+timeout -s TERM 1 "$TSIM" -in in.loop -log none >out 2>err
+[ $? = 124 ] && grep -q '^in.loop:.*stopped on request$' err || { echo 'FAILED: SIGTERM'; failed=1; }
+"$TSIM" -help command print | grep -q '^Syntax$' || { echo 'FAILED: page'; failed=1; }
+mkdir pages && "$TSIM" -doc pages && grep -q 'command_print.md' pages/index.md &&
+	grep -q '^# command print$' pages/command_print.md || { echo 'FAILED: -doc'; failed=1; }
+exit $failed

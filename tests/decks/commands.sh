@@ -1,0 +1,163 @@
+#!/bin/bash
+# The set-up commands: what they print, and every rejection with a place and a reason.
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+passed=0
+failed=0
+
+report() { # what, ok?
+	if [ "$2" = 0 ]; then
+		passed=$((passed + 1))
+	else
+		failed=$((failed + 1))
+		echo "off: $1"
+		cat out
+	fi
+}
+
+run_script() {
+	"$TSIM" -in in.script -log none >out 2>&1
+}
+
+# Expects success and each line given after the script in the output.
+good() { # name, script, lines ...
+	local name=$1 ok=0
+	printf '%s\n' "$2" >in.script
+	shift 2
+	run_script || ok=1
+	for line in "$@"; do
+		grep -qF -- "$line" out || { ok=1; echo "missing: $line"; }
+	done
+	report "$name" $ok
+}
+
+# Expects failure, with a message that contains the text.
+bad() { # script, text
+	local ok=0
+	printf '%s\n' "$1" >in.script
+	run_script && ok=1
+	grep -qF -- "$2" out || ok=1
+	report "rejects: $1" $ok
+}
+
+box='region box block 0 1 0 1 0 1 units box
+create_box 2 box'
+ball="$box
+create_atoms 1 single 0.5 0.5 0.5
+create_atoms 2 single 0.25 0.25 0.75"
+
+good 'boxes and lattices' "units si
+boundary p p p
+lattice sc 0.25
+$box
+create_atoms 1 box" 'Lattice spacing in x,y,z = 0.25 0.25 0.25' \
+	'Created orthogonal box = (0 0 0) to (1 1 1)' 'Created 64 atoms'
+good 'fcc has four' "units si
+lattice fcc 0.5
+$box
+create_atoms 1 box" 'Created 32 atoms'
+good 'bcc in a region' "units si
+boundary f f f
+lattice bcc 0.5
+$box
+region low block INF INF INF INF INF 0.3 units box
+create_atoms 2 region low" 'Created 13 atoms'
+good 'region lengths in lattice units' "units si
+lattice none 0.5
+region box block 0 2 0 2 0 2
+create_box 1 box" 'to (1 1 1)'
+good 'random without overlap' "units si
+$box
+create_atoms 1 random 200 86028157 NULL overlap 0.1
+delete_atoms overlap 0.1 all all" 'Created 200 atoms' 'Deleted 0 atoms, new total = 200'
+good 'too many' "units si
+$box
+create_atoms 1 random 50 86028157 NULL overlap 0.5 maxtry 100" 'warning: only'
+good 'sets, groups, velocities' "variable two equal 2.385
+$ball
+region top block INF INF INF INF 0.6 INF units box
+set atom 1 diameter 0.2 density 1000 vx 1
+set type 2 mass 3.5 vx v_two
+variable fast atom \"vx > 2\"
+group b type 2
+group lower id <= 1
+group both union b lower
+group left subtract both b
+group none intersect b left
+group upper region top
+group fast variable v_fast
+print \"mass \$(mass(lower)) \$(mass(b)) \$(count(left)) \$(vcm(b,x))\"
+delete_atoms group b
+group b delete" '1 atoms in group b' '2 atoms in group both' '1 atoms in group left' \
+	'0 atoms in group none' '1 atoms in group upper' '1 atoms in group fast' \
+	'mass 4.18879020478639' '3.5 1 2.385' 'Deleted 1 atoms, new total = 1'
+good 'velocity create is exact and keyed by identity' "units lj
+boundary p p p
+$box
+create_atoms 1 random 100 49979687 NULL
+velocity all create 1.5 86028157
+variable off equal abs(ke(all)/(1.5*99*1.5)-1)
+if \"\${off} < 1e-12\" then 'print exact'" 'Created 100 atoms' 'exact'
+good 'accepted' "atom_style granular
+atom_modify map array
+newton off
+communicate single vel yes
+processors 1 1 1
+$box
+neighbor 0.001 bin
+neigh_modify delay 0 exclude type 1 2 exclude group all all
+compute_modify thermo_temp dynamic yes
+mass * 2.0
+timestep 1e-4
+reset_timestep 5"
+
+bad 'boundary p f q' "boundary: z is 'q'"
+bad 'boundary pf f f' 'both faces must be periodic or none'
+bad 'units sj' 'expected one of lj, si, cgs, micro'
+bad "$box
+units si" 'must come before'
+bad "$box
+create_box 1 box" 'already'
+bad 'create_atoms 1 box' 'needs a simulation box'
+bad "$box
+create_atoms 1 box" 'use the lattice command first'
+bad "$box
+create_atoms 3 single 0 0 0" 'types go from 1 to 2'
+bad 'region a block 1 0 0 1 0 1' 'is above'
+bad 'region a plane 0 0 0 0 0 0' 'normal is zero'
+bad 'region a sphere 0 0 0 -1' 'expected a number >= 0'
+bad 'region a blok 0 1 0 1 0 1' "did you mean 'block'"
+bad 'region a union 2 b' 'expected the names of 2 regions'
+bad 'region a block 0 1 0 1 0 1
+region a block 0 1 0 1 0 1' "there is a region 'a' already"
+bad 'region a block 0 1 0 1 0 1
+region b union 1 a
+region a delete' 'in use by region b'
+bad 'region a block INF 1 0 1 0 1
+create_box 1 a' 'no box can be made'
+bad "$ball
+set atom 1 diameter -1" 'expected a number > 0'
+bad "$ball
+set atom 1 type 7" 'expected a type'
+bad "$ball
+set grop all diameter 1" "did you mean 'group'"
+bad "$ball
+group all type 1" 'cannot be changed'
+bad "$ball
+group g id 1:x" 'is not a number n or a range'
+bad "$ball
+group g union al" "did you mean 'all'"
+bad "$ball
+velocity all ramp vx 0 1 z 2 2" 'both ends'
+bad "$ball
+unfix nothing" "there is no fix 'nothing'"
+bad 'lattice sq 1.0' 'has 2 dimensions'
+bad 'timestep 0' 'expected a number > 0'
+bad "$ball
+neigh_modify exclude type 1 9" 'is not a type'
+bad "$ball
+compute a all property/atom radios" "did you mean 'radius'"
+
+echo "$passed passed, $failed failed"
+[ $failed = 0 ]

@@ -1,0 +1,48 @@
+#!/bin/sh
+# Rules of the house that a search can check.
+cd "$top_srcdir" || exit 1
+status=0
+
+# Reports lines that match, in files read from standard input.
+forbid() {
+	found=$(xargs grep -nE "$1" /dev/null)
+	if [ -n "$found" ]; then
+		echo "$2:"
+		echo "$found"
+		status=1
+	fi
+}
+
+sources() {
+	find src tests -name '*.[ch]'
+}
+
+forbid '\<(strcmp|atoi|atof|strtod|strtol)\(' 'styles declare arguments, they do not read them' <<LIST
+$(find src/styles -name '*.[ch]')
+LIST
+forbid '\<(exit|abort)\(' 'only main.c ends the program' <<LIST
+$(find src -name '*.[ch]' ! -path src/main.c)
+LIST
+forbid '\<(TODO|FIXME|XXX)\>' 'unfinished work' <<LIST
+$(sources)
+LIST
+forbid '\<(malloc|calloc|realloc|free)\(' 'memory comes from base/alloc.h' <<LIST
+$(find src -name '*.[ch]' ! -path 'src/base/alloc.*')
+LIST
+
+for file in $(sources); do
+	lines=$(wc -l <"$file")
+	if [ "$lines" -gt 800 ]; then
+		echo "$file: $lines lines, at most 800"
+		status=1
+	fi
+done
+
+for file in $(find src -name '*.c'); do
+	last=$(sed -n 's/^#include //p' "$file" | tail -n 1)
+	if [ "$last" != '"base/banned.h"' ]; then
+		echo "$file: the last include is $last, not \"base/banned.h\""
+		status=1
+	fi
+done
+exit $status
