@@ -139,6 +139,8 @@ library_sources = \
 	src/styles/command/delete_atoms.c \
 	src/styles/command/delete_bonds.c \
 	src/styles/command/dimension.c \
+	src/styles/command/dump.c \
+	src/styles/command/dump_modify.c \
 	src/styles/command/fix.c \
 	src/styles/command/fix_modify.c \
 	src/styles/command/flow_style.c \
@@ -151,15 +153,24 @@ library_sources = \
 	src/styles/command/pair_coeff.c \
 	src/styles/command/pair_style.c \
 	src/styles/command/processors.c \
+	src/styles/command/read_restart.c \
 	src/styles/command/region.c \
 	src/styles/command/reset_timestep.c \
+	src/styles/command/restart.c \
 	src/styles/command/run.c \
 	src/styles/command/set.c \
+	src/styles/command/thermo.c \
+	src/styles/command/thermo_log.c \
+	src/styles/command/thermo_modify.c \
+	src/styles/command/thermo_style.c \
 	src/styles/command/timestep.c \
 	src/styles/command/uncompute.c \
+	src/styles/command/undump.c \
 	src/styles/command/unfix.c \
 	src/styles/command/units.c \
 	src/styles/command/velocity.c \
+	src/styles/command/write_dump.c \
+	src/styles/command/write_restart.c \
 	src/styles/compute/bonds.c \
 	src/styles/compute/com.c \
 	src/styles/compute/contacts.c \
@@ -171,7 +182,9 @@ library_sources = \
 	src/styles/dump/custom_vtk.c \
 	src/styles/dump/local.c \
 	src/styles/dump/local_vtk.c \
+	src/styles/dump/restart.c \
 	src/styles/fix/addforce.c \
+	src/styles/fix/ave_time.c \
 	src/styles/fix/bond_breakage.c \
 	src/styles/fix/drag_stokes.c \
 	src/styles/fix/drill_bit.c \
@@ -181,7 +194,9 @@ library_sources = \
 	src/styles/fix/nve_euler.c \
 	src/styles/fix/nve_sphere.c \
 	src/styles/fix/nve_symplectic.c \
+	src/styles/fix/print.c \
 	src/styles/fix/setforce.c \
+	src/styles/fix/vector.c \
 	src/styles/fix/viscous.c \
 	src/styles/fix/wall_gran.c \
 	src/styles/flow/uniform.c \

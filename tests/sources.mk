@@ -5,18 +5,47 @@ shell_tests = \
 	tests/house.sh \
 	tests/layers.sh \
 	tests/manual_current.sh \
+	tests/restart.sh \
 	tests/styles_current.sh \
-	tests/symbols.sh
+	tests/symbols.sh \
+	tests/threads.sh
 unit_tests = \
+	tests/accuracy/check_breakage \
+	tests/accuracy/check_oscillator \
+	tests/accuracy/check_restitution \
+	tests/accuracy/check_settling \
 	tests/check_geom \
+	tests/check_io \
 	tests/check_math \
 	tests/check_script \
 	tests/check_styles
-tests_common =
+tests_common = \
+	tests/deck.c \
+	tests/deck.h
+
+tests_accuracy_check_breakage_SOURCES = tests/accuracy/check_breakage.c $(tests_common)
+tests_accuracy_check_breakage_CFLAGS = $(tests_cflags)
+tests_accuracy_check_breakage_LDADD = $(tests_ldadd)
+
+tests_accuracy_check_oscillator_SOURCES = tests/accuracy/check_oscillator.c $(tests_common)
+tests_accuracy_check_oscillator_CFLAGS = $(tests_cflags)
+tests_accuracy_check_oscillator_LDADD = $(tests_ldadd)
+
+tests_accuracy_check_restitution_SOURCES = tests/accuracy/check_restitution.c $(tests_common)
+tests_accuracy_check_restitution_CFLAGS = $(tests_cflags)
+tests_accuracy_check_restitution_LDADD = $(tests_ldadd)
+
+tests_accuracy_check_settling_SOURCES = tests/accuracy/check_settling.c $(tests_common)
+tests_accuracy_check_settling_CFLAGS = $(tests_cflags)
+tests_accuracy_check_settling_LDADD = $(tests_ldadd)
 
 tests_check_geom_SOURCES = tests/check_geom.c $(tests_common)
 tests_check_geom_CFLAGS = $(tests_cflags)
 tests_check_geom_LDADD = $(tests_ldadd)
+
+tests_check_io_SOURCES = tests/check_io.c $(tests_common)
+tests_check_io_CFLAGS = $(tests_cflags)
+tests_check_io_LDADD = $(tests_ldadd)
 
 tests_check_math_SOURCES = tests/check_math.c $(tests_common)
 tests_check_math_CFLAGS = $(tests_cflags)

@@ -93,8 +93,8 @@ static enum ts_status find_typed(struct ts_archive *a, const char *name, enum ts
 	const struct field *field = find(a, name, &at);
 
 	if (!field)
-		return ts_fail(&a->sim->error, TS_DAMAGED, NULL, "saved state: field '%s' is missing",
-			       name);
+		return ts_fail(&a->sim->error, TS_DAMAGED, NULL,
+			       "saved state: field '%s' is missing", name);
 	if (field->type != type)
 		return ts_fail(&a->sim->error, TS_DAMAGED, NULL,
 			       "saved state: field '%s' is of another type than expected", name);
@@ -103,8 +103,8 @@ static enum ts_status find_typed(struct ts_archive *a, const char *name, enum ts
 	return TS_OK;
 }
 
-enum ts_status ts_archive_fixed(struct ts_archive *archive, const char *name, enum ts_saved_type type,
-				void *data, size_t count)
+enum ts_status ts_archive_fixed(struct ts_archive *archive, const char *name,
+				enum ts_saved_type type, void *data, size_t count)
 {
 	const struct field *field;
 
@@ -165,7 +165,8 @@ bool ts_archive_has(const struct ts_archive *archive, const char *name)
 enum ts_status ts_archive_instance(struct ts_archive *archive, struct ts_instance *inst,
 				   struct tsim *sim)
 {
-	for (const struct ts_saved *row = inst->style->saved; row && row->type != TS_SAVED_END; row++)
+	for (const struct ts_saved *row = inst->style->saved; row && row->type != TS_SAVED_END;
+	     row++)
 		TS_TRY(ts_archive_fixed(archive, row->name, row->type,
 					(char *)inst->state + row->offset, row->count));
 	if (inst->style->archive)

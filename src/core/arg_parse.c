@@ -389,7 +389,7 @@ static enum ts_status read_keywords(struct parse *p, const struct ts_arg *rows,
 			return ts_fail(&p->sim->error, TS_SYNTAX, &word->place,
 				       "%s: keyword '%s' is given twice", p->what, word->text);
 		is_keyword[p->next - 1] = true;
-		TS_TRY(read_row(p, row, common));
+		TS_TRY(read_row(p, row, common ? common : rows));
 	}
 	return TS_OK;
 }

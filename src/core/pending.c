@@ -57,7 +57,8 @@ static enum ts_status restore(struct tsim *sim, struct ts_instance *inst,
 		status = ts_archive_instance(archive, inst, sim);
 	ts_archive_free(archive);
 	if (status == TS_OK)
-		ts_log(&sim->log, "Resetting global state of %c%s %s%sStyle %s from restart file info\n",
+		ts_log(&sim->log,
+		       "Resetting global state of %c%s %s%sStyle %s from restart file info\n",
 		       toupper((unsigned char)kind[0]), kind + 1, p->id, *p->id ? " " : "",
 		       p->style);
 	return status;

@@ -86,7 +86,11 @@ static enum ts_status judge(const struct ts_plan_report *report, struct tsim *si
 	const struct ts_limit *soft = binding_limit(report, false);
 	double dt = sim->clock.dt;
 
-	if (hard && !(dt < hard->dt))
+	if (hard && !(dt < hard->dt) && sim->unsafe)
+		ts_warn(&sim->log, &hard->where,
+			"the time step %g is beyond the stability limit %g of %s", dt, hard->dt,
+			hard->text);
+	else if (hard && !(dt < hard->dt))
 		return ts_fail(&sim->error, TS_PHYSICS, &hard->where,
 			       "the time step %g is beyond the stability limit %g of %s; "
 			       "use `timestep` with less than that, a tenth for accuracy",

@@ -46,6 +46,7 @@ struct tsim {
 	int dimension;
 	int threads;
 	bool explain;      /* -explain: plan runs, do not step or write */
+	bool unsafe;       /* this run only warns of a step beyond the stability limit */
 	bool running;      /* inside a run */
 	bool rebuild;      /* this step exchanges particles and rebuilds the contact rows */
 	bool in_setup;     /* forces before the first step: contact history stands still */

@@ -21,7 +21,8 @@ static enum ts_status keep_text(struct tsim *sim, struct ts_instance *dump, cons
 }
 
 static enum ts_status set_format(struct tsim *sim, struct ts_instance *dump,
-				 const struct ts_dump_changes *changes, const struct ts_place *where)
+				 const struct ts_dump_changes *changes,
+				 const struct ts_place *where)
 {
 	struct ts_dump_common *d = dump->state;
 	bool integer = changes->format_kind == TS_DUMP_FORMAT_INT;
@@ -35,10 +36,10 @@ static enum ts_status set_format(struct tsim *sim, struct ts_instance *dump,
 		return TS_OK;
 	}
 	if (n >= TS_FORMAT_SIZE || !ts_format_check(changes->format, integer, checked))
-		return ts_fail(&sim->error, TS_SYNTAX, where,
-			       "dump_modify: '%s' is no format for one %s, expected for instance %s",
-			       changes->format, integer ? "integer" : "number",
-			       integer ? "%d" : "%.15g");
+		return ts_fail(
+			&sim->error, TS_SYNTAX, where,
+			"dump_modify: '%s' is no format for one %s, expected for instance %s",
+			changes->format, integer ? "integer" : "number", integer ? "%d" : "%.15g");
 	memcpy(to, changes->format, n + 1);
 	return TS_OK;
 }

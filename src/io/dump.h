@@ -19,10 +19,10 @@ struct ts_dump_column {
 
 /* First member of the state of every dump. */
 struct ts_dump_common {
-	int64_t every;    /* argument */
+	int64_t every;	  /* argument */
 	const char *file; /* argument */
-	int64_t last;     /* saved: step of the last frame */
-	int64_t frames;   /* saved: how many were written */
+	int64_t last;	  /* saved: step of the last frame */
+	int64_t frames;	  /* saved: how many were written */
 	/* dump_modify */
 	int64_t pad;
 	bool unsorted, first, append;
@@ -40,9 +40,9 @@ struct ts_dump_common {
 #define TS_DUMP_ARGS(T)                                                                            \
 	TS_INT("every", T, common.every, .flags = TS_POSITIONAL, .range = TS_POSITIVE,             \
 	       .help = "steps between frames"),                                                    \
-	TS_WORD("file", T, common.file, .flags = TS_POSITIONAL,                                    \
-		.help = "name of the file; `*` stands for the step, one file per frame; "          \
-			"compressed if it ends in .gz")
+		TS_WORD("file", T, common.file, .flags = TS_POSITIONAL,                            \
+			.help = "name of the file; `*` stands for the step, one file per frame; "  \
+				"compressed if it ends in .gz")
 #define TS_DUMP_SAVED(T) TS_SAVE_I64(T, common.last), TS_SAVE_I64(T, common.frames)
 
 /* dump_modify: fields that were not given are negative, INT64_MIN or NULL. */

@@ -11,15 +11,17 @@ enum ts_status ts_dump_vtk_init(struct ts_instance *self, struct tsim *sim, bool
 	const char *file = s->common.file;
 
 	if (!ts_ends_with(file, ".vtp"))
-		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
-			       "dump %s writes VTK XML: the name of the file must end in .vtp, found "
-			       "'%s'",
-			       self->style->name, file);
+		return ts_fail(
+			&sim->error, TS_SYNTAX, &self->where,
+			"dump %s writes VTK XML: the name of the file must end in .vtp, found "
+			"'%s'",
+			self->style->name, file);
 	if (!strchr(file, '*'))
-		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
-			       "dump %s writes one file per frame: the name '%s' needs a `*` for the "
-			       "step",
-			       self->style->name, file);
+		return ts_fail(
+			&sim->error, TS_SYNTAX, &self->where,
+			"dump %s writes one file per frame: the name '%s' needs a `*` for the "
+			"step",
+			self->style->name, file);
 	if (!s->array) {
 		s->array = ts_arena_alloc(&self->arena, s->names.n, sizeof *s->array);
 		if (!s->array)
@@ -79,8 +81,8 @@ static size_t take_array(struct ts_instance *self, size_t k, bool vectors, doubl
 	const struct ts_dump_common *d = &s->common;
 	struct ts_vtk_array *a = &s->array[s->narrays];
 	char name[256];
-	bool vector = vectors && k + 2 < d->ncolumns &&
-		      vector_name(&d->column[k], name, sizeof name);
+	bool vector =
+		vectors && k + 2 < d->ncolumns && vector_name(&d->column[k], name, sizeof name);
 
 	if (!vector)
 		snprintf(name, sizeof name, "%s", d->column[k].name);

@@ -12,8 +12,8 @@ static enum ts_status failed(struct ts_replace *r)
 {
 	int code = errno;
 	enum ts_status status =
-		ts_fail(r->err, TS_IO, &r->where, "writing '%s' failed: %s",
-			ts_str_text(&r->path), code ? strerror(code) : "unknown reason");
+		ts_fail(r->err, TS_IO, &r->where, "writing '%s' failed: %s", ts_str_text(&r->path),
+			code ? strerror(code) : "unknown reason");
 
 	ts_replace_abandon(r);
 	return status;
@@ -55,8 +55,7 @@ enum ts_status ts_replace_commit(struct ts_replace *r, bool durable)
 	if (fflush(file) != 0 || (durable && fsync(fileno(file)) != 0))
 		return failed(r);
 	r->file = NULL;
-	if (fclose(file) != 0 ||
-	    rename(ts_str_text(&r->temporary), ts_str_text(&r->path)) != 0) {
+	if (fclose(file) != 0 || rename(ts_str_text(&r->temporary), ts_str_text(&r->path)) != 0) {
 		failed(r);
 		return TS_IO;
 	}

@@ -19,8 +19,8 @@ enum { BYTE_ORDER_MARK = 0x01020304, VERSION = 1, MAGIC_LENGTH = sizeof MAGIC - 
 enum { CLOCK_SECTION = 1000, END_SECTION = 0 };
 enum { NNAMES = 3, LONGEST_NAME = 4096, LARGEST_RATIO = 1040 /* zlib compresses no better */ };
 
-static const enum ts_kind saved_kinds[] = { TS_KIND_SYSTEM, TS_KIND_PAIR,    TS_KIND_BOND,
-					    TS_KIND_FLOW,   TS_KIND_FIX,     TS_KIND_COMPUTE,
+static const enum ts_kind saved_kinds[] = { TS_KIND_SYSTEM, TS_KIND_PAIR, TS_KIND_BOND,
+					    TS_KIND_FLOW,   TS_KIND_FIX,  TS_KIND_COMPUTE,
 					    TS_KIND_DUMP };
 
 struct head {
@@ -357,9 +357,10 @@ static enum ts_status restore_clock(struct reader *r)
 			       "restart file '%s' is in units %s, but the script says units %s",
 			       r->path, units[s.units], units[sim->units]);
 	if (sim->dimension != 3 && sim->dimension != s.dimension)
-		return ts_fail(&sim->error, TS_STATE, r->where,
-			       "restart file '%s' has dimension %d, but the script says dimension %d",
-			       r->path, (int)s.dimension, sim->dimension);
+		return ts_fail(
+			&sim->error, TS_STATE, r->where,
+			"restart file '%s' has dimension %d, but the script says dimension %d",
+			r->path, (int)s.dimension, sim->dimension);
 	sim->clock = s.clock;
 	sim->clock.first_step = sim->clock.last_step = s.clock.step;
 	sim->units = (enum ts_units)s.units;

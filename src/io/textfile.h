@@ -1,4 +1,5 @@
-/* Output streams for text, compressed where the name ends in .gz. Every failed write is reported. */
+/* Output streams for text, compressed where the name ends in .gz. Every failed write is reported.
+ */
 #ifndef TS_IO_TEXTFILE_H
 #define TS_IO_TEXTFILE_H
 

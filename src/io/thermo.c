@@ -75,8 +75,9 @@ static enum ts_status resolve(struct ts_thermo *t, struct tsim *sim)
 /* The columns of `one`, LIGGGHTS' default. */
 static enum ts_status set_defaults(struct ts_thermo *t, struct tsim *sim)
 {
-	const struct ts_word one[] = { { .text = "step" }, { .text = "atoms" }, { .text = "ke" },
-				       { .text = "cpu" } };
+	const struct ts_word one[] = {
+		{ .text = "step" }, { .text = "atoms" }, { .text = "ke" }, { .text = "cpu" }
+	};
 
 	TS_TRY(ts_thermo_format(sim, false, "%14.8g", NULL));
 	TS_TRY(ts_thermo_format(sim, true, "%8d", NULL));
@@ -150,8 +151,9 @@ static void progress(struct ts_thermo *t, struct tsim *sim)
 	t->progress_due = now + 0.2;
 	percent = 100 * (double)(c->step - c->first_step) / (double)(c->last_step - c->first_step);
 	left = spent * (100 - percent) / percent;
-	snprintf(text, sizeof text, "%5.1f %%  step %" PRId64 " of %" PRId64 "  %.0f s, %.0f s left",
-		 percent, c->step, c->last_step, spent, left);
+	snprintf(text, sizeof text,
+		 "%5.1f %%  step %" PRId64 " of %" PRId64 "  %.0f s, %.0f s left", percent, c->step,
+		 c->last_step, spent, left);
 	ts_log_progress(&sim->log, text);
 }
 

@@ -19,9 +19,9 @@
 
 struct ts_spring_dashpot {
 	double stiffness;   /* k, force/length */
-	double damping;     /* beta, force/velocity; 0 if given by restitution */
+	double damping;     /* beta, force/velocity; NaN if given by restitution */
 	double restitution; /* e; NaN if given by damping */
-	double factor;      /* beta = damping + factor sqrt(m*); see ts_spring_dashpot_complete */
+	double constant, factor; /* beta = constant + factor sqrt(m*), one of them 0 */
 };
 
 static inline void ts_spring_dashpot_complete(struct ts_spring_dashpot *c)
@@ -29,17 +29,17 @@ static inline void ts_spring_dashpot_complete(struct ts_spring_dashpot *c)
 	const double pi = 3.14159265358979323846;
 	double log_e = log(c->restitution);
 
-	if (isnan(c->restitution)) {
-		c->factor = 0;
+	c->factor = 0;
+	c->constant = c->damping;
+	if (isnan(c->restitution))
 		return;
-	}
-	c->damping = 0;
+	c->constant = 0;
 	c->factor = -2 * log_e * sqrt(c->stiffness / (pi * pi + log_e * log_e));
 }
 
 static inline double ts_spring_dashpot_beta(const struct ts_spring_dashpot *c, double mass)
 {
-	return c->damping + c->factor * sqrt(mass);
+	return c->constant + c->factor * sqrt(mass);
 }
 
 static inline double ts_spring_dashpot_force(const struct ts_spring_dashpot *c,

@@ -223,16 +223,19 @@ enum ts_status ts_bond_plan(struct ts_instance *self, struct tsim *sim,
 	const struct ts_bond *bond = self->state;
 	const struct ts_bonds *bonds = sim->bonds;
 	const struct ts_particles *p = sim->particles;
-	double worst = 0;
+	double least = INFINITY;
 
 	if (!bonds->n)
 		return TS_OK;
 	for (size_t b = 0; b < bonds->n; b++) {
-		double k = style->stiffness(ts_coeff(&bond->coeffs, (size_t)bonds->type[b]));
+		double imass = p->imass[bonds->row[b][0]] + p->imass[bonds->row[b][1]];
 
-		worst = fmax(worst, k * (p->imass[bonds->row[b][0]] + p->imass[bonds->row[b][1]]));
+		if (imass > 0)
+			least = fmin(least, style->limit(ts_coeff(&bond->coeffs,
+								  (size_t)bonds->type[b]),
+							 1 / imass));
 	}
-	TS_TRY(ts_report_limit(report, 2 / sqrt(worst), true, &self->where, "a single bond"));
+	TS_TRY(ts_report_limit(report, least, true, &self->where, "a single bond"));
 	return ts_report_limit(report, network_limit(sim, style, &bond->coeffs), false,
 			       &self->where, "the network of bonds (Gershgorin's bound)");
 }

@@ -51,6 +51,8 @@ struct ts_bond_style {
 	/* Tension (> 0 pulls the partners together) into *tension; false if the bond breaks. */
 	bool (*law)(const void *coeff, const struct ts_bond_state *state, double *tension);
 	double (*stiffness)(const void *coeff);
+	/* Largest stable time step of one bond with reduced mass m*. */
+	double (*limit)(const void *coeff, double mass);
 };
 
 /* First member of every bond style's state. */

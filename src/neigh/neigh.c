@@ -191,9 +191,9 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 
 	TS_TRY(ts_archive_fixed(a, "exclude", TS_SAVED_I32, nb->exclude,
 				3 * TS_MAX_EXCLUDE));
-	if (!ts_archive_writing(a))
+	if (!ts_archive_writing(a) || nb->saved.n)
 		return ts_row_history_archive(a, sim, &nb->saved);
-	TS_TRY(ts_row_history_take(sim, &nb->rows, &h));
+	TS_TRY(ts_row_history_take(sim, &nb->rows, true, &h));
 	status = ts_row_history_archive(a, sim, &h);
 	ts_row_history_release(&h);
 	return status;
@@ -214,7 +214,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 			   struct ts_plan_report *report)
 {
 	const struct ts_neigh *nb = self->state;
-	size_t row = 3 * sizeof(double) + 4 * sizeof(int32_t) + 2 + 2 * sizeof(uint32_t) +
+	size_t row = 3 * sizeof(double) + 5 * sizeof(int32_t) + 2 + 2 * sizeof(uint32_t) +
 		     nb->rows.history_width * sizeof(double);
 
 	if (!nb->wanted) {

@@ -133,16 +133,20 @@ void ts_pair_fingerprint(const struct ts_instance *self, const struct tsim *sim,
 	ts_coeffs_fingerprint(&pair->coeffs, sim, hash);
 }
 
-/* Least mass of each type, infinite where there are no particles. */
-static double *least_masses(const struct ts_particles *p)
+/* The two largest inverse masses of each type, frozen particles having 0; -1 where there is none. */
+static double (*largest_inverse_masses(const struct ts_particles *p))[2]
 {
-	double *least = ts_alloc((size_t)p->ntypes + 1, sizeof *least);
+	double(*most)[2] = ts_alloc((size_t)p->ntypes + 1, sizeof *most);
 
-	for (int t = 0; least && t <= p->ntypes; t++)
-		least[t] = INFINITY;
-	for (size_t i = 0; least && i < p->n; i++)
-		least[p->type[i]] = fmin(least[p->type[i]], p->mass[i]);
-	return least;
+	for (int t = 0; most && t <= p->ntypes; t++)
+		most[t][0] = most[t][1] = -1;
+	for (size_t i = 0; most && i < p->n; i++) {
+		double *m = most[p->type[i]], inverse = p->imass[i];
+
+		m[1] = fmax(m[1], fmin(m[0], inverse));
+		m[0] = fmax(m[0], inverse);
+	}
+	return most;
 }
 
 enum ts_status ts_pair_plan(struct ts_instance *self, struct tsim *sim,
@@ -150,21 +154,22 @@ enum ts_status ts_pair_plan(struct ts_instance *self, struct tsim *sim,
 {
 	const struct ts_pair_style *style = ts_pair_style_of(self);
 	const struct ts_pair *pair = self->state;
-	double *least = least_masses(sim->particles);
-	enum ts_status status = least ? TS_OK : ts_nomem(&sim->error);
+	double(*most)[2] = largest_inverse_masses(sim->particles);
+	enum ts_status status = most ? TS_OK : ts_nomem(&sim->error);
 
 	for (int a = 1; status == TS_OK && a <= pair->ntypes; a++) {
 		for (int b = a; status == TS_OK && b <= pair->ntypes; b++) {
-			double mass = 1 / (1 / least[a] + 1 / least[b]);
+			double one = most[a][0], other = most[b][a == b], mass = 1 / (one + other);
 
-			if (isinf(least[a]) || isinf(least[b]))
+			/* no such pair, or both are held */
+			if (one < 0 || other < 0 || one + other == 0)
 				continue;
 			status = ts_report_limit(report, style->limit(ts_pair_coeff(pair, a, b), mass),
 						 true, &self->where,
 						 "a contact of types %d and %d (m* = %.4g)", a, b, mass);
 		}
 	}
-	ts_free(least);
+	ts_free(most);
 	return status;
 }
 

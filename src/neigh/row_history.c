@@ -4,30 +4,36 @@
 
 #include "base/banned.h"
 
-/* The key of a row, and whether its i has the larger tag. Opposite images have codes that add up to
- * 2 TS_IMAGE_SELF. */
+static int32_t opposite(int32_t winding)
+{
+	const int32_t turns[3] = { -(winding & 1023), -(winding >> 10 & 1023),
+				   -(winding >> 20 & 1023) };
+
+	return ts_winding(turns);
+}
+
+/* The key of a row, and whether its i has the larger tag. */
 static struct ts_row_key key_of(const struct ts_rows *rows, size_t r, bool *swapped)
 {
 	int32_t a = rows->tag[0][r], b = rows->tag[1][r];
-	uint8_t image = rows->image[r];
-	uint8_t opposite = (uint8_t)(2 * TS_IMAGE_SELF - image);
+	int32_t there = rows->winding[r], back = opposite(there);
 
-	*swapped = a > b || (a == b && image < opposite);
+	*swapped = a > b || (a == b && there < back);
 	if (*swapped)
-		return (struct ts_row_key){ { b, a }, opposite };
-	return (struct ts_row_key){ { a, b }, image };
+		return (struct ts_row_key){ { b, a }, back };
+	return (struct ts_row_key){ { a, b }, there };
 }
 
 static bool same(const struct ts_row_key *a, const struct ts_row_key *b)
 {
-	return a->tag[0] == b->tag[0] && a->tag[1] == b->tag[1] && a->image == b->image;
+	return a->tag[0] == b->tag[0] && a->tag[1] == b->tag[1] && a->winding == b->winding;
 }
 
 static size_t hash(const struct ts_row_key *k)
 {
 	uint64_t h = (uint64_t)(uint32_t)k->tag[0] << 32 | (uint32_t)k->tag[1];
 
-	h = (h ^ (uint32_t)k->image) * 0x9fb21c651e98df25u;
+	h = (h ^ (uint32_t)k->winding) * 0x9fb21c651e98df25u;
 	return (size_t)(h ^ (h >> 29));
 }
 
@@ -47,31 +53,38 @@ static void copy_signed(double *to, const double *from, size_t width, const sign
 		to[c] = swapped && sign[c] < 0 ? -from[c] : from[c];
 }
 
-static enum ts_status allocate(struct tsim *sim, struct ts_row_history *h, size_t n)
+static enum ts_status allocate(struct tsim *sim, struct ts_row_history *h, size_t n, bool forces)
 {
 	for (h->slots = 16; h->slots < 2 * n; h->slots *= 2)
 		;
 	h->key = ts_alloc(n, sizeof *h->key);
 	h->value = ts_alloc(n * h->width, sizeof *h->value);
 	h->slot = ts_alloc(h->slots, sizeof *h->slot);
-	if (!h->key || !h->value || !h->slot) {
+	h->force = forces ? ts_alloc(n, sizeof *h->force) : NULL;
+	if (!h->key || !h->value || !h->slot || (forces && !h->force)) {
 		ts_row_history_release(h);
 		return ts_nomem(&sim->error);
 	}
 	return TS_OK;
 }
 
-enum ts_status ts_row_history_take(struct tsim *sim, const struct ts_rows *rows,
+static void copy_force(double to[3], const double from[3], bool swapped)
+{
+	for (int k = 0; k < 3; k++)
+		to[k] = swapped ? -from[k] : from[k];
+}
+
+enum ts_status ts_row_history_take(struct tsim *sim, const struct ts_rows *rows, bool forces,
 				   struct ts_row_history *h)
 {
 	size_t n = 0;
 
 	*h = (struct ts_row_history){ .width = rows->history_width };
-	for (size_t r = 0; h->width && r < rows->n; r++)
+	for (size_t r = 0; (h->width || forces) && r < rows->n; r++)
 		n += rows->touching[r];
 	if (!n)
 		return TS_OK;
-	TS_TRY(allocate(sim, h, n));
+	TS_TRY(allocate(sim, h, n, forces));
 	for (size_t r = 0; r < rows->n; r++) {
 		bool swapped;
 		int32_t *slot;
@@ -80,10 +93,16 @@ enum ts_status ts_row_history_take(struct tsim *sim, const struct ts_rows *rows,
 			continue;
 		h->key[h->n] = key_of(rows, r, &swapped);
 		slot = find(h, &h->key[h->n]);
-		if (*slot)
-			continue; /* the other side's row of a pair with a ghost */
-		copy_signed(h->value + h->n * h->width, rows->history + r * h->width, h->width,
-			    rows->history_sign, swapped);
+		if (*slot) { /* the other side's row of a pair with a ghost */
+			if (forces && !swapped)
+				copy_force(h->force[*slot - 1], rows->force[r], false);
+			continue;
+		}
+		if (forces)
+			copy_force(h->force[h->n], rows->force[r], swapped);
+		if (h->width)
+			copy_signed(h->value + h->n * h->width, rows->history + r * h->width,
+				    h->width, rows->history_sign, swapped);
 		*slot = (int32_t)++h->n;
 	}
 	return TS_OK;
@@ -99,8 +118,12 @@ void ts_row_history_give(const struct ts_row_history *h, struct ts_rows *rows)
 		if (!slot)
 			continue;
 		rows->touching[r] = 1;
-		copy_signed(rows->history + r * h->width, h->value + (size_t)(slot - 1) * h->width,
-			    h->width, rows->history_sign, swapped);
+		if (h->width)
+			copy_signed(rows->history + r * h->width,
+				    h->value + (size_t)(slot - 1) * h->width, h->width,
+				    rows->history_sign, swapped);
+		if (h->force)
+			copy_force(rows->force[r], h->force[slot - 1], swapped);
 	}
 }
 
@@ -109,6 +132,7 @@ void ts_row_history_release(struct ts_row_history *h)
 	ts_free(h->key);
 	ts_free(h->value);
 	ts_free(h->slot);
+	ts_free(h->force);
 	*h = (struct ts_row_history){ 0 };
 }
 
@@ -143,11 +167,12 @@ enum ts_status ts_row_history_archive(struct ts_archive *archive, struct tsim *s
 		ts_row_history_release(h);
 		h->width = (size_t)size[1];
 		if (size[0])
-			TS_TRY(allocate(sim, h, (size_t)size[0]));
+			TS_TRY(allocate(sim, h, (size_t)size[0], true));
 		h->n = (size_t)size[0];
 	}
 	TS_TRY(ts_archive_fixed(archive, "history_keys", TS_SAVED_I32, h->key, 3 * h->n));
 	TS_TRY(ts_archive_fixed(archive, "history", TS_SAVED_F64, h->value, h->n * h->width));
+	TS_TRY(ts_archive_fixed(archive, "forces", TS_SAVED_F64, h->force, 3 * h->n));
 	for (size_t k = 0; !ts_archive_writing(archive) && k < h->n; k++)
 		*find(h, &h->key[k]) = (int32_t)k + 1;
 	return TS_OK;

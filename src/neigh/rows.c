@@ -90,6 +90,18 @@ static uint8_t image_of(const struct ts_particles *p, size_t j)
 	return j < p->n ? TS_IMAGE_SELF : ts_image_code(p->ghost_shift[j - p->n]);
 }
 
+/* x_i - x_j + turns L is the distance of the unwrapped positions: it stays when one is wrapped. */
+static int32_t winding_of(const struct ts_particles *p, size_t i, size_t j)
+{
+	size_t owner = j < p->n ? j : (size_t)p->ghost_owner[j - p->n];
+	int32_t turns[3];
+
+	for (int k = 0; k < 3; k++)
+		turns[k] = p->image[i][k] - p->image[owner][k] +
+			   (j < p->n ? 0 : p->ghost_shift[j - p->n][k]);
+	return ts_winding(turns);
+}
+
 /* Order of partners: identity, then image. */
 static bool before(const struct ts_particles *p, size_t a, size_t b)
 {
@@ -139,6 +151,7 @@ static enum ts_status reserve(struct ts_rows *rows, size_t n)
 	GROW_COLUMN(tag[0]);
 	GROW_COLUMN(tag[1]);
 	GROW_COLUMN(image);
+	GROW_COLUMN(winding);
 	GROW_COLUMN(force);
 	GROW_COLUMN(touching);
 #undef GROW_COLUMN
@@ -163,6 +176,7 @@ static void fill_rows(struct ts_rows *rows, const struct ts_particles *p, const 
 			rows->tag[0][r] = p->tag[i];
 			rows->tag[1][r] = p->tag[j];
 			rows->image[r] = image_of(p, j);
+			rows->winding[r] = winding_of(p, i, j);
 			rows->touching[r] = 0;
 		}
 	}
@@ -242,7 +256,7 @@ static enum ts_status build(struct tsim *sim, struct ts_rows *rows, const struct
 	TS_TRY(search_all(sim, s, found, shares));
 	for (int t = 0; t < shares; t++)
 		total += found[t].n;
-	TS_TRY(ts_row_history_take(sim, rows, &old));
+	TS_TRY(ts_row_history_take(sim, rows, sim->resuming, &old));
 	status = reserve(rows, total);
 	if (status == TS_OK) {
 		rows->n = total;
@@ -305,6 +319,7 @@ void ts_rows_release(struct ts_rows *rows)
 	ts_free(rows->tag[0]);
 	ts_free(rows->tag[1]);
 	ts_free(rows->image);
+	ts_free(rows->winding);
 	ts_free(rows->force);
 	ts_free(rows->touching);
 	ts_free(rows->history);

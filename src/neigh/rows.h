@@ -20,6 +20,7 @@ struct ts_rows {
 	int32_t *i, *j;     /* rows of the particle columns; i local, j local or ghost */
 	int32_t *tag[2];    /* identities of i and j */
 	uint8_t *image;     /* which image of j: 13 = itself; see ts_image_code */
+	int32_t *winding;   /* which image, in a way that wrapping does not change; ts_winding */
 	double (*force)[3]; /* on i; j gets the opposite. Zero where not touching */
 	uint8_t *touching;
 	double *history;    /* history_width numbers per row; zero where never touched */
@@ -38,6 +39,12 @@ enum { TS_IMAGE_SELF = 13 };
 static inline uint8_t ts_image_code(const int8_t shift[3])
 {
 	return (uint8_t)(TS_IMAGE_SELF + shift[0] + 3 * shift[1] + 9 * shift[2]);
+}
+
+/* Box lengths between two images as seen without periodic wrapping, each modulo 1024. */
+static inline int32_t ts_winding(const int32_t turns[3])
+{
+	return (turns[0] & 1023) | (turns[1] & 1023) << 10 | (turns[2] & 1023) << 20;
 }
 
 /* Builds rows of all pairs of particles (xhold) nearer than r_i + r_j + skin, at least one of them of

@@ -23,7 +23,7 @@
 	X(F, f, double, 3, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_RESULT)                           \
 	X(RADIUS, radius, double, 1, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_BORDER)                 \
 	X(MASS, mass, double, 1, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_BORDER)                     \
-	X(IMASS, imass, double, 1, TS_COL_ALWAYS | TS_COL_BORDER)                                  \
+	X(IMASS, imass, double, 1, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_BORDER)                               \
 	X(XHOLD, xhold, double, 3, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_BORDER | TS_COL_RESULT)   \
 	X(OMEGA, omega, double, 3, TS_COL_SAVED | TS_COL_BORDER | TS_COL_FORWARD)                  \
 	X(TORQUE, torque, double, 3, TS_COL_SAVED | TS_COL_RESULT)

@@ -108,10 +108,13 @@ static enum ts_status read_quoted(struct ts_expr *e, struct ts_operand *out)
 
 static enum ts_status read_name(struct ts_expr *e, struct ts_operand *out)
 {
+	const char *s = e->text + e->at, *name;
 	size_t at = e->at;
-	const char *name;
+	bool word = e->condition && !(s[1] == '_' && strchr("cfv", s[0]));
 
-	while (isalnum((unsigned char)e->text[e->at]) || e->text[e->at] == '_')
+	/* a bare word of a condition may be a path; v_x/2 is a quotient */
+	while (isalnum((unsigned char)e->text[e->at]) || e->text[e->at] == '_' ||
+	       (word && e->text[e->at] && strchr("/.", e->text[e->at])))
 		e->at++;
 	name = ts_expr_copy(e, at, e->at);
 	return name ? ts_expr_name(e, name, at, out) : TS_NOMEM;

@@ -25,6 +25,8 @@ TS_STYLE(command, ts_command_style, ts_command_create_box)
 TS_STYLE(command, ts_command_style, ts_command_delete_atoms)
 TS_STYLE(command, ts_command_style, ts_command_delete_bonds)
 TS_STYLE(command, ts_command_style, ts_command_dimension)
+TS_STYLE(command, ts_command_style, ts_command_dump)
+TS_STYLE(command, ts_command_style, ts_command_dump_modify)
 TS_STYLE(command, ts_command_style, ts_command_echo)
 TS_STYLE(command, ts_command_style, ts_command_fix)
 TS_STYLE(command, ts_command_style, ts_command_fix_modify)
@@ -46,17 +48,26 @@ TS_STYLE(command, ts_command_style, ts_command_pair_style)
 TS_STYLE(command, ts_command_style, ts_command_print)
 TS_STYLE(command, ts_command_style, ts_command_processors)
 TS_STYLE(command, ts_command_style, ts_command_quit)
+TS_STYLE(command, ts_command_style, ts_command_read_restart)
 TS_STYLE(command, ts_command_style, ts_command_region)
 TS_STYLE(command, ts_command_style, ts_command_reset_timestep)
+TS_STYLE(command, ts_command_style, ts_command_restart)
 TS_STYLE(command, ts_command_style, ts_command_run)
 TS_STYLE(command, ts_command_style, ts_command_set)
 TS_STYLE(command, ts_command_style, ts_command_shell)
+TS_STYLE(command, ts_command_style, ts_command_thermo)
+TS_STYLE(command, ts_command_style, ts_command_thermo_log)
+TS_STYLE(command, ts_command_style, ts_command_thermo_modify)
+TS_STYLE(command, ts_command_style, ts_command_thermo_style)
 TS_STYLE(command, ts_command_style, ts_command_timestep)
 TS_STYLE(command, ts_command_style, ts_command_uncompute)
+TS_STYLE(command, ts_command_style, ts_command_undump)
 TS_STYLE(command, ts_command_style, ts_command_unfix)
 TS_STYLE(command, ts_command_style, ts_command_units)
 TS_STYLE(command, ts_command_style, ts_command_variable)
 TS_STYLE(command, ts_command_style, ts_command_velocity)
+TS_STYLE(command, ts_command_style, ts_command_write_dump)
+TS_STYLE(command, ts_command_style, ts_command_write_restart)
 TS_STYLE(compute, ts_style, ts_compute_bonds)
 TS_STYLE(compute, ts_style, ts_compute_com)
 TS_STYLE(compute, ts_style, ts_compute_contacts)
@@ -68,7 +79,9 @@ TS_STYLE(dump, ts_style, ts_dump_custom)
 TS_STYLE(dump, ts_style, ts_dump_custom_vtk)
 TS_STYLE(dump, ts_style, ts_dump_local)
 TS_STYLE(dump, ts_style, ts_dump_local_vtk)
+TS_STYLE(dump, ts_style, ts_dump_restart)
 TS_STYLE(fix, ts_style, ts_fix_addforce)
+TS_STYLE(fix, ts_style, ts_fix_ave_time)
 TS_STYLE(fix, ts_style, ts_fix_bond_breakage)
 TS_STYLE(fix, ts_style, ts_fix_drag_stokes)
 TS_STYLE(fix, ts_style, ts_fix_drill_bit)
@@ -78,7 +91,9 @@ TS_STYLE(fix, ts_style, ts_fix_nve)
 TS_STYLE(fix, ts_style, ts_fix_nve_euler)
 TS_STYLE(fix, ts_style, ts_fix_nve_sphere)
 TS_STYLE(fix, ts_style, ts_fix_nve_symplectic)
+TS_STYLE(fix, ts_style, ts_fix_print)
 TS_STYLE(fix, ts_style, ts_fix_setforce)
+TS_STYLE(fix, ts_style, ts_fix_vector)
 TS_STYLE(fix, ts_style, ts_fix_viscous)
 TS_STYLE(fix, ts_style, ts_fix_wall_gran)
 TS_STYLE(flow, ts_flow_style, ts_flow_uniform)
@@ -109,6 +124,8 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_command_delete_atoms.style,
 	&ts_command_delete_bonds.style,
 	&ts_command_dimension.style,
+	&ts_command_dump.style,
+	&ts_command_dump_modify.style,
 	&ts_command_echo.style,
 	&ts_command_fix.style,
 	&ts_command_fix_modify.style,
@@ -130,17 +147,26 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_command_print.style,
 	&ts_command_processors.style,
 	&ts_command_quit.style,
+	&ts_command_read_restart.style,
 	&ts_command_region.style,
 	&ts_command_reset_timestep.style,
+	&ts_command_restart.style,
 	&ts_command_run.style,
 	&ts_command_set.style,
 	&ts_command_shell.style,
+	&ts_command_thermo.style,
+	&ts_command_thermo_log.style,
+	&ts_command_thermo_modify.style,
+	&ts_command_thermo_style.style,
 	&ts_command_timestep.style,
 	&ts_command_uncompute.style,
+	&ts_command_undump.style,
 	&ts_command_unfix.style,
 	&ts_command_units.style,
 	&ts_command_variable.style,
 	&ts_command_velocity.style,
+	&ts_command_write_dump.style,
+	&ts_command_write_restart.style,
 	&ts_compute_bonds,
 	&ts_compute_com,
 	&ts_compute_contacts,
@@ -152,7 +178,9 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_dump_custom_vtk,
 	&ts_dump_local,
 	&ts_dump_local_vtk,
+	&ts_dump_restart,
 	&ts_fix_addforce,
+	&ts_fix_ave_time,
 	&ts_fix_bond_breakage,
 	&ts_fix_drag_stokes,
 	&ts_fix_drill_bit,
@@ -162,7 +190,9 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_nve_euler,
 	&ts_fix_nve_sphere,
 	&ts_fix_nve_symplectic,
+	&ts_fix_print,
 	&ts_fix_setforce,
+	&ts_fix_vector,
 	&ts_fix_viscous,
 	&ts_fix_wall_gran,
 	&ts_flow_uniform.style,

@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "law/spring_dashpot.h"
+
 #include "base/banned.h"
 
 struct contact_bond {
@@ -34,6 +36,14 @@ static double stiffness(const void *coeff)
 	return ((const struct coeff *)coeff)->stiffness;
 }
 
+static double limit(const void *coeff, double mass)
+{
+	const struct coeff *c = coeff;
+	const struct ts_spring_dashpot same = { .stiffness = c->stiffness, .constant = c->damping };
+
+	return ts_spring_dashpot_limit(&same, mass);
+}
+
 static const struct ts_arg coeff_rows[] = {
 	TS_REAL("stiffness", struct coeff, stiffness, .range = TS_POSITIVE, .unit = "force/length",
 		.help = "spring constant K between the centres"),
@@ -54,8 +64,9 @@ const struct ts_bond_style ts_bond_contact = {
 			  "|F| > ultimate, in tension or compression; breakages are counted (thermo "
 			  "keyword brokenbonds) and listed with time and place (fix bond/breakage).\n\n"
 			  "Bonded particles that overlap also feel the pair style. A single bond is "
-			  "stable for steps below 2 sqrt(m*/K); for a network, Gershgorin's bound "
-			  "2/sqrt(2 max_i sum K/m_i) is reported as advice.",
+			  "stable for steps below 2 sqrt(m*/K), with damping below "
+			  "2 (sqrt(w^2 + g^2) - g)/w^2, w^2 = K/m*, g = damping/(2 m*); for a network, "
+			  "Gershgorin's bound 2/sqrt(2 max_i sum K/m_i) is reported as advice.",
 		   .example = "bond_style contact\n"
 			      "bond_coeff 1 stiffness 2.0e5 ultimate 3.0\n"
 			      "create_bonds many rock rock 1 0.0 1.05e-3",
@@ -72,4 +83,5 @@ const struct ts_bond_style ts_bond_contact = {
 	.complete = complete,
 	.law = law,
 	.stiffness = stiffness,
+	.limit = limit,
 };

@@ -55,8 +55,11 @@ static const struct ts_arg args[] = {
 		.help = "text of an additional ITEM: LABEL of each frame"),
 	TS_ENUM("flush", struct state, flush, answers, .flags = TS_OPTIONAL,
 		.help = "no effect: every frame is handed to the system at once"),
-	{ .name = "format", .type = TS_ARG_MODE, .flags = TS_OPTIONAL,
-	  .offset = TS_FIELD(struct state, changes.format_kind, int *), .modes = formats,
+	{ .name = "format",
+	  .type = TS_ARG_MODE,
+	  .flags = TS_OPTIONAL,
+	  .offset = TS_FIELD(struct state, changes.format_kind, int *),
+	  .modes = formats,
 	  .help = "how numbers are written" },
 	TS_ARGS_END,
 };

@@ -48,7 +48,9 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 static const struct ts_arg args[] = {
 	TS_INT("every", struct state, every, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
 	       .help = "steps between files; 0: none"),
-	{ .name = "files", .type = TS_ARG_REST, .flags = TS_POSITIONAL | TS_OPTIONAL,
+	{ .name = "files",
+	  .type = TS_ARG_REST,
+	  .flags = TS_POSITIONAL | TS_OPTIONAL,
 	  .offset = TS_FIELD(struct state, files, struct ts_words *),
 	  .help = "one file name, `*` stands for the step, or two to be written in turn" },
 	TS_ARGS_END,

@@ -10,7 +10,7 @@
 
 struct run {
 	int64_t steps;
-	bool upto, pre, post;
+	bool upto, pre, post, unsafe;
 	struct ts_words pieces; /* M and the commands after each M steps */
 };
 
@@ -63,6 +63,7 @@ static enum ts_status run_plan(struct ts_plan *plan, struct tsim *sim, int64_t s
 {
 	sim->clock.first_step = sim->clock.step;
 	sim->clock.last_step = sim->clock.step + steps;
+	sim->unsafe = r->unsafe;
 	TS_TRY(ts_plan_compile(plan, sim));
 	TS_TRY(ts_plan_run(plan, sim, r->pre));
 	if (sim->explain)
@@ -126,6 +127,8 @@ static const struct ts_arg args[] = {
 	TS_BOOL("pre", struct run, pre, .fallback = "yes",
 		.help = "set up before the run; no: go on as after the last step"),
 	TS_BOOL("post", struct run, post, .fallback = "yes", .help = "print the timing summary"),
+	TS_BOOL("unsafe", struct run, unsafe, .fallback = "no",
+		.help = "step beyond the stability limit with a warning instead of an error"),
 	TS_REST_KEYWORD("every", struct run, pieces,
 			.help = "M and quoted commands: interrupt every M steps to execute them"),
 	TS_ARGS_END,
@@ -141,7 +144,9 @@ const struct ts_command_style ts_command_run = {
 			  "only if something they depend on has changed since the last step, so that a "
 			  "run cut into several is the same, bit for bit.\n\n"
 			  "`every M \"command\" ...` interrupts the run every M steps to execute the "
-			  "commands; variables in them are substituted each time.",
+			  "commands; variables in them are substituted each time.\n\n"
+			  "A step beyond a limit of stability is refused. `unsafe yes` only warns: for "
+			  "tests of the limits themselves.",
 		   .example = "run 20000\nrun 100000 upto\nrun 5000 every 1000 \"print 'step $(step)'\"",
 		   .args = args,
 		   .state_size = sizeof(struct run) },

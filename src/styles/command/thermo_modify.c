@@ -48,8 +48,11 @@ static const struct ts_arg args[] = {
 		.help = "no effect: every row is handed to the system at once"),
 	TS_ENUM("line", struct state, line, lines, .flags = TS_OPTIONAL,
 		.help = "rows are always written on one line"),
-	{ .name = "format", .type = TS_ARG_MODE, .flags = TS_OPTIONAL,
-	  .offset = TS_FIELD(struct state, format_kind, int *), .modes = formats,
+	{ .name = "format",
+	  .type = TS_ARG_MODE,
+	  .flags = TS_OPTIONAL,
+	  .offset = TS_FIELD(struct state, format_kind, int *),
+	  .modes = formats,
 	  .help = "how numbers are written" },
 	TS_ARGS_END,
 };

@@ -48,7 +48,8 @@ static const struct ts_arg args[] = {
 	TS_WORD("file", struct state, vtk.common.file, .flags = TS_POSITIONAL,
 		.help = "name of the frames, ending in .vtp, with a `*` for the step"),
 	TS_REST("columns", struct state, vtk.names,
-		.help = "what to write: id, type, vx, vy, vz, radius ..., c_ID[k], f_ID[k], v_NAME"),
+		.help = "what to write: id, type, vx, vy, vz, radius ..., c_ID[k], f_ID[k], "
+			"v_NAME"),
 	TS_ARGS_END,
 };
 
@@ -63,10 +64,14 @@ const struct ts_style ts_dump_custom_vtk = {
 	.name = "custom/vtk",
 	.kind = TS_KIND_DUMP,
 	.summary = "Particles as points with quantities for ParaView (.vtp and .pvd)",
-	.doc = "Writes a compressed VTK XML file per frame and a collection (.pvd, named like the frames\n"
-	       "without the `*`) that gives each its time; open that in ParaView. Positions are always\n"
-	       "written. Components become vectors: vx vy vz is written as v, fx fy fz as f, three columns\n"
-	       "c_ID[1] c_ID[2] c_ID[3] as c_ID[1-3]. The collection is renamed into place, so it is complete\n"
+	.doc = "Writes a compressed VTK XML file per frame and a collection (.pvd, named like the "
+	       "frames\n"
+	       "without the `*`) that gives each its time; open that in ParaView. Positions are "
+	       "always\n"
+	       "written. Components become vectors: vx vy vz is written as v, fx fy fz as f, three "
+	       "columns\n"
+	       "c_ID[1] c_ID[2] c_ID[3] as c_ID[1-3]. The collection is renamed into place, so it "
+	       "is complete\n"
 	       "at any time.",
 	.example = "dump rock all custom/vtk 1000 post/rock*.vtp id type x y z vx vy vz radius",
 	.args = args,

@@ -31,8 +31,7 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 
 static const struct ts_arg args[] = {
 	TS_DUMP_ARGS(struct state),
-	TS_REST("columns", struct state, names,
-		.help = "what to write: index, c_ID[k], f_ID[k]"),
+	TS_REST("columns", struct state, names, .help = "what to write: index, c_ID[k], f_ID[k]"),
 	TS_ARGS_END,
 };
 
@@ -43,9 +42,11 @@ const struct ts_style ts_dump_local = {
 	.name = "local",
 	.kind = TS_KIND_DUMP,
 	.summary = "Rows of computes and fixes, such as bonds and contacts, as text",
-	.doc = "All columns must have the same number of rows. Rows are ordered by their columns from left to\n"
+	.doc = "All columns must have the same number of rows. Rows are ordered by their columns "
+	       "from left to\n"
 	       "right (dump_modify sort off: as they come); index counts them as they are written.",
-	.example = "dump bonds all local 1000 post/bonds.dump index c_bonds[1] c_bonds[2] c_bonds[3]",
+	.example =
+		"dump bonds all local 1000 post/bonds.dump index c_bonds[1] c_bonds[2] c_bonds[3]",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.saved = saved,

@@ -26,8 +26,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static enum ts_status find_row(struct ts_instance *self, struct tsim *sim, const int32_t *row_of_tag,
-			       double id, int32_t *row)
+static enum ts_status find_row(struct ts_instance *self, struct tsim *sim,
+			       const int32_t *row_of_tag, double id, int32_t *row)
 {
 	if (id >= 1 && id <= sim->particles->max_tag && floor(id) == id)
 		*row = row_of_tag[(int32_t)id];
@@ -36,7 +36,8 @@ static enum ts_status find_row(struct ts_instance *self, struct tsim *sim, const
 	if (*row >= 0)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, &self->where,
-		       "dump local/vtk: %g in the first two columns is not the id of a particle", id);
+		       "dump local/vtk: %g in the first two columns is not the id of a particle",
+		       id);
 }
 
 /* The second end is the image nearest to the first. */
@@ -101,7 +102,8 @@ static const struct ts_arg args[] = {
 	TS_WORD("file", struct state, vtk.common.file, .flags = TS_POSITIONAL,
 		.help = "name of the frames, ending in .vtp, with a `*` for the step"),
 	TS_REST("columns", struct state, vtk.names,
-		.help = "c_ID[k] or f_ID[k]; the first two are the ids of the particles at the ends"),
+		.help = "c_ID[k] or f_ID[k]; the first two are the ids of the particles at the "
+			"ends"),
 	TS_ARGS_END,
 };
 
@@ -116,8 +118,10 @@ const struct ts_style ts_dump_local_vtk = {
 	.name = "local/vtk",
 	.kind = TS_KIND_DUMP,
 	.summary = "Bonds or contacts as lines between particles for ParaView (.vtp and .pvd)",
-	.doc = "The first two columns are the ids of the particles at the ends; a line is drawn from the first\n"
-	       "to the nearest image of the second. All columns are written as data of the lines. Files as\n"
+	.doc = "The first two columns are the ids of the particles at the ends; a line is drawn "
+	       "from the first\n"
+	       "to the nearest image of the second. All columns are written as data of the lines. "
+	       "Files as\n"
 	       "with dump custom/vtk.",
 	.example = "dump bonds all local/vtk 1000 post/bonds*.vtp c_bonds[1] c_bonds[2] c_bonds[3]",
 	.args = args,

@@ -48,7 +48,8 @@ const struct ts_style ts_dump_restart = {
 	.name = "restart",
 	.kind = TS_KIND_DUMP,
 	.summary = "Saves the whole state at intervals",
-	.doc = "As write_restart, every N steps. Define it after all other dumps: it then knows which frames they\n"
+	.doc = "As write_restart, every N steps. Define it after all other dumps: it then knows "
+	       "which frames they\n"
 	       "have written, and a continued run does not write one twice.",
 	.example = "dump save all restart 10000 a.restart b.restart",
 	.args = args,

@@ -1,0 +1,100 @@
+/* Fix print: a line of text at intervals. */
+#include "core/sim.h"
+#include "io/textfile.h"
+
+#include "base/banned.h"
+
+struct state {
+	int64_t every;
+	const char *text;
+	const char *file, *append, *title;
+	bool screen;
+	struct ts_textfile out;
+	struct ts_str line;
+};
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	const struct state *s = self->state;
+
+	if (s->file && s->append)
+		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+			       "fix print: expected either file or append, found both");
+	return TS_OK;
+}
+
+static enum ts_status open_file(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	const char *path = s->file ? s->file : s->append;
+
+	if (!path || ts_textfile_is_open(&s->out))
+		return TS_OK;
+	TS_TRY(ts_textfile_open(&s->out, &sim->error, &self->where, path, s->append != NULL));
+	if (!s->title)
+		return ts_textfile_printf(&s->out, "# Fix print output for fix %s\n", self->id);
+	if (ts_streq(s->title, "none"))
+		return TS_OK;
+	return ts_textfile_printf(&s->out, "%s\n", s->title);
+}
+
+static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	if (sim->clock.step % s->every != 0)
+		return TS_OK;
+	ts_str_clear(&s->line);
+	if (sim->host)
+		TS_TRY(sim->host->substitute(sim->host_data, s->text, &self->where, &s->line));
+	else
+		ts_str_add(&s->line, s->text);
+	if (s->line.failed)
+		return ts_nomem(&sim->error);
+	if (s->screen)
+		ts_log(&sim->log, "%s\n", ts_str_text(&s->line));
+	TS_TRY(open_file(self, sim));
+	if (!ts_textfile_is_open(&s->out))
+		return TS_OK;
+	TS_TRY(ts_textfile_printf(&s->out, "%s\n", ts_str_text(&s->line)));
+	return ts_textfile_flush(&s->out);
+}
+
+static void fini(struct ts_instance *self)
+{
+	struct state *s = self->state;
+
+	ts_textfile_close(&s->out);
+	ts_str_release(&s->line);
+}
+
+static const struct ts_arg args[] = {
+	TS_INT("every", struct state, every, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+	       .help = "steps between lines"),
+	TS_WORD("text", struct state, text, .flags = TS_POSITIONAL,
+		.help = "the text in quotes; variables in it are replaced each time"),
+	TS_WORD("file", struct state, file, .flags = TS_OPTIONAL, .help = "file to write anew"),
+	TS_WORD("append", struct state, append, .flags = TS_OPTIONAL, .help = "file to continue"),
+	TS_BOOL("screen", struct state, screen, .fallback = "yes",
+		.help = "also on the screen and in the log"),
+	TS_WORD("title", struct state, title, .flags = TS_OPTIONAL,
+		.help = "first line of the file instead of '# Fix print output for fix ID'; none: "
+			"no such line"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(fix, ts_style, ts_fix_print)
+const struct ts_style ts_fix_print = {
+	.name = "print",
+	.kind = TS_KIND_FIX,
+	.summary = "Prints a line of text at intervals",
+	.doc = "The line is printed at the end of each step that is a multiple of N; ${name} and "
+	       "$(formula) in\n"
+	       "it are replaced by their values at that time.",
+	.example = "fix depth all print 1000 \"$(step) ${depth}\" file post/depth.txt screen no",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.init = init,
+	.hook[TS_STAGE_END_OF_STEP] = end_of_step,
+	.fini = fini,
+};

@@ -1,0 +1,44 @@
+# For shell tests: a folder of their own, counted cases, and the last line they end with.
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 99
+passed=0
+failed=0
+
+# report WHAT STATUS [FILE]: counts a case; where it failed the file is shown
+report() {
+	if [ "$2" = 0 ]; then
+		passed=$((passed + 1))
+		return
+	fi
+	failed=$((failed + 1))
+	echo "off: $1"
+	[ -n "${3-}" ] && tail -n 20 "$3"
+	return 0
+}
+
+# same WHAT FILE FILE: byte for byte, and not empty
+same() {
+	{ [ -s "$2" ] && cmp "$2" "$3"; } >difference 2>&1
+	report "$1" $? difference
+}
+
+# The rows of the thermo tables of a log, without the repeated ones where one run follows another.
+rows() {
+	grep -hE '^ +[0-9]+ +[-+0-9.e ]+$' "$@" | uniq
+}
+
+# refused WHAT TEXT ARGUMENTS...: exit status 1 and a message that has the text
+refused() {
+	local what=$1 text=$2
+	shift 2
+	"$TSIM" -log none "$@" >out 2>err </dev/null
+	[ $? = 1 ] && grep -qF -- "$text" err
+	report "$what" $? err
+}
+
+finish() {
+	echo "$passed passed, $failed failed"
+	[ "$failed" = 0 ] && [ "$passed" -gt 0 ]
+	exit
+}
