@@ -9,6 +9,8 @@ library_sources = \
 	src/base/hash.h \
 	src/base/log.c \
 	src/base/log.h \
+	src/base/parallel.c \
+	src/base/parallel.h \
 	src/base/status.c \
 	src/base/status.h \
 	src/base/str.c \

@@ -103,7 +103,7 @@ FILE *deck_table(const char *title)
 
 	ck_assert_msg(!path || file, "cannot write %s", path);
 	if (file)
-		fprintf(file, "%s\n\n", title);
+		fprintf(file, "%s%s", title, *title ? "\n\n" : "\n");
 	return file;
 }
 

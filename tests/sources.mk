@@ -6,26 +6,41 @@ shell_tests = \
 	tests/layers.sh \
 	tests/manual_current.sh \
 	tests/restart.sh \
+	tests/stability/refusal.sh \
 	tests/styles_current.sh \
 	tests/symbols.sh \
 	tests/threads.sh
 unit_tests = \
 	tests/accuracy/check_breakage \
+	tests/accuracy/check_invariance \
+	tests/accuracy/check_momentum \
 	tests/accuracy/check_oscillator \
 	tests/accuracy/check_restitution \
 	tests/accuracy/check_settling \
 	tests/check_geom \
 	tests/check_io \
 	tests/check_math \
+	tests/check_neigh \
 	tests/check_script \
-	tests/check_styles
+	tests/check_styles \
+	tests/stability/check_limits
 tests_common = \
+	tests/cloud.c \
+	tests/cloud.h \
 	tests/deck.c \
 	tests/deck.h
 
 tests_accuracy_check_breakage_SOURCES = tests/accuracy/check_breakage.c $(tests_common)
 tests_accuracy_check_breakage_CFLAGS = $(tests_cflags)
 tests_accuracy_check_breakage_LDADD = $(tests_ldadd)
+
+tests_accuracy_check_invariance_SOURCES = tests/accuracy/check_invariance.c $(tests_common)
+tests_accuracy_check_invariance_CFLAGS = $(tests_cflags)
+tests_accuracy_check_invariance_LDADD = $(tests_ldadd)
+
+tests_accuracy_check_momentum_SOURCES = tests/accuracy/check_momentum.c $(tests_common)
+tests_accuracy_check_momentum_CFLAGS = $(tests_cflags)
+tests_accuracy_check_momentum_LDADD = $(tests_ldadd)
 
 tests_accuracy_check_oscillator_SOURCES = tests/accuracy/check_oscillator.c $(tests_common)
 tests_accuracy_check_oscillator_CFLAGS = $(tests_cflags)
@@ -51,6 +66,10 @@ tests_check_math_SOURCES = tests/check_math.c $(tests_common)
 tests_check_math_CFLAGS = $(tests_cflags)
 tests_check_math_LDADD = $(tests_ldadd)
 
+tests_check_neigh_SOURCES = tests/check_neigh.c $(tests_common)
+tests_check_neigh_CFLAGS = $(tests_cflags)
+tests_check_neigh_LDADD = $(tests_ldadd)
+
 tests_check_script_SOURCES = tests/check_script.c $(tests_common)
 tests_check_script_CFLAGS = $(tests_cflags)
 tests_check_script_LDADD = $(tests_ldadd)
@@ -58,3 +77,7 @@ tests_check_script_LDADD = $(tests_ldadd)
 tests_check_styles_SOURCES = tests/check_styles.c $(tests_common)
 tests_check_styles_CFLAGS = $(tests_cflags)
 tests_check_styles_LDADD = $(tests_ldadd)
+
+tests_stability_check_limits_SOURCES = tests/stability/check_limits.c $(tests_common)
+tests_stability_check_limits_CFLAGS = $(tests_cflags)
+tests_stability_check_limits_LDADD = $(tests_ldadd)

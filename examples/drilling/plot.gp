@@ -8,16 +8,16 @@ set bars small
 do for [format in "svg png"] {
 	if (format eq "svg") { set terminal svg size 1000,760 font 'Helvetica,13' background rgb 'white' }
 	if (format eq "png") { set terminal pngcairo size 1000,760 font 'Helvetica,11' }
-	set output 'study/study.'.format
+	set output 'results/study.'.format
 	set multiplot layout 2,2 title 'Rotary drilling of bonded rock: means over rocks, bars: standard error'
 	set yrange [0:*]
 	set ylabel 'ROP*'
 	set xlabel 'bond strength F_{ult}*'
 	set title 'thesis: falls with strength (fig. 7.6)'
-	plot 'study/Fult.dat' using 1:3:4 with yerrorlines ls 1
+	plot 'results/Fult.dat' using 1:3:4 with yerrorlines ls 1
 	set xlabel 'weight on bit WOB*'
 	set title 'thesis: rises with weight above a threshold (7.7, 7.8)'
-	plot 'study/WOB.dat' using 1:3:4 with yerrorlines ls 1
+	plot 'results/WOB.dat' using 1:3:4 with yerrorlines ls 1
 	set xlabel 'viscosity {/Symbol h}*'
 	set title 'thesis: ROP (7.9) and CER (7.10) rise'
 	set ytics nomirror
@@ -25,7 +25,7 @@ do for [format in "svg png"] {
 	set y2range [0:*]
 	set y2label 'CER*'
 	set key top left
-	plot 'study/eta.dat' using 1:3:4 with yerrorlines ls 1 title 'ROP*', \
+	plot 'results/eta.dat' using 1:3:4 with yerrorlines ls 1 title 'ROP*', \
 	     '' using 1:5:6 axes x1y2 with yerrorlines ls 2 title 'CER*'
 	set key off
 	set logscale x
@@ -33,7 +33,7 @@ do for [format in "svg png"] {
 	set title 'thesis: rises, then falls as the bit bounces (7.11)'
 	set y2label 'bounce*'
 	set key bottom center
-	plot 'study/omega.dat' using 1:3:4 with yerrorlines ls 1 title 'ROP*', \
+	plot 'results/omega.dat' using 1:3:4 with yerrorlines ls 1 title 'ROP*', \
 	     '' using 1:13:14 axes x1y2 with yerrorlines ls 2 title 'part of the time without contact'
 	set key off
 	unset logscale x

@@ -208,7 +208,7 @@ enum ts_status ts_sim_create(struct tsim *sim, enum ts_kind kind, const struct t
 			     const struct ts_place *where, struct ts_instance **out)
 {
 	struct ts_instances *list = &sim->instances[kind];
-	struct ts_instance *inst;
+	struct ts_instance *inst = NULL;
 	enum ts_status status;
 	char what[128];
 	size_t at;
@@ -245,7 +245,7 @@ enum ts_status ts_sim_choose(struct tsim *sim, enum ts_kind kind, struct ts_word
 enum ts_status ts_sim_destroy(struct tsim *sim, enum ts_kind kind, const struct ts_word *id)
 {
 	struct ts_instances *list = &sim->instances[kind];
-	struct ts_instance *inst;
+	struct ts_instance *inst = NULL;
 	size_t at = 0;
 
 	TS_TRY(ts_sim_require(sim, kind, id, &inst));

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/parallel.h"
 #include "core/plan.h"
 #include "neigh/bonds.h"
 #include "particles/domain.h"
@@ -9,43 +10,72 @@
 
 #include "base/banned.h"
 
-/* Vector from the second to the first partner, by the nearest image. */
-static void separation(const struct tsim *sim, size_t i, size_t j, double d[3])
-{
-	const struct ts_particles *p = sim->particles;
-	const struct ts_box *box = &sim->domain->box;
+struct task {
+	const struct ts_particles *p;
+	struct ts_bonds *bonds;
+	const struct ts_bond_style *style;
+	const struct ts_coeffs *coeffs;
+	double period[3]; /* length of the box where periodic, else 0 */
+};
 
+static struct task task_of(const struct tsim *sim, const struct ts_bond_style *style,
+			   const struct ts_coeffs *coeffs)
+{
+	struct task t = { sim->particles, sim->bonds, style, coeffs, { 0 } };
+
+	for (int k = 0; k < 3; k++)
+		if (ts_box_periodic(&sim->domain->box, k))
+			t.period[k] = ts_box_length(&sim->domain->box, k);
+	return t;
+}
+
+/* Vector from the second to the first partner, by the nearest image. */
+static inline void separation(const struct task *t, size_t i, size_t j, double d[3])
+{
 	for (int k = 0; k < 3; k++) {
-		d[k] = p->x[i][k] - p->x[j][k];
-		if (ts_box_periodic(box, k))
-			d[k] -= ts_box_length(box, k) * rint(d[k] / ts_box_length(box, k));
+		d[k] = t->p->x[i][k] - t->p->x[j][k];
+		if (t->period[k] > 0)
+			d[k] -= t->period[k] * rint(d[k] / t->period[k]);
 	}
 }
 
 /* Force of bond b on its first partner; false if it breaks. */
-static bool evaluate(struct tsim *sim, const struct ts_bond_style *style,
-		     const struct ts_coeffs *coeffs, size_t b)
+static inline bool evaluate(const struct task *t, size_t b)
 {
-	struct ts_bonds *bonds = sim->bonds;
-	const struct ts_particles *p = sim->particles;
+	struct ts_bonds *bonds = t->bonds;
+	const struct ts_particles *p = t->p;
 	size_t i = (size_t)bonds->row[b][0], j = (size_t)bonds->row[b][1];
 	struct ts_bond_state state = { 0 };
-	double d[3], length, tension;
+	double d[3], length, inverse, tension;
 	bool holds;
 
-	separation(sim, i, j, d);
+	separation(t, i, j, d);
 	length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+	inverse = length > 0 ? 1 / length : 0;
 	for (int k = 0; k < 3; k++)
-		d[k] = length > 0 ? d[k] / length : 0;
+		d[k] *= inverse;
 	state.extension = length - bonds->rest[b];
 	state.mass = 1 / (p->imass[i] + p->imass[j]);
 	for (int k = 0; k < 3; k++)
 		state.rate += (p->v[i][k] - p->v[j][k]) * d[k];
-	holds = style->law(ts_coeff(coeffs, (size_t)bonds->type[b]), &state, &tension);
+	holds = t->style->law(ts_coeff(t->coeffs, (size_t)bonds->type[b]), &state, &tension);
 	bonds->tension[b] = tension;
 	for (int k = 0; k < 3; k++)
 		bonds->force[b][k] = holds ? -tension * d[k] : 0;
 	return holds;
+}
+
+/* Returns the number of bonds that break. */
+static long force_share(void *context, size_t from, size_t to)
+{
+	const struct task *t = context;
+	long broken = 0;
+
+	for (size_t b = from; b < to; b++) {
+		t->bonds->breaks[b] = !evaluate(t, b);
+		broken += t->bonds->breaks[b];
+	}
+	return broken;
 }
 
 static enum ts_status record_event(struct tsim *sim, size_t b)
@@ -53,6 +83,7 @@ static enum ts_status record_event(struct tsim *sim, size_t b)
 	struct ts_bonds *bonds = sim->bonds;
 	const struct ts_particles *p = sim->particles;
 	size_t i = (size_t)bonds->row[b][0], j = (size_t)bonds->row[b][1];
+	struct task t = task_of(sim, NULL, NULL);
 	struct ts_bond_event *e;
 	double d[3];
 
@@ -64,7 +95,7 @@ static enum ts_status record_event(struct tsim *sim, size_t b)
 	e->time = ts_sim_time(sim);
 	e->force = bonds->tension[b];
 	e->type = bonds->type[b];
-	separation(sim, i, j, d);
+	separation(&t, i, j, d);
 	for (int k = 0; k < 3; k++)
 		e->x[k] = p->x[j][k] + 0.5 * d[k];
 	for (int s = 0; s < 2; s++)
@@ -85,42 +116,37 @@ static enum ts_status remove_broken(struct tsim *sim)
 	return TS_OK;
 }
 
-static void gather(struct tsim *sim)
+static void gather_share(void *context, size_t from, size_t to)
 {
-	struct ts_particles *p = sim->particles;
+	struct tsim *sim = context;
 	const struct ts_bonds *bonds = sim->bonds;
 
-#pragma omp parallel for num_threads(sim->threads) schedule(static)
-	for (size_t i = 0; i < p->n; i++) {
-		double f[3] = { 0 };
+	for (size_t i = from; i < to; i++) {
+		double *total = sim->particles->f[i], f[3] = { 0 };
 
 		for (size_t k = bonds->first[i]; k < bonds->first[i + 1]; k++) {
 			const double *force = bonds->force[bonds->entry[k] >> 1];
+			double sign = bonds->entry[k] & 1 ? -1.0 : 1.0;
 
 			for (int d = 0; d < 3; d++)
-				f[d] += bonds->entry[k] & 1 ? -force[d] : force[d];
+				f[d] += sign * force[d];
 		}
 		for (int d = 0; d < 3; d++)
-			p->f[i][d] += f[d];
+			total[d] += f[d];
 	}
 }
 
 enum ts_status ts_bond_force(struct ts_instance *self, struct tsim *sim)
 {
-	const struct ts_bond_style *style = ts_bond_style_of(self);
 	const struct ts_bond *bond = self->state;
-	struct ts_bonds *bonds = sim->bonds;
-	long nbroken = 0;
+	struct task t = task_of(sim, ts_bond_style_of(self), &bond->coeffs);
+	long broken;
 
-#pragma omp parallel for num_threads(sim->threads) schedule(static) reduction(+ : nbroken)
-	for (size_t b = 0; b < bonds->n; b++) {
-		bonds->breaks[b] = !evaluate(sim, style, &bond->coeffs, b);
-		nbroken += bonds->breaks[b];
-	}
-	if (!bonds->n)
+	if (!sim->bonds->n)
 		return TS_OK;
-	gather(sim);
-	if (!nbroken)
+	broken = ts_parallel_count(sim->threads, sim->bonds->n, force_share, &t);
+	ts_parallel(sim->threads, sim->particles->n, gather_share, sim);
+	if (!broken)
 		return TS_OK;
 	TS_TRY(remove_broken(sim));
 	return ts_bonds_index(sim);

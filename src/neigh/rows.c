@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/parallel.h"
 #include "neigh/cells.h"
 #include "neigh/row_history.h"
 #include "particles/particles.h"
@@ -291,25 +292,39 @@ enum ts_status ts_rows_build(struct tsim *sim, struct ts_rows *rows, double skin
 	return status;
 }
 
-void ts_rows_gather(struct tsim *sim, const struct ts_rows *rows)
-{
-	struct ts_particles *p = sim->particles;
+struct gather {
+	struct ts_particles *p;
+	const struct ts_rows *rows;
+};
 
-#pragma omp parallel for num_threads(sim->threads) schedule(static)
-	for (size_t i = 0; i < p->n; i++) {
-		double f[3] = { 0 };
+static void gather_share(void *context, size_t from, size_t to)
+{
+	const struct gather *g = context;
+	const struct ts_rows *rows = g->rows;
+
+	for (size_t i = from; i < to; i++) {
+		double *total = g->p->f[i], f[3] = { 0 };
 
 		for (size_t k = rows->first[i]; k < rows->first[i + 1]; k++) {
 			uint32_t r = rows->entry[k] >> 1;
+			double sign = rows->entry[k] & 1 ? -1.0 : 1.0;
+			const double *force = rows->force[r];
 
 			if (!rows->touching[r])
 				continue;
 			for (int d = 0; d < 3; d++)
-				f[d] += rows->entry[k] & 1 ? -rows->force[r][d] : rows->force[r][d];
+				f[d] += sign * force[d];
 		}
 		for (int d = 0; d < 3; d++)
-			p->f[i][d] += f[d];
+			total[d] += f[d];
 	}
+}
+
+void ts_rows_gather(struct tsim *sim, const struct ts_rows *rows)
+{
+	struct gather g = { sim->particles, rows };
+
+	ts_parallel(sim->threads, sim->particles->n, gather_share, &g);
 }
 
 void ts_rows_release(struct ts_rows *rows)

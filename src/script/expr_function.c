@@ -38,7 +38,7 @@ static enum ts_status stream_of(struct ts_expr *e, double seed, struct ts_rng **
 
 static enum ts_status eval_random(struct ts_expr *e, const double *arg, double *out)
 {
-	struct ts_rng *rng;
+	struct ts_rng *rng = NULL;
 
 	TS_TRY(stream_of(e, arg[2], &rng));
 	*out = arg[0] + ts_rng_uniform(rng) * (arg[1] - arg[0]);
@@ -47,7 +47,7 @@ static enum ts_status eval_random(struct ts_expr *e, const double *arg, double *
 
 static enum ts_status eval_normal(struct ts_expr *e, const double *arg, double *out)
 {
-	struct ts_rng *rng;
+	struct ts_rng *rng = NULL;
 
 	if (arg[1] < 0)
 		return ts_fail(&e->sim->error, TS_RANGE, NULL,

@@ -36,14 +36,21 @@ static double limit(const void *coeff, double mass)
 	return ts_spring_dashpot_limit(coeff, mass);
 }
 
+static void specialised(void *task, size_t from, size_t to)
+{
+	ts_row_share(task, from, to, law);
+}
+
+static void generic(void *task, size_t from, size_t to)
+{
+	ts_row_share(task, from, to, ((const struct ts_row_task *)task)->law);
+}
+
 static enum ts_status force(struct ts_instance *self, struct tsim *sim)
 {
 	const struct spring_dashpot *s = self->state;
 
-	if (s->generic)
-		ts_row_loop(sim, &s->pair, ts_pair_style_of(self)->law);
-	else
-		ts_row_loop(sim, &s->pair, law);
+	ts_row_loop(sim, &s->pair, law, s->generic ? generic : specialised);
 	return TS_OK;
 }
 

@@ -1,0 +1,31 @@
+#include "base/parallel.h"
+
+#include "base/banned.h"
+
+static size_t cut(size_t n, int k, int threads)
+{
+	return n * (size_t)k / (size_t)threads;
+}
+
+void ts_parallel(int threads, size_t n, ts_share_fn *share, void *context)
+{
+	if (threads == 1) {
+		share(context, 0, n);
+		return;
+	}
+#pragma omp parallel for num_threads(threads) schedule(static, 1)
+	for (int k = 0; k < threads; k++)
+		share(context, cut(n, k, threads), cut(n, k + 1, threads));
+}
+
+long ts_parallel_count(int threads, size_t n, ts_count_fn *share, void *context)
+{
+	long total = 0;
+
+	if (threads == 1)
+		return share(context, 0, n);
+#pragma omp parallel for num_threads(threads) schedule(static, 1) reduction(+ : total)
+	for (int k = 0; k < threads; k++)
+		total += share(context, cut(n, k, threads), cut(n, k + 1, threads));
+	return total;
+}
