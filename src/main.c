@@ -150,6 +150,8 @@ static int help(const struct setup *setup)
 		if (!ts_kind_find(setup->help_kind, &kind))
 			return help_by_name(setup->help_kind);
 		ts_help_list(kind, false, &text);
+		ts_str_addf(&text, "\n'tsim -help %s NAME' shows the page of one of them\n",
+			    ts_kind_name(kind));
 		return print_text(&text);
 	}
 	if (!ts_kind_find(setup->help_kind, &kind))
@@ -386,6 +388,9 @@ static int run(struct tsim *sim, struct setup *setup)
 		quit = sim->error.status == TS_STOPPED && signal_number ? 128 + signal_number
 									: EXIT_FAILURE;
 	} else {
+		if (sim->explain)
+			ts_log(&sim->log, "\nNothing was run: values printed by the script are "
+					  "those before the first step.\n");
 		ts_script_warn_unused(sim->host_data);
 		ts_script_quit(sim->host_data, &quit);
 		if (ts_log_close(&sim->log, &sim->error) != TS_OK) {

@@ -36,6 +36,14 @@ const char *tsim_version(void)
 	return PACKAGE_VERSION;
 }
 
+/* Whoever only passes a status on may have left no message. */
+static int settle(struct tsim *sim, enum ts_status status)
+{
+	if (status != TS_OK && sim->error.status == TS_OK)
+		ts_fail(&sim->error, status, NULL, "%s", ts_status_text(status));
+	return (int)status;
+}
+
 int tsim_line(struct tsim *sim, const char *line)
 {
 	return tsim_string(sim, line);
@@ -43,27 +51,27 @@ int tsim_line(struct tsim *sim, const char *line)
 
 int tsim_string(struct tsim *sim, const char *text)
 {
-	return (int)ts_script_string(sim->host_data, text, "string");
+	return settle(sim, ts_script_string(sim->host_data, text, "string"));
 }
 
 int tsim_file(struct tsim *sim, const char *path)
 {
-	return (int)ts_script_file(sim->host_data, path);
+	return settle(sim, ts_script_file(sim->host_data, path));
 }
 
 int tsim_stream(struct tsim *sim, FILE *stream, const char *name)
 {
-	return (int)ts_script_stream(sim->host_data, stream, name);
+	return settle(sim, ts_script_stream(sim->host_data, stream, name));
 }
 
 int tsim_variable(struct tsim *sim, const char *name, const char *value)
 {
-	return (int)ts_script_set(sim->host_data, name, &value, 1, "variable");
+	return settle(sim, ts_script_set(sim->host_data, name, &value, 1, "variable"));
 }
 
 int tsim_value(struct tsim *sim, const char *formula, double *out)
 {
-	return (int)ts_script_value(sim->host_data, formula, out);
+	return settle(sim, ts_script_value(sim->host_data, formula, out));
 }
 
 const char *tsim_error(struct tsim *sim)
@@ -132,7 +140,7 @@ int tsim_column_read(struct tsim *sim, const char *name, double *out, size_t n)
 	for (size_t i = 0; status == TS_OK && i < n; i++)
 		out[i] = table.data[i];
 	ts_table_release(&table);
-	return (int)status;
+	return settle(sim, status);
 }
 
 /* What forces depend on is compared before each run, so new values need no further notice. */

@@ -113,9 +113,10 @@ static void from_rows(const struct tsim *sim, struct contacts *c)
 		int a = rows->tag[0][r], b = rows->tag[1][r];
 		bool ghost = (size_t)rows->j[r] >= p->n;
 
-		ck_assert_int_eq(p->tag[rows->i[r]], a);
-		ck_assert_int_eq(p->tag[rows->j[r]], b);
-		ck_assert(ghost || rows->image[r] == TS_IMAGE_SELF);
+		/* asserting is dear: only what is wrong */
+		if (p->tag[rows->i[r]] != a || p->tag[rows->j[r]] != b ||
+		    (!ghost && rows->image[r] != TS_IMAGE_SELF))
+			ck_abort_msg("row %zu does not fit the particles", r);
 		if (!rows->touching[r])
 			continue;
 		c->count[a][b]++;
@@ -123,7 +124,8 @@ static void from_rows(const struct tsim *sim, struct contacts *c)
 			c->count[b][a]++;
 	}
 	for (int a = 1; a <= N; a++) { /* an image of oneself has a row on either side */
-		ck_assert_int_eq(c->count[a][a] % 2, 0);
+		if (c->count[a][a] % 2)
+			ck_abort_msg("particle %d meets an image on one side only", a);
 		c->count[a][a] /= 2;
 	}
 	for (size_t i = 0; i < p->n; i++)
@@ -141,16 +143,18 @@ static int compare(const struct tsim *sim, bool forces)
 	from_rows(sim, &found);
 	for (int a = 1; a <= N; a++)
 		for (int b = 1; b <= N; b++)
-			ck_assert_msg(found.count[a][b] == truth.count[a][b],
-				      "step %d: particles %d and %d have %d contacts, rows show %d",
-				      (int)sim->clock.step, a, b, truth.count[a][b],
-				      found.count[a][b]);
+			if (found.count[a][b] != truth.count[a][b])
+				ck_abort_msg("step %d: particles %d and %d have %d contacts, rows "
+					     "show %d", (int)sim->clock.step, a, b,
+					     truth.count[a][b], found.count[a][b]);
 	for (int a = 1; a <= N; a++)
 		for (int k = 0; k < 3; k++)
 			scale = fmax(scale, fabs(truth.force[a][k]));
 	for (int a = 1; forces && a <= N; a++)
 		for (int k = 0; k < 3; k++)
-			DECK_NEAR(found.force[a][k], truth.force[a][k], 1e-12 * scale);
+			if (!(fabs(found.force[a][k] - truth.force[a][k]) <= 1e-12 * scale))
+				ck_abort_msg("force %d of %d is %.17g, should be %.17g", k, a,
+					     found.force[a][k], truth.force[a][k]);
 	return truth.total;
 }
 
@@ -208,7 +212,7 @@ START_TEST(gas)
 			     "fix hi%d all wall/gran primitive type 1 %cplane %g",
 			     k, 'x' + k, (double[]){ 0, -0.3, 0.2 }[k], k, 'x' + k,
 			     c.length[k] + (double[]){ 0, -0.3, 0.2 }[k]);
-	deck(sim, "timestep 3e-6\nneighbor %g bin", _i % 2 ? 0.004 : 0.02);
+	deck(sim, "timestep 1e-5\nneighbor %g bin", _i % 2 ? 0.004 : 0.02);
 	deck(sim, "pair_coeff * * stiffness %g restitution 1.0", stiffness);
 	/* overlaps of the random start are let go slowly */
 	deck(sim, "fix slow all viscous 0.3\nrun 800 post no\nunfix slow");
@@ -216,14 +220,14 @@ START_TEST(gas)
 		for (int k = 0; k < 3; k++)
 			sim->particles->v[i][k] =
 				c.speed * sin((double)sim->particles->tag[i] * (k + 1.3));
-	for (int step = 0; step < 500; step++) {
+	for (int step = 0; step < 400; step++) {
 		deck(sim, "run 1 post no");
 		builds += (int)sim->neigh->builds - 1;
 		if (step % 4 == 0) /* the brute force is the dear part */
 			contacts += compare(sim, c.periodic == 7);
 	}
 	ck_assert_int_gt(contacts, 1000);
-	ck_assert_int_gt(builds, 20);
+	ck_assert_int_gt(builds, 10);
 	tsim_close(sim);
 }
 END_TEST

@@ -170,8 +170,12 @@ struct ts_suggest ts_suggest_start(const char *word)
 
 void ts_suggest_try(struct ts_suggest *s, const char *candidate)
 {
-	size_t d = edit_distance(s->word, candidate);
+	size_t d = edit_distance(s->word, candidate), used = strlen(s->list);
+	size_t left = sizeof s->list - used;
 
+	s->many |= strlen(candidate) + 2 >= left;
+	if (!s->many)
+		snprintf(s->list + used, left, "%s%s", used ? ", " : "", candidate);
 	if (d < s->distance) {
 		s->distance = d;
 		s->best = candidate;
@@ -182,6 +186,8 @@ const char *ts_suggest_text(struct ts_suggest *s)
 {
 	if (s->best)
 		snprintf(s->text, sizeof s->text, "; did you mean '%s'?", s->best);
+	else if (*s->list && !s->many)
+		snprintf(s->text, sizeof s->text, "; known: %.80s", s->list);
 	return s->text;
 }
 

@@ -39,11 +39,13 @@ bool ts_glob(const char *pattern, const char *text);
 
 /* Remembers the candidate closest in spelling (Damerau-Levenshtein distance). Usage:
  *   struct ts_suggest s = ts_suggest_start(word); ts_suggest_try(&s, name) ...;
- *   "...%s", ts_suggest_text(&s)   gives "; did you mean 'name'?" or "". */
+ *   "...%s", ts_suggest_text(&s)   gives "; did you mean 'name'?", else the candidates if they are
+ *   few ("; known: a, b, c"), else "". */
 struct ts_suggest {
 	const char *word, *best;
 	size_t distance;
-	char text[96];
+	char text[96], list[80];
+	bool many; /* the list is too long */
 };
 struct ts_suggest ts_suggest_start(const char *word);
 void ts_suggest_try(struct ts_suggest *s, const char *candidate);

@@ -17,6 +17,7 @@ struct parse {
 	const struct ts_place *where;
 	struct ts_arena *arena;
 	char *base;
+	bool *is_keyword; /* by word */
 };
 
 static const struct ts_word *take(struct parse *p)
@@ -27,9 +28,14 @@ static const struct ts_word *take(struct parse *p)
 static enum ts_status refuse(struct parse *p, const struct ts_arg *row, const struct ts_word *word,
 			     const char *expected)
 {
-	return ts_fail(&p->sim->error, TS_SYNTAX, word ? &word->place : p->where,
-		       "%s: %s%s%s%s, expected %s", p->what, row->name, word ? " is '" : " is missing",
-		       word ? word->text : "", word ? "'" : "", expected);
+	if (word)
+		return ts_fail(&p->sim->error, TS_SYNTAX, &word->place,
+			       "%s: %s is '%s', expected %s", p->what, row->name, word->text,
+			       expected);
+	return ts_fail(&p->sim->error, TS_SYNTAX, p->where,
+		       row->flags & TS_POSITIONAL ? "%s: %s is missing, expected %s"
+						  : "%s: keyword %s lacks its value, expected %s",
+		       p->what, row->name, expected);
 }
 
 static enum ts_status check_range(struct parse *p, const struct ts_arg *row,
@@ -127,7 +133,7 @@ static enum ts_status read_enum(struct parse *p, const struct ts_arg *row, int *
 	}
 	ts_str_add(&expected, "one of ");
 	list_choices(row->choices, &expected);
-	ts_str_add(&expected, word ? ts_suggest_text(&suggest) : "");
+	ts_str_add(&expected, word && suggest.best ? ts_suggest_text(&suggest) : "");
 	status = refuse(p, row, word, ts_str_text(&expected));
 	ts_str_release(&expected);
 	return status;
@@ -277,7 +283,7 @@ static enum ts_status read_mode(struct parse *p, const struct ts_arg *row, int *
 		ts_suggest_try(&suggest, row->modes[k].name);
 		ts_str_addf(&expected, "%s%s", k ? ", " : "one of ", row->modes[k].name);
 	}
-	ts_str_add(&expected, word ? ts_suggest_text(&suggest) : "");
+	ts_str_add(&expected, word && suggest.best ? ts_suggest_text(&suggest) : "");
 	status = refuse(p, row, word, ts_str_text(&expected));
 	ts_str_release(&expected);
 	return status;
@@ -285,8 +291,17 @@ static enum ts_status read_mode(struct parse *p, const struct ts_arg *row, int *
 
 static enum ts_status read_vec3(struct parse *p, const struct ts_arg *row, double out[3])
 {
-	for (int d = 0; d < 3; d++)
-		TS_TRY(read_real(p, row, &out[d]));
+	static const char *const ordinals[] = { "first", "second", "third" };
+	char expected[48];
+
+	for (int d = 0; d < 3; d++) {
+		const struct ts_word *word = take(p);
+
+		snprintf(expected, sizeof expected, "the %s of three numbers", ordinals[d]);
+		if (!word || !ts_parse_real(word->text, &out[d]))
+			return refuse(p, row, word, expected);
+		TS_TRY(check_range(p, row, word, out[d]));
+	}
 	return TS_OK;
 }
 
@@ -360,11 +375,10 @@ static enum ts_status unknown_keyword(struct parse *p, const struct ts_arg *rows
 }
 
 /* A keyword given twice: stands earlier among the words already read as keywords. */
-static bool given_before(const struct parse *p, size_t first, const char *name,
-			 const bool *is_keyword)
+static bool given_before(const struct parse *p, const char *name)
 {
-	for (size_t k = first; k + 1 < p->next; k++)
-		if (is_keyword[k] && ts_streq(p->words.word[k].text, name))
+	for (size_t k = 0; k + 1 < p->next; k++)
+		if (p->is_keyword[k] && ts_streq(p->words.word[k].text, name))
 			return true;
 	return false;
 }
@@ -372,11 +386,11 @@ static bool given_before(const struct parse *p, size_t first, const char *name,
 static enum ts_status read_keywords(struct parse *p, const struct ts_arg *rows,
 				    const struct ts_arg *common)
 {
-	size_t first = p->next;
-	bool *is_keyword = ts_arena_alloc(p->arena, p->words.n + 1, sizeof *is_keyword);
 	const struct ts_word *word;
 
-	if (!is_keyword)
+	if (!p->is_keyword)
+		p->is_keyword = ts_arena_alloc(p->arena, p->words.n + 1, sizeof *p->is_keyword);
+	if (!p->is_keyword)
 		return ts_nomem(&p->sim->error);
 	while ((word = take(p))) {
 		const struct ts_arg *row = find_keyword(rows, word->text);
@@ -385,10 +399,10 @@ static enum ts_status read_keywords(struct parse *p, const struct ts_arg *rows,
 			row = find_keyword(common, word->text);
 		if (!row)
 			return unknown_keyword(p, rows, common, word);
-		if (given_before(p, first, word->text, is_keyword))
+		if (given_before(p, word->text))
 			return ts_fail(&p->sim->error, TS_SYNTAX, &word->place,
 				       "%s: keyword '%s' is given twice", p->what, word->text);
-		is_keyword[p->next - 1] = true;
+		p->is_keyword[p->next - 1] = true;
 		TS_TRY(read_row(p, row, common ? common : rows));
 	}
 	return TS_OK;
@@ -479,7 +493,7 @@ static enum ts_status set_default(struct tsim *sim, const struct ts_arg *row,
 				  struct ts_arena *arena, void *base)
 {
 	const struct ts_place nowhere = { .file = "default" };
-	struct parse p = { sim, "default", { NULL, 0 }, 0, &nowhere, arena, base };
+	struct parse p = { sim, "default", { NULL, 0 }, 0, &nowhere, arena, base, NULL };
 
 	if (!row->fallback) {
 		set_absent(row, (char *)base + row->offset);
@@ -505,7 +519,7 @@ enum ts_status ts_args_parse(struct tsim *sim, const char *what, const struct ts
 			     struct ts_words words, const struct ts_place *where,
 			     struct ts_arena *arena, void *base)
 {
-	struct parse p = { sim, what, words, 0, where, arena, base };
+	struct parse p = { sim, what, words, 0, where, arena, base, NULL };
 
 	TS_TRY(ts_args_defaults(sim, rows, arena, base));
 	TS_TRY(read_rows(&p, rows, NULL));

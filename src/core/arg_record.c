@@ -158,7 +158,7 @@ static void add_placeholder(const struct ts_arg *row, struct ts_str *out)
 		ts_str_add(out, "x y z");
 		break;
 	case TS_ARG_REST:
-		ts_str_addf(out, "%s ...", row->name);
+		ts_str_addf(out, "%s ...", row->flags & TS_POSITIONAL ? row->name : "words");
 		break;
 	case TS_ARG_GROUP:
 		ts_str_add(out, "GROUP");

@@ -1,5 +1,6 @@
 #include "core/help.h"
 
+#include <ctype.h>
 #include <string.h>
 
 #include "base/banned.h"
@@ -48,27 +49,61 @@ static void add_synopsis(const struct ts_arg *row, struct ts_str *out)
 	}
 }
 
-static const char *type_text(enum ts_arg_type type)
+/* Up to the next blank; what stands in brackets is not torn apart. */
+static size_t word_length(const char *text)
+{
+	size_t n = strcspn(text, " \n"), all = *text == '[' ? strcspn(text, "]") : 0;
+
+	return all > n && all < 40 && text[all] ? all + strcspn(text + all, " \n") : n;
+}
+
+/* The text in lines of at most 78 characters behind the indent, those after the first behind `more`
+ * blanks in addition. A single line end counts as a blank, two keep paragraphs apart. */
+static void add_wrapped(const char *text, size_t indent, size_t more, struct ts_str *out)
+{
+	size_t column = 0;
+
+	while (*text) {
+		size_t blanks = strspn(text, " \n"), n = word_length(text + blanks);
+
+		if (column && blanks > 1 && text[0] == '\n' && text[1] == '\n') {
+			ts_str_add(out, "\n");
+			column = 0;
+		}
+		if (!column || column + 1 + n > 78) {
+			size_t pad = column ? indent + more : indent;
+
+			ts_str_addf(out, "%s%*s", out->length ? "\n" : "", (int)pad, "");
+			column = pad;
+		} else {
+			ts_str_add(out, " ");
+			column++;
+		}
+		ts_str_add_n(out, text + blanks, n);
+		column += n;
+		text += blanks + n;
+	}
+}
+
+/* What kind of value is expected, where the synopsis does not say. */
+static const char *type_text(const struct ts_arg *row)
 {
 	static const char *const texts[] = {
 		[TS_ARG_REAL] = "number",
 		[TS_ARG_INT] = "whole number",
-		[TS_ARG_BOOL] = "yes or no",
-		[TS_ARG_FLAG] = "a word by itself",
+		[TS_ARG_FLAG] = "keyword without value",
 		[TS_ARG_WORD] = "word",
-		[TS_ARG_ENUM] = "one of the words",
 		[TS_ARG_VEC3] = "three numbers",
 		[TS_ARG_COORD] = "number, INF or EDGE",
 		[TS_ARG_NUMBER] = "number or v_NAME",
-		[TS_ARG_TYPES] = "particle types: n, *, n*, *m or n*m",
+		[TS_ARG_TYPES] = "types: n, *, n*, *m or n*m",
 		[TS_ARG_GROUP] = "group",
 		[TS_ARG_REGION] = "region",
 		[TS_ARG_REF] = "c_ID, c_ID[k], f_ID, v_NAME or thermo keyword",
-		[TS_ARG_MODE] = "one of the words",
 		[TS_ARG_REST] = "words",
 	};
 
-	return type < sizeof texts / sizeof *texts && texts[type] ? texts[type] : "";
+	return row->type < sizeof texts / sizeof *texts && texts[row->type] ? texts[row->type] : "";
 }
 
 static void add_range(const struct ts_arg *row, struct ts_str *out)
@@ -83,60 +118,103 @@ static void add_range(const struct ts_arg *row, struct ts_str *out)
 		ts_str_addf(out, ", %s", ranges[row->range]);
 }
 
-static void add_row(const struct ts_arg *row, bool markdown, const char *indent, struct ts_str *out)
+/* " (number, in length, > 0; default 1)" */
+static void add_notes(const struct ts_arg *row, struct ts_str *out)
 {
-	ts_str_addf(out, markdown ? "%s- `" : "  %s", indent);
-	ts_arg_synopsis(row, out);
-	ts_str_addf(out, markdown ? "` — %s (%s" : "\n      %s (%s", row->help ? row->help : "",
-		    type_text(row->type));
+	struct ts_str notes = { 0 };
+
+	ts_str_add(&notes, type_text(row));
 	if (row->unit && *row->unit)
-		ts_str_addf(out, ", in %s", row->unit);
-	add_range(row, out);
+		ts_str_addf(&notes, ", in %s", row->unit);
+	add_range(row, &notes);
 	if (row->flags & TS_NULLABLE)
-		ts_str_add(out, ", or NULL");
+		ts_str_add(&notes, ", or NULL");
 	if (row->fallback)
-		ts_str_addf(out, "; default %s", row->fallback);
+		ts_str_addf(&notes, "%sdefault %s", notes.length ? "; " : "", row->fallback);
 	else if (row->flags & TS_OPTIONAL)
-		ts_str_add(out, "; may be left out");
-	ts_str_add(out, ")\n");
+		ts_str_addf(&notes, "%smay be left out", notes.length ? "; " : "");
+	if (notes.length)
+		ts_str_addf(out, " (%s)", ts_str_text(&notes));
+	out->failed |= notes.failed;
+	ts_str_release(&notes);
 }
 
-static void add_rows(const struct ts_arg *row, bool markdown, const char *indent,
-		     struct ts_str *out)
+/* A name and what it is: one item of a list. */
+static void add_item(const struct ts_str *name, const struct ts_str *text, size_t depth,
+		     bool markdown, struct ts_str *out)
 {
+	if (markdown) {
+		ts_str_addf(out, "%*s- `%s` — %s\n", (int)(2 * depth), "", ts_str_text(name),
+			    ts_str_text(text));
+		return;
+	}
+	ts_str_addf(out, "%*s%s", (int)(2 + 4 * depth), "", ts_str_text(name));
+	add_wrapped(ts_str_text(text), 6 + 4 * depth, 0, out);
+	ts_str_add(out, "\n");
+}
+
+static void add_rows(const struct ts_arg *row, size_t depth, bool markdown, struct ts_str *out)
+{
+	struct ts_str name = { 0 }, text = { 0 };
+
 	for (; row && row->type != TS_ARG_END; row++) {
-		add_row(row, markdown, indent, out);
-		if (row->type != TS_ARG_MODE)
-			continue;
-		for (const struct ts_mode *mode = row->modes; mode->name; mode++) {
-			ts_str_addf(out, markdown ? "  - `%s" : "    %s", mode->name);
-			add_synopsis(mode->args, out);
-			ts_str_addf(out, markdown ? "` — %s\n" : "\n      %s\n",
-				    mode->help ? mode->help : "");
-			add_rows(mode->args, markdown, "    ", out);
+		ts_str_clear(&name);
+		ts_str_clear(&text);
+		ts_arg_synopsis(row, &name);
+		ts_str_add(&text, row->help ? row->help : "");
+		add_notes(row, &text);
+		add_item(&name, &text, depth, markdown, out);
+		for (const struct ts_mode *mode = row->modes; mode && mode->name; mode++) {
+			ts_str_clear(&name);
+			ts_str_clear(&text);
+			ts_str_add(&name, mode->name);
+			add_synopsis(mode->args, &name);
+			ts_str_add(&text, mode->help ? mode->help : "");
+			add_item(&name, &text, depth + 1, markdown, out);
+			add_rows(mode->args, depth + 2, markdown, out);
 		}
 	}
+	out->failed |= name.failed || text.failed;
+	ts_str_release(&name);
+	ts_str_release(&text);
+}
+
+/* How scripts read an output: c_ID, f_ID[k] ... */
+static void add_reference(const struct ts_style *style, const struct ts_value *v,
+			  struct ts_str *out)
+{
+	bool indexed = v->shape == TS_VECTOR || (v->shape != TS_SCALAR && v->column_names);
+
+	ts_str_addf(out, "%s%s", style->kind == TS_KIND_COMPUTE ? "c_ID" : "f_ID",
+		    indexed ? "[k]" : "");
 }
 
 static void add_values(const struct ts_style *style, bool markdown, struct ts_str *out)
 {
 	static const char *const shapes[] = { [TS_SCALAR] = "a number",
-					      [TS_VECTOR] = "a vector",
-					      [TS_PERATOM] = "values of each particle",
-					      [TS_LOCAL] = "rows" };
+					      [TS_VECTOR] = "a list of numbers",
+					      [TS_PERATOM] = "one per particle",
+					      [TS_LOCAL] = "rows for dump local" };
+	struct ts_str name = { 0 }, text = { 0 };
 
 	if (!style->values || !style->values->name)
 		return;
 	heading("Output", markdown, out);
 	for (const struct ts_value *v = style->values; v->name; v++) {
-		ts_str_addf(out, markdown ? "- `%s` — %s: %s" : "  %s: %s: %s", v->name,
-			    shapes[v->shape], v->help ? v->help : "");
-		if (v->unit && *v->unit)
-			ts_str_addf(out, " (%s)", v->unit);
+		ts_str_clear(&name);
+		ts_str_clear(&text);
+		add_reference(style, v, &name);
+		ts_str_addf(&text, "%s: %s (%s%s%s)", v->name, v->help ? v->help : "",
+			    shapes[v->shape], v->unit && *v->unit ? ", in " : "",
+			    v->unit ? v->unit : "");
 		for (size_t k = 0; v->column_names && k < v->columns; k++)
-			ts_str_addf(out, "%s[%zu] %s", k ? ", " : "; ", k + 1, v->column_names[k]);
-		ts_str_add(out, "\n");
+			ts_str_addf(&text, "%s[%zu] %s", k ? ", " : ": ", k + 1,
+				    v->column_names[k]);
+		add_item(&name, &text, 0, markdown, out);
 	}
+	out->failed |= name.failed || text.failed;
+	ts_str_release(&name);
+	ts_str_release(&text);
 }
 
 /* The lines of the text, each behind the indent. */
@@ -152,50 +230,66 @@ static void add_lines(const char *text, const char *indent, struct ts_str *out)
 	}
 }
 
-/* Lines of at most 78 characters; line ends that stand in the text are kept. */
 static void add_paragraphs(const char *text, bool markdown, struct ts_str *out)
 {
-	size_t column = 0;
+	struct ts_str lines = { 0 };
 
 	if (markdown) {
 		ts_str_addf(out, "%s\n", text);
 		return;
 	}
-	while (*text) {
-		size_t blanks = strspn(text, " "), n = blanks + strcspn(text + blanks, " \n");
+	add_wrapped(text, 2, 0, &lines);
+	ts_str_addf(out, "%s\n", ts_str_text(&lines));
+	out->failed |= lines.failed;
+	ts_str_release(&lines);
+}
 
-		if (column && column + n > 76) {
-			text += blanks;
-			n -= blanks;
-			column = 0;
-			ts_str_add(out, "\n");
-		}
-		ts_str_add(out, column || !n ? "" : "  ");
-		ts_str_add_n(out, text, n);
-		column += n;
-		text += n;
-		if (*text == '\n') {
-			ts_str_add(out, "\n");
-			column = 0;
-			text++;
-		}
+static void add_syntax(const struct ts_style *style, bool markdown, struct ts_str *out)
+{
+	struct ts_str line = { 0 }, lines = { 0 };
+
+	heading("Syntax", markdown, out);
+	add_prefix(style, &line);
+	add_synopsis(style->args, &line);
+	add_wrapped(ts_str_text(&line), markdown ? 0 : 2, 4, &lines);
+	if (style->coeff) {
+		ts_str_clear(&line);
+		ts_str_add(&line, style->kind == TS_KIND_PAIR ? "pair_coeff I J" : "bond_coeff I");
+		add_synopsis(style->coeff, &line);
+		add_wrapped(ts_str_text(&line), markdown ? 0 : 2, 4, &lines);
 	}
-	ts_str_add(out, column ? "\n" : "");
+	ts_str_addf(out, markdown ? "```\n%s\n```\n" : "%s\n", ts_str_text(&lines));
+	out->failed |= line.failed || lines.failed;
+	ts_str_release(&line);
+	ts_str_release(&lines);
+}
+
+static void add_table(const char *title, const struct ts_arg *rows, bool markdown,
+		      struct ts_str *out)
+{
+	if (!rows || rows->type == TS_ARG_END)
+		return;
+	heading(title, markdown, out);
+	add_rows(rows, 0, markdown, out);
+}
+
+/* Starts with a capital, however the table writes it. */
+static void add_summary(const struct ts_style *style, struct ts_str *out)
+{
+	char first[2] = { (char)toupper((unsigned char)style->summary[0]), '\0' };
+
+	ts_str_addf(out, "%s%s", first, style->summary[0] ? style->summary + 1 : "");
 }
 
 void ts_help_page(const struct ts_style *style, bool markdown, struct ts_str *out)
 {
-	ts_str_addf(out, markdown ? "# %s %s\n\n%s.\n" : "%s %s: %s\n", ts_kind_name(style->kind),
-		    style->name, style->summary);
-	heading("Syntax", markdown, out);
-	ts_str_add(out, markdown ? "```\n" : "  ");
-	add_prefix(style, out);
-	add_synopsis(style->args, out);
-	ts_str_add(out, markdown ? "\n```\n" : "\n");
-	if (style->args && style->args->type != TS_ARG_END) {
-		heading("Arguments", markdown, out);
-		add_rows(style->args, markdown, "", out);
-	}
+	ts_str_addf(out, markdown ? "# %s %s\n\n" : "%s %s: ", ts_kind_name(style->kind),
+		    style->name);
+	add_summary(style, out);
+	ts_str_add(out, markdown ? ".\n" : "\n");
+	add_syntax(style, markdown, out);
+	add_table("Arguments", style->args, markdown, out);
+	add_table("Coefficients", style->coeff, markdown, out);
 	add_values(style, markdown, out);
 	if (style->doc) {
 		heading("Description", markdown, out);
@@ -221,9 +315,11 @@ void ts_help_list(enum ts_kind kind, bool markdown, struct ts_str *out)
 		if (markdown) {
 			ts_str_addf(out, "- [%s](", (*s)->name);
 			ts_help_file_name(*s, out);
-			ts_str_addf(out, ") — %s\n", (*s)->summary);
+			ts_str_add(out, ") — ");
 		} else {
-			ts_str_addf(out, "  %-24s %s\n", (*s)->name, (*s)->summary);
+			ts_str_addf(out, "  %-16s ", (*s)->name);
 		}
+		add_summary(*s, out);
+		ts_str_add(out, "\n");
 	}
 }

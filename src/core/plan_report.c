@@ -93,7 +93,7 @@ static enum ts_status judge(const struct ts_plan_report *report, struct tsim *si
 	else if (hard && !(dt < hard->dt))
 		return ts_fail(&sim->error, TS_PHYSICS, &hard->where,
 			       "the time step %g is beyond the stability limit %g of %s; "
-			       "use `timestep` with less than that, a tenth for accuracy",
+			       "use `timestep` with less than that, a tenth or less for accuracy",
 			       dt, hard->dt, hard->text);
 	if (soft && !(dt < soft->dt))
 		ts_warn(&sim->log, &soft->where, "the time step %g is larger than %g, the limit of %s",

@@ -22,6 +22,7 @@ enum ts_status ts_style_require(struct tsim *sim, enum ts_kind kind, const struc
 				const struct ts_style **out)
 {
 	struct ts_suggest suggest = ts_suggest_start(name->text);
+	const char *suggestion;
 
 	*out = ts_style_find(kind, name->text);
 	if (*out)
@@ -29,7 +30,9 @@ enum ts_status ts_style_require(struct tsim *sim, enum ts_kind kind, const struc
 	for (const struct ts_style *const *s = ts_style_table; *s; s++)
 		if ((*s)->kind == kind)
 			ts_suggest_try(&suggest, (*s)->name);
-	return ts_fail(&sim->error, TS_UNKNOWN, &name->place, "unknown %s%s '%s'%s",
+	suggestion = ts_suggest_text(&suggest);
+	return ts_fail(&sim->error, TS_UNKNOWN, &name->place, "unknown %s%s '%s'%s%s",
 		       ts_kind_name(kind), kind == TS_KIND_COMMAND ? "" : " style", name->text,
-		       ts_suggest_text(&suggest));
+		       *suggestion ? suggestion : "; for a list: tsim -help ",
+		       *suggestion ? "" : ts_kind_name(kind));
 }

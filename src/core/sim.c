@@ -46,7 +46,7 @@ static enum ts_status start_systems(struct tsim *sim)
 	struct ts_instances *list = &sim->instances[TS_KIND_SYSTEM];
 
 	for (const struct ts_system_style *const *s = ts_system_table; *s; s++) {
-		struct ts_instance *inst;
+		struct ts_instance *inst = NULL;
 
 		if (TS_GROW(list->item, list->capacity, list->n + 1) != TS_OK)
 			return ts_nomem(&sim->error);

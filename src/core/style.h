@@ -69,6 +69,7 @@ struct ts_style {
 	const char *cite;     /* source of the method, or NULL */
 	const struct ts_arg *args;
 	size_t state_size;
+	const struct ts_arg *coeff; /* pair and bond: one line of coefficients; core/coeff.h */
 	const struct ts_saved *saved; /* state for restart files; see core/archive.h */
 	/* For state that rows cannot describe; same function for writing and reading. */
 	enum ts_status (*archive)(struct ts_instance *self, struct tsim *sim,

@@ -2,6 +2,7 @@
 
 #include <errno.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "io/textfile.h"
@@ -19,10 +20,20 @@ static enum ts_status failed(struct ts_replace *r)
 	return status;
 }
 
+/* Renaming onto a device or a pipe would put a plain file in its place. */
+static bool replaceable(const char *path)
+{
+	struct stat there;
+
+	return stat(path, &there) != 0 || S_ISREG(there.st_mode);
+}
+
 enum ts_status ts_replace_begin(struct ts_replace *r, struct ts_error *err,
 				const struct ts_place *where, const char *path)
 {
 	ts_replace_abandon(r);
+	if (!replaceable(path))
+		return ts_fail(err, TS_IO, where, "cannot write '%s': it is not a plain file", path);
 	r->err = err;
 	r->where = where ? *where : (struct ts_place){ 0 };
 	ts_str_add(&r->path, path);

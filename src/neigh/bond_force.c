@@ -156,7 +156,7 @@ static enum ts_status prepare(struct tsim *sim, struct ts_instance *self)
 {
 	struct ts_bond *bond = self->state;
 
-	bond->coeffs.rows = ts_bond_style_of(self)->coeff;
+	bond->coeffs.rows = self->style->coeff;
 	bond->coeffs.size = ts_bond_style_of(self)->coeff_size;
 	return ts_coeffs_resize(sim, &bond->coeffs, (size_t)sim->bonds->ntypes + 1);
 }

@@ -265,9 +265,16 @@ static enum ts_status count_broken(struct tsim *sim, double *out)
 	return TS_OK;
 }
 
+static enum ts_status count_gone(struct tsim *sim, double *out)
+{
+	*out = (double)sim->bonds->gone;
+	return TS_OK;
+}
+
 static const struct ts_keyword keywords[] = {
 	{ "numbonds", "numbonds", "", "bonds that hold", 1, count_bonds },
 	{ "brokenbonds", "Broken", "", "bonds broken so far", 1, count_broken },
+	{ "gonebonds", "GoneBond", "", "unbroken bonds that left with a lost particle", 1, count_gone },
 	{ .name = NULL },
 };
 

@@ -45,8 +45,7 @@ struct ts_bond_state {
 
 struct ts_bond_style {
 	struct ts_style style;
-	const struct ts_arg *coeff; /* arguments of bond_coeff */
-	size_t coeff_size;
+	size_t coeff_size; /* bytes that the rows style.coeff fill, the arguments of bond_coeff */
 	enum ts_status (*complete)(struct tsim *sim, void *coeff, const struct ts_place *where);
 	/* Tension (> 0 pulls the partners together) into *tension; false if the bond breaks. */
 	bool (*law)(const void *coeff, const struct ts_bond_state *state, double *tension);

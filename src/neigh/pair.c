@@ -18,7 +18,7 @@ static enum ts_status prepare(struct tsim *sim, struct ts_instance *self)
 	struct ts_pair *pair = self->state;
 	size_t n = (size_t)(sim->particles->ntypes + 1);
 
-	pair->coeffs.rows = style->coeff;
+	pair->coeffs.rows = style->style.coeff;
 	pair->coeffs.size = style->coeff_size;
 	pair->ntypes = sim->particles->ntypes;
 	return ts_coeffs_resize(sim, &pair->coeffs, n * n);

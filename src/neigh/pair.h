@@ -9,8 +9,7 @@
 
 struct ts_pair_style {
 	struct ts_style style;
-	const struct ts_arg *coeff; /* arguments of pair_coeff */
-	size_t coeff_size;
+	size_t coeff_size; /* bytes that the rows style.coeff fill, the arguments of pair_coeff */
 	/* Checks an entry and derives constants; the words have been parsed. */
 	enum ts_status (*complete)(struct tsim *sim, void *coeff, const struct ts_place *where);
 	/* The law, for one contact: used by walls, outputs and tests. */

@@ -167,12 +167,15 @@ enum ts_status ts_series_function_call(struct ts_expr *e, const struct ts_series
 				    f->name, n);
 	status = ts_expr_blame(e, read_series(e, &word[0], &table), at, e->at);
 	n = table.rows * table.columns;
-	if (status == TS_OK && n < f->least)
+	if (status == TS_OK && n < f->least && e->sim->explain) {
+		out->scalar = 0; /* nothing has been run that could fill the series */
+	} else if (status == TS_OK && n < f->least) {
 		status = ts_expr_fail(e, TS_RANGE, at, e->at,
 				      "%s needs at least %zu numbers, '%s' has %zu", f->name,
 				      f->least, word[0].text, n);
-	else if (status == TS_OK)
+	} else if (status == TS_OK) {
 		status = f->eval(table.data, n, &out->scalar);
+	}
 	if (status == TS_OK && !isfinite(out->scalar))
 		status = TS_RANGE;
 	if (status == TS_RANGE) /* the first message stays */

@@ -83,7 +83,8 @@ static enum ts_status run_shell(struct tsim *sim, void *state, const struct ts_p
 	if (a == n)
 		return ts_fail(&sim->error, TS_UNKNOWN, &words.word[0].place,
 			       "shell knows mkdir, mv, rm, rmdir, cd and putenv, not '%s'%s",
-			       words.word[0].text, ts_suggest_text(&suggest));
+			       words.word[0].text,
+			       suggest.best ? ts_suggest_text(&suggest) : "");
 	if (words.n < 2)
 		return ts_fail(&sim->error, TS_SYNTAX, &words.word[0].place,
 			       "expected a name after '%s'", actions[a].name);

@@ -71,6 +71,7 @@ const struct ts_bond_style ts_bond_contact = {
 			      "bond_coeff 1 stiffness 2.0e5 ultimate 3.0\n"
 			      "create_bonds many rock rock 1 0.0 1.05e-3",
 		   .cite = "D. O. Potyondy, P. A. Cundall, Int. J. Rock Mech. Min. Sci. 41 (2004) 1329",
+		   .coeff = coeff_rows,
 		   .state_size = sizeof(struct contact_bond),
 		   .archive = ts_bond_archive,
 		   .fingerprint = ts_bond_fingerprint,
@@ -78,7 +79,6 @@ const struct ts_bond_style ts_bond_contact = {
 		   .hook = { [TS_STAGE_FORCE] = ts_bond_force },
 		   .plan = ts_bond_plan,
 		   .fini = ts_bond_fini },
-	.coeff = coeff_rows,
 	.coeff_size = sizeof(struct coeff),
 	.complete = complete,
 	.law = law,

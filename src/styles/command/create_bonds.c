@@ -136,6 +136,9 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	if (c->type > sim->bonds->ntypes)
 		return ts_fail(&sim->error, TS_RANGE, where,
 			       "create_bonds: there is no `bond_coeff %" PRId64 " ...` yet", c->type);
+	if (c->mode == MANY && c->least > c->most)
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "create_bonds: rmin (%g) is above rmax (%g)", c->least, c->most);
 	if (c->mode == MANY)
 		TS_TRY(bond_many(sim, c));
 	else

@@ -68,7 +68,7 @@ static const char *const names[] = { "i",  "j",	 "type", "rest", "tension", "xi"
 static const struct ts_value values[] = {
 	{ "count", "", "bonds that hold", TS_SCALAR, 1, NULL, eval_count },
 	{ "coordination", "", "bonds of each particle", TS_PERATOM, 1, NULL, eval_peratom },
-	{ "list", "", "one row per bond: i j type rest tension xi yi zi xj yj zj", TS_LOCAL, COLUMNS,
+	{ "list", "", "one row per bond, with the places of both partners", TS_LOCAL, COLUMNS,
 	  names, eval_local },
 	{ .name = NULL },
 };
@@ -78,8 +78,10 @@ const struct ts_style ts_compute_bonds = {
 	.name = "bonds",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "number, coordination and list of the bonds",
-	.doc = "Of bonds with both partners in the group: c_ID is their number, c_ID per particle the "
-	       "number of its bonds, c_ID[k] in dump local the list. Tension is that of the last force "
+	.doc = "Of bonds with both partners in the group: c_ID is their number, c_ID per particle "
+	       "the "
+	       "number of its bonds, c_ID[k] in dump local the list. Tension is that of the last "
+	       "force "
 	       "computation, > 0 pulling.",
 	.example = "compute nb rock bonds\ndump b all local/vtk 1000 post/bonds*.vtp c_nb",
 	.values = values,

@@ -100,7 +100,7 @@ static const struct ts_value values[] = {
 	{ "count", "", "number of contacts between particles of the group", TS_SCALAR, 1, NULL,
 	  eval_count },
 	{ "coordination", "", "contacts of each particle", TS_PERATOM, 1, NULL, eval_peratom },
-	{ "list", "", "one row per contact: i j overlap xi yi zi xj yj zj fx fy fz (on i) x y z",
+	{ "list", "", "one row per contact, with the force on i and the place of the contact",
 	  TS_LOCAL, COLUMNS, names, eval_local },
 	{ .name = NULL },
 };

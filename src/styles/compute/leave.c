@@ -72,7 +72,7 @@ static const char *const names[] = { "left", "inside", "entered" };
 static const struct ts_value values[] = {
 	{ "left", "", "how often a particle of the group has left the region", TS_SCALAR, 1, NULL,
 	  eval_left },
-	{ "counts", "", "1 left, 2 inside now, 3 entered", TS_VECTOR, 3, names, eval_counts },
+	{ "counts", "", "how many have left, are inside now, have entered", TS_VECTOR, 3, names, eval_counts },
 	{ .name = NULL },
 };
 

@@ -89,7 +89,7 @@ static const struct ts_arg args[] = {
 static const char *const event_names[] = { "step", "time", "i", "j", "type", "x", "y", "z", "force" };
 static const struct ts_value values[] = {
 	{ "count", "", "bonds broken so far", TS_SCALAR, 1, NULL, eval_count },
-	{ "events", "", "one row per broken bond: step time i j type x y z force", TS_LOCAL, 9,
+	{ "events", "", "one row per broken bond", TS_LOCAL, 9,
 	  event_names, eval_events },
 	{ .name = NULL },
 };

@@ -46,11 +46,12 @@ static enum ts_status find_rows(struct ts_instance *self, struct tsim *sim)
 	}
 	if (n != NCUTTERS)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
-			       "fix drill/bit: its group has %d cutters, expected %d particles", n,
-			       NCUTTERS);
+			       "fix drill/bit: its group has %d cutters, expected %d particles%s",
+			       n, NCUTTERS, sim->running ? ": the bit has left the box" : "");
 	if (b->body_group >= 0 && b->rows.body < 0)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
-			       "fix drill/bit: the body group is empty, expected one particle");
+			       "fix drill/bit: the body group is empty, expected one particle%s",
+			       sim->running ? ": the bit has left the box" : "");
 	return TS_OK;
 }
 
@@ -156,8 +157,8 @@ static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* What the rock does to the cutters: tangential > 0 opposes the rotation, radial > 0 points outward,
- * axial > 0 lifts the bit. */
+/* What the rock does to the cutters: tangential > 0 opposes the rotation, radial > 0 points
+ * outward, axial > 0 lifts the bit. */
 static void measure(struct bit *b, const struct ts_particles *p, double omega)
 {
 	double sense = omega < 0 ? -1 : 1;
@@ -205,8 +206,8 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 	if (!(b->spring > 0))
 		return TS_OK;
 	return ts_report_limit(report,
-			       2 * (sqrt(b->spring / least + g * g) - g) / (b->spring / least), true,
-			       &self->where, "the coupling spring of fix drill/bit");
+			       2 * (sqrt(b->spring / least + g * g) - g) / (b->spring / least),
+			       true, &self->where, "the coupling spring of fix drill/bit");
 }
 
 static enum ts_status eval_height(struct ts_instance *self, const struct tsim *sim,
@@ -220,8 +221,12 @@ static enum ts_status eval_vector(struct ts_instance *self, const struct tsim *s
 				  struct ts_table *out)
 {
 	const struct bit *b = self->state;
-	const double row[7] = { height(b, sim->particles), rise(b, sim->particles), b->tangential,
-				b->radial,		    b->axial,	     b->torque,
+	const double row[7] = { height(b, sim->particles),
+				rise(b, sim->particles),
+				b->tangential,
+				b->radial,
+				b->axial,
+				b->torque,
 				b->angle };
 
 	memcpy(out->data, row, sizeof row);
@@ -246,7 +251,8 @@ static const struct ts_arg args[] = {
 	TS_GROUP("body", struct bit, body_group, .flags = TS_OPTIONAL,
 		 .help = "group of the one particle that rides above the cutters"),
 	TS_REAL("clearance", struct bit, clearance, .range = TS_NOT_NEGATIVE, .fallback = "0",
-		.unit = "length", .help = "height of the body particle above the mean of the cutters"),
+		.unit = "length",
+		.help = "height of the body particle above the mean of the cutters"),
 	TS_ARGS_END,
 };
 
@@ -255,16 +261,16 @@ static const char *const names[] = { "height", "velocity", "tangential", "radial
 static const struct ts_value values[] = {
 	{ "height", "length", "mean z of the cutters", TS_SCALAR, 1, NULL, eval_height },
 	{ "state", "",
-	  "1 height, 2 its velocity; contact force on the cutters: 3 tangential (opposing the "
-	  "rotation), 4 radial, 5 axial; 6 torque, 7 angle",
+	  "of the bit; forces are contact forces on the cutters, tangential > 0 against the "
+	  "rotation",
 	  TS_VECTOR, 7, names, eval_vector },
 	{ .name = NULL },
 };
 
 static const struct ts_saved saved[] = {
-	TS_SAVE_F64(struct bit, angle),	     TS_SAVE_F64(struct bit, tangential),
-	TS_SAVE_F64(struct bit, radial),     TS_SAVE_F64(struct bit, axial),
-	TS_SAVE_F64(struct bit, torque),     TS_SAVED_ROWS_END,
+	TS_SAVE_F64(struct bit, angle),	 TS_SAVE_F64(struct bit, tangential),
+	TS_SAVE_F64(struct bit, radial), TS_SAVE_F64(struct bit, axial),
+	TS_SAVE_F64(struct bit, torque), TS_SAVED_ROWS_END,
 };
 
 static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
@@ -276,15 +282,21 @@ TS_STYLE(fix, ts_style, ts_fix_drill_bit)
 const struct ts_style ts_fix_drill_bit = {
 	.name = "drill/bit",
 	.kind = TS_KIND_FIX,
-	.summary = "a drag bit: four cutter particles that revolve and are pressed down, and a body",
-	.doc = "The group holds the four cutters. Their x and y are prescribed, a quarter turn apart on "
-	       "a circle: x = x_bit + D/2 cos(angle + k pi/2), y with the sine; the angle starts at 0 "
+	.summary =
+		"a drag bit: four cutter particles that revolve and are pressed down, and a body",
+	.doc = "The group holds the four cutters. Their x and y are prescribed, a quarter turn "
+	       "apart on "
+	       "a circle: x = x_bit + D/2 cos(angle + k pi/2), y with the sine; the angle starts "
+	       "at 0 "
 	       "and grows with omega. Each moves freely in z under a quarter of the weight on bit, "
 	       "the contact forces, and a spring towards the mean z of the four, which is the bit "
-	       "height. The `body` particle rides `clearance` above that mean on the axis and keeps "
+	       "height. The `body` particle rides `clearance` above that mean on the axis and "
+	       "keeps "
 	       "cuttings out of the space of the bit.\n\n"
-	       "The fix moves its particles itself by velocity Verlet: leave them out of fix nve, and "
-	       "define it after the fixes that act on the cutters. Outputs are f_ID = bit height and "
+	       "The fix moves its particles itself by velocity Verlet: leave them out of fix nve, "
+	       "and "
+	       "define it after the fixes that act on the cutters. Outputs are f_ID = bit height "
+	       "and "
 	       "f_ID[1..7]; forces are those of contacts with the rock, without weight and spring.",
 	.example = "fix bit cutters drill/bit 5.0 5.0 diameter 5.0 omega 0.1 wob 0.2 spring 100 &\n"
 		   "    body nose clearance 1.0",

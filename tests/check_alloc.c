@@ -1,0 +1,182 @@
+/* The k-th allocation fails, for k = 1, 2, 3 ...: every time the script ends in the error "out of
+ * memory", or does without; nothing crashes, and nothing stays allocated. */
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "deck.h"
+
+#include "base/alloc.h"
+#include "core/sim.h"
+
+/* In memory where that is possible: restart files wait for the disk. */
+static char folder[64] = "/dev/shm/tsim.alloc.XXXXXX";
+
+/* Something of everything, small. */
+static const char script[] =
+	"variable n loop 2\n"
+	"variable r equal 0.05+0.1/5\n"
+	"variable w atom x*2\n"
+	"variable s string 'a b'\n"
+	"units si\n"
+	"boundary p f m\n"
+	"lattice sc 0.11\n"
+	"region box block 0 1 0 1 0 1 units box\n"
+	"region low block 0 0.6 0 0.3 0 0.3 units box\n"
+	"region ball sphere 0.5 0.5 0.5 0.3 units box\n"
+	"region both union 2 low ball\n"
+	"create_box 2 box\n"
+	"create_atoms 1 region low\n"
+	"create_atoms 2 random 5 86028157 box overlap 0.1\n"
+	"set type 1 diameter 0.12 density 1000\n"
+	"set type 2 diameter v_r density 900 vx v_w\n"
+	"group rock type 1\n"
+	"group part region both\n"
+	"group rest subtract all part\n"
+	"velocity rock create 1.0 86028121\n"
+	"delete_atoms group rest\n"
+	"pair_style spring/dashpot\n"
+	"pair_coeff * * stiffness 100 restitution 0.5\n"
+	"bond_style contact\n"
+	"bond_coeff 1 stiffness 100 ultimate 0.01\n"
+	"create_bonds many rock rock 1 0 0.13\n"
+	"flow_style uniform velocity 0 0 1 viscosity 0.01\n"
+	"fix move all nve\n"
+	"fix g all gravity 9.81 vector 0 0 -1\n"
+	"fix drag all drag/stokes\n"
+	"fix floor all wall/gran primitive type 1 zplane 0.0\n"
+	"fix crack all bond/breakage file cracks\n"
+	"compute nc all contacts\n"
+	"compute nb all bonds\n"
+	"compute k all ke\n"
+	"compute x part reduce max x\n"
+	"compute out all leave ball\n"
+	"fix mean all ave/time 2 2 4 c_k c_nc file means\n"
+	"fix trace all vector 3 c_k\n"
+	"fix say all print 5 'ke $(c_k)' file said screen no\n"
+	"thermo 4\n"
+	"thermo_style custom step ke c_nc f_mean[1] c_x f_trace[1]\n"
+	"timestep 1e-3\n"
+	"dump a all custom 5 atoms id x y z c_nc v_w\n"
+	"dump z all custom 5 atoms.*.gz id x\n"
+	"dump v all custom/vtk 5 atoms*.vtp id vx vy vz\n"
+	"dump b all local 5 bonds c_nb[1] c_nb[2]\n"
+	"dump l all local/vtk 5 bonds*.vtp c_nb[1] c_nb[2]\n"
+	"restart 7 turn1 turn2\n"
+	"if '${r} > 0' then 'print yes' else 'print no'\n"
+	"run 11\n"
+	"write_restart whole\n"
+	"undump a\n"
+	"unfix g\n"
+	"run 2 every 1 NULL\n";
+
+static const char again[] = "read_restart whole\n"
+			    "pair_style spring/dashpot\n"
+			    "bond_style contact\n"
+			    "fix move all nve\n"
+			    "fix trace all vector 3 ke\n"
+			    "run 3\n"
+			    "clear\n";
+
+/* True when the failure has not happened yet: the next allocations fails then. */
+static bool survived(void)
+{
+	void *p = ts_alloc(1, 1);
+	bool failed = !p;
+
+	ts_free(p);
+	return failed;
+}
+
+static int try(const char *text, long k)
+{
+	struct tsim *sim;
+	int status;
+
+	ts_alloc_fail_at(k);
+	sim = tsim_open();
+	if (!sim)
+		return TS_NOMEM;
+	status = tsim_string(sim, text);
+	if (status && (status != TS_NOMEM || !strstr(tsim_error(sim), "out of memory")))
+		ck_abort_msg("allocation %ld: status %d, %s", k, status, tsim_error(sim));
+	tsim_close(sim);
+	return status;
+}
+
+static void each_allocation(const char *text)
+{
+	int endured = 0;
+	long k = 1;
+
+	ts_alloc_fail_at(0);
+	ck_assert_int_eq(ts_alloc_balance(), 0);
+	for (;; k++) {
+		int status = try(text, k);
+
+		if (ts_alloc_balance() != 0)
+			ck_abort_msg("allocation %ld fails: %ld blocks are lost", k,
+				     ts_alloc_balance());
+		if (status == TS_OK && survived())
+			break;
+		endured += status == TS_OK;
+	}
+	ts_alloc_fail_at(0);
+	ck_assert_int_gt(k, 50);
+	ck_assert_int_lt(endured, k / 3); /* most of them matter */
+}
+
+START_TEST(fails)
+{
+	ck_assert_int_eq(try(script, 0), TS_OK); /* leaves the restart file */
+	each_allocation(_i ? again : script);
+}
+END_TEST
+
+/* After an error the simulation can be used on. */
+START_TEST(goes_on)
+{
+	struct tsim *sim = tsim_open();
+
+	ck_assert_ptr_nonnull(sim);
+	ts_alloc_fail_at(700);
+	ck_assert(tsim_string(sim, script));
+	ts_alloc_fail_at(0);
+	tsim_error_clear(sim);
+	ck_assert_msg(!tsim_string(sim, "clear"), "%s",
+		      tsim_error(sim));
+	ck_assert_msg(!tsim_string(sim, script), "%s", tsim_error(sim));
+	tsim_close(sim);
+	ck_assert_int_eq(ts_alloc_balance(), 0);
+}
+END_TEST
+
+static void enter(void)
+{
+	if (!mkdtemp(folder)) {
+		strcpy(folder, "/tmp/tsim.alloc.XXXXXX");
+		ck_assert_ptr_nonnull(mkdtemp(folder));
+	}
+	ck_assert_int_eq(chdir(folder), 0);
+}
+
+static void leave(void)
+{
+	char command[100];
+
+	snprintf(command, sizeof command, "rm -rf %s", folder);
+	ck_assert_int_eq(chdir("/") + system(command), 0);
+}
+
+int main(void)
+{
+	Suite *suite = suite_create("allocation");
+	TCase *all = tcase_create("all");
+
+	tcase_set_timeout(all, 120);
+	tcase_add_checked_fixture(all, enter, leave);
+	tcase_add_loop_test(all, fails, 0, 2);
+	tcase_add_test(all, goes_on);
+	suite_add_tcase(suite, all);
+	return deck_main(suite);
+}
