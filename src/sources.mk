@@ -77,6 +77,7 @@ library_sources = \
 	src/math/rng.h \
 	src/math/vec3.h \
 	src/neigh/bond_force.c \
+	src/neigh/bond_loop.h \
 	src/neigh/bonds.c \
 	src/neigh/bonds.h \
 	src/neigh/cells.c \

@@ -1,6 +1,6 @@
-/* Every rejection provoked: from the argument rows of every style correct lines are made, which must
- * be accepted, and from those all kinds of wrong ones, which must be refused with a message and a
- * place. Lines of styles that touch no file are also run as a script would. */
+/* Every rejection provoked: from the argument rows of every style correct lines are made, which
+ * must be accepted, and from those all kinds of wrong ones, which must be refused with a message
+ * and a place. Lines of styles that touch no file are also run as a script would. */
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -174,8 +174,8 @@ static enum ts_status parse(struct trial *t, const struct line *line)
 	tsim_error_clear(t->sim);
 	status = ts_words_split(&arena, where.text, &where, &words);
 	if (status == TS_OK)
-		status = ts_args_parse(t->sim, t->style->name, t->style->args, words, &where, &arena,
-				       state);
+		status = ts_args_parse(t->sim, t->style->name, t->style->args, words, &where,
+				       &arena, state);
 	ts_arena_release(&arena);
 	ts_free(state);
 	return status;
@@ -184,9 +184,9 @@ static enum ts_status parse(struct trial *t, const struct line *line)
 /* As a script has it; NULL where running it could leave something behind. */
 static const char *script_line(const struct trial *t, const struct line *line)
 {
-	static const char *const not_run[] = { "shell",	 "quit",  "log",	"jump",
-					       "include", "clear", "write_restart", "write_dump",
-					       "thermo_log", "next", "label", NULL };
+	static const char *const not_run[] = { "shell",	     "quit",  "log",	       "jump",
+					       "include",    "clear", "write_restart", "write_dump",
+					       "thermo_log", "next",  "label",	       NULL };
 	static char text[5000];
 
 	for (int k = 0; t->style->kind == TS_KIND_COMMAND && not_run[k]; k++)
@@ -280,7 +280,9 @@ static void out_of_range(struct trial *t, const struct line *good, size_t k)
 
 static void wrong_number(struct trial *t, const struct line *good, size_t k)
 {
-	static const char *const words[] = { "1.5x", "x", "--1", "1e", "1e999", "nan", "1,5", "0x" };
+	static const char *const words[] = {
+		"1.5x", "x", "--1", "1e", "1e999", "nan", "1,5", "0x"
+	};
 
 	for (size_t w = 0; w < DECK_LENGTH(words); w++)
 		with_word(t, good, k, "no number", "%s", words[w]);
@@ -405,7 +407,8 @@ START_TEST(rejections)
 		too_short(&t, &good);
 		all_wrong(&t, &good);
 		each_keyword(&t, t.style->args, &good);
-		for (const struct ts_arg *row = t.style->args; row && row->type != TS_ARG_END; row++)
+		for (const struct ts_arg *row = t.style->args; row && row->type != TS_ARG_END;
+		     row++)
 			if (row->type == TS_ARG_MODE && (row->flags & TS_POSITIONAL)) {
 				int n = 0;
 

@@ -132,8 +132,8 @@ static void from_rows(const struct tsim *sim, struct contacts *c)
 		memcpy(c->force[p->tag[i]], p->f[i], sizeof p->f[i]);
 }
 
-/* Every touching pair has its row, no other row touches, and, where nothing else acts, forces are the
- * sum over all pairs. */
+/* Every touching pair has its row, no other row touches, and, where nothing else acts, forces are
+ * the sum over all pairs. */
 static int compare(const struct tsim *sim, bool forces)
 {
 	static struct contacts truth, found;
@@ -145,8 +145,9 @@ static int compare(const struct tsim *sim, bool forces)
 		for (int b = 1; b <= N; b++)
 			if (found.count[a][b] != truth.count[a][b])
 				ck_abort_msg("step %d: particles %d and %d have %d contacts, rows "
-					     "show %d", (int)sim->clock.step, a, b,
-					     truth.count[a][b], found.count[a][b]);
+					     "show %d",
+					     (int)sim->clock.step, a, b, truth.count[a][b],
+					     found.count[a][b]);
 	for (int a = 1; a <= N; a++)
 		for (int k = 0; k < 3; k++)
 			scale = fmax(scale, fabs(truth.force[a][k]));

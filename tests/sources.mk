@@ -27,6 +27,7 @@ unit_tests = \
 	tests/check_io \
 	tests/check_math \
 	tests/check_neigh \
+	tests/check_particles \
 	tests/check_script \
 	tests/check_styles \
 	tests/stability/check_limits
@@ -83,6 +84,10 @@ tests_check_math_LDADD = $(tests_ldadd)
 tests_check_neigh_SOURCES = tests/check_neigh.c $(tests_common)
 tests_check_neigh_CFLAGS = $(tests_cflags)
 tests_check_neigh_LDADD = $(tests_ldadd)
+
+tests_check_particles_SOURCES = tests/check_particles.c $(tests_common)
+tests_check_particles_CFLAGS = $(tests_cflags)
+tests_check_particles_LDADD = $(tests_ldadd)
 
 tests_check_script_SOURCES = tests/check_script.c $(tests_common)
 tests_check_script_CFLAGS = $(tests_cflags)

@@ -163,7 +163,7 @@ static size_t edit_distance(const char *a, const char *b)
 
 struct ts_suggest ts_suggest_start(const char *word)
 {
-	size_t tolerance = (strlen(word) + 2) / 3;
+	size_t n = strlen(word), tolerance = n > 1 ? (n + 2) / 3 : 0;
 
 	return (struct ts_suggest){ .word = word, .distance = tolerance + 1 };
 }

@@ -33,7 +33,8 @@ enum ts_status ts_replace_begin(struct ts_replace *r, struct ts_error *err,
 {
 	ts_replace_abandon(r);
 	if (!replaceable(path))
-		return ts_fail(err, TS_IO, where, "cannot write '%s': it is not a plain file", path);
+		return ts_fail(err, TS_IO, where, "cannot write '%s': it is not a plain file",
+			       path);
 	r->err = err;
 	r->where = where ? *where : (struct ts_place){ 0 };
 	ts_str_add(&r->path, path);

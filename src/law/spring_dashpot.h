@@ -39,7 +39,7 @@ static inline void ts_spring_dashpot_complete(struct ts_spring_dashpot *c)
 
 static inline double ts_spring_dashpot_beta(const struct ts_spring_dashpot *c, double mass)
 {
-	return c->constant + c->factor * sqrt(mass);
+	return c->factor != 0 ? c->factor * sqrt(mass) : c->constant;
 }
 
 static inline double ts_spring_dashpot_force(const struct ts_spring_dashpot *c,

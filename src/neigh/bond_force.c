@@ -4,24 +4,15 @@
 
 #include "base/parallel.h"
 #include "core/plan.h"
-#include "neigh/bonds.h"
+#include "neigh/bond_loop.h"
 #include "particles/domain.h"
 #include "particles/particles.h"
 
 #include "base/banned.h"
 
-struct task {
-	const struct ts_particles *p;
-	struct ts_bonds *bonds;
-	const struct ts_bond_style *style;
-	const struct ts_coeffs *coeffs;
-	double period[3]; /* length of the box where periodic, else 0 */
-};
-
-static struct task task_of(const struct tsim *sim, const struct ts_bond_style *style,
-			   const struct ts_coeffs *coeffs)
+static struct ts_bond_task task_of(const struct tsim *sim, const struct ts_coeffs *coeffs)
 {
-	struct task t = { sim->particles, sim->bonds, style, coeffs, { 0 } };
+	struct ts_bond_task t = { sim->particles, sim->bonds, coeffs, { 0 } };
 
 	for (int k = 0; k < 3; k++)
 		if (ts_box_periodic(&sim->domain->box, k))
@@ -29,61 +20,12 @@ static struct task task_of(const struct tsim *sim, const struct ts_bond_style *s
 	return t;
 }
 
-/* Vector from the second to the first partner, by the nearest image. */
-static inline void separation(const struct task *t, size_t i, size_t j, double d[3])
-{
-	for (int k = 0; k < 3; k++) {
-		d[k] = t->p->x[i][k] - t->p->x[j][k];
-		if (t->period[k] > 0)
-			d[k] -= t->period[k] * rint(d[k] / t->period[k]);
-	}
-}
-
-/* Force of bond b on its first partner; false if it breaks. */
-static inline bool evaluate(const struct task *t, size_t b)
-{
-	struct ts_bonds *bonds = t->bonds;
-	const struct ts_particles *p = t->p;
-	size_t i = (size_t)bonds->row[b][0], j = (size_t)bonds->row[b][1];
-	struct ts_bond_state state = { 0 };
-	double d[3], length, inverse, tension;
-	bool holds;
-
-	separation(t, i, j, d);
-	length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
-	inverse = length > 0 ? 1 / length : 0;
-	for (int k = 0; k < 3; k++)
-		d[k] *= inverse;
-	state.extension = length - bonds->rest[b];
-	state.mass = 1 / (p->imass[i] + p->imass[j]);
-	for (int k = 0; k < 3; k++)
-		state.rate += (p->v[i][k] - p->v[j][k]) * d[k];
-	holds = t->style->law(ts_coeff(t->coeffs, (size_t)bonds->type[b]), &state, &tension);
-	bonds->tension[b] = tension;
-	for (int k = 0; k < 3; k++)
-		bonds->force[b][k] = holds ? -tension * d[k] : 0;
-	return holds;
-}
-
-/* Returns the number of bonds that break. */
-static long force_share(void *context, size_t from, size_t to)
-{
-	const struct task *t = context;
-	long broken = 0;
-
-	for (size_t b = from; b < to; b++) {
-		t->bonds->breaks[b] = !evaluate(t, b);
-		broken += t->bonds->breaks[b];
-	}
-	return broken;
-}
-
 static enum ts_status record_event(struct tsim *sim, size_t b)
 {
 	struct ts_bonds *bonds = sim->bonds;
 	const struct ts_particles *p = sim->particles;
 	size_t i = (size_t)bonds->row[b][0], j = (size_t)bonds->row[b][1];
-	struct task t = task_of(sim, NULL, NULL);
+	struct ts_bond_task t = task_of(sim, NULL);
 	struct ts_bond_event *e;
 	double d[3];
 
@@ -95,7 +37,7 @@ static enum ts_status record_event(struct tsim *sim, size_t b)
 	e->time = ts_sim_time(sim);
 	e->force = bonds->tension[b];
 	e->type = bonds->type[b];
-	separation(&t, i, j, d);
+	ts_bond_separation(&t, i, j, d);
 	for (int k = 0; k < 3; k++)
 		e->x[k] = p->x[j][k] + 0.5 * d[k];
 	for (int s = 0; s < 2; s++)
@@ -139,12 +81,12 @@ static void gather_share(void *context, size_t from, size_t to)
 enum ts_status ts_bond_force(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_bond *bond = self->state;
-	struct task t = task_of(sim, ts_bond_style_of(self), &bond->coeffs);
+	struct ts_bond_task t = task_of(sim, &bond->coeffs);
 	long broken;
 
 	if (!sim->bonds->n)
 		return TS_OK;
-	broken = ts_parallel_count(sim->threads, sim->bonds->n, force_share, &t);
+	broken = ts_parallel_count(sim->threads, sim->bonds->n, ts_bond_style_of(self)->share, &t);
 	ts_parallel(sim->threads, sim->particles->n, gather_share, sim);
 	if (!broken)
 		return TS_OK;

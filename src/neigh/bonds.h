@@ -5,6 +5,7 @@
 #ifndef TS_NEIGH_BONDS_H
 #define TS_NEIGH_BONDS_H
 
+#include "base/parallel.h"
 #include "core/coeff.h"
 #include "core/sim.h"
 
@@ -43,12 +44,14 @@ struct ts_bond_state {
 	double mass;      /* m* */
 };
 
+/* Tension (> 0 pulls the partners together) into *tension; false if the bond breaks. */
+typedef bool ts_bond_law(const void *coeff, const struct ts_bond_state *state, double *tension);
+
 struct ts_bond_style {
 	struct ts_style style;
 	size_t coeff_size; /* bytes that the rows style.coeff fill, the arguments of bond_coeff */
 	enum ts_status (*complete)(struct tsim *sim, void *coeff, const struct ts_place *where);
-	/* Tension (> 0 pulls the partners together) into *tension; false if the bond breaks. */
-	bool (*law)(const void *coeff, const struct ts_bond_state *state, double *tension);
+	ts_count_fn *share; /* ts_bond_share with its law: neigh/bond_loop.h */
 	double (*stiffness)(const void *coeff);
 	/* Largest stable time step of one bond with reduced mass m*. */
 	double (*limit)(const void *coeff, double mass);

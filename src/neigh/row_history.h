@@ -1,4 +1,5 @@
-/* Carries the history columns of touching rows over a rebuild, by the identities of the partners. */
+/* Carries the history columns of touching rows over a rebuild, by the identities of the partners.
+ */
 #ifndef TS_NEIGH_ROW_HISTORY_H
 #define TS_NEIGH_ROW_HISTORY_H
 
@@ -7,16 +8,16 @@
 struct ts_row_history {
 	size_t n, width, slots;
 	struct ts_row_key {
-		int32_t tag[2]; /* smaller first */
+		int32_t tag[2];	 /* smaller first */
 		int32_t winding; /* of the larger, seen from the smaller; ts_winding */
-	} *key;
-	double *value;     /* width numbers each, as seen from the smaller tag */
+	} * key;
+	double *value;	    /* width numbers each, as seen from the smaller tag */
 	double (*force)[3]; /* on the smaller tag; NULL: not kept */
-	int32_t *slot;     /* open addressing: index of key + 1, 0 free */
+	int32_t *slot;	    /* open addressing: index of key + 1, 0 free */
 };
 
-/* Copies out the history of the touching rows, and if asked their forces: a run that goes on with the
- * forces of the last step shows the contacts of that step. */
+/* Copies out the history of the touching rows, and if asked their forces: a run that goes on with
+ * the forces of the last step shows the contacts of that step. */
 enum ts_status ts_row_history_take(struct tsim *sim, const struct ts_rows *rows, bool forces,
 				   struct ts_row_history *h);
 /* Gives it to the rows of the same partners. */

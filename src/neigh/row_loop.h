@@ -37,29 +37,41 @@ ts_row_contact(const struct ts_particles *p, size_t i, size_t j, struct ts_conta
 	return true;
 }
 
+/* A row that does not touch has no force and no history; the gather adds it all the same. */
+static inline void ts_row_part(struct ts_rows *rows, size_t r)
+{
+	if (!rows->touching[r])
+		return;
+	rows->touching[r] = 0;
+	for (int k = 0; k < 3; k++)
+		rows->force[r][k] = 0;
+	for (size_t k = 0; k < rows->history_width; k++)
+		rows->history[r * rows->history_width + k] = 0;
+}
+
 static inline __attribute__((always_inline)) void
 ts_row_share(const struct ts_row_task *task, size_t from, size_t to, ts_contact_law *law)
 {
-	const struct ts_particles *p = task->p;
-	struct ts_rows *rows = task->rows;
-	size_t width = rows->history_width;
+	/* copies, so that the compiler knows that the stores below leave the pointers alone */
+	const struct ts_particles p = *task->p;
+	const struct ts_pair pair = *task->pair;
+	struct ts_rows rows = *task->rows;
+	size_t width = rows.history_width;
 
 	for (size_t r = from; r < to; r++) {
-		size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
-		double *history = width ? rows->history + r * width : NULL;
+		size_t i = (size_t)rows.i[r], j = (size_t)rows.j[r];
+		double *history = width ? rows.history + r * width : NULL;
 		struct ts_contact c;
 		double fn;
 
-		if (!ts_row_contact(p, i, j, &c)) {
-			for (size_t k = 0; rows->touching[r] && k < width; k++)
-				history[k] = 0;
-			rows->touching[r] = 0;
+		if (!ts_row_contact(&p, i, j, &c)) {
+			ts_row_part(&rows, r);
 			continue;
 		}
-		fn = law(ts_pair_coeff(task->pair, p->type[i], p->type[j]), &c, history);
+		fn = law(ts_pair_coeff(&pair, p.type[i], p.type[j]), &c, history);
 		for (int k = 0; k < 3; k++)
-			rows->force[r][k] = fn * c.n[k];
-		rows->touching[r] = 1;
+			rows.force[r][k] = fn * c.n[k];
+		rows.touching[r] = 1;
 	}
 }
 

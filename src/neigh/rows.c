@@ -181,8 +181,9 @@ static void fill_rows(struct ts_rows *rows, const struct ts_particles *p, const 
 			rows->touching[r] = 0;
 		}
 	}
-	memset(rows->force, 0, r * sizeof *rows->force);
-	if (rows->history_width)
+	if (r)
+		memset(rows->force, 0, r * sizeof *rows->force);
+	if (r && rows->history_width)
 		memset(rows->history, 0, r * rows->history_width * sizeof *rows->history);
 }
 
@@ -218,7 +219,8 @@ static enum ts_status index_gather(struct tsim *sim, struct ts_rows *rows)
 			uint32_t e = entry[k];
 			size_t at = k;
 
-			for (; at && before(p, partner_of(rows, e), partner_of(rows, entry[at - 1]));
+			for (;
+			     at && before(p, partner_of(rows, e), partner_of(rows, entry[at - 1]));
 			     at--)
 				entry[at] = entry[at - 1];
 			entry[at] = e;
@@ -310,8 +312,6 @@ static void gather_share(void *context, size_t from, size_t to)
 			double sign = rows->entry[k] & 1 ? -1.0 : 1.0;
 			const double *force = rows->force[r];
 
-			if (!rows->touching[r])
-				continue;
 			for (int d = 0; d < 3; d++)
 				f[d] += sign * force[d];
 		}

@@ -17,13 +17,13 @@
 
 struct ts_rows {
 	size_t n, capacity;
-	int32_t *i, *j;     /* rows of the particle columns; i local, j local or ghost */
+	int32_t *i, *j;	    /* rows of the particle columns; i local, j local or ghost */
 	int32_t *tag[2];    /* identities of i and j */
-	uint8_t *image;     /* which image of j: 13 = itself; see ts_image_code */
+	uint8_t *image;	    /* which image of j: 13 = itself; see ts_image_code */
 	int32_t *winding;   /* which image, in a way that wrapping does not change; ts_winding */
 	double (*force)[3]; /* on i; j gets the opposite. Zero where not touching */
 	uint8_t *touching;
-	double *history;    /* history_width numbers per row; zero where never touched */
+	double *history; /* history_width numbers per row; zero where never touched */
 	size_t history_width;
 	const signed char *history_sign; /* +1 or -1: factor when i and j change places */
 
@@ -47,8 +47,8 @@ static inline int32_t ts_winding(const int32_t turns[3])
 	return (turns[0] & 1023) | (turns[1] & 1023) << 10 | (turns[2] & 1023) << 20;
 }
 
-/* Builds rows of all pairs of particles (xhold) nearer than r_i + r_j + skin, at least one of them of
- * finite mass; carries history over from the rows before. `excluded` may be NULL. */
+/* Builds rows of all pairs of particles (xhold) nearer than r_i + r_j + skin, at least one of them
+ * of finite mass; carries history over from the rows before. `excluded` may be NULL. */
 typedef bool ts_excluded_fn(const struct tsim *sim, size_t i, size_t j);
 enum ts_status ts_rows_build(struct tsim *sim, struct ts_rows *rows, double skin,
 			     ts_excluded_fn *excluded);

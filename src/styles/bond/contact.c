@@ -1,4 +1,4 @@
-#include "neigh/bonds.h"
+#include "neigh/bond_loop.h"
 
 #include <math.h>
 
@@ -29,6 +29,11 @@ static bool law(const void *coeff, const struct ts_bond_state *state, double *te
 		return false;
 	*tension += c->damping * state->rate;
 	return true;
+}
+
+static long share(void *task, size_t from, size_t to)
+{
+	return ts_bond_share(task, from, to, law);
 }
 
 static double stiffness(const void *coeff)
@@ -81,7 +86,7 @@ const struct ts_bond_style ts_bond_contact = {
 		   .fini = ts_bond_fini },
 	.coeff_size = sizeof(struct coeff),
 	.complete = complete,
-	.law = law,
+	.share = share,
 	.stiffness = stiffness,
 	.limit = limit,
 };

@@ -204,8 +204,8 @@ static enum ts_status make(struct tsim *sim, const struct state *s, const struct
 		p->type[first + k] = (int32_t)s->type;
 		if (mass > 0)
 			p->mass[first + k] = mass;
+		p->imass[first + k] = 1 / p->mass[first + k];
 	}
-	ts_particles_inverse_mass(p);
 	ts_log(&sim->log, "Created %zu atoms\n", from->n);
 	return TS_OK;
 }

@@ -136,15 +136,21 @@ static enum ts_status add_where_variable(struct tsim *sim, const struct state *s
 {
 	struct ts_particles *p = sim->particles;
 	struct ts_table value = { 0 };
+	struct ts_str name = { 0 };
 	struct ts_ref ref;
-	enum ts_status status = ts_ref_resolve(sim, s->variable, where, &ref);
+	enum ts_status status;
 
+	/* LAMMPS writes the bare name */
+	ts_str_addf(&name, "%s%s", strncmp(s->variable, "v_", 2) == 0 ? "" : "v_", s->variable);
+	status = name.failed ? ts_nomem(&sim->error)
+			     : ts_ref_resolve(sim, ts_str_text(&name), where, &ref);
 	if (status == TS_OK)
 		status = ts_ref_peratom(sim, &ref, where, &value);
 	for (size_t i = 0; status == TS_OK && i < p->n; i++)
 		if (value.data[i] != 0)
 			add(p, i, bit);
 	ts_table_release(&value);
+	ts_str_release(&name);
 	return status;
 }
 
@@ -240,7 +246,7 @@ static const struct ts_arg region[] = {
 
 static const struct ts_arg variable[] = {
 	TS_REF("variable", struct state, variable, .flags = TS_POSITIONAL,
-	       .help = "v_name of an atom-style variable: members are where it is not 0"),
+	       .help = "an atom-style variable, NAME or v_NAME: members are where it is not 0"),
 	TS_ARGS_END,
 };
 

@@ -176,14 +176,22 @@ static void measure(struct bit *b, const struct ts_particles *p, double omega)
 	b->torque = 0.5 * b->diameter * b->tangential;
 }
 
+/* Contacts and bonds have been added to the forces, other fixes have not. */
+static enum ts_status measure_contacts(struct ts_instance *self, struct tsim *sim)
+{
+	double omega;
+
+	TS_TRY(ts_number_now(sim, &((struct bit *)self->state)->omega, &self->where, &omega));
+	measure(self->state, sim->particles, omega);
+	return TS_OK;
+}
+
 static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 {
-	struct bit *b = self->state;
+	const struct bit *b = self->state;
 	struct ts_particles *p = sim->particles;
-	double mean = height(b, p), mean_v = rise(b, p), omega;
+	double mean = height(b, p), mean_v = rise(b, p);
 
-	TS_TRY(ts_number_now(sim, &b->omega, &self->where, &omega));
-	measure(b, p, omega);
 	for (int k = 0; k < NCUTTERS; k++) {
 		size_t i = (size_t)b->rows.cutter[k];
 
@@ -308,6 +316,7 @@ const struct ts_style ts_fix_drill_bit = {
 	.hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,
 		  [TS_STAGE_EXCHANGE] = exchange,
 		  [TS_STAGE_POST_BUILD] = post_build,
+		  [TS_STAGE_FORCE] = measure_contacts,
 		  [TS_STAGE_POST_FORCE] = post_force,
 		  [TS_STAGE_FINAL_INTEGRATE] = final_integrate },
 	.plan = plan,
