@@ -84,6 +84,8 @@ library_sources = \
 	src/neigh/cells.h \
 	src/neigh/neigh.c \
 	src/neigh/neigh.h \
+	src/neigh/order.c \
+	src/neigh/order.h \
 	src/neigh/pair.c \
 	src/neigh/pair.h \
 	src/neigh/row_history.c \

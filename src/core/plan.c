@@ -141,7 +141,28 @@ enum ts_status ts_plan_run(struct ts_plan *plan, struct tsim *sim, bool setup)
 	return TS_OK;
 }
 
-static void hash_instance(struct tsim *sim, const struct ts_instance *inst, struct ts_hash *hash)
+/* Arguments given as v_NAME count with the value they have now. */
+static enum ts_status hash_variables(struct tsim *sim, const struct ts_instance *inst,
+				     const struct ts_arg *rows, struct ts_hash *hash)
+{
+	for (const struct ts_arg *row = rows; row && row->type != TS_ARG_END; row++) {
+		const void *field = (const char *)inst->state + row->offset;
+		const struct ts_number *number = field;
+		double value;
+
+		if (row->type == TS_ARG_MODE && *(const int *)field >= 0)
+			TS_TRY(hash_variables(sim, inst, row->modes[*(const int *)field].args, hash));
+		if (row->type != TS_ARG_NUMBER || !number->variable ||
+		    sim->host->is_peratom(sim->host_data, number->variable))
+			continue;
+		TS_TRY(ts_number_now(sim, number, &inst->where, &value));
+		ts_hash_add(hash, &value, sizeof value);
+	}
+	return TS_OK;
+}
+
+static enum ts_status hash_instance(struct tsim *sim, const struct ts_instance *inst,
+				    struct ts_hash *hash)
 {
 	struct ts_str record = { 0 };
 
@@ -151,6 +172,7 @@ static void hash_instance(struct tsim *sim, const struct ts_instance *inst, stru
 	ts_str_release(&record);
 	if (inst->style->fingerprint)
 		inst->style->fingerprint(inst, sim, hash);
+	return hash_variables(sim, inst, inst->style->args, hash);
 }
 
 enum ts_status ts_sim_fingerprint(struct tsim *sim, uint64_t *out)
@@ -167,7 +189,7 @@ enum ts_status ts_sim_fingerprint(struct tsim *sim, uint64_t *out)
 		const struct ts_instances *list = &sim->instances[kinds[k]];
 
 		for (size_t i = 0; i < list->n; i++)
-			hash_instance(sim, list->item[i], &hash);
+			TS_TRY(hash_instance(sim, list->item[i], &hash));
 	}
 	*out = ts_hash_value(&hash);
 	return TS_OK;

@@ -4,7 +4,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/parallel.h"
 #include "core/plan.h"
+#include "neigh/order.h"
 #include "particles/exchange.h"
 #include "particles/particles.h"
 
@@ -79,33 +81,62 @@ static enum ts_status runaway(struct tsim *sim, size_t i)
 	return status;
 }
 
+/* What a particle may not do without a rebuild or worse. */
+struct limits {
+	const struct ts_particles *p;
+	double moved2; /* since the last build */
+	double dt2;
+	double lo[3], hi[3]; /* see ts_exchange_limits */
+};
+
+static bool runs_away(const struct ts_particles *p, size_t i, double dt2)
+{
+	const double *v = p->v[i], *x = p->x[i];
+	double v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+
+	return !(v2 * dt2 <= p->radius[i] * p->radius[i]) || !isfinite(x[0] + x[1] + x[2]);
+}
+
+/* Counts particles beyond a limit; written without branches, as it runs every step. */
+static long check_share(void *context, size_t from, size_t to)
+{
+	const struct limits limits = *(const struct limits *)context;
+	const struct ts_particles p = *limits.p;
+	long beyond = 0;
+
+	for (size_t i = from; i < to; i++) {
+		const double *x = p.x[i];
+		double d2 = 0, v2 = 0;
+		bool outside = false;
+
+		for (int k = 0; k < 3; k++) {
+			double d = x[k] - p.xhold[i][k];
+
+			d2 += d * d;
+			v2 += p.v[i][k] * p.v[i][k];
+			outside |= (x[k] < limits.lo[k]) | (x[k] > limits.hi[k]);
+		}
+		beyond += outside | !(d2 <= limits.moved2) |
+			  !(v2 * limits.dt2 <= p.radius[i] * p.radius[i]);
+	}
+	return beyond;
+}
+
 static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_neigh *nb = self->state;
 	const struct ts_particles *p = sim->particles;
-	double limit = nb->built_skin * nb->built_skin / 4, dt2 = sim->clock.dt * sim->clock.dt;
-	long moved = 0, bad = 0;
+	struct limits limits = { .p = p,
+				 .moved2 = nb->built_skin * nb->built_skin / 4,
+				 .dt2 = sim->clock.dt * sim->clock.dt };
 
-#pragma omp parallel for num_threads(sim->threads) schedule(static) reduction(+ : moved, bad)
-	for (size_t i = 0; i < p->n; i++) {
-		double d[3], d2 = 0, v2 = 0;
-
-		for (int k = 0; k < 3; k++) {
-			d[k] = p->x[i][k] - p->xhold[i][k];
-			d2 += d[k] * d[k];
-			v2 += p->v[i][k] * p->v[i][k];
-		}
-		moved += d2 > limit;
-		bad += !(v2 * dt2 <= p->radius[i] * p->radius[i]) || !(d2 < INFINITY);
-	}
-	for (size_t i = 0; bad && i < p->n; i++) {
-		const double *v = p->v[i], *x = p->x[i];
-		double v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-
-		if (!(v2 * dt2 <= p->radius[i] * p->radius[i]) || !isfinite(x[0] + x[1] + x[2]))
+	ts_exchange_limits(sim, limits.lo, limits.hi);
+	if (!ts_parallel_count(sim->threads, p->n, check_share, &limits))
+		return TS_OK;
+	for (size_t i = 0; i < p->n; i++)
+		if (runs_away(p, i, limits.dt2))
 			return runaway(sim, i);
-	}
-	sim->rebuild |= moved > 0 || ts_exchange_needed(sim);
+	sim->rebuild = true;
 	return TS_OK;
 }
 
@@ -148,6 +179,8 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 	struct ts_neigh *nb = self->state;
 	struct ts_particles *p = sim->particles;
 
+	if (!sim->resuming)
+		TS_TRY(ts_order_by_place(sim));
 	/* a run that goes on keeps the positions of its last build, and so builds the same rows */
 	if (!sim->resuming && p->n)
 		memcpy(p->xhold, p->x, p->n * sizeof *p->xhold);

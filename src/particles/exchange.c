@@ -39,14 +39,14 @@ static int left_through(const struct ts_box *box, const double x[3])
 	return -1;
 }
 
-bool ts_exchange_needed(const struct tsim *sim)
+void ts_exchange_limits(const struct tsim *sim, double lo[3], double hi[3])
 {
-	const struct ts_particles *p = sim->particles;
+	const struct ts_box *box = &sim->domain->box;
 
-	for (size_t i = 0; i < p->n; i++)
-		if (left_through(&sim->domain->box, p->x[i]) >= 0)
-			return true;
-	return false;
+	for (int d = 0; d < 3; d++) {
+		lo[d] = box->face[d][0] == TS_FACE_FIXED ? box->lo[d] : -INFINITY;
+		hi[d] = box->face[d][1] == TS_FACE_FIXED ? box->hi[d] : INFINITY;
+	}
 }
 
 static enum ts_status report_lost(struct tsim *sim, size_t i, int face)

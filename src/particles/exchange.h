@@ -17,7 +17,7 @@ enum ts_status ts_exchange_borders(struct tsim *sim, double cutoff);
 /* Refreshes positions, velocities and other TS_COL_FORWARD columns of the ghosts. */
 void ts_exchange_forward(struct tsim *sim);
 
-/* Has any local particle left through a fixed face? */
-bool ts_exchange_needed(const struct tsim *sim);
+/* Coordinates beyond which a particle has left through a fixed face; infinite where there is none. */
+void ts_exchange_limits(const struct tsim *sim, double lo[3], double hi[3]);
 
 #endif

@@ -26,6 +26,16 @@ struct ts_region_style {
 	void (*bounds)(const struct ts_instance *self, double lo[3], double hi[3]);
 };
 
+/* State of the regions that combine others. */
+struct ts_region_set {
+	struct ts_region region;
+	int64_t n;
+	struct ts_words names;
+	struct ts_instance **member;
+};
+extern const struct ts_arg ts_region_set_args[];
+enum ts_status ts_region_set_init(struct ts_instance *self, struct tsim *sim);
+
 bool ts_region_contains(const struct ts_instance *region, const double x[3]);
 void ts_region_bounds(const struct ts_instance *region, double lo[3], double hi[3]);
 /* Sets region.scale from the lattice; call first in a region's init. */

@@ -4,23 +4,18 @@
 #include "base/banned.h"
 
 struct state {
-	struct ts_words id;
+	const char *id;
 };
 
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
 {
-	const struct state *s = state;
+	const struct ts_word id = { .text = ((const struct state *)state)->id, .place = *where };
 
-	(void)where;
-	if (s->id.n > 1)
-		return ts_fail(&sim->error, TS_SYNTAX, &s->id.word[1].place,
-			       "unfix: unexpected '%s', the line should end before it",
-			       s->id.word[1].text);
-	return ts_sim_destroy(sim, TS_KIND_FIX, &s->id.word[0]);
+	return ts_sim_destroy(sim, TS_KIND_FIX, &id);
 }
 
 static const struct ts_arg args[] = {
-	TS_REST("id", struct state, id, .help = "its name"),
+	TS_WORD("id", struct state, id, .flags = TS_POSITIONAL, .help = "its name"),
 	TS_ARGS_END,
 };
 

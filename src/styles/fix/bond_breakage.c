@@ -1,15 +1,14 @@
-#include <errno.h>
 #include <inttypes.h>
-#include <stdio.h>
 #include <string.h>
 
+#include "io/textfile.h"
 #include "neigh/bonds.h"
 
 #include "base/banned.h"
 
 struct breakage {
 	const char *path;
-	FILE *file;
+	struct ts_textfile file;
 	int64_t written; /* events already in the file */
 };
 
@@ -17,14 +16,11 @@ static enum ts_status open_file(struct ts_instance *self, struct tsim *sim)
 {
 	struct breakage *s = self->state;
 
-	if (s->file || !s->path || sim->explain)
+	if (ts_textfile_is_open(&s->file) || !s->path || sim->explain)
 		return TS_OK;
-	s->file = fopen(s->path, s->written ? "a" : "w");
-	if (!s->file)
-		return ts_fail(&sim->error, TS_IO, &self->where,
-			       "fix bond/breakage: cannot open '%s': %s", s->path, strerror(errno));
+	TS_TRY(ts_textfile_open(&s->file, &sim->error, &self->where, s->path, s->written > 0));
 	if (!s->written)
-		fprintf(s->file, "# step time i j type x y z force\n");
+		TS_TRY(ts_textfile_printf(&s->file, "# step time i j type x y z force\n"));
 	return TS_OK;
 }
 
@@ -33,18 +29,16 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	struct breakage *s = self->state;
 	const struct ts_bonds *bonds = sim->bonds;
 
-	if (!s->file || s->written == (int64_t)bonds->nevents)
+	if (!ts_textfile_is_open(&s->file) || s->written == (int64_t)bonds->nevents)
 		return TS_OK;
 	for (; s->written < (int64_t)bonds->nevents; s->written++) {
 		const struct ts_bond_event *e = &bonds->event[s->written];
 
-		fprintf(s->file, "%" PRId64 " %.9g %d %d %d %.9g %.9g %.9g %.9g\n", e->step, e->time,
-			e->tag[0], e->tag[1], e->type, e->x[0], e->x[1], e->x[2], e->force);
+		TS_TRY(ts_textfile_printf(
+			&s->file, "%" PRId64 " %.9g %d %d %d %.9g %.9g %.9g %.9g\n", e->step,
+			e->time, e->tag[0], e->tag[1], e->type, e->x[0], e->x[1], e->x[2], e->force));
 	}
-	if (fflush(s->file) != 0)
-		return ts_fail(&sim->error, TS_IO, &self->where,
-			       "fix bond/breakage: cannot write '%s': %s", s->path, strerror(errno));
-	return TS_OK;
+	return ts_textfile_flush(&s->file);
 }
 
 static enum ts_status eval_count(struct ts_instance *self, const struct tsim *sim,
@@ -74,10 +68,7 @@ static enum ts_status eval_events(struct ts_instance *self, const struct tsim *s
 
 static void fini(struct ts_instance *self)
 {
-	struct breakage *s = self->state;
-
-	if (s->file)
-		fclose(s->file);
+	ts_textfile_close(&((struct breakage *)self->state)->file);
 }
 
 static const struct ts_arg args[] = {

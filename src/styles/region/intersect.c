@@ -5,44 +5,9 @@
 
 #include "base/banned.h"
 
-struct intersect_set {
-	struct ts_region region;
-	int64_t n;
-	struct ts_words rest; /* n names, then keywords */
-	struct ts_instance **member;
-};
-
-static const struct ts_arg keywords[] = {
-	TS_REGION_ARGS(struct intersect_set),
-	TS_ARGS_END,
-};
-
-static enum ts_status init(struct ts_instance *self, struct tsim *sim)
-{
-	struct intersect_set *u = self->state;
-
-	if ((size_t)u->n > u->rest.n)
-		return ts_fail(
-			&sim->error, TS_SYNTAX, &self->where,
-			"region intersect: expected the names of %lld regions, found %zu words",
-			(long long)u->n, u->rest.n);
-	if (!u->member) {
-		TS_TRY(ts_args_parse(sim, "region intersect", keywords,
-				     ts_words_from(u->rest, (size_t)u->n), &self->where,
-				     &self->arena, u));
-		u->member = ts_arena_alloc(&self->arena, (size_t)u->n, sizeof *u->member);
-		if (!u->member)
-			return ts_nomem(&sim->error);
-	}
-	ts_region_init(self, sim);
-	for (int64_t k = 0; k < u->n; k++)
-		TS_TRY(ts_sim_require(sim, TS_KIND_REGION, &u->rest.word[k], &u->member[k]));
-	return TS_OK;
-}
-
 static bool contains(const struct ts_instance *self, const double x[3])
 {
-	const struct intersect_set *u = self->state;
+	const struct ts_region_set *u = self->state;
 
 	for (int64_t k = 0; k < u->n; k++)
 		if (!ts_region_contains(u->member[k], x))
@@ -52,7 +17,7 @@ static bool contains(const struct ts_instance *self, const double x[3])
 
 static void bounds(const struct ts_instance *self, double lo[3], double hi[3])
 {
-	const struct intersect_set *u = self->state;
+	const struct ts_region_set *u = self->state;
 	double a[3], b[3];
 
 	for (int64_t k = 0; k < u->n; k++) {
@@ -64,15 +29,6 @@ static void bounds(const struct ts_instance *self, double lo[3], double hi[3])
 	}
 }
 
-static const struct ts_arg args[] = {
-	TS_INT("n", struct intersect_set, n, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1,
-	       .hi = 1e6, .help = "number of regions"),
-	TS_REST("regions", struct intersect_set, rest,
-		.help = "the names of n regions, then the keywords side and units"),
-	TS_REGION_ARGS(struct intersect_set),
-	TS_ARGS_END,
-};
-
 TS_STYLE(region, ts_region_style, ts_region_intersect)
 const struct ts_region_style ts_region_intersect = {
 	.style = {
@@ -82,9 +38,9 @@ const struct ts_region_style ts_region_intersect = {
 		.doc = "A point belongs to it if it belongs to all of the n regions; the side of each counts, so\n"
 		       "that a region with `side out` cuts a hole.",
 		.example = "region ring intersect 2 outer_cylinder not_inner_cylinder",
-		.args = args,
-		.state_size = sizeof(struct intersect_set),
-		.init = init,
+		.args = ts_region_set_args,
+		.state_size = sizeof(struct ts_region_set),
+		.init = ts_region_set_init,
 	},
 	.contains = contains,
 	.bounds = bounds,

@@ -1,0 +1,97 @@
+#include "neigh/order.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "particles/particles.h"
+
+#include "base/banned.h"
+
+/* About as many cells as particles, of equal edges, numbered along x, then y, then z. */
+struct grid {
+	double lo[3], inverse;
+	size_t cells[3], n;
+};
+
+static struct grid grid_of(const struct ts_particles *p)
+{
+	struct grid g = { .lo = { INFINITY, INFINITY, INFINITY }, .n = 1 };
+	double hi[3] = { -INFINITY, -INFINITY, -INFINITY }, volume = 1, longest = 0, edge;
+
+	for (size_t i = 0; i < p->n; i++) {
+		for (int d = 0; d < 3; d++) {
+			g.lo[d] = fmin(g.lo[d], p->x[i][d]);
+			hi[d] = fmax(hi[d], p->x[i][d]);
+		}
+	}
+	for (int d = 0; d < 3; d++)
+		longest = fmax(longest, hi[d] - g.lo[d]);
+	for (int d = 0; d < 3; d++) /* flat and thin clouds too */
+		volume *= fmax(hi[d] - g.lo[d], 1e-3 * longest);
+	edge = cbrt(volume / (double)p->n);
+	g.inverse = edge > 0 ? 1 / edge : 0;
+	for (int d = 0; d < 3; d++) {
+		g.cells[d] = (size_t)((hi[d] - g.lo[d]) * g.inverse) + 1;
+		g.n *= g.cells[d];
+	}
+	return g;
+}
+
+static size_t cell_of(const struct grid *g, const double x[3])
+{
+	size_t c[3];
+
+	for (int d = 0; d < 3; d++)
+		c[d] = (size_t)((x[d] - g->lo[d]) * g->inverse);
+	return c[0] + g->cells[0] * (c[1] + g->cells[1] * c[2]);
+}
+
+/* Counting sort, the particles taken by identity. */
+static void sort(const struct ts_particles *p, const struct grid *g, const int32_t *row_of_tag,
+		 int32_t *start, int32_t *order)
+{
+	for (size_t i = 0; i < p->n; i++)
+		start[cell_of(g, p->x[i]) + 1]++;
+	for (size_t c = 0; c < g->n; c++)
+		start[c + 1] += start[c];
+	for (int32_t tag = 1; tag <= p->max_tag; tag++) {
+		int32_t row = row_of_tag[tag];
+
+		if (row >= 0)
+			order[start[cell_of(g, p->x[row])]++] = row;
+	}
+}
+
+static bool in_order(const int32_t *order, size_t n)
+{
+	for (size_t i = 0; i < n; i++)
+		if (order[i] != (int32_t)i)
+			return false;
+	return true;
+}
+
+enum ts_status ts_order_by_place(struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+	const int32_t *row_of_tag;
+	struct grid g;
+	int32_t *start, *order;
+	enum ts_status status = TS_OK;
+
+	if (p->n < TS_ORDER_LEAST)
+		return TS_OK;
+	TS_TRY(ts_particles_map(sim, &row_of_tag));
+	g = grid_of(p);
+	start = ts_alloc(g.n + 1, sizeof *start);
+	order = ts_alloc(p->n, sizeof *order);
+	if (!start || !order) {
+		status = ts_nomem(&sim->error);
+	} else {
+		sort(p, &g, row_of_tag, start, order);
+		if (!in_order(order, p->n))
+			status = ts_particles_reorder(sim, order);
+	}
+	ts_free(start);
+	ts_free(order);
+	return status;
+}
