@@ -27,6 +27,7 @@ unit_tests = \
 	tests/check_io \
 	tests/check_math \
 	tests/check_neigh \
+	tests/check_order \
 	tests/check_particles \
 	tests/check_script \
 	tests/check_styles \
@@ -84,6 +85,10 @@ tests_check_math_LDADD = $(tests_ldadd)
 tests_check_neigh_SOURCES = tests/check_neigh.c $(tests_common)
 tests_check_neigh_CFLAGS = $(tests_cflags)
 tests_check_neigh_LDADD = $(tests_ldadd)
+
+tests_check_order_SOURCES = tests/check_order.c $(tests_common)
+tests_check_order_CFLAGS = $(tests_cflags)
+tests_check_order_LDADD = $(tests_ldadd)
 
 tests_check_particles_SOURCES = tests/check_particles.c $(tests_common)
 tests_check_particles_CFLAGS = $(tests_cflags)

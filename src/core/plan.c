@@ -32,6 +32,7 @@ enum ts_status ts_plan_compile(struct ts_plan *plan, struct tsim *sim)
 		plan->n[stage] = 0;
 		plan->seconds[stage] = 0;
 	}
+	sim->explicit_euler = false; /* its fix says so in init */
 	for (int k = 0; k < NORDER; k++) {
 		const struct ts_instances *list = &sim->instances[kind_order[k]];
 

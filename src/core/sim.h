@@ -48,6 +48,7 @@ struct tsim {
 	bool explain;      /* -explain: plan runs, do not step or write */
 	bool unsafe;       /* this run only warns of a step beyond the stability limit */
 	bool running;      /* inside a run */
+	bool explicit_euler; /* a live integrator is explicit Euler, which has limits of its own */
 	bool rebuild;      /* this step exchanges particles and rebuilds the contact rows */
 	bool in_setup;     /* forces before the first step: contact history stands still */
 	bool resuming;     /* nothing forces depend on has changed since the last step: the run

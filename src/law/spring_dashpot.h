@@ -14,6 +14,7 @@
 #define TS_LAW_SPRING_DASHPOT_H
 
 #include <math.h>
+#include <stdbool.h>
 
 #include "law/contact.h"
 
@@ -51,12 +52,14 @@ static inline double ts_spring_dashpot_force(const struct ts_spring_dashpot *c,
 
 /* The largest stable step of leapfrog-like schemes (velocity Verlet and symplectic Euler, the damping
  * force taken at the half step): |z| <= 1 for z^2 - (2 - w^2 h^2 - 2 g h) z + 1 - 2 g h = 0, that is
- * h = 2 (sqrt(w^2 + g^2) - g) / w^2. */
-static inline double ts_spring_dashpot_limit(const struct ts_spring_dashpot *c, double mass)
+ * h = 2 (sqrt(w^2 + g^2) - g) / w^2. Explicit Euler, z^2 - (2 - 2 g h) z + 1 - 2 g h + w^2 h^2, is stable
+ * for h < 2 g / w^2 = beta / k only. */
+static inline double ts_spring_dashpot_limit(const struct ts_spring_dashpot *c, double mass,
+					     bool explicit_euler)
 {
 	double w2 = c->stiffness / mass, g = ts_spring_dashpot_beta(c, mass) / (2 * mass);
 
-	return 2 * (sqrt(w2 + g * g) - g) / w2;
+	return explicit_euler ? 2 * g / w2 : 2 * (sqrt(w2 + g * g) - g) / w2;
 }
 
 #endif

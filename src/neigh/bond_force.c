@@ -201,9 +201,10 @@ enum ts_status ts_bond_plan(struct ts_instance *self, struct tsim *sim,
 		if (imass > 0)
 			least = fmin(least, style->limit(ts_coeff(&bond->coeffs,
 								  (size_t)bonds->type[b]),
-							 1 / imass));
+							 1 / imass, sim->explicit_euler));
 	}
-	TS_TRY(ts_report_limit(report, least, true, &self->where, "a single bond"));
+	TS_TRY(ts_report_limit(report, least, !sim->explicit_euler, &self->where, "a single bond%s",
+			       sim->explicit_euler ? " under fix nve/euler" : ""));
 	return ts_report_limit(report, network_limit(sim, style, &bond->coeffs), false,
 			       &self->where, "the network of bonds (Gershgorin's bound)");
 }

@@ -54,7 +54,7 @@ struct ts_bond_style {
 	ts_count_fn *share; /* ts_bond_share with its law: neigh/bond_loop.h */
 	double (*stiffness)(const void *coeff);
 	/* Largest stable time step of one bond with reduced mass m*. */
-	double (*limit)(const void *coeff, double mass);
+	double (*limit)(const void *coeff, double mass, bool explicit_euler);
 };
 
 /* First member of every bond style's state. */

@@ -23,7 +23,7 @@ double ts_neigh_skin(const struct tsim *sim)
 		least = fmin(least, p->radius[i]);
 		most = fmax(most, p->radius[i]);
 	}
-	return p->n ? fmax(0.3 * least, 0.05 * most) : 1;
+	return p->n ? fmax(0.4 * least, 0.05 * most) : 1;
 }
 
 static void describe_contacts(struct tsim *sim, size_t i, struct ts_str *out)
@@ -73,10 +73,11 @@ static enum ts_status runaway(struct tsim *sim, size_t i)
 				: "has a position or velocity that is not a number",
 			 sim->clock.step, x[0], x[1], x[2], v[0], v[1], v[2],
 			 contacts.length ? contacts.text : "none",
-			 contacts.length ? "the time step is too large for the stiffness, or particles "
-					   "overlapped when they were created"
-					 : "a force or a velocity that was set is too large for the "
-					   "time step");
+			 contacts.length
+				 ? "the time step is too large for the stiffness, or particles "
+				   "overlapped when they were created"
+				 : "a force or a velocity that was set is too large for the "
+				   "time step");
 	ts_str_release(&contacts);
 	return status;
 }
@@ -222,8 +223,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	struct ts_row_history h = { 0 };
 	enum ts_status status;
 
-	TS_TRY(ts_archive_fixed(a, "exclude", TS_SAVED_I32, nb->exclude,
-				3 * TS_MAX_EXCLUDE));
+	TS_TRY(ts_archive_fixed(a, "exclude", TS_SAVED_I32, nb->exclude, 3 * TS_MAX_EXCLUDE));
 	if (!ts_archive_writing(a) || nb->saved.n)
 		return ts_row_history_archive(a, sim, &nb->saved);
 	TS_TRY(ts_row_history_take(sim, &nb->rows, true, &h));
@@ -255,10 +255,10 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 		return TS_OK;
 	}
 	report->bytes += (double)(nb->rows.n * row);
-	ts_report_line(report, "contact rows",
-		       "%zu within the skin %g (%.1f a particle), %zu bytes each", nb->rows.n,
-		       nb->built_skin,
-		       sim->particles->n ? (double)nb->rows.n / (double)sim->particles->n : 0.0, row);
+	ts_report_line(
+		report, "contact rows", "%zu within the skin %g (%.1f a particle), %zu bytes each",
+		nb->rows.n, nb->built_skin,
+		sim->particles->n ? (double)nb->rows.n / (double)sim->particles->n : 0.0, row);
 	if (!nb->rows.history_width)
 		ts_report_left_out(report, "contact history", "the contact law remembers nothing");
 	if (!sim->particles->nghost)

@@ -26,7 +26,7 @@ struct ts_neigh {
 	struct ts_row_history saved; /* from a restart file, for the next build */
 };
 
-/* The skin in use: as given by `neighbor`, else 0.3 of the smallest radius (at least 0.05 of the
+/* The skin in use: as given by `neighbor`, else 0.4 of the smallest radius (at least 0.05 of the
  * largest). */
 double ts_neigh_skin(const struct tsim *sim);
 

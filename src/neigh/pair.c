@@ -164,9 +164,12 @@ enum ts_status ts_pair_plan(struct ts_instance *self, struct tsim *sim,
 			/* no such pair, or both are held */
 			if (one < 0 || other < 0 || one + other == 0)
 				continue;
-			status = ts_report_limit(report, style->limit(ts_pair_coeff(pair, a, b), mass),
-						 true, &self->where,
-						 "a contact of types %d and %d (m* = %.4g)", a, b, mass);
+			status = ts_report_limit(
+				report,
+				style->limit(ts_pair_coeff(pair, a, b), mass, sim->explicit_euler),
+				!sim->explicit_euler, &self->where,
+				"a contact of types %d and %d (m* = %.4g)%s", a, b, mass,
+				sim->explicit_euler ? " under fix nve/euler" : "");
 		}
 	}
 	ts_free(most);

@@ -15,7 +15,7 @@ struct ts_pair_style {
 	/* The law, for one contact: used by walls, outputs and tests. */
 	ts_contact_law *law;
 	/* Largest stable step of a contact of this effective mass. */
-	double (*limit)(const void *coeff, double mass);
+	double (*limit)(const void *coeff, double mass, bool explicit_euler);
 	size_t history_width;
 	const signed char *history_sign;
 };

@@ -41,9 +41,10 @@ static inline void ts_row_part(struct ts_rows *rows, size_t r)
 }
 
 /* Lists the touching ones of the rows from .. to-1; returns how many. */
-static inline __attribute__((always_inline)) size_t
-ts_row_find(const struct ts_particles *p, struct ts_rows *rows, size_t from, size_t to,
-	    uint32_t list[TS_ROW_BLOCK])
+static inline __attribute__((always_inline)) size_t ts_row_find(const struct ts_particles *p,
+								struct ts_rows *rows, size_t from,
+								size_t to,
+								uint32_t list[TS_ROW_BLOCK])
 {
 	size_t n = 0;
 

@@ -301,6 +301,7 @@ struct gather {
 
 static void gather_share(void *context, size_t from, size_t to)
 {
+	static const double signs[] = { 1, -1 }; /* a table: which side cannot be guessed */
 	const struct gather *g = context;
 	const struct ts_rows *rows = g->rows;
 
@@ -309,7 +310,7 @@ static void gather_share(void *context, size_t from, size_t to)
 
 		for (size_t k = rows->first[i]; k < rows->first[i + 1]; k++) {
 			uint32_t r = rows->entry[k] >> 1;
-			double sign = rows->entry[k] & 1 ? -1.0 : 1.0;
+			double sign = signs[rows->entry[k] & 1];
 			const double *force = rows->force[r];
 
 			for (int d = 0; d < 3; d++)

@@ -41,12 +41,12 @@ static double stiffness(const void *coeff)
 	return ((const struct coeff *)coeff)->stiffness;
 }
 
-static double limit(const void *coeff, double mass)
+static double limit(const void *coeff, double mass, bool explicit_euler)
 {
 	const struct coeff *c = coeff;
 	const struct ts_spring_dashpot same = { .stiffness = c->stiffness, .constant = c->damping };
 
-	return ts_spring_dashpot_limit(&same, mass);
+	return ts_spring_dashpot_limit(&same, mass, explicit_euler);
 }
 
 static const struct ts_arg coeff_rows[] = {

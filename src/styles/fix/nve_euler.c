@@ -1,5 +1,3 @@
-#include "core/plan.h"
-
 #include "particles/particles.h"
 
 #include "base/banned.h"
@@ -23,13 +21,12 @@ static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *s
 	return TS_OK;
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
-			   struct ts_plan_report *report)
+/* Contacts and bonds then report the limits of this scheme, as advice: work done with it did not keep
+ * them. */
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
-	(void)self, (void)sim;
-	ts_report_line(report, "explicit Euler",
-		       "gains energy: undamped contacts are unstable for every step, damped ones "
-		       "above beta/k");
+	(void)self;
+	sim->explicit_euler = true;
 	return TS_OK;
 }
 
@@ -40,9 +37,9 @@ const struct ts_style ts_fix_nve_euler = {
 	.summary = "moves the particles of the group by the explicit Euler scheme",
 	.doc = "x += h v; v += h f/m (both with the values at the beginning of the step). First "
 	       "order. An undamped oscillator gains energy at every step, its amplitude growing by "
-	       "sqrt(1 + omega^2 h^2); one with a dashpot is stable for h < beta/k. Kept to "
+	       "sqrt(1 + omega^2 h^2); one with a dashpot is stable for h < beta/k. A larger step is only warned of. Kept to "
 	       "reproduce work done with it; prefer fix nve.",
 	.example = "fix move rock nve/euler",
+	.init = init,
 	.hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate },
-	.plan = plan,
 };

@@ -148,8 +148,9 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 		return TS_OK;
 	return ts_report_limit(
 		report,
-		ts_pair_style_of(pair)->limit(ts_pair_coeff(pair->state, type, (int)w->type), least),
-		true, &self->where, "a contact with wall %s (m* = %.4g)", self->id, least);
+		ts_pair_style_of(pair)->limit(ts_pair_coeff(pair->state, type, (int)w->type), least,
+					      sim->explicit_euler),
+		!sim->explicit_euler, &self->where, "a contact with wall %s (m* = %.4g)", self->id, least);
 }
 
 static enum ts_status eval_force(struct ts_instance *self, const struct tsim *sim,

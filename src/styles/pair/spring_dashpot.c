@@ -31,9 +31,9 @@ static double law(const void *coeff, const struct ts_contact *contact, double *h
 	return ts_spring_dashpot_force(coeff, contact);
 }
 
-static double limit(const void *coeff, double mass)
+static double limit(const void *coeff, double mass, bool explicit_euler)
 {
-	return ts_spring_dashpot_limit(coeff, mass);
+	return ts_spring_dashpot_limit(coeff, mass, explicit_euler);
 }
 
 static void specialised(void *task, size_t from, size_t to)
