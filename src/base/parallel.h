@@ -1,4 +1,5 @@
-/* Loops shared among threads: the one place that knows OpenMP.
+/* Loops shared among threads. Plain loops over particles in styles say `#pragma omp parallel for`
+ * themselves; loops that are written once for many laws, or that count, come through here.
  *
  * A share is a function over a range of indices. Ranges are contiguous and shares write to places of
  * their own, so results do not depend on the number of threads; sums are made of per-share parts only

@@ -5,7 +5,9 @@
 
 #include "math/exactsum.h"
 #include "math/rng.h"
+#include "particles/domain.h"
 #include "particles/particles.h"
+#include "particles/region.h"
 
 #include "base/banned.h"
 
@@ -20,8 +22,14 @@ struct state {
 	bool momentum;
 	int component, dim; /* of ramp */
 	double v[2], x[2];
-	int zero;
+	int zero, units;
 };
+
+/* Lengths of `units lattice` are lattice spacings. */
+static double scale_of(const struct tsim *sim, const struct state *s)
+{
+	return s->units == 0 ? sim->domain->lattice : 1;
+}
 
 /* Boltzmann's constant in each system of units. */
 static const double boltzmann[] = { 1, 1.380649e-23, 1.380649e-16, 1.380649e-8 };
@@ -53,6 +61,7 @@ static enum ts_status set(struct tsim *sim, const struct state *s, const struct 
 {
 	struct ts_particles *p = sim->particles;
 	struct ts_table table = { 0 };
+	double scale = scale_of(sim, s);
 	enum ts_status status = TS_OK;
 
 	for (int d = 0; d < 3 && status == TS_OK; d++) {
@@ -67,7 +76,7 @@ static enum ts_status set(struct tsim *sim, const struct state *s, const struct 
 		for (size_t i = 0; i < p->n && status == TS_OK; i++)
 			if (ts_in_group(p, i, s->group))
 				p->v[i][d] = (s->sum ? p->v[i][d] : 0) +
-					     (each ? table.data[i] : constant);
+					     scale * (each ? table.data[i] : constant);
 	}
 	ts_table_release(&table);
 	return status;
@@ -110,17 +119,18 @@ static enum ts_status create(struct tsim *sim, const struct state *s)
 static enum ts_status ramp(struct tsim *sim, const struct state *s, const struct ts_place *where)
 {
 	struct ts_particles *p = sim->particles;
+	double scale = scale_of(sim, s);
 
 	if (s->x[0] == s->x[1])
 		return ts_fail(&sim->error, TS_RANGE, where, "velocity ramp: both ends lie at %g",
 			       s->x[0]);
 	for (size_t i = 0; i < p->n; i++) {
-		double at = (p->x[i][s->dim] - s->x[0]) / (s->x[1] - s->x[0]);
+		double at = (p->x[i][s->dim] / scale - s->x[0]) / (s->x[1] - s->x[0]);
 
 		at = fmin(1, fmax(0, at));
 		if (ts_in_group(p, i, s->group))
-			p->v[i][s->component] = (s->sum ? p->v[i][s->component] : 0) + s->v[0] +
-						at * (s->v[1] - s->v[0]);
+			p->v[i][s->component] = (s->sum ? p->v[i][s->component] : 0) +
+						scale * (s->v[0] + at * (s->v[1] - s->v[0]));
 	}
 	return TS_OK;
 }
@@ -208,6 +218,8 @@ static const struct ts_arg args[] = {
 	TS_MODE("style", struct state, mode, modes, .help = "which velocities they get"),
 	TS_BOOL("sum", struct state, sum, .fallback = "no",
 		.help = "add to the velocities they have (set and ramp)"),
+	TS_ENUM("units", struct state, units, ts_region_units, .fallback = "lattice",
+		.help = "whether set and ramp count lengths in lattice spacings or as they are"),
 	TS_ARGS_END,
 };
 
