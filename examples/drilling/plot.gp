@@ -16,8 +16,12 @@ do for [format in "svg png"] {
 	set title 'thesis: falls with strength (fig. 7.6)'
 	plot 'results/Fult.dat' using 1:3:4 with yerrorlines ls 1
 	set xlabel 'weight on bit WOB*'
+	set yrange [-0.001:*]
 	set title 'thesis: rises with weight above a threshold (7.7, 7.8)'
 	plot 'results/WOB.dat' using 1:3:4 with yerrorlines ls 1
+	set yrange [0:*]
+	set xtics 0.0005
+	set xrange [0:*]
 	set xlabel 'viscosity {/Symbol h}*'
 	set title 'thesis: ROP (7.9) and CER (7.10) rise'
 	set ytics nomirror
@@ -28,7 +32,9 @@ do for [format in "svg png"] {
 	plot 'results/eta.dat' using 1:3:4 with yerrorlines ls 1 title 'ROP*', \
 	     '' using 1:5:6 axes x1y2 with yerrorlines ls 2 title 'CER*'
 	set key off
+	set xtics auto
 	set logscale x
+	set xrange [0.015:2]
 	set xlabel 'angular velocity {/Symbol w}*'
 	set title 'thesis: rises, then falls as the bit bounces (7.11)'
 	set y2label 'bounce*'
@@ -37,6 +43,7 @@ do for [format in "svg png"] {
 	     '' using 1:13:14 axes x1y2 with yerrorlines ls 2 title 'part of the time without contact'
 	set key off
 	unset logscale x
+	set xrange [*:*]
 	unset y2tics
 	unset y2label
 	set ytics mirror
