@@ -378,7 +378,7 @@ END_TEST
 
 /* ---- order in memory */
 
-static void by_tag(const struct ts_particles *p, const double (*column)[3], double out[N][3])
+static void by_tag(const struct ts_particles *p, double (*column)[3], double out[N][3])
 {
 	for (size_t i = 0; i < p->n; i++)
 		memcpy(out[p->tag[i] - 1], column[i], sizeof out[0]);

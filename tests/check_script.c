@@ -309,6 +309,12 @@ START_TEST(conditions)
 		      "if \"${mode} != drill\" then \"print b\" else \"print c\"\n"
 		      "if \"${mode} == 'drill'\" then \"print d\" &\n\n",
 		      "a\nc\nd\n");
+	/* bare words may be paths; in formulas the same signs calculate */
+	expect_output("variable f index /tmp/x-1/rock.7\nif \"${f} == make\" then \"print m\" else \"print r\"\n"
+		      "if \"${f} == /tmp/x-1/rock.7\" then \"print same\"\n"
+		      "variable g index ../q\nif \"${g} != ../q\" then \"print wrong\"\n"
+		      "variable v equal 7\nif \"v_v/2 == 3.5 && 4-1 == 3\" then \"print half\"\n",
+		      "r\nsame\nhalf\n");
 	/* what stands behind a jump is not run */
 	expect_output("if \"1\" then \"jump SELF out\" \"print wrong\"\nprint wrong\nlabel out\n"
 		      "print right\n",

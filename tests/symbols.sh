@@ -6,7 +6,7 @@ library=$top_builddir/libtsim.a
 status=0
 
 foreign=$(nm -g --defined-only "$library" 2>/dev/null | awk 'NF == 3 { print $3 }' |
-	grep -vE '^(ts_|tsim_|__asan|__odr_asan|__ubsan|_ZTI)' | sort -u)
+	grep -vE '^(ts_|tsim_|\.|__asan|__odr_asan|__ubsan|_ZTI)' | sort -u)
 if [ -n "$foreign" ]; then
 	echo "exported without ts_ or tsim_: $foreign"
 	status=1

@@ -106,6 +106,15 @@ static enum ts_status read_quoted(struct ts_expr *e, struct ts_operand *out)
 	return out->word ? TS_OK : TS_NOMEM;
 }
 
+/* In a condition, /home/x, ./x and ../x are words. */
+static bool at_path(const struct ts_expr *e)
+{
+	const char *s = e->text + e->at;
+
+	return e->condition &&
+	       (s[0] == '/' || (s[0] == '.' && (s[1] == '/' || (s[1] == '.' && s[2] == '/'))));
+}
+
 static enum ts_status read_name(struct ts_expr *e, struct ts_operand *out)
 {
 	const char *s = e->text + e->at, *name;
@@ -114,7 +123,7 @@ static enum ts_status read_name(struct ts_expr *e, struct ts_operand *out)
 
 	/* a bare word of a condition may be a path; v_x/2 is a quotient */
 	while (isalnum((unsigned char)e->text[e->at]) || e->text[e->at] == '_' ||
-	       (word && e->text[e->at] && strchr("/.", e->text[e->at])))
+	       (word && e->text[e->at] && strchr("/.-", e->text[e->at])))
 		e->at++;
 	name = ts_expr_copy(e, at, e->at);
 	return name ? ts_expr_name(e, name, at, out) : TS_NOMEM;
@@ -139,10 +148,10 @@ static enum ts_status read_operand(struct ts_expr *e, struct ts_operand *out)
 		TS_TRY(ts_expr_read(e, 1, out));
 		TS_TRY(ts_expr_expect(e, ')'));
 		out->at = at;
+	} else if (isalpha((unsigned char)c) || c == '_' || at_path(e)) {
+		TS_TRY(read_name(e, out));
 	} else if (isdigit((unsigned char)c) || c == '.') {
 		TS_TRY(read_number(e, out));
-	} else if (isalpha((unsigned char)c) || c == '_') {
-		TS_TRY(read_name(e, out));
 	} else if (e->condition && (c == '"' || c == '\'')) {
 		TS_TRY(read_quoted(e, out));
 	} else if (!c) {
