@@ -155,6 +155,7 @@ library_sources = \
 	src/styles/command/neigh_modify.c \
 	src/styles/command/neighbor.c \
 	src/styles/command/newton.c \
+	src/styles/command/package.c \
 	src/styles/command/pair_coeff.c \
 	src/styles/command/pair_style.c \
 	src/styles/command/processors.c \

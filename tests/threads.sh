@@ -4,11 +4,11 @@
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
 
-printf 'include %s/tests/decks/in.everything\nrun ${last}\nwrite_restart ${out}.restart\n' \
+printf 'package omp ${threads} grain 1\ninclude %s/tests/decks/in.everything\nrun ${last}\nwrite_restart ${out}.restart\n' \
 	"$top_srcdir" >in.all
 export OMP_WAIT_POLICY=passive # there may be fewer cores than threads
 for t in 1 2 4; do
-	"$TSIM" -in in.all -log "log.$t" -screen none -threads $t -var out "t$t" -var last 560 2>err
+	"$TSIM" -in in.all -log "log.$t" -screen none -var threads $t -var out "t$t" -var last 560 2>err
 	report "runs on $t threads" $? err
 done
 # The scene is worth it: bonds have broken, contacts and fast particles are there.

@@ -67,6 +67,8 @@ static void set_defaults(struct tsim *sim)
 	sim->clock = (struct ts_clock){ .dt = 0.005 };
 	sim->units = TS_UNITS_LJ;
 	sim->dimension = 3;
+	if (sim->grain == 0)
+		sim->grain = 8192;
 	sim->columns = 0;
 	sim->fingerprint = 0;
 	sim->running = sim->rebuild = sim->in_setup = sim->resuming = false;

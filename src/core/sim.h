@@ -45,6 +45,7 @@ struct tsim {
 	enum ts_units units;
 	int dimension;
 	int threads;
+	int grain; /* a loop is shared among threads only as far as each gets so many rounds */
 	bool explain;      /* -explain: plan runs, do not step or write */
 	bool unsafe;       /* this run only warns of a step beyond the stability limit */
 	bool running;      /* inside a run */
@@ -77,6 +78,15 @@ struct tsim *ts_sim_new(void);
 void ts_sim_free(struct tsim *sim);
 /* `clear`: everything but log, error, strings, host. */
 enum ts_status ts_sim_clear(struct tsim *sim);
+
+/* How many threads are worth it for a loop of n rounds: sharing one among threads costs as much as some
+ * thousand simple rounds. Results do not depend on it. */
+static inline int ts_team(const struct tsim *sim, size_t n)
+{
+	size_t most = n / (size_t)sim->grain;
+
+	return most >= (size_t)sim->threads ? sim->threads : most > 1 ? (int)most : 1;
+}
 
 double ts_sim_time(const struct tsim *sim);
 void ts_sim_set_dt(struct tsim *sim, double dt);

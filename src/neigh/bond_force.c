@@ -86,8 +86,9 @@ enum ts_status ts_bond_force(struct ts_instance *self, struct tsim *sim)
 
 	if (!sim->bonds->n)
 		return TS_OK;
-	broken = ts_parallel_count(sim->threads, sim->bonds->n, ts_bond_style_of(self)->share, &t);
-	ts_parallel(sim->threads, sim->particles->n, gather_share, sim);
+	broken = ts_parallel_count(ts_team(sim, sim->bonds->n), sim->bonds->n,
+				   ts_bond_style_of(self)->share, &t);
+	ts_parallel(ts_team(sim, sim->particles->n), sim->particles->n, gather_share, sim);
 	if (!broken)
 		return TS_OK;
 	TS_TRY(remove_broken(sim));
@@ -111,12 +112,14 @@ enum ts_status ts_bond_set(struct tsim *sim, struct ts_types types, struct ts_wo
 	int most = sim->bonds->ntypes > 0 ? sim->bonds->ntypes : 1;
 
 	if (!self)
-		return ts_fail(&sim->error, TS_STATE, where, "bond_coeff needs a bond_style before it");
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "bond_coeff needs a bond_style before it");
 	bond = self->state;
 	if (!types.hi)
 		types.hi = most;
 	if (types.hi > 1000)
-		return ts_fail(&sim->error, TS_RANGE, where, "bond type %d: at most 1000", types.hi);
+		return ts_fail(&sim->error, TS_RANGE, where, "bond type %d: at most 1000",
+			       types.hi);
 	if (types.hi > sim->bonds->ntypes)
 		sim->bonds->ntypes = types.hi;
 	TS_TRY(prepare(sim, self));
@@ -177,8 +180,8 @@ static double network_limit(const struct tsim *sim, const struct ts_bond_style *
 		double k = 0;
 
 		for (size_t e = bonds->first[i]; e < bonds->first[i + 1]; e++)
-			k += style->stiffness(ts_coeff(
-				coeffs, (size_t)bonds->type[bonds->entry[e] >> 1]));
+			k += style->stiffness(
+				ts_coeff(coeffs, (size_t)bonds->type[bonds->entry[e] >> 1]));
 		worst = fmax(worst, k * p->imass[i]);
 	}
 	return worst > 0 ? 2 / sqrt(2 * worst) : INFINITY;
@@ -199,9 +202,9 @@ enum ts_status ts_bond_plan(struct ts_instance *self, struct tsim *sim,
 		double imass = p->imass[bonds->row[b][0]] + p->imass[bonds->row[b][1]];
 
 		if (imass > 0)
-			least = fmin(least, style->limit(ts_coeff(&bond->coeffs,
-								  (size_t)bonds->type[b]),
-							 1 / imass, sim->explicit_euler));
+			least = fmin(least,
+				     style->limit(ts_coeff(&bond->coeffs, (size_t)bonds->type[b]),
+						  1 / imass, sim->explicit_euler));
 	}
 	TS_TRY(ts_report_limit(report, least, !sim->explicit_euler, &self->where, "a single bond%s",
 			       sim->explicit_euler ? " under fix nve/euler" : ""));

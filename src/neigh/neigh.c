@@ -132,7 +132,7 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 				 .dt2 = sim->clock.dt * sim->clock.dt };
 
 	ts_exchange_limits(sim, limits.lo, limits.hi);
-	if (!ts_parallel_count(sim->threads, p->n, check_share, &limits))
+	if (!ts_parallel_count(ts_team(sim, p->n), p->n, check_share, &limits))
 		return TS_OK;
 	for (size_t i = 0; i < p->n; i++)
 		if (runs_away(p, i, limits.dt2))

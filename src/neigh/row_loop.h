@@ -112,7 +112,7 @@ static inline void ts_row_loop(struct tsim *sim, const struct ts_pair *pair, ts_
 	struct ts_rows *rows = &sim->neigh->rows;
 	struct ts_row_task task = { sim->particles, rows, pair, law };
 
-	ts_parallel(sim->threads, rows->n, share, &task);
+	ts_parallel(ts_team(sim, rows->n), rows->n, share, &task);
 	ts_rows_gather(sim, rows);
 }
 

@@ -276,7 +276,7 @@ enum ts_status ts_rows_build(struct tsim *sim, struct ts_rows *rows, double skin
 {
 	struct ts_cells cells = { 0 };
 	struct search s = { sim, sim->particles, &cells, skin, excluded };
-	int shares = sim->threads;
+	int shares = ts_team(sim, sim->particles->n);
 	struct found *found = ts_alloc((size_t)shares, sizeof *found);
 	enum ts_status status;
 
@@ -325,7 +325,7 @@ void ts_rows_gather(struct tsim *sim, const struct ts_rows *rows)
 {
 	struct gather g = { sim->particles, rows };
 
-	ts_parallel(sim->threads, sim->particles->n, gather_share, &g);
+	ts_parallel(ts_team(sim, sim->particles->n), sim->particles->n, gather_share, &g);
 }
 
 void ts_rows_release(struct ts_rows *rows)

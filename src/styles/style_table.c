@@ -43,6 +43,7 @@ TS_STYLE(command, ts_command_style, ts_command_neigh_modify)
 TS_STYLE(command, ts_command_style, ts_command_neighbor)
 TS_STYLE(command, ts_command_style, ts_command_newton)
 TS_STYLE(command, ts_command_style, ts_command_next)
+TS_STYLE(command, ts_command_style, ts_command_package)
 TS_STYLE(command, ts_command_style, ts_command_pair_coeff)
 TS_STYLE(command, ts_command_style, ts_command_pair_style)
 TS_STYLE(command, ts_command_style, ts_command_print)
@@ -142,6 +143,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_command_neighbor.style,
 	&ts_command_newton.style,
 	&ts_command_next.style,
+	&ts_command_package.style,
 	&ts_command_pair_coeff.style,
 	&ts_command_pair_style.style,
 	&ts_command_print.style,

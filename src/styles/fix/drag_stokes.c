@@ -47,7 +47,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 
 	if (!(viscosity > 0))
 		return TS_OK;
-#pragma omp parallel for num_threads(sim->threads) schedule(static)
+#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
 	for (size_t i = 0; i < p->n; i++) {
 		double coefficient = SIX_PI * viscosity * p->radius[i], u[3];
 

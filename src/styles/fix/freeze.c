@@ -19,7 +19,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_particles *p = sim->particles;
 
-#pragma omp parallel for num_threads(sim->threads) schedule(static)
+#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
 	for (size_t i = 0; i < p->n; i++) {
 		if (!ts_in_group(p, i, self->group))
 			continue;

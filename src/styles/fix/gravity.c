@@ -51,7 +51,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_number_now(sim, &g->magnitude, &self->where, &magnitude));
 	for (int k = 0; k < 3; k++)
 		a[k] = magnitude * g->direction[k];
-#pragma omp parallel for num_threads(sim->threads) schedule(static)
+#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
 	for (size_t i = 0; i < p->n; i++)
 		if (ts_in_group(p, i, self->group))
 			for (int k = 0; k < 3; k++)

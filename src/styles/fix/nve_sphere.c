@@ -9,7 +9,7 @@ static void kick(const struct ts_instance *self, struct tsim *sim)
 	struct ts_particles *p = sim->particles;
 	double h = 0.5 * sim->clock.dt;
 
-#pragma omp parallel for num_threads(sim->threads) schedule(static)
+#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
 	for (size_t i = 0; i < p->n; i++) {
 		double s = h / p->mass[i], r = p->radius[i];
 		double w = s / (INERTIA * r * r);
@@ -29,7 +29,7 @@ static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *s
 	double dt = sim->clock.dt;
 
 	kick(self, sim);
-#pragma omp parallel for num_threads(sim->threads) schedule(static)
+#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
 	for (size_t i = 0; i < p->n; i++)
 		if (ts_in_group(p, i, self->group))
 			for (int k = 0; k < 3; k++)

@@ -7,7 +7,7 @@ static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *s
 	struct ts_particles *p = sim->particles;
 	double dt = sim->clock.dt;
 
-#pragma omp parallel for num_threads(sim->threads) schedule(static)
+#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
 	for (size_t i = 0; i < p->n; i++) {
 		double s = dt / p->mass[i];
 

@@ -1,0 +1,46 @@
+/* Command package: how work is shared. */
+#include "core/sim.h"
+
+#include "base/banned.h"
+
+struct package {
+	int kind;
+	int64_t threads, grain;
+};
+
+static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	const struct package *s = state;
+
+	(void)where;
+	sim->threads = (int)s->threads;
+	sim->grain = (int)s->grain;
+	return TS_OK;
+}
+
+static const char *const kinds[] = { "omp", NULL };
+
+static const struct ts_arg args[] = {
+	TS_ENUM("kind", struct package, kind, kinds, .flags = TS_POSITIONAL,
+		.help = "the only way there is: threads of one process"),
+	TS_INT("threads", struct package, threads, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1,
+	       .hi = 1024, .help = "number of threads"),
+	TS_INT("grain", struct package, grain, .range = TS_WITHIN, .lo = 1, .hi = 1e9,
+	       .fallback = "8192",
+	       .help = "a loop is shared only as far as each thread gets so many rounds of it"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(command, ts_command_style, ts_command_package)
+const struct ts_command_style ts_command_package = {
+	.style = { .name = "package",
+		   .kind = TS_KIND_COMMAND,
+		   .summary = "Sets the number of threads",
+		   .doc = "As -threads on the command line. Results are the same, bit for bit, for every "
+			  "number of threads and every grain; loops too short to be worth waking a thread "
+			  "for are not shared.",
+		   .example = "package omp 2\npackage omp 4 grain 500",
+		   .args = args,
+		   .state_size = sizeof(struct package) },
+	.run = run,
+};
