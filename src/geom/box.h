@@ -2,6 +2,7 @@
 #ifndef TS_GEOM_BOX_H
 #define TS_GEOM_BOX_H
 
+#include <math.h>
 #include <stdbool.h>
 
 /* Behaviour of a face, by the letter of the `boundary` command. */
@@ -25,6 +26,14 @@ static inline bool ts_box_periodic(const struct ts_box *box, int dim)
 static inline double ts_box_length(const struct ts_box *box, int dim)
 {
 	return box->hi[dim] - box->lo[dim];
+}
+
+/* Turns the difference of two positions into the one to the nearest periodic image. */
+static inline void ts_box_nearest(const struct ts_box *box, double d[3])
+{
+	for (int k = 0; k < 3; k++)
+		if (ts_box_periodic(box, k))
+			d[k] -= ts_box_length(box, k) * rint(d[k] / ts_box_length(box, k));
 }
 
 #endif

@@ -12,12 +12,7 @@
 
 static struct ts_bond_task task_of(const struct tsim *sim, const struct ts_coeffs *coeffs)
 {
-	struct ts_bond_task t = { sim->particles, sim->bonds, coeffs, { 0 } };
-
-	for (int k = 0; k < 3; k++)
-		if (ts_box_periodic(&sim->domain->box, k))
-			t.period[k] = ts_box_length(&sim->domain->box, k);
-	return t;
+	return (struct ts_bond_task){ sim->particles, sim->bonds, coeffs, &sim->domain->box };
 }
 
 static enum ts_status record_event(struct tsim *sim, size_t b)

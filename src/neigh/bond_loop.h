@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include "base/parallel.h"
+#include "geom/box.h"
 #include "neigh/bonds.h"
 #include "particles/particles.h"
 
@@ -13,17 +14,15 @@ struct ts_bond_task {
 	const struct ts_particles *p;
 	struct ts_bonds *bonds;
 	const struct ts_coeffs *coeffs;
-	double period[3]; /* length of the box where periodic, else 0 */
+	const struct ts_box *box;
 };
 
 /* Vector from the second to the first partner, by the nearest image. */
 static inline void ts_bond_separation(const struct ts_bond_task *t, size_t i, size_t j, double d[3])
 {
-	for (int k = 0; k < 3; k++) {
+	for (int k = 0; k < 3; k++)
 		d[k] = t->p->x[i][k] - t->p->x[j][k];
-		if (t->period[k] > 0)
-			d[k] -= t->period[k] * rint(d[k] / t->period[k]);
-	}
+	ts_box_nearest(t->box, d);
 }
 
 /* Force of bond b on its first partner; false if it breaks. */

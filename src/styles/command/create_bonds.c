@@ -20,18 +20,11 @@ struct create_bonds {
 
 static double distance(const struct tsim *sim, size_t i, size_t j)
 {
-	const struct ts_particles *p = sim->particles;
-	const struct ts_box *box = &sim->domain->box;
-	double sum = 0;
+	const double *a = sim->particles->x[i], *b = sim->particles->x[j];
+	double d[3] = { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
 
-	for (int k = 0; k < 3; k++) {
-		double d = p->x[i][k] - p->x[j][k];
-
-		if (ts_box_periodic(box, k))
-			d -= ts_box_length(box, k) * rint(d / ts_box_length(box, k));
-		sum += d * d;
-	}
-	return sqrt(sum);
+	ts_box_nearest(&sim->domain->box, d);
+	return sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
 }
 
 static bool joins(const struct create_bonds *c, const struct ts_particles *p, size_t i, size_t j)

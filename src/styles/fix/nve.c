@@ -43,17 +43,14 @@ static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim
 	return TS_OK;
 }
 
-#define VERLET_DOC                                                                                 \
-	"v += h/2 f/m; x += h v; forces; v += h/2 f/m. Second order and symplectic; stable for "   \
-	"h < 2/omega of the fastest oscillator. Contact forces see the half-step velocity, as in " \
-	"LIGGGHTS and LAMMPS."
-
 TS_STYLE(fix, ts_style, ts_fix_nve)
 const struct ts_style ts_fix_nve = {
 	.name = "nve",
 	.kind = TS_KIND_FIX,
 	.summary = "moves the particles of the group by velocity Verlet",
-	.doc = VERLET_DOC,
+	.doc = "v += h/2 f/m; x += h v; forces; v += h/2 f/m. Second order and symplectic; stable for "
+	       "h < 2/omega of the fastest oscillator. Contact forces see the half-step velocity, as in "
+	       "LIGGGHTS and LAMMPS.",
 	.example = "fix move rock nve",
 	.cite = "W. C. Swope et al., J. Chem. Phys. 76 (1982) 637",
 	.hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,
