@@ -28,6 +28,8 @@ library_sources = \
 	src/core/help.c \
 	src/core/help.h \
 	src/core/host.h \
+	src/core/known.c \
+	src/core/known.h \
 	src/core/pending.c \
 	src/core/pending.h \
 	src/core/plan.c \

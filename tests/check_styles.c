@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/known.h"
 #include "core/sim.h"
 
 /* Names of the row being looked at, for messages. */
@@ -179,6 +180,35 @@ START_TEST(sorted)
 }
 END_TEST
 
+/* A word said to be missing is. */
+START_TEST(not_known_as_missing)
+{
+	const struct ts_style *s = ts_style_table[_i];
+
+	at(s, NULL);
+	EXPECT(!ts_known_find(s->kind, s->name), "core/known.c says tsim does not have it");
+}
+END_TEST
+
+START_TEST(missing_words)
+{
+	struct tsim *sim = ts_sim_new();
+	const struct ts_style *found;
+
+	for (const struct ts_known *k = ts_known_table; k->name; k++) {
+		struct ts_word word = { .text = k->name };
+
+		snprintf(here, sizeof here, "%s %s", ts_kind_name(k->kind), k->name);
+		EXPECT(filled(k->remark), "no remark");
+		ts_error_clear(&sim->error);
+		EXPECT(ts_style_require(sim, k->kind, &word, &found) == TS_UNKNOWN, "found");
+		EXPECT(strstr(sim->error.message, "is known from"), "not told that it is known");
+		EXPECT(strstr(sim->error.message, k->remark), "not told why");
+	}
+	ts_sim_free(sim);
+}
+END_TEST
+
 int main(void)
 {
 	Suite *suite = suite_create("styles");
@@ -195,7 +225,9 @@ int main(void)
 	tcase_add_loop_test(each, values, 0, n);
 	tcase_add_loop_test(each, saved_rows, 0, n);
 	tcase_add_loop_test(each, manual_page, 0, n);
+	tcase_add_loop_test(each, not_known_as_missing, 0, n);
 	tcase_add_test(all, sorted);
+	tcase_add_test(all, missing_words);
 	suite_add_tcase(suite, each);
 	suite_add_tcase(suite, all);
 	runner = srunner_create(suite);

@@ -1,3 +1,4 @@
+#include "core/known.h"
 #include "core/sim.h"
 
 #include "base/banned.h"
@@ -18,21 +19,33 @@ const struct ts_style *ts_style_find(enum ts_kind kind, const char *name)
 	return NULL;
 }
 
+/* How a kind is spoken of: "command", "fix style". */
+static const char *kind_noun(enum ts_kind kind)
+{
+	return kind == TS_KIND_COMMAND ? "" : " style";
+}
+
 enum ts_status ts_style_require(struct tsim *sim, enum ts_kind kind, const struct ts_word *name,
 				const struct ts_style **out)
 {
 	struct ts_suggest suggest = ts_suggest_start(name->text);
+	const struct ts_known *known = ts_known_find(kind, name->text);
 	const char *suggestion;
 
 	*out = ts_style_find(kind, name->text);
 	if (*out)
 		return TS_OK;
+	if (known)
+		return ts_fail(&sim->error, TS_UNKNOWN, &name->place,
+			       "%s%s '%s' is known from LIGGGHTS or LAMMPS, but tsim does not have "
+			       "it: %s",
+			       ts_kind_name(kind), kind_noun(kind), name->text, known->remark);
 	for (const struct ts_style *const *s = ts_style_table; *s; s++)
 		if ((*s)->kind == kind)
 			ts_suggest_try(&suggest, (*s)->name);
 	suggestion = ts_suggest_text(&suggest);
 	return ts_fail(&sim->error, TS_UNKNOWN, &name->place, "unknown %s%s '%s'%s%s",
-		       ts_kind_name(kind), kind == TS_KIND_COMMAND ? "" : " style", name->text,
+		       ts_kind_name(kind), kind_noun(kind), name->text,
 		       *suggestion ? suggestion : "; for a list: tsim -help ",
 		       *suggestion ? "" : ts_kind_name(kind));
 }

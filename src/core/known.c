@@ -1,0 +1,68 @@
+#include "core/known.h"
+
+#include <string.h>
+
+#include "base/banned.h"
+
+#define MOLECULAR "force fields of molecules are beyond grains"
+#define SPH "smoothed-particle hydrodynamics is not built; the fluid is solved on a grid (flow_style)"
+#define COUPLING "there is no other program to couple to: the fluid is solved by tsim (flow_style)"
+#define SHAPES "grains are spheres; other shapes are made of bonded spheres (bond_style)"
+#define CHEMISTRY "chemical reactions are not built"
+#define ACCELERATORS "all styles use threads by themselves; see -threads"
+
+const struct ts_known ts_known_table[] = {
+	{ TS_KIND_COMMAND, "angle_*", MOLECULAR },
+	{ TS_KIND_COMMAND, "dihedral_*", MOLECULAR },
+	{ TS_KIND_COMMAND, "dielectric", MOLECULAR },
+	{ TS_KIND_COMMAND, "improper_*", MOLECULAR },
+	{ TS_KIND_COMMAND, "kspace_*", MOLECULAR },
+	{ TS_KIND_COMMAND, "minimize", "grains come to rest by their own damping; see fix viscous" },
+	{ TS_KIND_COMMAND, "min_*", "grains come to rest by their own damping; see fix viscous" },
+	{ TS_KIND_COMMAND, "neb", MOLECULAR },
+	{ TS_KIND_COMMAND, "prd", MOLECULAR },
+	{ TS_KIND_COMMAND, "run_style", "there is one way to step; integrators are fixes (nve ...)" },
+	{ TS_KIND_COMMAND, "suffix", ACCELERATORS },
+	{ TS_KIND_COMMAND, "tad", MOLECULAR },
+	{ TS_KIND_COMMAND, "temper", MOLECULAR },
+	{ TS_KIND_FIX, "bond/react", CHEMISTRY },
+	{ TS_KIND_FIX, "chem/*", CHEMISTRY },
+	{ TS_KIND_FIX, "couple/*", COUPLING },
+	{ TS_KIND_FIX, "nph*", "grains have no thermostat" },
+	{ TS_KIND_FIX, "npt*", "grains have no thermostat" },
+	{ TS_KIND_FIX, "nve/asphere*", SHAPES },
+	{ TS_KIND_FIX, "nve/nonspherical", SHAPES },
+	{ TS_KIND_FIX, "nve/sph", SPH },
+	{ TS_KIND_FIX, "nve/sph/*", SPH },
+	{ TS_KIND_FIX, "nve/superquadric", SHAPES },
+	{ TS_KIND_FIX, "nvt*", "grains have no thermostat" },
+	{ TS_KIND_FIX, "particletemplate/superquadric", SHAPES },
+	{ TS_KIND_FIX, "qeq/*", MOLECULAR },
+	{ TS_KIND_FIX, "shake", MOLECULAR },
+	{ TS_KIND_FIX, "rattle", MOLECULAR },
+	{ TS_KIND_FIX, "sph/*", SPH },
+	{ TS_KIND_FIX, "wall/sph*", SPH },
+	{ TS_KIND_FIX, "wall/region/sph", SPH },
+	{ TS_KIND_PAIR, "eam*", MOLECULAR },
+	{ TS_KIND_PAIR, "lj/*", MOLECULAR },
+	{ TS_KIND_PAIR, "sph/*", SPH },
+	{ TS_KIND_BOND, "fene*", MOLECULAR },
+	{ TS_KIND_COMPUTE, "erotate/superquadric", SHAPES },
+	{ TS_KIND_COMPUTE, "erotate/asphere", SHAPES },
+	{ .name = NULL },
+};
+
+static bool matches(const char *pattern, const char *name)
+{
+	size_t n = strlen(pattern);
+
+	return pattern[n - 1] == '*' ? strncmp(pattern, name, n - 1) == 0 : ts_streq(pattern, name);
+}
+
+const struct ts_known *ts_known_find(enum ts_kind kind, const char *name)
+{
+	for (const struct ts_known *k = ts_known_table; k->name; k++)
+		if (k->kind == kind && matches(k->name, name))
+			return k;
+	return NULL;
+}

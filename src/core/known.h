@@ -1,0 +1,19 @@
+/* Words of LIGGGHTS and LAMMPS that tsim knows of but does not have, so that a script that uses
+ * one is told why instead of "unknown". */
+#ifndef TS_CORE_KNOWN_H
+#define TS_CORE_KNOWN_H
+
+#include "core/style.h"
+
+struct ts_known {
+	enum ts_kind kind;
+	const char *name;   /* a trailing * stands for any ending */
+	const char *remark; /* what tsim offers instead, or why not */
+};
+
+extern const struct ts_known ts_known_table[]; /* closed by .name NULL */
+
+/* NULL: not known either. */
+const struct ts_known *ts_known_find(enum ts_kind kind, const char *name);
+
+#endif
