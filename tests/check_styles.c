@@ -180,6 +180,16 @@ START_TEST(sorted)
 }
 END_TEST
 
+START_TEST(accelerated_variant)
+{
+	here[0] = '\0';
+	EXPECT(ts_style_find(TS_KIND_FIX, "gravity/omp") ==
+		       ts_style_find(TS_KIND_FIX, "gravity"), "gravity/omp is not gravity");
+	EXPECT(!ts_style_find(TS_KIND_FIX, "gravit"), "the start of a name was found");
+	EXPECT(!ts_style_find(TS_KIND_FIX, "/omp"), "an ending alone was found");
+}
+END_TEST
+
 /* A word said to be missing is. */
 START_TEST(not_known_as_missing)
 {
@@ -228,6 +238,7 @@ int main(void)
 	tcase_add_loop_test(each, not_known_as_missing, 0, n);
 	tcase_add_test(all, sorted);
 	tcase_add_test(all, missing_words);
+	tcase_add_test(all, accelerated_variant);
 	suite_add_tcase(suite, each);
 	suite_add_tcase(suite, all);
 	runner = srunner_create(suite);

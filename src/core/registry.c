@@ -1,3 +1,5 @@
+#include <string.h>
+
 #include "core/known.h"
 #include "core/sim.h"
 
@@ -11,10 +13,29 @@ const char *ts_kind_name(enum ts_kind kind)
 	return names[kind];
 }
 
+static bool same_name(const char *name, const char *text, size_t length)
+{
+	return strncmp(name, text, length) == 0 && name[length] == '\0';
+}
+
+/* Accelerated variants of LAMMPS and LIGGGHTS (fix gravity/omp) are the style itself here. */
+static size_t length_without_accelerator(const char *name)
+{
+	static const char *const endings[] = { "/omp", "/opt", "/kk", "/intel", "/gpu" };
+	size_t n = strlen(name);
+
+	for (size_t k = 0; k < sizeof endings / sizeof *endings; k++)
+		if (ts_ends_with(name, endings[k]))
+			return n - strlen(endings[k]);
+	return n;
+}
+
 const struct ts_style *ts_style_find(enum ts_kind kind, const char *name)
 {
+	size_t n = length_without_accelerator(name);
+
 	for (const struct ts_style *const *s = ts_style_table; *s; s++)
-		if ((*s)->kind == kind && ts_streq((*s)->name, name))
+		if ((*s)->kind == kind && same_name((*s)->name, name, n))
 			return *s;
 	return NULL;
 }
