@@ -20,6 +20,8 @@ library_sources = \
 	src/core/archive.c \
 	src/core/archive.h \
 	src/core/arg.h \
+	src/core/arg_change.c \
+	src/core/arg_change.h \
 	src/core/arg_parse.c \
 	src/core/arg_record.c \
 	src/core/coeff.c \

@@ -73,7 +73,8 @@ static const char again[] = "read_restart whole\n"
 			    "pair_style spring/dashpot\n"
 			    "bond_style contact\n"
 			    "fix move all nve\n"
-			    "fix trace all vector 3 ke\n"
+			    "compute k all ke\n"
+			    "fix trace all vector 3 c_k\n"
 			    "run 3\n"
 			    "clear\n";
 

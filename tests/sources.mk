@@ -8,6 +8,7 @@ shell_tests = \
 	tests/layers.sh \
 	tests/manual_current.sh \
 	tests/restart.sh \
+	tests/restart_changes.sh \
 	tests/safety.sh \
 	tests/stability/refusal.sh \
 	tests/styles_current.sh \

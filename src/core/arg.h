@@ -58,7 +58,8 @@ enum ts_arg_flags {
 	TS_POSITIONAL = 1,
 	TS_OPTIONAL = 2, /* may be missing: NaN, INT64_MIN, NULL, -1, null ... is stored */
 	TS_NULLABLE = 4,
-	TS_TO_KEYWORD = 8 /* TS_ARG_REST: ends before the first word that is a keyword of the table */
+	TS_TO_KEYWORD = 8, /* TS_ARG_REST: ends before the first word that is a keyword of the table */
+	TS_STATEFUL = 16   /* state saved in a restart file has a meaning only with the same value */
 };
 
 struct ts_mode;
@@ -129,7 +130,11 @@ struct ts_mode {
 #define TS_LIST(name_, T, f, ...)                                                                  \
 	{ .name = (name_), .type = TS_ARG_REST, .flags = TS_POSITIONAL | TS_TO_KEYWORD,            \
 	  .offset = TS_FIELD(T, f, struct ts_words *), __VA_ARGS__ }
-/* The same, but the line may end before it. */
+#define TS_LIST_STATEFUL(name_, T, f, ...)                                                         \
+	{ .name = (name_), .type = TS_ARG_REST,                                                    \
+	  .flags = TS_POSITIONAL | TS_TO_KEYWORD | TS_STATEFUL,                                    \
+	  .offset = TS_FIELD(T, f, struct ts_words *), __VA_ARGS__ }
+/* As TS_REST, but the line may end before it. */
 #define TS_REST_OPTIONAL(name_, T, f, ...)                                                         \
 	{ .name = (name_), .type = TS_ARG_REST, .flags = TS_POSITIONAL | TS_OPTIONAL,              \
 	  .offset = TS_FIELD(T, f, struct ts_words *), __VA_ARGS__ }
@@ -155,6 +160,10 @@ enum ts_status ts_args_defaults(struct tsim *sim, const struct ts_arg *rows, str
  * numbers with 17 digits. Used in the log and to recognise a changed setting at restart. */
 void ts_args_record(const struct tsim *sim, const struct ts_arg *rows, const void *base,
 		    struct ts_str *out);
+
+/* The value alone, " 20000"; false where the argument is absent. A flag that is set: " yes". */
+bool ts_arg_record(const struct tsim *sim, const struct ts_arg *row, const void *base,
+		   struct ts_str *out);
 
 /* How a row is written in a synopsis: "stiffness K", "[side in|out]", "x y z" ... */
 void ts_arg_synopsis(const struct ts_arg *row, struct ts_str *out);

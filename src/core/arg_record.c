@@ -113,6 +113,20 @@ static void add_value(const struct tsim *sim, const struct ts_arg *row, const vo
 	}
 }
 
+bool ts_arg_record(const struct tsim *sim, const struct ts_arg *row, const void *base,
+		   struct ts_str *out)
+{
+	const void *field = (const char *)base + row->offset;
+
+	if (absent(row, field))
+		return false;
+	if (row->type == TS_ARG_FLAG)
+		ts_str_add(out, " yes");
+	else
+		add_value(sim, row, field, out);
+	return true;
+}
+
 void ts_args_record(const struct tsim *sim, const struct ts_arg *rows, const void *base,
 		    struct ts_str *out)
 {

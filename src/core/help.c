@@ -133,6 +133,8 @@ static void add_notes(const struct ts_arg *row, struct ts_str *out)
 		ts_str_addf(&notes, "%sdefault %s", notes.length ? "; " : "", row->fallback);
 	else if (row->flags & TS_OPTIONAL)
 		ts_str_addf(&notes, "%smay be left out", notes.length ? "; " : "");
+	if (row->flags & TS_STATEFUL)
+		ts_str_addf(&notes, "%sfixed by a restart file", notes.length ? "; " : "");
 	if (notes.length)
 		ts_str_addf(out, " (%s)", ts_str_text(&notes));
 	out->failed |= notes.failed;

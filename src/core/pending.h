@@ -6,9 +6,15 @@
 
 /* Keeps a copy of the block for the style of this kind, name and id. */
 enum ts_status ts_pending_add(struct tsim *sim, enum ts_kind kind, const char *style,
-			      const char *id, const unsigned char *bytes, size_t n);
-/* Restores the state of a new instance if some waits for it, and says so in the log. */
-enum ts_status ts_pending_apply(struct tsim *sim, struct ts_instance *inst);
+			      const char *id, const char *group, const unsigned char *bytes,
+			      size_t n);
+/* Restores the state of a new instance, made from `args`, if some waits for it, and says so in the
+ * log. A fix or compute of another style or group, or with another TS_STATEFUL argument, is refused. */
+enum ts_status ts_pending_apply(struct tsim *sim, struct ts_instance *inst, struct ts_words args);
+
+/* An instance for a restart file: its arguments as they are now, then its state. */
+enum ts_status ts_pending_write(struct tsim *sim, struct ts_instance *inst,
+				struct ts_archive *archive);
 void ts_pending_free(struct tsim *sim);
 
 #endif

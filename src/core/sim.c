@@ -173,7 +173,7 @@ enum ts_status ts_sim_require(struct tsim *sim, enum ts_kind kind, const struct 
 }
 
 /* Pair and bond get their coefficients later; all others can be checked when they are made. */
-static enum ts_status first_init(struct tsim *sim, struct ts_instance *inst)
+static enum ts_status first_init(struct tsim *sim, struct ts_instance *inst, struct ts_words args)
 {
 	const struct ts_instances *systems = &sim->instances[TS_KIND_SYSTEM];
 	enum ts_kind kind = inst->style->kind;
@@ -184,7 +184,7 @@ static enum ts_status first_init(struct tsim *sim, struct ts_instance *inst)
 			TS_TRY(systems->item[k]->style->init(systems->item[k], sim));
 	if (inst->style->init && kind != TS_KIND_PAIR && kind != TS_KIND_BOND)
 		TS_TRY(inst->style->init(inst, sim));
-	return ts_pending_apply(sim, inst);
+	return ts_pending_apply(sim, inst, args);
 }
 
 static enum ts_status place_of_new(struct tsim *sim, enum ts_kind kind, const struct ts_style *style,
@@ -220,7 +220,7 @@ enum ts_status ts_sim_create(struct tsim *sim, enum ts_kind kind, const struct t
 	snprintf(what, sizeof what, "%s %s", ts_kind_name(kind), style->name);
 	status = ts_args_parse(sim, what, style->args, args, where, &inst->arena, inst->state);
 	if (status == TS_OK)
-		status = first_init(sim, inst);
+		status = first_init(sim, inst, args);
 	if (status != TS_OK) {
 		instance_free(inst);
 		return status;

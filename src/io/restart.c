@@ -128,7 +128,8 @@ static enum ts_status put_instance(struct writer *w, struct ts_instance *inst)
 
 	if (!archive)
 		return ts_nomem(&w->sim->error);
-	status = ts_archive_instance(archive, inst, w->sim);
+	status = inst->style->kind == TS_KIND_SYSTEM ? ts_archive_instance(archive, inst, w->sim)
+						     : ts_pending_write(w->sim, inst, archive);
 	if (status == TS_OK)
 		status = put_section(w, (uint32_t)inst->style->kind + 1, names, archive);
 	ts_archive_free(archive);
@@ -377,7 +378,7 @@ static enum ts_status restore_section(struct reader *r, const struct section *s)
 		return refuse(r, "holds the state of an unknown kind of style");
 	if (s->head.kind - 1 != TS_KIND_SYSTEM)
 		return ts_pending_add(r->sim, (enum ts_kind)(s->head.kind - 1), s->name[0],
-				      s->name[1], s->plain, (size_t)s->head.plain);
+				      s->name[1], s->name[2], s->plain, (size_t)s->head.plain);
 	inst = ts_sim_find(r->sim, TS_KIND_SYSTEM, s->name[0]);
 	if (!inst)
 		return refuse(r, "holds the state of a system this program does not have");

@@ -64,7 +64,8 @@ static enum ts_status eval_counts(struct ts_instance *self, const struct tsim *s
 }
 
 static const struct ts_arg args[] = {
-	TS_REGION("region", struct leave, region, .flags = TS_POSITIONAL, .help = "region to watch"),
+	TS_REGION("region", struct leave, region, .flags = TS_POSITIONAL | TS_STATEFUL,
+		  .help = "region to watch"),
 	TS_ARGS_END,
 };
 

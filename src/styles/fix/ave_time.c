@@ -327,7 +327,7 @@ static void fini(struct ts_instance *self)
 static const char *const kinds[] = { [SCALAR] = "scalar", [VECTOR] = "vector", NULL };
 
 static const struct ts_arg window_row[] = {
-	TS_INT("M", struct state, window, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1,
+	TS_INT("M", struct state, window, .flags = TS_POSITIONAL | TS_STATEFUL, .range = TS_WITHIN, .lo = 1,
 	       .hi = 1e6, .help = "how many averages"),
 	TS_ARGS_END,
 };
@@ -340,23 +340,25 @@ static const struct ts_mode combinations[] = {
 };
 
 static const struct ts_arg args[] = {
-	TS_INT("Nevery", struct state, every, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1,
+	TS_INT("Nevery", struct state, every, .flags = TS_POSITIONAL | TS_STATEFUL, .range = TS_WITHIN, .lo = 1,
 	       .hi = 1e15, .help = "steps between samples"),
-	TS_INT("Nrepeat", struct state, repeat, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1,
+	TS_INT("Nrepeat", struct state, repeat, .flags = TS_POSITIONAL | TS_STATEFUL, .range = TS_WITHIN, .lo = 1,
 	       .hi = 1e15, .help = "samples per average"),
-	TS_INT("Nfreq", struct state, freq, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1,
+	TS_INT("Nfreq", struct state, freq, .flags = TS_POSITIONAL | TS_STATEFUL, .range = TS_WITHIN, .lo = 1,
 	       .hi = 1e15, .help = "steps between averages"),
-	TS_LIST("values", struct state, names,
+	TS_LIST_STATEFUL("values", struct state, names,
 		.help = "c_ID, c_ID[k], f_ID, f_ID[k], v_NAME or thermo keywords"),
-	TS_ENUM("mode", struct state, mode, kinds, .fallback = "scalar",
+	TS_ENUM("mode", struct state, mode, kinds, .flags = TS_STATEFUL,
+		.fallback = "scalar",
 		.help = "whether values are numbers or whole vectors"),
 	{ .name = "ave",
 	  .type = TS_ARG_MODE,
+	  .flags = TS_STATEFUL,
 	  .offset = TS_FIELD(struct state, ave, int *),
 	  .modes = combinations,
 	  .fallback = "one",
 	  .help = "what becomes of averages" },
-	TS_INT("start", struct state, start, .range = TS_WITHIN, .lo = 0, .hi = 1e15,
+	TS_INT("start", struct state, start, .flags = TS_STATEFUL, .range = TS_WITHIN, .lo = 0, .hi = 1e15,
 	       .fallback = "0", .help = "no average before this step"),
 	TS_WORD("file", struct state, file, .flags = TS_OPTIONAL, .help = "file to write anew"),
 	TS_WORD("append", struct state, append, .flags = TS_OPTIONAL, .help = "file to continue"),

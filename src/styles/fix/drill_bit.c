@@ -242,11 +242,11 @@ static enum ts_status eval_vector(struct ts_instance *self, const struct tsim *s
 }
 
 static const struct ts_arg args[] = {
-	TS_REAL("x", struct bit, centre[0], .flags = TS_POSITIONAL, .unit = "length",
+	TS_REAL("x", struct bit, centre[0], .flags = TS_POSITIONAL | TS_STATEFUL, .unit = "length",
 		.help = "x of the axis"),
-	TS_REAL("y", struct bit, centre[1], .flags = TS_POSITIONAL, .unit = "length",
+	TS_REAL("y", struct bit, centre[1], .flags = TS_POSITIONAL | TS_STATEFUL, .unit = "length",
 		.help = "y of the axis"),
-	TS_REAL("diameter", struct bit, diameter, .range = TS_POSITIVE, .unit = "length",
+	TS_REAL("diameter", struct bit, diameter, .flags = TS_STATEFUL, .range = TS_POSITIVE, .unit = "length",
 		.help = "of the circle of the cutters' centres"),
 	TS_NUMBER("omega", struct bit, omega, .unit = "radian/time",
 		  .help = "angular velocity; may be v_name"),
@@ -256,9 +256,9 @@ static const struct ts_arg args[] = {
 		.help = "ties each cutter to the mean height of the four"),
 	TS_REAL("damping", struct bit, damping, .range = TS_NOT_NEGATIVE, .fallback = "0",
 		.unit = "force/velocity", .help = "dashpot beside that spring"),
-	TS_GROUP("body", struct bit, body_group, .flags = TS_OPTIONAL,
+	TS_GROUP("body", struct bit, body_group, .flags = TS_OPTIONAL | TS_STATEFUL,
 		 .help = "group of the one particle that rides above the cutters"),
-	TS_REAL("clearance", struct bit, clearance, .range = TS_NOT_NEGATIVE, .fallback = "0",
+	TS_REAL("clearance", struct bit, clearance, .flags = TS_STATEFUL, .range = TS_NOT_NEGATIVE, .fallback = "0",
 		.unit = "length",
 		.help = "height of the body particle above the mean of the cutters"),
 	TS_ARGS_END,

@@ -65,11 +65,11 @@ static void fini(struct ts_instance *self)
 }
 
 static const struct ts_arg args[] = {
-	TS_INT("every", struct state, every, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+	TS_INT("every", struct state, every, .flags = TS_POSITIONAL | TS_STATEFUL, .range = TS_POSITIVE,
 	       .help = "steps between samples"),
-	TS_REF("value", struct state, name, .flags = TS_POSITIONAL,
+	TS_REF("value", struct state, name, .flags = TS_POSITIONAL | TS_STATEFUL,
 	       .help = "c_ID, c_ID[k], f_ID, f_ID[k], v_NAME or a thermo keyword"),
-	TS_INT("start", struct state, start, .fallback = "0",
+	TS_INT("start", struct state, start, .flags = TS_STATEFUL, .fallback = "0",
 	       .help = "no samples before this step"),
 	TS_ARGS_END,
 };

@@ -1,0 +1,90 @@
+#!/bin/bash
+# What may differ from the script that wrote a restart file, and what may not; files of other versions
+# of the format.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+data=$top_srcdir/tests/data
+
+cat >in.part <<END
+variable every index 7
+variable name index other
+variable group index all
+include $data/in.older
+fix \${name} \${group} vector \${every} ke start 20
+write_restart \${out}.restart
+END
+
+again() { # OPTIONS...: continues from first.restart
+	"$TSIM" -in in.part -log again.log -screen none -var out again -var last 437 \
+		-var from first.restart "$@" >out 2>err </dev/null
+}
+says() { # WHAT TEXT FILE
+	grep -qF -- "$2" "$3"
+	report "$1" $? "$3"
+}
+refused_change() { # WHAT TEXT OPTIONS...
+	local what=$1 text=$2
+	shift 2
+	again "$@"
+	[ $? = 1 ]
+	report "$what: refused" $? err
+	says "$what: says why" "$text" err
+	says "$what: says what to do" 'start afresh with another id' err
+}
+
+"$TSIM" -in in.part -log none -screen none -var out first -var last 437 2>err
+report 'first part' $? err
+again
+report 'the same again' $? err
+! grep -q 'changed since' again.log
+report 'nothing is said of changes then' $?
+same 'the same file' first.restart again.restart
+refused_change 'another interval' \
+	"fix other (vector): every is '8' here but '7' in the restart file" -var every 8
+says 'the word is shown' 'in.part:5:29: error' err
+refused_change 'another group' "fix other (vector): its group is 'chain' here but 'all'" \
+	-var name other -var group chain
+sed -i.all 's/vector ${every} ke/vector ${every} atoms/' in.part
+refused_change 'another value' "value is 'atoms' here but 'ke'"
+mv in.part.all in.part
+sed -i.all 's/^fix ${name}.*/fix ${name} all ave\/time 1 1 7 ke/' in.part
+refused_change 'another style' 'this id is of style vector'
+mv in.part.all in.part
+again -var name another -var every 8
+report 'another id starts afresh' $? err
+
+# what the state does not depend on may change, and the log says so
+cat >in.bit <<END
+include in.everything
+run 20
+write_restart \${out}.restart
+END
+sed 's/^fix bit bit drill.bit 0.05/fix bit bit drill\/bit ${axis}/; s/wob 4.0/wob ${wob}/' \
+	"$top_srcdir/tests/decks/in.everything" >in.everything
+bit() { # OUT FROM OPTIONS...
+	local out=$1 from=$2
+	shift 2
+	"$TSIM" -in in.bit -log "$out.log" -screen none -var out "$out" -var from "$from" \
+		"$@" >out 2>err </dev/null
+}
+bit bit none -var axis 0.05 -var wob 4.0
+report 'first part with a bit' $? err
+bit weight bit.restart -var axis 0.05 -var wob 4.5
+report 'another weight is allowed' $? err
+says 'and noted' 'fix bit (drill/bit), changed since the restart file: wob 4 -> 4.5' weight.log
+bit moved bit.restart -var axis 0.051 -var wob 4.0
+[ $? = 1 ]
+report 'another axis is refused' $? err
+says 'and shown' "x is '0.051' here but '0.05' in the restart file" err
+
+# a file of version 1 gives what the program that wrote it would have given
+printf 'include %s/in.older\n' "$data" >in.older
+"$TSIM" -in in.older -log none -var last 1200 -var from "$data/version1.restart" >out 2>err
+report 'version 1' $? err
+grep '^RESULT' out | awk -v want="0.0474541945557831 0.0508178721500008 0.000242544910245434 \
+0.000246181112057733 0.0507881026835429 0.000491151310745545 2 0 5" '
+	{ n = split(want, w, " "); bad = NF != n + 1
+	  for (k = 1; k <= n; k++) { d = $(k + 1) - w[k]; bad = bad || d * d > 1e-18 * w[k] * w[k] } }
+	END { exit bad || !NR }'
+report 'version 1: same results' $? out
+finish
