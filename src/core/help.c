@@ -186,9 +186,9 @@ static void add_reference(const struct ts_style *style, const struct ts_value *v
 			  struct ts_str *out)
 {
 	bool indexed = v->shape == TS_VECTOR || (v->shape != TS_SCALAR && v->column_names);
+	const char *brackets = v->shape == TS_ARRAY ? "[i][j]" : indexed ? "[k]" : "";
 
-	ts_str_addf(out, "%s%s", style->kind == TS_KIND_COMPUTE ? "c_ID" : "f_ID",
-		    indexed ? "[k]" : "");
+	ts_str_addf(out, "%s%s", style->kind == TS_KIND_COMPUTE ? "c_ID" : "f_ID", brackets);
 }
 
 static void add_values(const struct ts_style *style, bool markdown, struct ts_str *out)
@@ -196,7 +196,8 @@ static void add_values(const struct ts_style *style, bool markdown, struct ts_st
 	static const char *const shapes[] = { [TS_SCALAR] = "a number",
 					      [TS_VECTOR] = "a list of numbers",
 					      [TS_PERATOM] = "one per particle",
-					      [TS_LOCAL] = "rows for dump local" };
+					      [TS_LOCAL] = "rows for dump local",
+					      [TS_ARRAY] = "a table, c_ID[i][j]" };
 	struct ts_str name = { 0 }, text = { 0 };
 
 	if (!style->values || !style->values->name)

@@ -130,6 +130,14 @@ static enum ts_status check_identity(struct tsim *sim, const struct ts_instance 
 	return TS_OK;
 }
 
+bool ts_pending_waits(const struct tsim *sim, const struct ts_instance *inst)
+{
+	for (const struct ts_pending *p = sim->pending; p; p = p->next)
+		if (p->kind == inst->style->kind && ts_streq(p->id, inst->id))
+			return true;
+	return false;
+}
+
 enum ts_status ts_pending_apply(struct tsim *sim, struct ts_instance *inst, struct ts_words args)
 {
 	struct ts_pending **p = &sim->pending, *found;

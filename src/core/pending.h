@@ -12,6 +12,9 @@ enum ts_status ts_pending_add(struct tsim *sim, enum ts_kind kind, const char *s
  * log. A fix or compute of another style or group, or with another TS_STATEFUL argument, is refused. */
 enum ts_status ts_pending_apply(struct tsim *sim, struct ts_instance *inst, struct ts_words args);
 
+/* Does state wait for this style? Then what it would start with is not to be made up. */
+bool ts_pending_waits(const struct tsim *sim, const struct ts_instance *inst);
+
 /* An instance for a restart file: its arguments as they are now, then its state. */
 enum ts_status ts_pending_write(struct tsim *sim, struct ts_instance *inst,
 				struct ts_archive *archive);

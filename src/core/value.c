@@ -32,11 +32,13 @@ enum ts_status ts_value_eval(struct ts_instance *inst, struct tsim *sim, const s
 			     struct ts_table *out)
 {
 	size_t columns = value->shape == TS_SCALAR ? 1 : value->columns;
+	enum ts_status status;
 
 	if (value->shape == TS_SCALAR || (value->shape == TS_VECTOR && columns))
 		if (ts_table_resize(out, 1, columns) != TS_OK)
 			return ts_nomem(&sim->error);
-	return value->eval(inst, sim, out);
+	status = value->eval(inst, sim, out);
+	return status == TS_NOMEM ? ts_nomem(&sim->error) : status;
 }
 
 
@@ -91,30 +93,41 @@ void ts_quantity_suggest(struct ts_suggest *suggest)
 			(*s)->suggest_quantity(suggest);
 }
 
-/* "name[12]" -> name and 12; no bracket: 0. */
-static bool split_index(const char *text, char *name, size_t size, long *index)
+/* Reads "[12]" and moves on. */
+static bool read_bracket(const char **text, long *index)
 {
-	const char *bracket = strchr(text, '[');
-	size_t n = bracket ? (size_t)(bracket - text) : strlen(text);
+	const char *close = strchr(*text, ']');
+	size_t n = close ? (size_t)(close - *text) : 0;
 	char digits[16];
 	int64_t k;
 
-	*index = 0;
+	if (**text != '[' || n < 2 || n > sizeof digits)
+		return false;
+	memcpy(digits, *text + 1, n - 1);
+	digits[n - 1] = '\0';
+	if (!ts_parse_int(digits, &k) || k < 0 || k > 1000000000)
+		return false;
+	*index = (long)k;
+	*text = close + 1;
+	return true;
+}
+
+/* "name[12][3]" -> name, 12 and 3; where there is no bracket: 0. */
+static bool split_index(const char *text, char *name, size_t size, long *index, long *column)
+{
+	size_t n = strcspn(text, "[");
+
+	*index = *column = 0;
 	if (n >= size)
 		return false;
 	memcpy(name, text, n);
 	name[n] = '\0';
-	if (!bracket)
-		return true;
-	n = strlen(bracket);
-	if (n < 3 || n - 2 >= sizeof digits || bracket[n - 1] != ']')
+	text += n;
+	if (*text && !read_bracket(&text, index))
 		return false;
-	memcpy(digits, bracket + 1, n - 2);
-	digits[n - 2] = '\0';
-	if (!ts_parse_int(digits, &k) || k < 0 || k > 1000000)
+	if (*text && (*index == 0 || !read_bracket(&text, column) || *column == 0))
 		return false;
-	*index = (long)k;
-	return true;
+	return *text == '\0';
 }
 
 static enum ts_status resolve_variable(struct tsim *sim, const char *name,
@@ -158,8 +171,9 @@ static enum ts_status resolve_instance(struct tsim *sim, const char *name, enum 
 	if (where)
 		word.place = *where;
 	ref->kind = kind == TS_KIND_COMPUTE ? TS_REF_COMPUTE : TS_REF_FIX;
-	if (!split_index(name + 2, id, sizeof id, &ref->index))
-		return ts_fail(&sim->error, TS_SYNTAX, where, "'%s' is malformed, expected %.2sID or %.2sID[k]",
+	if (!split_index(name + 2, id, sizeof id, &ref->index, &ref->column))
+		return ts_fail(&sim->error, TS_SYNTAX, where,
+			       "'%s' is malformed, expected %.2sID, %.2sID[k] or %.2sID[i][j]", name,
 			       name, name, name);
 	TS_TRY(ts_sim_require(sim, kind, &word, &ref->inst));
 	if (!ref->inst->style->values)
@@ -181,6 +195,16 @@ enum ts_status ts_ref_resolve(struct tsim *sim, const char *name, const struct t
 	return resolve_keyword(sim, name, where, ref);
 }
 
+/* What an output of this shape is when read with the brackets of the ref; 0: nothing. */
+static unsigned shape_seen(const struct ts_ref *ref, enum ts_shape shape)
+{
+	if (shape == TS_ARRAY && ref->index)
+		return 1u << (ref->column ? TS_SCALAR : TS_VECTOR);
+	if (ref->column)
+		return 0;
+	return 1u << (shape == TS_VECTOR && ref->index ? TS_SCALAR : shape);
+}
+
 unsigned ts_ref_shapes(const struct tsim *sim, const struct ts_ref *ref)
 {
 	unsigned shapes = 0;
@@ -191,7 +215,7 @@ unsigned ts_ref_shapes(const struct tsim *sim, const struct ts_ref *ref)
 		return sim->host->is_peratom(sim->host_data, ref->variable) ? 1u << TS_PERATOM
 									    : 1u << TS_SCALAR;
 	for (const struct ts_value *v = ref->inst->style->values; v && v->name; v++)
-		shapes |= v->shape == TS_VECTOR && ref->index ? 1u << TS_SCALAR : 1u << v->shape;
+		shapes |= shape_seen(ref, v->shape);
 	return shapes;
 }
 
@@ -217,6 +241,26 @@ static enum ts_status pick_column(struct tsim *sim, const struct ts_ref *ref,
 			       "%s %s has %zu columns, choose one with [k]",
 			       ts_kind_name(ref->inst->style->kind), ref->inst->id, columns);
 	*column = ref->index ? (size_t)ref->index - 1 : 0;
+	return TS_OK;
+}
+
+/* [i][j] of an array. */
+static enum ts_status instance_element(struct tsim *sim, const struct ts_ref *ref,
+				       const struct ts_place *where, double *out)
+{
+	const struct ts_value *value = ts_value_find(ref->inst, TS_ARRAY);
+	struct ts_table *table = &ref->inst->table;
+
+	if (!value)
+		return no_such_output(sim, ref, where, "array");
+	TS_TRY(ts_value_eval(ref->inst, sim, value, table));
+	if (ref->index > (long)table->rows || ref->column > (long)table->columns)
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "%s %s: element [%ld][%ld] asked for, the array has %zu rows and %zu "
+			       "columns",
+			       ts_kind_name(ref->inst->style->kind), ref->inst->id, ref->index,
+			       ref->column, table->rows, table->columns);
+	*out = table->data[(size_t)(ref->index - 1) * table->columns + (size_t)ref->column - 1];
 	return TS_OK;
 }
 
@@ -254,7 +298,8 @@ enum ts_status ts_ref_scalar(struct tsim *sim, const struct ts_ref *ref,
 	case TS_REF_FIX:
 		break;
 	}
-	return instance_scalar(sim, ref, where, out);
+	return ref->column ? instance_element(sim, ref, where, out)
+			   : instance_scalar(sim, ref, where, out);
 }
 
 static enum ts_status one_column(struct tsim *sim, const struct ts_ref *ref,
@@ -267,7 +312,9 @@ static enum ts_status one_column(struct tsim *sim, const struct ts_ref *ref,
 
 	if (!value)
 		return no_such_output(sim, ref, where,
-				      shape == TS_LOCAL ? "local" : "per-particle");
+				      shape == TS_LOCAL	  ? "local"
+				      : shape == TS_ARRAY ? "array"
+							  : "per-particle");
 	TS_TRY(ts_value_eval(ref->inst, sim, value, &ref->inst->table));
 	TS_TRY(pick_column(sim, ref, where, table->columns, &column));
 	if (ts_table_resize(out, table->rows, 1) != TS_OK)
@@ -304,6 +351,8 @@ enum ts_status ts_ref_vector(struct tsim *sim, const struct ts_ref *ref,
 {
 	const struct ts_value *value = ref->inst ? ts_value_find(ref->inst, TS_VECTOR) : NULL;
 
+	if (ref->inst && ref->index)
+		return one_column(sim, ref, where, TS_ARRAY, out);
 	if (!value)
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "expected a compute or fix with a vector output");

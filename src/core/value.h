@@ -19,7 +19,8 @@ enum ts_shape {
 	TS_SCALAR = 1, /* one number                                      c_ID                 */
 	TS_VECTOR,     /* `columns` numbers, or as many as rows come out  c_ID[k]              */
 	TS_PERATOM,    /* rows = local particles, `columns` each          c_ID or c_ID[k]      */
-	TS_LOCAL       /* any number of rows (contacts, bonds ...)        c_ID[k] in dump local */
+	TS_LOCAL,      /* any number of rows (contacts, bonds ...)        c_ID[k] in dump local */
+	TS_ARRAY       /* a table of numbers           c_ID[i][j]; its column j as a list: c_ID[j] */
 };
 
 /* A table of doubles that grows and is reused from call to call; zero-initialise. */
@@ -52,7 +53,8 @@ struct ts_ref {
 	struct ts_instance *inst;           /* compute or fix */
 	const struct ts_keyword *keyword;
 	const char *variable;
-	long index; /* k of [k], counted from 1; 0: none given */
+	long index;  /* k of [k], counted from 1; 0: none given */
+	long column; /* j of [i][j]; 0: none given */
 };
 
 /* Resolves a name. `name` must outlive the ref (arg tables copy it to the owner's arena). */
@@ -63,7 +65,7 @@ enum ts_status ts_ref_scalar(struct tsim *sim, const struct ts_ref *ref,
 /* One value per local particle, in local order. A scalar is repeated. */
 enum ts_status ts_ref_peratom(struct tsim *sim, const struct ts_ref *ref,
 			      const struct ts_place *where, struct ts_table *out);
-/* A whole global vector (c_ID, f_ID without index). */
+/* A whole global vector (c_ID, f_ID without index), or column j of an array (c_ID[j]). */
 enum ts_status ts_ref_vector(struct tsim *sim, const struct ts_ref *ref,
 			     const struct ts_place *where, struct ts_table *out);
 /* One column of a local table: c_ID[k], or c_ID where it has one column. */

@@ -28,17 +28,18 @@ static enum ts_status variable(struct ts_expr *e, const char *name, size_t at,
 	return status;
 }
 
-/* Takes the [..] behind the name into account. */
+/* Takes the [..] or [..][..] behind the name into account. */
 static enum ts_status read_index(struct ts_expr *e)
 {
 	const char *close;
 
-	if (e->text[e->at] != '[')
-		return TS_OK;
-	close = strchr(e->text + e->at, ']');
-	if (!close)
-		return ts_expr_fail(e, TS_SYNTAX, e->at, e->at + 1, "'[' is never closed");
-	e->at = (size_t)(close - e->text) + 1;
+	while (e->text[e->at] == '[') {
+		close = strchr(e->text + e->at, ']');
+		if (!close)
+			return ts_expr_fail(e, TS_SYNTAX, e->at, e->at + 1,
+					    "'[' is never closed");
+		e->at = (size_t)(close - e->text) + 1;
+	}
 	return TS_OK;
 }
 
