@@ -86,6 +86,8 @@ library_sources = \
 	src/neigh/bonds.h \
 	src/neigh/cells.c \
 	src/neigh/cells.h \
+	src/neigh/gather.c \
+	src/neigh/gather.h \
 	src/neigh/neigh.c \
 	src/neigh/neigh.h \
 	src/neigh/order.c \

@@ -53,26 +53,6 @@ static enum ts_status remove_broken(struct tsim *sim)
 	return TS_OK;
 }
 
-static void gather_share(void *context, size_t from, size_t to)
-{
-	struct tsim *sim = context;
-	const struct ts_bonds *bonds = sim->bonds;
-
-	for (size_t i = from; i < to; i++) {
-		double *total = sim->particles->f[i], f[3] = { 0 };
-
-		for (size_t k = bonds->first[i]; k < bonds->first[i + 1]; k++) {
-			const double *force = bonds->force[bonds->entry[k] >> 1];
-			double sign = bonds->entry[k] & 1 ? -1.0 : 1.0;
-
-			for (int d = 0; d < 3; d++)
-				f[d] += sign * force[d];
-		}
-		for (int d = 0; d < 3; d++)
-			total[d] += f[d];
-	}
-}
-
 enum ts_status ts_bond_force(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_bond *bond = self->state;
@@ -83,7 +63,7 @@ enum ts_status ts_bond_force(struct ts_instance *self, struct tsim *sim)
 		return TS_OK;
 	broken = ts_parallel_count(ts_team(sim, sim->bonds->n), sim->bonds->n,
 				   ts_bond_style_of(self)->share, &t);
-	ts_parallel(ts_team(sim, sim->particles->n), sim->particles->n, gather_share, sim);
+	ts_gather_forces(sim, &sim->bonds->gather, (const double(*)[3])sim->bonds->force);
 	if (!broken)
 		return TS_OK;
 	TS_TRY(remove_broken(sim));
@@ -168,15 +148,16 @@ static double network_limit(const struct tsim *sim, const struct ts_bond_style *
 			    const struct ts_coeffs *coeffs)
 {
 	const struct ts_bonds *bonds = sim->bonds;
+	const struct ts_gather *g = &bonds->gather;
 	const struct ts_particles *p = sim->particles;
 	double worst = 0;
 
 	for (size_t i = 0; i < p->n; i++) {
 		double k = 0;
 
-		for (size_t e = bonds->first[i]; e < bonds->first[i + 1]; e++)
+		for (size_t e = g->first[i]; e < g->first[i + 1]; e++)
 			k += style->stiffness(
-				ts_coeff(coeffs, (size_t)bonds->type[bonds->entry[e] >> 1]));
+				ts_coeff(coeffs, (size_t)bonds->type[g->entry[e] >> 1]));
 		worst = fmax(worst, k * p->imass[i]);
 	}
 	return worst > 0 ? 2 / sqrt(2 * worst) : INFINITY;

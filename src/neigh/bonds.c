@@ -132,40 +132,22 @@ static enum ts_status drop_lost(struct tsim *sim, struct ts_bonds *b, const int3
 	return TS_OK;
 }
 
-static size_t partner_tag(const struct ts_bonds *b, uint32_t entry)
+static size_t bond_end(const void *list, size_t k, int side)
 {
-	return (size_t)b->tag[entry >> 1][!(entry & 1)];
+	return (size_t)((const struct ts_bonds *)list)->row[k][side];
+}
+
+static uint64_t partner_key(const void *list, size_t k, int side)
+{
+	return (uint64_t)((const struct ts_bonds *)list)->tag[k][!side];
 }
 
 enum ts_status ts_bonds_index(struct tsim *sim)
 {
 	struct ts_bonds *b = sim->bonds;
-	size_t n = sim->particles->n;
 
-	if (TS_GROW(b->first, b->first_capacity, n + 2) != TS_OK ||
-	    TS_GROW(b->entry, b->entry_capacity, 2 * b->n) != TS_OK)
+	if (ts_gather_index(&b->gather, sim->particles->n, b->n, bond_end, partner_key, b) != TS_OK)
 		return ts_nomem(&sim->error);
-	memset(b->first, 0, (n + 2) * sizeof *b->first);
-	for (size_t k = 0; k < b->n; k++)
-		for (int s = 0; s < 2; s++)
-			b->first[b->row[k][s] + 2]++;
-	for (size_t i = 2; i < n + 2; i++)
-		b->first[i] += b->first[i - 1];
-	for (size_t k = 0; k < b->n; k++)
-		for (int s = 0; s < 2; s++)
-			b->entry[b->first[b->row[k][s] + 1]++] = (uint32_t)(2 * k) + (uint32_t)s;
-	for (size_t i = 0; i < n; i++) {
-		uint32_t *entry = b->entry + b->first[i];
-
-		for (size_t k = 1; k < b->first[i + 1] - b->first[i]; k++) {
-			uint32_t e = entry[k];
-			size_t at = k;
-
-			for (; at && partner_tag(b, e) < partner_tag(b, entry[at - 1]); at--)
-				entry[at] = entry[at - 1];
-			entry[at] = e;
-		}
-	}
 	return TS_OK;
 }
 
@@ -248,8 +230,7 @@ static void fini(struct ts_instance *self)
 	ts_free(b->force);
 	ts_free(b->tension);
 	ts_free(b->breaks);
-	ts_free(b->first);
-	ts_free(b->entry);
+	ts_gather_release(&b->gather);
 	ts_free(b->event);
 }
 

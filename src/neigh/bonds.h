@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "core/coeff.h"
 #include "core/sim.h"
+#include "neigh/gather.h"
 
 /* What a broken bond leaves behind. */
 struct ts_bond_event {
@@ -26,9 +27,7 @@ struct ts_bonds {
 	double *tension;   /* along the bond, > 0 pulling */
 	unsigned char *breaks; /* in this step */
 
-	size_t *first;   /* gather lists as in struct ts_rows: entries 2 bond + side */
-	uint32_t *entry;
-	size_t first_capacity, entry_capacity;
+	struct ts_gather gather; /* of the local particles */
 
 	int ntypes;
 	int64_t created, broken; /* ever */

@@ -113,7 +113,7 @@ static inline void ts_row_loop(struct tsim *sim, const struct ts_pair *pair, ts_
 	struct ts_row_task task = { sim->particles, rows, pair, law };
 
 	ts_parallel(ts_team(sim, rows->n), rows->n, share, &task);
-	ts_rows_gather(sim, rows);
+	ts_gather_forces(sim, &rows->gather, (const double(*)[3])rows->force);
 }
 
 #endif

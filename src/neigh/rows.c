@@ -187,46 +187,19 @@ static void fill_rows(struct ts_rows *rows, const struct ts_particles *p, const 
 		memset(rows->history, 0, r * rows->history_width * sizeof *rows->history);
 }
 
-static size_t partner_of(const struct ts_rows *rows, uint32_t entry)
+static size_t row_end(const void *list, size_t r, int side)
 {
-	return (size_t)(entry & 1 ? rows->i[entry >> 1] : rows->j[entry >> 1]);
+	const struct ts_rows *rows = list;
+
+	return (size_t)(side ? rows->j[r] : rows->i[r]);
 }
 
-static enum ts_status index_gather(struct tsim *sim, struct ts_rows *rows)
+/* Order of partners: identity, then image. Seen from j, which is local, i is no image. */
+static uint64_t partner_key(const void *list, size_t r, int side)
 {
-	const struct ts_particles *p = sim->particles;
+	const struct ts_rows *rows = list;
 
-	if (TS_GROW(rows->first, rows->first_capacity, p->n + 2) != TS_OK ||
-	    TS_GROW(rows->entry, rows->entry_capacity, 2 * rows->n) != TS_OK)
-		return ts_nomem(&sim->error);
-	memset(rows->first, 0, (p->n + 2) * sizeof *rows->first);
-	for (size_t r = 0; r < rows->n; r++) {
-		rows->first[rows->i[r] + 2]++;
-		if ((size_t)rows->j[r] < p->n)
-			rows->first[rows->j[r] + 2]++;
-	}
-	for (size_t i = 2; i < p->n + 2; i++)
-		rows->first[i] += rows->first[i - 1];
-	for (size_t r = 0; r < rows->n; r++) {
-		rows->entry[rows->first[rows->i[r] + 1]++] = (uint32_t)(2 * r);
-		if ((size_t)rows->j[r] < p->n)
-			rows->entry[rows->first[rows->j[r] + 1]++] = (uint32_t)(2 * r + 1);
-	}
-	for (size_t i = 0; i < p->n; i++) {
-		uint32_t *entry = rows->entry + rows->first[i];
-
-		for (size_t k = 1; k < rows->first[i + 1] - rows->first[i]; k++) {
-			uint32_t e = entry[k];
-			size_t at = k;
-
-			for (;
-			     at && before(p, partner_of(rows, e), partner_of(rows, entry[at - 1]));
-			     at--)
-				entry[at] = entry[at - 1];
-			entry[at] = e;
-		}
-	}
-	return TS_OK;
+	return (uint64_t)rows->tag[!side][r] << 8 | (side ? TS_IMAGE_SELF : rows->image[r]);
 }
 
 static enum ts_status search_all(struct tsim *sim, const struct search *s, struct found *found,
@@ -265,7 +238,8 @@ static enum ts_status build(struct tsim *sim, struct ts_rows *rows, const struct
 		rows->n = total;
 		fill_rows(rows, s->p, found, shares);
 		ts_row_history_give(&old, rows);
-		status = index_gather(sim, rows);
+		status = ts_gather_index(&rows->gather, s->p->n, rows->n, row_end, partner_key,
+					 rows);
 	}
 	ts_row_history_release(&old);
 	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
@@ -294,40 +268,6 @@ enum ts_status ts_rows_build(struct tsim *sim, struct ts_rows *rows, double skin
 	return status;
 }
 
-struct gather {
-	struct ts_particles *p;
-	const struct ts_rows *rows;
-};
-
-static void gather_share(void *context, size_t from, size_t to)
-{
-	static const double signs[] = { 1, -1 }; /* a table: which side cannot be guessed */
-	const struct gather *g = context;
-	const struct ts_rows *rows = g->rows;
-
-	for (size_t i = from; i < to; i++) {
-		double *total = g->p->f[i], f[3] = { 0 };
-
-		for (size_t k = rows->first[i]; k < rows->first[i + 1]; k++) {
-			uint32_t r = rows->entry[k] >> 1;
-			double sign = signs[rows->entry[k] & 1];
-			const double *force = rows->force[r];
-
-			for (int d = 0; d < 3; d++)
-				f[d] += sign * force[d];
-		}
-		for (int d = 0; d < 3; d++)
-			total[d] += f[d];
-	}
-}
-
-void ts_rows_gather(struct tsim *sim, const struct ts_rows *rows)
-{
-	struct gather g = { sim->particles, rows };
-
-	ts_parallel(ts_team(sim, sim->particles->n), sim->particles->n, gather_share, &g);
-}
-
 void ts_rows_release(struct ts_rows *rows)
 {
 	ts_free(rows->i);
@@ -339,7 +279,6 @@ void ts_rows_release(struct ts_rows *rows)
 	ts_free(rows->force);
 	ts_free(rows->touching);
 	ts_free(rows->history);
-	ts_free(rows->first);
-	ts_free(rows->entry);
+	ts_gather_release(&rows->gather);
 	*rows = (struct ts_rows){ 0 };
 }

@@ -14,6 +14,7 @@
 #include <stdint.h>
 
 #include "core/sim.h"
+#include "neigh/gather.h"
 
 struct ts_rows {
 	size_t n, capacity;
@@ -27,11 +28,7 @@ struct ts_rows {
 	size_t history_width;
 	const signed char *history_sign; /* +1 or -1: factor when i and j change places */
 
-	/* gather lists: for local particle p the entries first[p] .. first[p+1]-1; an entry is
-	 * 2 row + side, side 1 when p is the row's j */
-	size_t *first;
-	uint32_t *entry;
-	size_t first_capacity, entry_capacity;
+	struct ts_gather gather; /* of the local particles */
 };
 
 enum { TS_IMAGE_SELF = 13 };
@@ -52,9 +49,6 @@ static inline int32_t ts_winding(const int32_t turns[3])
 typedef bool ts_excluded_fn(const struct tsim *sim, size_t i, size_t j);
 enum ts_status ts_rows_build(struct tsim *sim, struct ts_rows *rows, double skin,
 			     ts_excluded_fn *excluded);
-
-/* Adds the row forces to the particles' force column. */
-void ts_rows_gather(struct tsim *sim, const struct ts_rows *rows);
 
 enum ts_status ts_rows_set_history(struct tsim *sim, struct ts_rows *rows, size_t width,
 				   const signed char *sign);
