@@ -37,6 +37,8 @@ library_sources = \
 	src/core/plan.c \
 	src/core/plan.h \
 	src/core/plan_report.c \
+	src/core/ref_list.c \
+	src/core/ref_list.h \
 	src/core/registry.c \
 	src/core/sim.c \
 	src/core/sim.h \

@@ -3,6 +3,7 @@ shell_tests = \
 	tests/command_line.sh \
 	tests/crosscheck/liggghts.sh \
 	tests/decks/commands.sh \
+	tests/decks/inputs.sh \
 	tests/drilling.sh \
 	tests/house.sh \
 	tests/layers.sh \

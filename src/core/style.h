@@ -78,6 +78,9 @@ struct ts_style {
 	void (*fingerprint)(const struct ts_instance *self, const struct tsim *sim,
 			    struct ts_hash *hash);
 	const struct ts_value *values;
+	/* Which of them there are with the arguments given (one value: a vector, several: an array);
+	 * NULL: all. */
+	bool (*gives)(const struct ts_instance *self, const struct ts_value *value);
 	unsigned columns; /* particle columns it needs: bits of particles/particles.h */
 	ts_hook_fn *init;
 	ts_hook_fn *hook[TS_NSTAGE];

@@ -20,10 +20,15 @@ void ts_table_release(struct ts_table *table)
 	*table = (struct ts_table){ 0 };
 }
 
+bool ts_value_given(const struct ts_instance *inst, const struct ts_value *value)
+{
+	return !inst->style->gives || inst->style->gives(inst, value);
+}
+
 const struct ts_value *ts_value_find(const struct ts_instance *inst, enum ts_shape shape)
 {
 	for (const struct ts_value *v = inst->style->values; v && v->name; v++)
-		if (v->shape == shape)
+		if (v->shape == shape && ts_value_given(inst, v))
 			return v;
 	return NULL;
 }
@@ -215,7 +220,8 @@ unsigned ts_ref_shapes(const struct tsim *sim, const struct ts_ref *ref)
 		return sim->host->is_peratom(sim->host_data, ref->variable) ? 1u << TS_PERATOM
 									    : 1u << TS_SCALAR;
 	for (const struct ts_value *v = ref->inst->style->values; v && v->name; v++)
-		shapes |= shape_seen(ref, v->shape);
+		if (ts_value_given(ref->inst, v))
+			shapes |= shape_seen(ref, v->shape);
 	return shapes;
 }
 

@@ -41,6 +41,8 @@ struct ts_value {
 	enum ts_status (*eval)(struct ts_instance *self, const struct tsim *sim,
 			       struct ts_table *out);
 };
+/* Whether an instance has this output of its style, with its arguments. */
+bool ts_value_given(const struct ts_instance *inst, const struct ts_value *value);
 const struct ts_value *ts_value_find(const struct ts_instance *inst, enum ts_shape shape);
 enum ts_status ts_value_eval(struct ts_instance *inst, struct tsim *sim, const struct ts_value *value,
 			     struct ts_table *out);

@@ -109,7 +109,7 @@ void ts_dump_header(struct ts_dump_common *d, struct tsim *sim, const char *what
 		ts_str_addf(&d->text, "%g %g\n", box->lo[k], box->hi[k]);
 	ts_str_addf(&d->text, "ITEM: %s ", what);
 	for (size_t k = 0; k < d->ncolumns; k++)
-		ts_str_addf(&d->text, "%s ", d->column[k].name);
+		ts_str_addf(&d->text, "%s ", d->column[k].input.name);
 	ts_str_add(&d->text, "\n");
 }
 

@@ -2,18 +2,17 @@
 #ifndef TS_IO_DUMP_H
 #define TS_IO_DUMP_H
 
+#include "core/ref_list.h"
 #include "core/sim.h"
 #include "io/format.h"
 #include "io/textfile.h"
 
 /* One column of a dump of particles or of local rows. */
 struct ts_dump_column {
-	const char *name;
-	struct ts_place where;
-	enum { TS_DUMP_QUANTITY, TS_DUMP_REF, TS_DUMP_INDEX } kind;
+	struct ts_ref_input input;
+	bool index; /* number of the row; input has only name and place */
 	bool integer;
 	char format[TS_FORMAT_SIZE];
-	struct ts_ref ref;
 	struct ts_table values; /* one column, a row per particle or local row */
 };
 

@@ -25,36 +25,16 @@ static bool names_integer(const char *name)
 static enum ts_status make_column(struct ts_instance *self, struct tsim *sim,
 				  struct ts_dump_column *c, bool local)
 {
-	struct ts_suggest suggest = ts_suggest_start(c->name);
-	unsigned wanted = local ? 1u << TS_LOCAL : 1u << TS_PERATOM | 1u << TS_SCALAR;
+	char what[64];
 
-	c->integer = names_integer(c->name);
-	if (local && ts_streq(c->name, "index")) {
-		c->kind = TS_DUMP_INDEX;
+	c->integer = names_integer(c->input.name);
+	c->index = local && ts_streq(c->input.name, "index");
+	if (c->index)
 		return TS_OK;
-	}
-	if (!local && ts_quantity_has(sim, c->name)) {
-		c->kind = TS_DUMP_QUANTITY;
-		return TS_OK;
-	}
-	c->kind = TS_DUMP_REF;
-	if (!c->name[0] || c->name[1] != '_' || !strchr("cfv", c->name[0])) {
-		if (local)
-			ts_suggest_try(&suggest, "index");
-		else
-			ts_quantity_suggest(&suggest);
-		return ts_fail(&sim->error, TS_UNKNOWN, &c->where,
-			       "dump %s: unknown column '%s', expected %s%s", self->style->name,
-			       c->name,
-			       local ? "index, c_ID[k] or f_ID[k]"
-				     : "a quantity of particles, c_ID[k], f_ID[k] or v_NAME",
-			       ts_suggest_text(&suggest));
-	}
-	TS_TRY(ts_ref_resolve(sim, c->name, &c->where, &c->ref));
-	if (!(ts_ref_shapes(sim, &c->ref) & wanted))
-		return ts_fail(&sim->error, TS_STATE, &c->where, "dump %s: '%s' has no %s values",
-			       self->style->name, c->name, local ? "local" : "per-particle");
-	return TS_OK;
+	snprintf(what, sizeof what, "dump %s", self->style->name);
+	return ts_ref_input_resolve(sim, what,
+				    local ? TS_WANT(LOCAL) : TS_WANT(PERATOM) | TS_WANT(SCALAR),
+				    &c->input);
 }
 
 static enum ts_status set_format(struct ts_dump_common *d, struct tsim *sim, size_t k)
@@ -72,9 +52,28 @@ static enum ts_status set_format(struct ts_dump_common *d, struct tsim *sim, siz
 	if (ts_format_check(line, c->integer, c->format))
 		return TS_OK;
 	return ts_fail(&sim->error, TS_SYNTAX,
-		       d->line_format.n ? &d->line_format.word[k].place : &c->where,
-		       "'%s' is no format for column %s, expected for instance %s", line, c->name,
+		       d->line_format.n ? &d->line_format.word[k].place : &c->input.where,
+		       "'%s' is no format for column %s, expected for instance %s", line, c->input.name,
 		       c->integer ? "%d" : "%g");
+}
+
+/* Once: c_ID[*] becomes several columns. */
+static enum ts_status name_columns(struct ts_instance *self, struct tsim *sim,
+				   struct ts_words names, bool local)
+{
+	struct ts_dump_common *d = self->state;
+	struct ts_words all;
+
+	TS_TRY(ts_refs_expand(sim, &self->arena, names, local ? TS_WANT(LOCAL) : TS_WANT(PERATOM),
+			      &all));
+	d->column = ts_arena_alloc(&self->arena, all.n, sizeof *d->column);
+	if (!d->column)
+		return ts_nomem(&sim->error);
+	for (size_t k = 0; k < all.n; k++)
+		d->column[k].input = (struct ts_ref_input){ .name = all.word[k].text,
+							    .where = all.word[k].place };
+	d->ncolumns = all.n;
+	return TS_OK;
 }
 
 enum ts_status ts_dump_columns(struct ts_instance *self, struct tsim *sim, struct ts_words names,
@@ -83,34 +82,22 @@ enum ts_status ts_dump_columns(struct ts_instance *self, struct tsim *sim, struc
 	struct ts_dump_common *d = self->state;
 
 	self->every = d->every;
-	if (!d->column) {
-		d->column = ts_arena_alloc(&self->arena, names.n, sizeof *d->column);
-		if (!d->column)
-			return ts_nomem(&sim->error);
-		d->ncolumns = names.n;
-	}
-	for (size_t k = 0; k < names.n; k++) {
-		d->column[k].name = names.word[k].text;
-		d->column[k].where = names.word[k].place;
+	if (!d->column)
+		TS_TRY(name_columns(self, sim, names, local));
+	for (size_t k = 0; k < d->ncolumns; k++) {
 		TS_TRY(make_column(self, sim, &d->column[k], local));
 		TS_TRY(set_format(d, sim, k));
 	}
 	return TS_OK;
 }
 
-static enum ts_status evaluate(struct ts_dump_column *c, struct tsim *sim, bool local)
+static enum ts_status evaluate(struct ts_dump_column *c, struct tsim *sim)
 {
-	switch (c->kind) {
-	case TS_DUMP_QUANTITY:
-		return ts_quantity_eval(sim, c->name, &c->values);
-	case TS_DUMP_REF:
-		if (local)
-			return ts_ref_local(sim, &c->ref, &c->where, &c->values);
-		return ts_ref_peratom(sim, &c->ref, &c->where, &c->values);
-	case TS_DUMP_INDEX:
-		break;
-	}
-	return TS_OK;
+	if (c->index)
+		return TS_OK;
+	if (c->input.shape == TS_SCALAR) /* the same for all particles */
+		return ts_ref_peratom(sim, &c->input.ref, &c->input.where, &c->values);
+	return ts_ref_input_eval(sim, &c->input, &c->values);
 }
 
 static int compare_tags(const void *a, const void *b, void *context)
@@ -146,7 +133,7 @@ static int compare_rows(const void *a, const void *b, void *context)
 	for (size_t k = 0; k < d->ncolumns; k++) {
 		const double *value = d->column[k].values.data;
 
-		if (d->column[k].kind == TS_DUMP_INDEX)
+		if (d->column[k].index)
 			continue;
 		if (value[i] != value[j])
 			return value[i] > value[j] ? 1 : -1;
@@ -162,12 +149,12 @@ static enum ts_status select_rows(struct ts_dump_common *d, struct tsim *sim)
 	for (size_t k = 0; k < d->ncolumns; k++) {
 		struct ts_dump_column *c = &d->column[k];
 
-		if (c->kind == TS_DUMP_INDEX)
+		if (c->index)
 			continue;
 		if (first && c->values.rows != first->values.rows)
-			return ts_fail(&sim->error, TS_STATE, &c->where,
-				       "dump local: '%s' has %zu rows, but '%s' has %zu", c->name,
-				       c->values.rows, first->name, first->values.rows);
+			return ts_fail(&sim->error, TS_STATE, &c->input.where,
+				       "dump local: '%s' has %zu rows, but '%s' has %zu", c->input.name,
+				       c->values.rows, first->input.name, first->values.rows);
 		first = c;
 	}
 	if (!first)
@@ -188,7 +175,7 @@ static enum ts_status number_rows(struct ts_dump_common *d, struct tsim *sim)
 	for (size_t k = 0; k < d->ncolumns; k++) {
 		struct ts_table *values = &d->column[k].values;
 
-		if (d->column[k].kind != TS_DUMP_INDEX)
+		if (!d->column[k].index)
 			continue;
 		if (ts_table_resize(values, d->nrows, 1) != TS_OK)
 			return ts_nomem(&sim->error);
@@ -203,7 +190,7 @@ enum ts_status ts_dump_gather(struct ts_instance *self, struct tsim *sim, bool l
 	struct ts_dump_common *d = self->state;
 
 	for (size_t k = 0; k < d->ncolumns; k++)
-		TS_TRY(evaluate(&d->column[k], sim, local));
+		TS_TRY(evaluate(&d->column[k], sim));
 	TS_TRY(local ? select_rows(d, sim) : select_particles(self, sim));
 	return number_rows(d, sim);
 }

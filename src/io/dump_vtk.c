@@ -22,31 +22,29 @@ enum ts_status ts_dump_vtk_init(struct ts_instance *self, struct tsim *sim, bool
 			"dump %s writes one file per frame: the name '%s' needs a `*` for the "
 			"step",
 			self->style->name, file);
-	if (!s->array) {
-		s->array = ts_arena_alloc(&self->arena, s->names.n, sizeof *s->array);
-		if (!s->array)
-			return ts_nomem(&sim->error);
-	}
-	return ts_dump_columns(self, sim, s->names, local);
+	TS_TRY(ts_dump_columns(self, sim, s->names, local));
+	if (!s->array)
+		s->array = ts_arena_alloc(&self->arena, s->common.ncolumns, sizeof *s->array);
+	return s->array ? TS_OK : ts_nomem(&sim->error);
 }
 
 /* "vx", "vy", "vz" -> "v"; "c_a[2]", "c_a[3]", "c_a[4]" -> "c_a[2-4]". */
 static bool vector_name(const struct ts_dump_column *c, char *out, size_t size)
 {
-	size_t n = strlen(c[0].name);
-	const char *bracket = strchr(c[0].name, '[');
-	size_t stem = bracket ? (size_t)(bracket - c[0].name) + 1 : n - 1;
+	size_t n = strlen(c[0].input.name);
+	const char *bracket = strchr(c[0].input.name, '[');
+	size_t stem = bracket ? (size_t)(bracket - c[0].input.name) + 1 : n - 1;
 	int64_t index[3];
 	char digits[16];
 
 	for (int k = 0; k < 3; k++) {
-		const char *name = c[k].name, *rest;
+		const char *name = c[k].input.name, *rest;
 
-		if (strlen(name) <= stem || strncmp(name, c[0].name, stem) != 0)
+		if (strlen(name) <= stem || strncmp(name, c[0].input.name, stem) != 0)
 			return false;
 		rest = name + stem;
 		if (!bracket) {
-			if (rest[0] != "xyz"[k] || rest[1] || c[k].kind != TS_DUMP_QUANTITY)
+			if (rest[0] != "xyz"[k] || rest[1] || !c[k].input.quantity)
 				return false;
 			continue;
 		}
@@ -55,16 +53,16 @@ static bool vector_name(const struct ts_dump_column *c, char *out, size_t size)
 			return false;
 	}
 	if (bracket)
-		snprintf(out, size, "%.*s%lld-%lld]", (int)stem, c[0].name, (long long)index[0],
+		snprintf(out, size, "%.*s%lld-%lld]", (int)stem, c[0].input.name, (long long)index[0],
 			 (long long)index[2]);
 	else
-		snprintf(out, size, "%.*s", (int)stem, c[0].name);
+		snprintf(out, size, "%.*s", (int)stem, c[0].input.name);
 	return true;
 }
 
 static bool is_position(const struct ts_dump_column *c)
 {
-	return c->kind == TS_DUMP_QUANTITY && strchr("xyz", c->name[0]) && !c->name[1];
+	return c->input.quantity && strchr("xyz", c->input.name[0]) && !c->input.name[1];
 }
 
 static void copy_columns(const struct ts_dump_common *d, size_t first, size_t count, double *to)
@@ -85,7 +83,7 @@ static size_t take_array(struct ts_instance *self, size_t k, bool vectors, doubl
 		vectors && k + 2 < d->ncolumns && vector_name(&d->column[k], name, sizeof name);
 
 	if (!vector)
-		snprintf(name, sizeof name, "%s", d->column[k].name);
+		snprintf(name, sizeof name, "%s", d->column[k].input.name);
 	if (!a->name || !ts_streq(a->name, name))
 		a->name = ts_arena_strdup(&self->arena, name);
 	a->components = vector ? 3 : 1;

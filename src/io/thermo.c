@@ -29,16 +29,14 @@ enum ts_status ts_thermo_columns(struct tsim *sim, struct ts_words names)
 
 	t->n = 0;
 	ts_arena_release(&t->arena);
-	if (ts_words_copy(&t->arena, names, &copy) != TS_OK)
-		return ts_nomem(&sim->error);
+	TS_TRY(ts_refs_expand(sim, &t->arena, names, TS_WANT(SCALAR), &copy));
 	t->column = ts_arena_alloc(&t->arena, copy.n, sizeof *t->column);
 	if (!t->column)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < copy.n; k++) {
 		t->column[k] = (struct ts_thermo_column){
-			.name = copy.word[k].text,
 			.title = make_title(t, copy.word[k].text),
-			.where = copy.word[k].place,
+			.input = { .name = copy.word[k].text, .where = copy.word[k].place },
 		};
 		if (!t->column[k].title)
 			return ts_nomem(&sim->error);
@@ -61,14 +59,9 @@ enum ts_status ts_thermo_format(struct tsim *sim, bool integer, const char *form
 
 static enum ts_status resolve(struct ts_thermo *t, struct tsim *sim)
 {
-	for (size_t k = 0; k < t->n; k++) {
-		struct ts_thermo_column *c = &t->column[k];
-
-		TS_TRY(ts_ref_resolve(sim, c->name, &c->where, &c->ref));
-		if (!(ts_ref_shapes(sim, &c->ref) & 1u << TS_SCALAR))
-			return ts_fail(&sim->error, TS_STATE, &c->where,
-				       "thermo_style: '%s' is not a single number", c->name);
-	}
+	for (size_t k = 0; k < t->n; k++)
+		TS_TRY(ts_ref_input_resolve(sim, "thermo_style", TS_WANT(SCALAR),
+					    &t->column[k].input));
 	return TS_OK;
 }
 
@@ -96,7 +89,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 static bool is_integer(const struct ts_thermo_column *c)
 {
-	return c->ref.kind == TS_REF_KEYWORD && c->ref.keyword->integer;
+	return c->input.ref.kind == TS_REF_KEYWORD && c->input.ref.keyword->integer;
 }
 
 static enum ts_status emit(struct ts_thermo *t, struct tsim *sim)
@@ -131,7 +124,7 @@ static enum ts_status row(struct ts_thermo *t, struct tsim *sim)
 		bool integer = is_integer(c);
 		double value;
 
-		TS_TRY(ts_ref_scalar(sim, &c->ref, &c->where, &value));
+		TS_TRY(ts_ref_input_scalar(sim, &c->input, &value));
 		ts_format_add(&t->line, integer ? t->int_format : t->float_format, integer, value);
 		ts_str_add(&t->line, " ");
 	}

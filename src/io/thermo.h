@@ -2,14 +2,14 @@
 #ifndef TS_IO_THERMO_H
 #define TS_IO_THERMO_H
 
+#include "core/ref_list.h"
 #include "core/sim.h"
 #include "io/format.h"
 #include "io/textfile.h"
 
 struct ts_thermo_column {
-	const char *name, *title;
-	struct ts_place where;
-	struct ts_ref ref; /* resolved when a run begins */
+	const char *title;
+	struct ts_ref_input input; /* resolved when a run begins */
 };
 
 struct ts_thermo {

@@ -144,7 +144,7 @@ static enum ts_status read_series(struct ts_expr *e, const struct ts_word *word,
 			       "expected the vector of a compute or fix (c_ID or f_ID), found '%s'",
 			       word->text);
 	shapes = ts_ref_shapes(e->sim, &ref);
-	if (shapes & (1u << TS_VECTOR) && !ref.index)
+	if (shapes & (1u << TS_VECTOR))
 		return ts_ref_vector(e->sim, &ref, &word->place, out);
 	if (shapes & (1u << TS_LOCAL))
 		return ts_ref_local(e->sim, &ref, &word->place, out);

@@ -1,5 +1,5 @@
 /* Compute: one number out of one for each particle. */
-#include "core/sim.h"
+#include "core/ref_list.h"
 
 #include <math.h>
 
@@ -12,46 +12,20 @@ enum { SUM, MIN, MAX, AVE, SUMSQ, AVESQ };
 
 struct reduce {
 	int mode;
-	struct ts_words inputs;
-	size_t n; /* of the inputs; trailing keywords left out */
-	struct ts_ref *ref;
+	struct ts_words words;
+	bool at_run_end; /* accepted: outputs are always those of now */
+	struct ts_ref_list input;
 	struct ts_table each;
 	struct tsim *sim; /* evaluation may need memory */
 };
-
-/* A property of the particles has no ref. */
-static bool is_property(const struct tsim *sim, const struct ts_word *word)
-{
-	return ts_quantity_has(sim, word->text);
-}
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct reduce *r = self->state;
 
 	r->sim = sim;
-	for (r->n = 0; r->n < r->inputs.n; r->n++)
-		if (ts_streq(r->inputs.word[r->n].text, "update_on_run_end"))
-			break;
-	if (r->n == 0)
-		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
-			       "compute reduce: nothing to reduce is named");
-	if (!r->ref)
-		r->ref = ts_arena_alloc(&self->arena, r->n, sizeof *r->ref);
-	if (!r->ref)
-		return ts_nomem(&sim->error);
-	for (size_t k = 0; k < r->n; k++) {
-		const struct ts_word *word = &r->inputs.word[k];
-
-		if (is_property(sim, word))
-			continue;
-		TS_TRY(ts_ref_resolve(sim, word->text, &word->place, &r->ref[k]));
-		if (!(ts_ref_shapes(sim, &r->ref[k]) & (1u << TS_PERATOM | 1u << TS_LOCAL)))
-			return ts_fail(&sim->error, TS_SYNTAX, &word->place,
-				       "compute reduce: '%s' has no value for each particle",
-				       word->text);
-	}
-	return TS_OK;
+	return ts_ref_list_init(sim, "compute reduce", &self->arena, r->words,
+				TS_WANT(PERATOM) | TS_WANT(LOCAL), &r->input);
 }
 
 struct tally {
@@ -91,22 +65,13 @@ static double outcome(const struct tally *t, int mode)
 static enum ts_status reduce_one(struct ts_instance *self, size_t k, double *out)
 {
 	struct reduce *r = self->state;
-	struct tsim *sim = r->sim;
-	const struct ts_particles *p = sim->particles;
-	const struct ts_word *word = &r->inputs.word[k];
+	const struct ts_particles *p = r->sim->particles;
+	const struct ts_ref_input *input = &r->input.item[k];
 	struct tally tally = { .least = INFINITY, .most = -INFINITY };
-	bool local = false;
 
-	if (is_property(sim, word)) {
-		TS_TRY(ts_quantity_eval(sim, word->text, &r->each));
-	} else if (ts_ref_shapes(sim, &r->ref[k]) & 1u << TS_PERATOM) {
-		TS_TRY(ts_ref_peratom(sim, &r->ref[k], &word->place, &r->each));
-	} else {
-		TS_TRY(ts_ref_local(sim, &r->ref[k], &word->place, &r->each));
-		local = true;
-	}
-	for (size_t i = 0; i < (local ? r->each.rows : p->n); i++)
-		if (local || ts_in_group(p, i, self->group))
+	TS_TRY(ts_ref_input_eval(r->sim, input, &r->each));
+	for (size_t i = 0; i < r->each.rows; i++)
+		if (input->shape == TS_LOCAL || ts_in_group(p, i, self->group))
 			count(&tally, r->each.data[i], r->mode);
 	*out = outcome(&tally, r->mode);
 	return TS_OK;
@@ -125,9 +90,9 @@ static enum ts_status eval_vector(struct ts_instance *self, const struct tsim *s
 	struct reduce *r = self->state;
 
 	(void)sim;
-	if (ts_table_resize(out, 1, r->n) != TS_OK)
+	if (ts_table_resize(out, 1, r->input.n) != TS_OK)
 		return ts_nomem(&r->sim->error);
-	for (size_t k = 0; k < r->n; k++)
+	for (size_t k = 0; k < r->input.n; k++)
 		TS_TRY(reduce_one(self, k, &out->data[k]));
 	return TS_OK;
 }
@@ -137,6 +102,7 @@ static void fini(struct ts_instance *self)
 	struct reduce *r = self->state;
 
 	ts_table_release(&r->each);
+	ts_ref_list_release(&r->input);
 }
 
 static const struct ts_value values[] = {
@@ -158,8 +124,10 @@ static const char *const modes[] = { "sum", "min", "max", "ave", "sumsq", "avesq
 static const struct ts_arg args[] = {
 	TS_ENUM("mode", struct reduce, mode, modes, .flags = TS_POSITIONAL,
 		.help = "what is made of the values"),
-	TS_REST("inputs", struct reduce, inputs,
-		.help = "x, vx, fx, radius ..., c_ID, c_ID[k], f_ID, f_ID[k] or v_name"),
+	TS_LIST("inputs", struct reduce, words,
+		.help = "x, vx, fx, radius ..., c_ID, c_ID[k], c_ID[*], f_ID, f_ID[k] or v_name"),
+	TS_BOOL("update_on_run_end", struct reduce, at_run_end, .fallback = "no",
+		.help = "accepted: outputs are always those of now"),
 	TS_ARGS_END,
 };
 

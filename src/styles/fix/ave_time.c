@@ -1,4 +1,5 @@
 /* Fix ave/time: averages of numbers over time, as in LAMMPS. */
+#include "core/ref_list.h"
 #include "core/sim.h"
 #include "io/textfile.h"
 
@@ -14,7 +15,7 @@ struct state {
 	struct ts_words names;
 	int mode, ave;
 	const char *file, *append, *title[3];
-	struct ts_ref *ref;
+	struct ts_ref_list input;
 	struct ts_table vector;
 
 	/* saved */
@@ -57,28 +58,6 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static enum ts_status resolve(struct ts_instance *self, struct tsim *sim)
-{
-	struct state *s = self->state;
-	unsigned wanted = 1u << (s->mode == VECTOR ? TS_VECTOR : TS_SCALAR);
-
-	if (!s->ref)
-		s->ref = ts_arena_alloc(&self->arena, s->names.n, sizeof *s->ref);
-	if (!s->ref)
-		return ts_nomem(&sim->error);
-	for (size_t k = 0; k < s->names.n; k++) {
-		const struct ts_word *word = &s->names.word[k];
-
-		TS_TRY(ts_ref_resolve(sim, word->text, &word->place, &s->ref[k]));
-		if (!(ts_ref_shapes(sim, &s->ref[k]) & wanted))
-			return ts_fail(&sim->error, TS_STATE, &word->place,
-				       "fix ave/time: '%s' is not a %s", word->text,
-				       s->mode == VECTOR ? "vector; leave out mode vector"
-							 : "single number; use [k] or mode vector");
-	}
-	return TS_OK;
-}
-
 /* Makes room for n numbers in each array, zero where new. */
 static enum ts_status make_room(struct state *s, struct tsim *sim, size_t n)
 {
@@ -102,26 +81,26 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct state *s = self->state;
 
 	TS_TRY(check(self, sim));
-	TS_TRY(resolve(self, sim));
+	TS_TRY(ts_ref_list_init(sim, "fix ave/time", &self->arena, s->names,
+				s->mode == VECTOR ? TS_WANT(VECTOR) : TS_WANT(SCALAR), &s->input));
 	if (s->started)
 		return TS_OK;
 	s->started = 1;
 	s->rows = 1;
 	s->next = first_sample(s, sim->clock.step);
-	return make_room(s, sim, s->names.n);
+	return make_room(s, sim, s->input.n);
 }
 
 static enum ts_status sample_scalars(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 
-	for (size_t k = 0; k < s->names.n; k++) {
+	for (size_t k = 0; k < s->input.n; k++) {
 		double value;
 
-		TS_TRY(ts_ref_scalar(sim, &s->ref[k], &s->names.word[k].place, &value));
+		TS_TRY(ts_ref_input_scalar(sim, &s->input.item[k], &value));
 		s->sum[k] += value;
 	}
-	(void)self;
 	return TS_OK;
 }
 
@@ -129,24 +108,21 @@ static enum ts_status sample_scalars(struct ts_instance *self, struct tsim *sim)
 static enum ts_status sample_vectors(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
+	size_t n = s->input.n, length;
 
-	for (size_t k = 0; k < s->names.n; k++) {
-		const struct ts_place *place = &s->names.word[k].place;
-		size_t length;
-
-		TS_TRY(ts_ref_vector(sim, &s->ref[k], place, &s->vector));
-		length = s->vector.rows * s->vector.columns;
-		if (k == 0 && s->averages == 0 && s->samples == 0) {
-			s->rows = (int64_t)length;
-			TS_TRY(make_room(s, sim, length * s->names.n));
-		}
-		if ((int64_t)length != s->rows)
-			return ts_fail(&sim->error, TS_STATE, place,
-				       "fix ave/time: '%s' has %zu elements, expected %lld",
-				       s->names.word[k].text, length, (long long)s->rows);
-		for (size_t i = 0; i < length; i++)
-			s->sum[k * length + i] += s->vector.data[i];
+	TS_TRY(ts_ref_list_table(sim, &s->input, &s->vector));
+	length = s->vector.rows;
+	if (s->averages == 0 && s->samples == 0) {
+		s->rows = (int64_t)length;
+		TS_TRY(make_room(s, sim, length * n));
 	}
+	if ((int64_t)length != s->rows)
+		return ts_fail(&sim->error, TS_STATE, &s->input.item[0].where,
+			       "fix ave/time: '%s' has %zu elements, expected %lld",
+			       s->input.item[0].name, length, (long long)s->rows);
+	for (size_t k = 0; k < n; k++)
+		for (size_t i = 0; i < length; i++)
+			s->sum[k * length + i] += s->vector.data[i * n + k];
 	return TS_OK;
 }
 
@@ -193,15 +169,15 @@ static void add_titles(struct ts_instance *self)
 		ts_str_add(&s->text, "# TimeStep Number-of-rows\n");
 	} else {
 		ts_str_add(&s->text, "# TimeStep");
-		for (size_t k = 0; k < s->names.n; k++)
-			ts_str_addf(&s->text, " %s", s->names.word[k].text);
+		for (size_t k = 0; k < s->input.n; k++)
+			ts_str_addf(&s->text, " %s", s->input.item[k].name);
 		ts_str_add(&s->text, "\n");
 	}
 	if (s->mode == SCALAR)
 		return;
 	ts_str_addf(&s->text, "%s", s->title[2] ? s->title[2] : "# Row");
-	for (size_t k = 0; !s->title[2] && k < s->names.n; k++)
-		ts_str_addf(&s->text, " %s", s->names.word[k].text);
+	for (size_t k = 0; !s->title[2] && k < s->input.n; k++)
+		ts_str_addf(&s->text, " %s", s->input.item[k].name);
 	ts_str_add(&s->text, "\n");
 }
 
@@ -214,7 +190,7 @@ static void add_result(struct state *s, int64_t step)
 	for (size_t i = 0; i < rows; i++) {
 		ts_str_addf(&s->text, "%lld",
 			    s->mode == VECTOR ? (long long)i + 1 : (long long)step);
-		for (size_t k = 0; k < s->names.n; k++)
+		for (size_t k = 0; k < s->input.n; k++)
 			ts_str_addf(&s->text, " %g", s->result[k * rows + i]);
 		ts_str_add(&s->text, "\n");
 	}
@@ -278,7 +254,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim,
 		return TS_OK;
 	s->n = s->result_n;
 	expected = s->ave == WINDOW ? s->n * (size_t)s->window : 0;
-	if (s->rows < 0 || s->n != s->names.n * (size_t)s->rows || s->sum_n != s->n ||
+	if (s->rows < 0 || s->n != s->input.n * (size_t)s->rows || s->sum_n != s->n ||
 	    s->total_n != s->n || s->history_n != expected)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix ave/time %s: the restart file holds averages of another number "
@@ -318,6 +294,7 @@ static void fini(struct ts_instance *self)
 	ts_textfile_close(&s->out);
 	ts_str_release(&s->text);
 	ts_table_release(&s->vector);
+	ts_ref_list_release(&s->input);
 	ts_free(s->sum);
 	ts_free(s->total);
 	ts_free(s->history);
@@ -347,7 +324,7 @@ static const struct ts_arg args[] = {
 	TS_INT("Nfreq", struct state, freq, .flags = TS_POSITIONAL | TS_STATEFUL, .range = TS_WITHIN, .lo = 1,
 	       .hi = 1e15, .help = "steps between averages"),
 	TS_LIST_STATEFUL("values", struct state, names,
-		.help = "c_ID, c_ID[k], f_ID, f_ID[k], v_NAME or thermo keywords"),
+		.help = "c_ID, c_ID[k], c_ID[*], f_ID, f_ID[k], v_NAME or thermo keywords"),
 	TS_ENUM("mode", struct state, mode, kinds, .flags = TS_STATEFUL,
 		.fallback = "scalar",
 		.help = "whether values are numbers or whole vectors"),

@@ -1,4 +1,5 @@
-/* Fix vector: a number at intervals, collected into a growing vector. */
+/* Fix vector: numbers at intervals, collected into a growing vector or array. */
+#include "core/ref_list.h"
 #include "core/sim.h"
 
 #include <string.h>
@@ -7,10 +8,10 @@
 
 struct state {
 	int64_t every, start;
-	const char *name;
-	struct ts_ref ref;
-	double *sample;
-	size_t n, capacity;
+	struct ts_words words;
+	struct ts_ref_list input;
+	double *sample; /* of all inputs, sample after sample */
+	size_t n, capacity; /* numbers: samples times inputs */
 	int64_t last; /* step of the last sample, if n > 0 */
 };
 
@@ -18,7 +19,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 
-	return ts_ref_resolve(sim, s->name, &self->where, &s->ref);
+	return ts_ref_list_init(sim, "fix vector", &self->arena, s->words, TS_WANT(SCALAR),
+				&s->input);
 }
 
 static enum ts_status collect(struct ts_instance *self, struct tsim *sim)
@@ -28,10 +30,10 @@ static enum ts_status collect(struct ts_instance *self, struct tsim *sim)
 
 	if (step % s->every != 0 || step < s->start || (s->n && step == s->last))
 		return TS_OK;
-	if (TS_GROW(s->sample, s->capacity, s->n + 1) != TS_OK)
+	if (TS_GROW(s->sample, s->capacity, s->n + s->input.n) != TS_OK)
 		return ts_nomem(&sim->error);
-	TS_TRY(ts_ref_scalar(sim, &s->ref, &self->where, &s->sample[s->n]));
-	s->n++;
+	TS_TRY(ts_ref_list_scalars(sim, &s->input, &s->sample[s->n]));
+	s->n += s->input.n;
 	s->last = step;
 	return TS_OK;
 }
@@ -41,9 +43,13 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim,
 {
 	struct state *s = self->state;
 
-	(void)sim;
-	return ts_archive_array(archive, "sample", TS_SAVED_F64, (void **)&s->sample, &s->capacity,
-				&s->n);
+	TS_TRY(ts_archive_array(archive, "sample", TS_SAVED_F64, (void **)&s->sample, &s->capacity,
+				&s->n));
+	if (s->n % s->input.n == 0)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, &self->where,
+		       "fix vector %s: the restart file holds samples of another number of values",
+		       self->id);
 }
 
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
@@ -51,7 +57,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	const struct state *s = self->state;
 
 	(void)sim;
-	TS_TRY(ts_table_resize(out, s->n, 1));
+	TS_TRY(ts_table_resize(out, s->n / s->input.n, s->input.n));
 	if (s->n)
 		memcpy(out->data, s->sample, s->n * sizeof *s->sample);
 	return TS_OK;
@@ -62,13 +68,21 @@ static void fini(struct ts_instance *self)
 	struct state *s = self->state;
 
 	ts_free(s->sample);
+	ts_ref_list_release(&s->input);
+}
+
+static bool gives(const struct ts_instance *self, const struct ts_value *value)
+{
+	bool several = ((const struct state *)self->state)->input.n > 1;
+
+	return value->shape == (several ? TS_ARRAY : TS_VECTOR);
 }
 
 static const struct ts_arg args[] = {
-	TS_INT("every", struct state, every, .flags = TS_POSITIONAL | TS_STATEFUL, .range = TS_POSITIVE,
-	       .help = "steps between samples"),
-	TS_REF("value", struct state, name, .flags = TS_POSITIONAL | TS_STATEFUL,
-	       .help = "c_ID, c_ID[k], f_ID, f_ID[k], v_NAME or a thermo keyword"),
+	TS_INT("every", struct state, every, .flags = TS_POSITIONAL | TS_STATEFUL,
+	       .range = TS_POSITIVE, .help = "steps between samples"),
+	TS_LIST_STATEFUL("values", struct state, words,
+		.help = "c_ID, c_ID[k], c_ID[*], f_ID, f_ID[k], v_NAME or thermo keywords"),
 	TS_INT("start", struct state, start, .flags = TS_STATEFUL, .fallback = "0",
 	       .help = "no samples before this step"),
 	TS_ARGS_END,
@@ -80,6 +94,12 @@ static const struct ts_value values[] = {
 	  .help = "all samples so far, the first of them [1]",
 	  .shape = TS_VECTOR,
 	  .eval = eval },
+	{ .name = "series",
+	  .unit = "",
+	  .help = "of several values all samples so far: f_ID[i][j] sample i of value j, f_ID[j] "
+		  "all samples of value j",
+	  .shape = TS_ARRAY,
+	  .eval = eval },
 	{ .name = NULL },
 };
 
@@ -89,15 +109,18 @@ TS_STYLE(fix, ts_style, ts_fix_vector)
 const struct ts_style ts_fix_vector = {
 	.name = "vector",
 	.kind = TS_KIND_FIX,
-	.summary = "Collects a number at intervals into a growing vector",
+	.summary = "Collects numbers at intervals into a growing vector or array",
 	.doc = "Samples are taken at the start of a run and at the end of each step that is a multiple of N,\n"
-	       "once per step. The vector is saved in restart files.",
-	.example = "fix heights all vector 100 f_bit[1]",
+	       "once per step. One value makes a vector, several make an array with a column for each:\n"
+	       "slope(f_ID[2]) is that of the second. All is saved in restart files.",
+	.example = "fix heights all vector 100 f_bit[1]\n"
+		   "fix path all vector 10 time c_centre[*]",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.saved = saved,
 	.archive = archive,
 	.values = values,
+	.gives = gives,
 	.init = init,
 	.hook = {
 		[TS_STAGE_SETUP] = collect,

@@ -1,0 +1,296 @@
+#include "core/ref_list.h"
+
+#include <string.h>
+
+#include "core/sim.h"
+
+#include "base/banned.h"
+
+static const struct {
+	enum ts_shape shape;
+	const char *text;
+} preference[] = {
+	{ TS_PERATOM, "numbers of particles" },
+	{ TS_LOCAL, "rows of contacts or bonds" },
+	{ TS_ARRAY, "an array" },
+	{ TS_VECTOR, "a vector" },
+	{ TS_SCALAR, "a single number" },
+};
+enum { NSHAPES = sizeof preference / sizeof *preference };
+
+static void describe(unsigned shapes, struct ts_str *out)
+{
+	for (int k = 0; k < NSHAPES; k++)
+		if (shapes & 1u << preference[k].shape)
+			ts_str_addf(out, "%s%s", out->length ? " or " : "", preference[k].text);
+}
+
+static const char *advice(unsigned found, unsigned shapes, const struct ts_ref *ref)
+{
+	if (shapes & TS_WANT(SCALAR) && found & TS_WANT(VECTOR))
+		return "; choose an element with [k]";
+	if (shapes & TS_WANT(VECTOR) && found & TS_WANT(ARRAY))
+		return "; choose a column with [k]";
+	return ref->index ? "; is the index right?" : "";
+}
+
+static enum ts_status wrong_shape(struct tsim *sim, const char *what, unsigned found,
+				  unsigned shapes, const struct ts_ref_input *input)
+{
+	struct ts_str has = { 0 }, wanted = { 0 };
+	enum ts_status status;
+
+	describe(found, &has);
+	describe(shapes, &wanted);
+	status = ts_fail(&sim->error, TS_STATE, &input->where,
+			 "%s: '%s' is %s, expected %s%s", what, input->name,
+			 has.length ? has.text : "no output", ts_str_text(&wanted),
+			 advice(found, shapes, &input->ref));
+	ts_str_release(&has);
+	ts_str_release(&wanted);
+	return status;
+}
+
+/* Where particles or rows are wanted a bare name is a quantity, not a number of the log. */
+static enum ts_status unknown_quantity(struct tsim *sim, const char *what, unsigned shapes,
+				       const struct ts_ref_input *input)
+{
+	struct ts_suggest suggest = ts_suggest_start(input->name);
+
+	if (shapes & TS_WANT(PERATOM))
+		ts_quantity_suggest(&suggest);
+	return ts_fail(&sim->error, TS_UNKNOWN, &input->where,
+		       "%s: unknown quantity '%s', expected %sc_ID[k], f_ID[k]%s%s", what, input->name,
+		       shapes & TS_WANT(PERATOM) ? "a quantity of particles, " : "",
+		       shapes & TS_WANT(PERATOM) ? " or v_NAME" : "", ts_suggest_text(&suggest));
+}
+
+static bool has_prefix(const char *name)
+{
+	return name[0] && strchr("cfv", name[0]) && name[1] == '_';
+}
+
+enum ts_status ts_ref_input_resolve(struct tsim *sim, const char *what, unsigned shapes,
+				    struct ts_ref_input *input)
+{
+	unsigned found = TS_WANT(PERATOM);
+
+	input->quantity = shapes & TS_WANT(PERATOM) && ts_quantity_has(sim, input->name);
+	if (!input->quantity && shapes & (TS_WANT(PERATOM) | TS_WANT(LOCAL)) &&
+	    !has_prefix(input->name))
+		return unknown_quantity(sim, what, shapes, input);
+	if (!input->quantity) {
+		TS_TRY(ts_ref_resolve(sim, input->name, &input->where, &input->ref));
+		found = ts_ref_shapes(sim, &input->ref);
+	}
+	for (int k = 0; k < NSHAPES; k++) {
+		input->shape = preference[k].shape;
+		if (found & shapes & 1u << input->shape)
+			return TS_OK;
+	}
+	return wrong_shape(sim, what, found, shapes, input);
+}
+
+/* A name cut at the brackets around its `*`: head [lo * hi]. */
+struct wildcard {
+	char head[128];
+	int64_t lo, hi; /* hi == 0: to the last */
+};
+
+static bool read_bound(const char *from, const char *to, int64_t *bound)
+{
+	char digits[16] = "";
+	size_t n = (size_t)(to - from);
+
+	if (n == 0)
+		return true;
+	if (n >= sizeof digits)
+		return false;
+	memcpy(digits, from, n);
+	return ts_parse_int(digits, bound) && *bound >= 1;
+}
+
+static bool cut_wildcard(const char *name, struct wildcard *w)
+{
+	const char *star = strchr(name, '*'), *open = star, *close = star ? strchr(star, ']') : NULL;
+
+	while (open && open > name && *open != '[')
+		open--;
+	if (!close || close[1] || *open != '[' || (size_t)(open - name) >= sizeof w->head)
+		return false;
+	*w = (struct wildcard){ .lo = 1 };
+	memcpy(w->head, name, (size_t)(open - name));
+	return read_bound(open + 1, star, &w->lo) && read_bound(star + 1, close, &w->hi);
+}
+
+/* How many columns or elements the `*` may stand for: of the shape that [k] turns into one wanted. */
+static enum ts_status extent(struct tsim *sim, const struct ts_ref_input *input, unsigned shapes,
+			     size_t *n)
+{
+	static const struct {
+		enum ts_shape whole, part;
+		bool second; /* of two indices */
+	} parts[] = { { TS_PERATOM, TS_PERATOM, false },
+		      { TS_LOCAL, TS_LOCAL, false },
+		      { TS_ARRAY, TS_VECTOR, false },
+		      { TS_ARRAY, TS_SCALAR, true },
+		      { TS_VECTOR, TS_SCALAR, false } };
+
+	for (size_t k = 0; input->ref.inst && k < sizeof parts / sizeof *parts; k++) {
+		const struct ts_value *value = ts_value_find(input->ref.inst, parts[k].whole);
+		struct ts_table *table = &input->ref.inst->table;
+
+		if (!value || !(shapes & 1u << parts[k].part) ||
+		    parts[k].second != (input->ref.index != 0))
+			continue;
+		*n = value->columns;
+		if (*n)
+			return TS_OK;
+		TS_TRY(ts_value_eval(input->ref.inst, sim, value, table));
+		*n = parts[k].whole == TS_VECTOR ? table->rows * table->columns : table->columns;
+		return TS_OK;
+	}
+	return ts_fail(&sim->error, TS_STATE, &input->where,
+		       "'%s': nothing here for * to stand for", input->name);
+}
+
+/* The names a word stands for are appended to the list (list NULL: only counted). */
+static enum ts_status expand_one(struct tsim *sim, struct ts_arena *arena,
+				 const struct ts_word *word, unsigned shapes, struct ts_word *list,
+				 size_t *n)
+{
+	struct ts_ref_input whole = { .where = word->place };
+	struct wildcard w;
+	size_t count = 0;
+
+	if (!cut_wildcard(word->text, &w)) {
+		if (list)
+			list[*n] = *word;
+		++*n;
+		return TS_OK;
+	}
+	whole.name = w.head;
+	TS_TRY(ts_ref_resolve(sim, w.head, &word->place, &whole.ref));
+	TS_TRY(extent(sim, &whole, shapes, &count));
+	if (w.hi > (int64_t)count || w.lo > (w.hi ? w.hi : (int64_t)count))
+		return ts_fail(&sim->error, TS_RANGE, &word->place, "'%s': '%s' has %zu", word->text,
+			       w.head, count);
+	for (int64_t k = w.lo; k <= (w.hi ? w.hi : (int64_t)count); k++, ++*n) {
+		struct ts_str name = { 0 };
+
+		if (!list)
+			continue;
+		ts_str_addf(&name, "%s[%lld]", w.head, (long long)k);
+		list[*n] = *word;
+		list[*n].text = name.failed ? NULL : ts_arena_strdup(arena, ts_str_text(&name));
+		ts_str_release(&name);
+		if (!list[*n].text)
+			return ts_nomem(&sim->error);
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_refs_expand(struct tsim *sim, struct ts_arena *arena, struct ts_words words,
+			      unsigned shapes, struct ts_words *out)
+{
+	struct ts_word *list;
+	size_t n = 0, filled = 0;
+
+	for (size_t k = 0; k < words.n; k++)
+		TS_TRY(expand_one(sim, arena, &words.word[k], shapes, NULL, &n));
+	list = ts_arena_alloc(arena, n + 1, sizeof *list);
+	if (!list)
+		return ts_nomem(&sim->error);
+	for (size_t k = 0; k < words.n; k++)
+		TS_TRY(expand_one(sim, arena, &words.word[k], shapes, list, &filled));
+	if (ts_words_copy(arena, (struct ts_words){ list, n }, out) != TS_OK)
+		return ts_nomem(&sim->error);
+	return TS_OK;
+}
+
+enum ts_status ts_ref_list_init(struct tsim *sim, const char *what, struct ts_arena *arena,
+				struct ts_words words, unsigned shapes, struct ts_ref_list *list)
+{
+	if (!list->item) {
+		struct ts_words expanded;
+		struct ts_ref_input *item;
+
+		TS_TRY(ts_refs_expand(sim, arena, words, shapes, &expanded));
+		item = ts_arena_alloc(arena, expanded.n, sizeof *item);
+		if (!item)
+			return ts_nomem(&sim->error);
+		for (size_t k = 0; k < expanded.n; k++) {
+			item[k].name = expanded.word[k].text;
+			item[k].where = expanded.word[k].place;
+		}
+		list->item = item;
+		list->n = expanded.n;
+	}
+	for (size_t k = 0; k < list->n; k++)
+		TS_TRY(ts_ref_input_resolve(sim, what, shapes, &list->item[k]));
+	return TS_OK;
+}
+
+void ts_ref_list_release(struct ts_ref_list *list)
+{
+	ts_table_release(&list->column);
+	list->n = 0; /* the items are the arena's */
+}
+
+enum ts_status ts_ref_input_scalar(struct tsim *sim, const struct ts_ref_input *input, double *out)
+{
+	return ts_ref_scalar(sim, &input->ref, &input->where, out);
+}
+
+enum ts_status ts_ref_input_eval(struct tsim *sim, const struct ts_ref_input *input,
+				 struct ts_table *out)
+{
+	const struct ts_value *array;
+
+	if (input->quantity)
+		return ts_quantity_eval(sim, input->name, out);
+	switch (input->shape) {
+	case TS_SCALAR:
+		if (ts_table_resize(out, 1, 1) != TS_OK)
+			return ts_nomem(&sim->error);
+		return ts_ref_scalar(sim, &input->ref, &input->where, out->data);
+	case TS_VECTOR:
+		TS_TRY(ts_ref_vector(sim, &input->ref, &input->where, out));
+		out->rows *= out->columns;
+		out->columns = 1;
+		return TS_OK;
+	case TS_PERATOM:
+		return ts_ref_peratom(sim, &input->ref, &input->where, out);
+	case TS_LOCAL:
+		return ts_ref_local(sim, &input->ref, &input->where, out);
+	case TS_ARRAY:
+		break;
+	}
+	array = ts_value_find(input->ref.inst, TS_ARRAY);
+	return ts_value_eval(input->ref.inst, sim, array, out);
+}
+
+enum ts_status ts_ref_list_scalars(struct tsim *sim, const struct ts_ref_list *list, double *out)
+{
+	for (size_t k = 0; k < list->n; k++)
+		TS_TRY(ts_ref_input_scalar(sim, &list->item[k], &out[k]));
+	return TS_OK;
+}
+
+enum ts_status ts_ref_list_table(struct tsim *sim, struct ts_ref_list *list, struct ts_table *out)
+{
+	struct ts_table *column = &list->column;
+
+	for (size_t k = 0; k < list->n; k++) {
+		TS_TRY(ts_ref_input_eval(sim, &list->item[k], column));
+		if (k == 0 && ts_table_resize(out, column->rows, list->n) != TS_OK)
+			return ts_nomem(&sim->error);
+		if (column->rows != out->rows)
+			return ts_fail(&sim->error, TS_STATE, &list->item[k].where,
+				       "'%s' has %zu elements, but '%s' has %zu", list->item[k].name,
+				       column->rows, list->item[0].name, out->rows);
+		for (size_t i = 0; i < out->rows; i++)
+			out->data[i * list->n + k] = column->data[i];
+	}
+	return TS_OK;
+}
