@@ -45,7 +45,7 @@ says 'the word is shown' 'in.part:5:29: error' err
 refused_change 'another group' "fix other (vector): its group is 'chain' here but 'all'" \
 	-var name other -var group chain
 sed -i.all 's/vector ${every} ke/vector ${every} atoms/' in.part
-refused_change 'another value' "value is 'atoms' here but 'ke'"
+refused_change 'another value' "values is 'atoms' here but 'ke'"
 mv in.part.all in.part
 sed -i.all 's/^fix ${name}.*/fix ${name} all ave\/time 1 1 7 ke/' in.part
 refused_change 'another style' 'this id is of style vector'
