@@ -101,6 +101,7 @@ library_sources = \
 	src/neigh/row_loop.h \
 	src/neigh/rows.c \
 	src/neigh/rows.h \
+	src/particles/body.h \
 	src/particles/columns.c \
 	src/particles/domain.c \
 	src/particles/domain.h \

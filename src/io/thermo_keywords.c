@@ -5,6 +5,7 @@
 
 #include "base/clock.h"
 #include "math/exactsum.h"
+#include "particles/body.h"
 #include "particles/domain.h"
 #include "particles/particles.h"
 
@@ -91,7 +92,7 @@ static enum ts_status ke(struct tsim *sim, double *out)
 	return TS_OK;
 }
 
-/* sum I omega^2 / 2 of full spheres, I = 0.4 m R^2. */
+/* sum I omega^2 / 2. */
 static enum ts_status erotate(struct tsim *sim, double *out)
 {
 	const struct ts_particles *p = sim->particles;
@@ -99,8 +100,8 @@ static enum ts_status erotate(struct tsim *sim, double *out)
 
 	for (size_t i = 0; p->omega && i < p->n; i++)
 		for (int d = 0; d < 3; d++)
-			ts_exactsum_add(&sum, 0.2 * p->mass[i] * p->radius[i] * p->radius[i] *
-						      p->omega[i][d] * p->omega[i][d]);
+			ts_exactsum_add(&sum, 0.5 * ts_inertia(sim, i) * p->omega[i][d] *
+						      p->omega[i][d]);
 	*out = ts_exactsum_value(&sum);
 	return TS_OK;
 }

@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "particles/body.h"
+
 #include "base/banned.h"
 
 static void *column_row(const struct ts_column *c, size_t row)
@@ -101,7 +103,7 @@ enum ts_status ts_particles_add(struct tsim *sim, size_t n, size_t *first)
 		p->type[i] = 1;
 		p->mask[i] = 1;
 		p->radius[i] = 0.5;
-		p->mass[i] = 0.52359877559829887308; /* pi/6 */
+		p->mass[i] = ts_body_volume(sim, 0.5);
 	}
 	p->n += n;
 	return TS_OK;

@@ -53,6 +53,9 @@ struct ts_column {
 
 enum { TS_MAX_GROUPS = 32 };
 
+/* Of rotation; see particles/body.h. */
+enum ts_inertia { TS_INERTIA_BY_DIMENSION, TS_INERTIA_SPHERE, TS_INERTIA_DISC };
+
 struct ts_particles {
 	size_t n, nghost, capacity;
 
@@ -72,6 +75,7 @@ struct ts_particles {
 
 	int ntypes;
 	int32_t max_tag;
+	enum ts_inertia inertia; /* as its integrator says */
 	double *type_mass; /* `mass` command, by type; 0: not given */
 	const char *group[TS_MAX_GROUPS]; /* names; NULL: free. group[0] = "all" */
 

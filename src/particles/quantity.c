@@ -1,9 +1,10 @@
 /* Per-particle numbers by the names scripts use. */
+#include "particles/body.h"
 #include "particles/particles.h"
 
 #include "base/banned.h"
 
-typedef double quantity_fn(const struct ts_particles *p, size_t i);
+typedef double quantity_fn(const struct tsim *sim, size_t i);
 
 struct quantity {
 	const char *name;
@@ -11,16 +12,22 @@ struct quantity {
 };
 
 #define VECTOR_QUANTITY(name, column)                                                              \
-	static double name##_x(const struct ts_particles *p, size_t i)                             \
+	static double name##_x(const struct tsim *sim, size_t i)                             \
 	{                                                                                          \
+		const struct ts_particles *p = sim->particles;                                     \
+                                                                                                   \
 		return p->column ? (double)p->column[i][0] : 0.0;                                  \
 	}                                                                                          \
-	static double name##_y(const struct ts_particles *p, size_t i)                             \
+	static double name##_y(const struct tsim *sim, size_t i)                             \
 	{                                                                                          \
+		const struct ts_particles *p = sim->particles;                                     \
+                                                                                                   \
 		return p->column ? (double)p->column[i][1] : 0.0;                                  \
 	}                                                                                          \
-	static double name##_z(const struct ts_particles *p, size_t i)                             \
+	static double name##_z(const struct tsim *sim, size_t i)                             \
 	{                                                                                          \
+		const struct ts_particles *p = sim->particles;                                     \
+                                                                                                   \
 		return p->column ? (double)p->column[i][2] : 0.0;                                  \
 	}
 VECTOR_QUANTITY(position, x)
@@ -30,36 +37,34 @@ VECTOR_QUANTITY(spin, omega)
 VECTOR_QUANTITY(torque, torque)
 VECTOR_QUANTITY(image, image)
 
-static double id(const struct ts_particles *p, size_t i)
+static double id(const struct tsim *sim, size_t i)
 {
-	return p->tag[i];
+	return sim->particles->tag[i];
 }
 
-static double type(const struct ts_particles *p, size_t i)
+static double type(const struct tsim *sim, size_t i)
 {
-	return p->type[i];
+	return sim->particles->type[i];
 }
 
-static double radius(const struct ts_particles *p, size_t i)
+static double radius(const struct tsim *sim, size_t i)
 {
-	return p->radius[i];
+	return sim->particles->radius[i];
 }
 
-static double diameter(const struct ts_particles *p, size_t i)
+static double diameter(const struct tsim *sim, size_t i)
 {
-	return 2 * p->radius[i];
+	return 2 * sim->particles->radius[i];
 }
 
-static double mass(const struct ts_particles *p, size_t i)
+static double mass(const struct tsim *sim, size_t i)
 {
-	return p->mass[i];
+	return sim->particles->mass[i];
 }
 
-static double density(const struct ts_particles *p, size_t i)
+static double density(const struct tsim *sim, size_t i)
 {
-	double r = p->radius[i];
-
-	return p->mass[i] / (4.18879020478639098462 * r * r * r); /* 4 pi / 3 */
+	return sim->particles->mass[i] / ts_body_volume(sim, sim->particles->radius[i]);
 }
 
 static const struct quantity quantities[] = {
@@ -117,6 +122,6 @@ enum ts_status ts_particles_quantity(struct tsim *sim, const char *name, struct 
 	if (ts_table_resize(out, p->n, 1) != TS_OK)
 		return ts_nomem(&sim->error);
 	for (size_t i = 0; i < p->n; i++)
-		out->data[i] = q->value(p, i);
+		out->data[i] = q->value(sim, i);
 	return TS_OK;
 }

@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "particles/body.h"
 #include "particles/particles.h"
 #include "particles/region.h"
 
@@ -36,11 +37,6 @@ static bool selected(const struct tsim *sim, const struct state *s, size_t i)
 	return number >= s->range.lo && (number <= s->range.hi || s->range.hi == 0);
 }
 
-static double volume(double radius)
-{
-	return 4.0 / 3.0 * 3.14159265358979323846 * radius * radius * radius;
-}
-
 static const char *problem(const struct ts_particles *p, int what, double value)
 {
 	if (!isfinite(value))
@@ -52,9 +48,10 @@ static const char *problem(const struct ts_particles *p, int what, double value)
 	return NULL;
 }
 
-static void apply(struct ts_particles *p, size_t i, int what, double value)
+static void apply(struct tsim *sim, size_t i, int what, double value)
 {
-	double density = p->mass[i] / volume(p->radius[i]);
+	struct ts_particles *p = sim->particles;
+	double density = p->mass[i] / ts_body_volume(sim, p->radius[i]);
 
 	switch (what) {
 	case TO_TYPE:
@@ -62,10 +59,10 @@ static void apply(struct ts_particles *p, size_t i, int what, double value)
 		break;
 	case DIAMETER: /* at constant density */
 		p->radius[i] = 0.5 * value;
-		p->mass[i] = density * volume(p->radius[i]);
+		p->mass[i] = density * ts_body_volume(sim, p->radius[i]);
 		break;
 	case DENSITY:
-		p->mass[i] = value * volume(p->radius[i]);
+		p->mass[i] = value * ts_body_volume(sim, p->radius[i]);
 		break;
 	case MASS:
 		p->mass[i] = value;
@@ -117,7 +114,7 @@ static enum ts_status set_one(struct tsim *sim, const struct state *s, const uns
 			return ts_fail(&sim->error, TS_RANGE, where,
 				       "set: %s of particle %d would be %g, expected %s",
 				       names[what], p->tag[i], value, expected);
-		apply(p, i, what, value);
+		apply(sim, i, what, value);
 	}
 	return TS_OK;
 }
