@@ -174,6 +174,7 @@ library_sources = \
 	src/styles/command/restart.c \
 	src/styles/command/run.c \
 	src/styles/command/set.c \
+	src/styles/command/special_bonds.c \
 	src/styles/command/thermo.c \
 	src/styles/command/thermo_log.c \
 	src/styles/command/thermo_modify.c \

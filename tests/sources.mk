@@ -11,6 +11,7 @@ shell_tests = \
 	tests/restart.sh \
 	tests/restart_changes.sh \
 	tests/safety.sh \
+	tests/special_bonds.sh \
 	tests/stability/refusal.sh \
 	tests/styles_current.sh \
 	tests/symbols.sh \

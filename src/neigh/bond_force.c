@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "core/plan.h"
 #include "neigh/bond_loop.h"
+#include "neigh/neigh.h"
 #include "particles/domain.h"
 #include "particles/particles.h"
 
@@ -50,6 +51,7 @@ static enum ts_status remove_broken(struct tsim *sim)
 		if (broken[b])
 			TS_TRY(record_event(sim, b));
 	ts_bonds_delete(bonds, broken);
+	sim->neigh->stale = sim->neigh->skip_bonded; /* from now on these pairs may touch */
 	return TS_OK;
 }
 

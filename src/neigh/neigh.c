@@ -6,6 +6,7 @@
 
 #include "base/parallel.h"
 #include "core/plan.h"
+#include "neigh/bonds.h"
 #include "neigh/order.h"
 #include "particles/exchange.h"
 #include "particles/particles.h"
@@ -132,6 +133,7 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 				 .dt2 = sim->clock.dt * sim->clock.dt };
 
 	ts_exchange_limits(sim, limits.lo, limits.hi);
+	sim->rebuild |= nb->stale;
 	if (!ts_parallel_count(ts_team(sim, p->n), p->n, check_share, &limits))
 		return TS_OK;
 	for (size_t i = 0; i < p->n; i++)
@@ -160,10 +162,12 @@ static bool excludes(const struct ts_exclude *e, const struct ts_particles *p, s
 
 static bool excluded(const struct tsim *sim, size_t i, size_t j)
 {
+	const struct ts_particles *p = sim->particles;
+
 	for (int k = 0; k < sim->neigh->nexclude; k++)
-		if (excludes(&sim->neigh->exclude[k], sim->particles, i, j))
+		if (excludes(&sim->neigh->exclude[k], p, i, j))
 			return true;
-	return false;
+	return sim->neigh->skip_bonded && ts_bonds_has(sim->bonds, p->tag[i], p->tag[j]);
 }
 
 static double largest_radius(const struct ts_particles *p)
@@ -189,9 +193,11 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 		nb->built_skin = ts_neigh_skin(sim);
 	TS_TRY(ts_exchange_borders(sim, 2 * largest_radius(p) + nb->built_skin));
 	nb->builds++;
+	nb->stale &= sim->resuming; /* a run that goes on rebuilds where the whole would */
 	if (!nb->wanted)
 		return TS_OK;
-	TS_TRY(ts_rows_build(sim, &nb->rows, nb->built_skin, nb->nexclude ? excluded : NULL));
+	TS_TRY(ts_rows_build(sim, &nb->rows, nb->built_skin,
+			     nb->nexclude || nb->skip_bonded ? excluded : NULL));
 	if (nb->saved.n && nb->saved.width == nb->rows.history_width)
 		ts_row_history_give(&nb->saved, &nb->rows);
 	ts_row_history_release(&nb->saved);
@@ -217,12 +223,25 @@ static enum ts_status clear_forces(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+/* What files of version 1 do not have. */
+static enum ts_status archive_bonded(struct ts_neigh *nb, struct ts_archive *a)
+{
+	uint8_t flags[2] = { nb->skip_bonded, nb->stale };
+
+	if (ts_archive_has(a, "bonded"))
+		TS_TRY(ts_archive_fixed(a, "bonded", TS_SAVED_U8, flags, 2));
+	nb->skip_bonded = flags[0] != 0;
+	nb->stale = flags[1] != 0;
+	return TS_OK;
+}
+
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
 	struct ts_neigh *nb = self->state;
 	struct ts_row_history h = { 0 };
 	enum ts_status status;
 
+	TS_TRY(archive_bonded(nb, a));
 	TS_TRY(ts_archive_fixed(a, "exclude", TS_SAVED_I32, nb->exclude, 3 * TS_MAX_EXCLUDE));
 	if (!ts_archive_writing(a) || nb->saved.n)
 		return ts_row_history_archive(a, sim, &nb->saved);
@@ -241,6 +260,7 @@ static void fingerprint(const struct ts_instance *self, const struct tsim *sim,
 	ts_hash_add(hash, &nb->skin, sizeof nb->skin);
 	ts_hash_add(hash, &nb->nexclude, sizeof nb->nexclude);
 	ts_hash_add(hash, nb->exclude, sizeof nb->exclude);
+	ts_hash_add(hash, &nb->skip_bonded, sizeof nb->skip_bonded);
 }
 
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
@@ -261,6 +281,8 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 		sim->particles->n ? (double)nb->rows.n / (double)sim->particles->n : 0.0, row);
 	if (!nb->rows.history_width)
 		ts_report_left_out(report, "contact history", "the contact law remembers nothing");
+	if (nb->skip_bonded)
+		ts_report_left_out(report, "contacts of bonded particles", "special_bonds says so");
 	if (!sim->particles->nghost)
 		ts_report_left_out(report, "ghosts", "no periodic faces");
 	return TS_OK;

@@ -20,6 +20,8 @@ struct ts_neigh {
 	double built_skin;  /* of the rows now in use */
 	int32_t nexclude;
 	struct ts_exclude exclude[TS_MAX_EXCLUDE];
+	bool skip_bonded;   /* bonded particles do not touch each other (special_bonds) */
+	bool stale;         /* a bond broke under skip_bonded: its pair needs a row */
 	int64_t builds;     /* in this run */
 	bool wanted;        /* some live style acts on contacts */
 	struct ts_rows rows;

@@ -56,6 +56,7 @@ TS_STYLE(command, ts_command_style, ts_command_restart)
 TS_STYLE(command, ts_command_style, ts_command_run)
 TS_STYLE(command, ts_command_style, ts_command_set)
 TS_STYLE(command, ts_command_style, ts_command_shell)
+TS_STYLE(command, ts_command_style, ts_command_special_bonds)
 TS_STYLE(command, ts_command_style, ts_command_thermo)
 TS_STYLE(command, ts_command_style, ts_command_thermo_log)
 TS_STYLE(command, ts_command_style, ts_command_thermo_modify)
@@ -156,6 +157,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_command_run.style,
 	&ts_command_set.style,
 	&ts_command_shell.style,
+	&ts_command_special_bonds.style,
 	&ts_command_thermo.style,
 	&ts_command_thermo_log.style,
 	&ts_command_thermo_modify.style,

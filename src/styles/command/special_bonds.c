@@ -1,0 +1,69 @@
+/* Command special_bonds: whether bonded particles touch each other. */
+#include "core/sim.h"
+
+#include <math.h>
+
+#include "neigh/neigh.h"
+
+#include "base/banned.h"
+
+struct state {
+	double lj[3], coul[3], both[3];
+	bool angle, dihedral;
+};
+
+static bool given(const double factors[3])
+{
+	return !isnan(factors[0]); /* else NaN */
+}
+
+static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	const struct state *s = state;
+	const double *factor = given(s->both) ? s->both : s->lj;
+
+	if (!given(factor))
+		return ts_fail(&sim->error, TS_SYNTAX, where,
+			       "special_bonds: expected lj or lj/coul with three factors");
+	if (factor[0] != 0 && factor[0] != 1)
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "special_bonds: bonded particles touch (1) or do not (0), found %g",
+			       factor[0]);
+	if (factor[1] != 1 || factor[2] != 1)
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "special_bonds: neighbours of bonded particles always touch: the "
+			       "second and third factor must be 1, found %g and %g",
+			       factor[1], factor[2]);
+	sim->neigh->skip_bonded = factor[0] == 0;
+	return TS_OK;
+}
+
+static const struct ts_arg args[] = {
+	TS_VEC3("lj", struct state, lj, .flags = TS_OPTIONAL,
+		.help = "factors of the contact force between particles one, two and three bonds "
+			"apart: 0 or 1, then 1 and 1"),
+	TS_VEC3("coul", struct state, coul, .flags = TS_OPTIONAL, .help = "no effect: no charges"),
+	TS_VEC3("lj/coul", struct state, both, .flags = TS_OPTIONAL, .help = "as lj"),
+	TS_BOOL("angle", struct state, angle, .fallback = "no", .help = "no effect"),
+	TS_BOOL("dihedral", struct state, dihedral, .fallback = "no", .help = "no effect"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(command, ts_command_style, ts_command_special_bonds)
+const struct ts_command_style ts_command_special_bonds = {
+	.style = {
+		.name = "special_bonds",
+		.kind = TS_KIND_COMMAND,
+		.summary = "Sets whether bonded particles touch each other",
+		.doc = "By default the contact law acts on bonded particles too: a bond pulls, and pushes "
+		       "besides\n"
+		       "the contact. With a first factor of 0 it does not: bonded particles pass into each "
+		       "other as\n"
+		       "far as their bond lets them; from the step after the bond breaks they touch like "
+		       "any others.",
+		.example = "special_bonds lj 0 1 1 coul 1 1 1",
+		.args = args,
+		.state_size = sizeof(struct state),
+	},
+	.run = run,
+};
