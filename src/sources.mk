@@ -53,6 +53,11 @@ library_sources = \
 	src/geom/pointhash.h \
 	src/geom/primitive.c \
 	src/geom/primitive.h \
+	src/io/data.h \
+	src/io/data_apply.c \
+	src/io/data_layout.c \
+	src/io/data_read.c \
+	src/io/data_write.c \
 	src/io/dump.c \
 	src/io/dump.h \
 	src/io/dump_columns.c \
@@ -60,6 +65,8 @@ library_sources = \
 	src/io/dump_vtk.h \
 	src/io/format.c \
 	src/io/format.h \
+	src/io/lines.c \
+	src/io/lines.h \
 	src/io/replace.c \
 	src/io/replace.h \
 	src/io/restart.c \
@@ -168,6 +175,7 @@ library_sources = \
 	src/styles/command/pair_coeff.c \
 	src/styles/command/pair_style.c \
 	src/styles/command/processors.c \
+	src/styles/command/read_data.c \
 	src/styles/command/read_restart.c \
 	src/styles/command/region.c \
 	src/styles/command/reset_timestep.c \
@@ -185,6 +193,7 @@ library_sources = \
 	src/styles/command/unfix.c \
 	src/styles/command/units.c \
 	src/styles/command/velocity.c \
+	src/styles/command/write_data.c \
 	src/styles/command/write_dump.c \
 	src/styles/command/write_restart.c \
 	src/styles/compute/bonds.c \

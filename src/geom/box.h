@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stdbool.h>
+#include <stdint.h>
 
 /* Behaviour of a face, by the letter of the `boundary` command. */
 enum ts_face {
@@ -26,6 +27,19 @@ static inline bool ts_box_periodic(const struct ts_box *box, int dim)
 static inline double ts_box_length(const struct ts_box *box, int dim)
 {
 	return box->hi[dim] - box->lo[dim];
+}
+
+/* Wraps a coordinate into a periodic box and counts the lengths it had to be moved by. */
+static inline void ts_box_wrap(const struct ts_box *box, int dim, double *x, int32_t *image)
+{
+	double length = ts_box_length(box, dim), turns = floor((*x - box->lo[dim]) / length);
+
+	if (turns == 0)
+		return;
+	*x -= turns * length;
+	if (*x < box->lo[dim]) /* rounding */
+		*x = box->lo[dim];
+	*image += (int32_t)turns;
 }
 
 /* Turns the difference of two positions into the one to the nearest periodic image. */

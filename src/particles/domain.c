@@ -20,6 +20,25 @@ bool ts_sim_has_box(const struct tsim *sim)
 	return sim->domain->exists;
 }
 
+enum ts_status ts_domain_make(struct tsim *sim, int ntypes, const double lo[3], const double hi[3])
+{
+	struct ts_domain *domain = sim->domain;
+	struct ts_particles *p = sim->particles;
+	double *type_mass = ts_alloc((size_t)ntypes + 1, sizeof *type_mass);
+
+	if (!type_mass)
+		return ts_nomem(&sim->error);
+	ts_free(p->type_mass);
+	p->type_mass = type_mass;
+	p->ntypes = ntypes;
+	for (int d = 0; d < 3; d++) {
+		domain->box.lo[d] = domain->first_lo[d] = lo[d];
+		domain->box.hi[d] = domain->first_hi[d] = hi[d];
+	}
+	domain->exists = true;
+	return TS_OK;
+}
+
 /* A moving face stays this part of the first box length outside the outermost centre. */
 static const double SHRINK_MARGIN = 1e-4;
 

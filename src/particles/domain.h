@@ -15,6 +15,8 @@ struct ts_domain {
 
 /* Refuses commands that need a box before there is one. */
 enum ts_status ts_domain_require(struct tsim *sim, const struct ts_place *where);
+/* Makes the box with room for so many types of particles. */
+enum ts_status ts_domain_make(struct tsim *sim, int ntypes, const double lo[3], const double hi[3]);
 /* Fits `s` and `m` faces to the particles. */
 void ts_domain_shrink(struct tsim *sim);
 

@@ -11,20 +11,8 @@
 
 static void wrap(struct ts_particles *p, const struct ts_box *box, int dim)
 {
-	double length = ts_box_length(box, dim);
-
-	for (size_t i = 0; i < p->n; i++) {
-		double x = p->x[i][dim];
-		double turns = floor((x - box->lo[dim]) / length);
-
-		if (turns == 0)
-			continue;
-		x -= turns * length;
-		if (x < box->lo[dim]) /* rounding */
-			x = box->lo[dim];
-		p->x[i][dim] = x;
-		p->image[i][dim] += (int32_t)turns;
-	}
+	for (size_t i = 0; i < p->n; i++)
+		ts_box_wrap(box, dim, &p->x[i][dim], &p->image[i][dim]);
 }
 
 /* Number of the fixed face (2 dim + side) through which x has left, or -1. */

@@ -73,6 +73,7 @@ struct ts_particles {
 	struct ts_column *column; /* built-in ones first, then those styles add */
 	size_t ncolumns, column_capacity;
 
+	const char *atom_style; /* words of the command: columns of data files; NULL: sphere */
 	int ntypes;
 	int32_t max_tag;
 	enum ts_inertia inertia; /* as its integrator says */

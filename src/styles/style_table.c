@@ -49,6 +49,7 @@ TS_STYLE(command, ts_command_style, ts_command_pair_style)
 TS_STYLE(command, ts_command_style, ts_command_print)
 TS_STYLE(command, ts_command_style, ts_command_processors)
 TS_STYLE(command, ts_command_style, ts_command_quit)
+TS_STYLE(command, ts_command_style, ts_command_read_data)
 TS_STYLE(command, ts_command_style, ts_command_read_restart)
 TS_STYLE(command, ts_command_style, ts_command_region)
 TS_STYLE(command, ts_command_style, ts_command_reset_timestep)
@@ -68,6 +69,7 @@ TS_STYLE(command, ts_command_style, ts_command_unfix)
 TS_STYLE(command, ts_command_style, ts_command_units)
 TS_STYLE(command, ts_command_style, ts_command_variable)
 TS_STYLE(command, ts_command_style, ts_command_velocity)
+TS_STYLE(command, ts_command_style, ts_command_write_data)
 TS_STYLE(command, ts_command_style, ts_command_write_dump)
 TS_STYLE(command, ts_command_style, ts_command_write_restart)
 TS_STYLE(compute, ts_style, ts_compute_bonds)
@@ -150,6 +152,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_command_print.style,
 	&ts_command_processors.style,
 	&ts_command_quit.style,
+	&ts_command_read_data.style,
 	&ts_command_read_restart.style,
 	&ts_command_region.style,
 	&ts_command_reset_timestep.style,
@@ -169,6 +172,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_command_units.style,
 	&ts_command_variable.style,
 	&ts_command_velocity.style,
+	&ts_command_write_data.style,
 	&ts_command_write_dump.style,
 	&ts_command_write_restart.style,
 	&ts_compute_bonds,

@@ -4,7 +4,6 @@
 #include <math.h>
 
 #include "particles/domain.h"
-#include "particles/particles.h"
 #include "particles/region.h"
 
 #include "base/banned.h"
@@ -17,12 +16,9 @@ struct state {
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct state *s = state;
-	struct ts_domain *domain = sim->domain;
-	struct ts_particles *p = sim->particles;
 	double lo[3], hi[3];
-	double *type_mass;
 
-	if (domain->exists)
+	if (sim->domain->exists)
 		return ts_fail(&sim->error, TS_STATE, where, "there is a simulation box already");
 	ts_region_bounds(s->region, lo, hi);
 	for (int d = 0; d < 3; d++)
@@ -31,17 +27,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 				&sim->error, TS_RANGE, where,
 				"region '%s' reaches from %c = %g to %g: no box can be made of it",
 				s->region->id, 'x' + d, lo[d], hi[d]);
-	type_mass = ts_alloc((size_t)s->ntypes + 1, sizeof *type_mass);
-	if (!type_mass)
-		return ts_nomem(&sim->error);
-	ts_free(p->type_mass);
-	p->type_mass = type_mass;
-	p->ntypes = (int)s->ntypes;
-	for (int d = 0; d < 3; d++) {
-		domain->box.lo[d] = domain->first_lo[d] = lo[d];
-		domain->box.hi[d] = domain->first_hi[d] = hi[d];
-	}
-	domain->exists = true;
+	TS_TRY(ts_domain_make(sim, (int)s->ntypes, lo, hi));
 	ts_log(&sim->log, "Created orthogonal box = (%g %g %g) to (%g %g %g)\n", lo[0], lo[1],
 	       lo[2], hi[0], hi[1], hi[2]);
 	return TS_OK;

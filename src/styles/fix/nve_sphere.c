@@ -22,7 +22,7 @@ static void kick(const struct ts_instance *self, struct tsim *sim)
 			continue;
 		for (int k = 0; k < 3; k++)
 			p->v[i][k] += s * p->f[i][k];
-		for (int k = 0; p->omega && k < 3; k++)
+		for (int k = 0; p->omega && p->torque && k < 3; k++)
 			p->omega[i][k] += w * p->torque[i][k];
 	}
 }

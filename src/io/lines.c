@@ -1,0 +1,218 @@
+#include "io/lines.h"
+
+#include <errno.h>
+#include <inttypes.h>
+#include <string.h>
+#include <zlib.h>
+
+#include "io/textfile.h"
+
+#include "base/banned.h"
+
+enum { CHUNK = 1 << 16 };
+
+static enum ts_status start(struct ts_lines *l, struct ts_error *err, struct ts_pool *pool,
+			    const char *name)
+{
+	*l = (struct ts_lines){ .err = err, .pool = pool, .file = ts_pool_get(pool, name) };
+	l->comment = "";
+	return l->file ? TS_OK : ts_nomem(err);
+}
+
+enum ts_status ts_lines_open(struct ts_lines *l, struct ts_error *err, struct ts_pool *pool,
+			     const struct ts_place *where, const char *path)
+{
+	TS_TRY(start(l, err, pool, path));
+	l->buffer = ts_alloc(CHUNK, 1);
+	if (!l->buffer)
+		return ts_nomem(err);
+	l->chunk = l->buffer;
+	errno = 0;
+	l->gz = gzopen(path, "rb");
+	if (l->gz)
+		return TS_OK;
+	ts_lines_close(l);
+	return errno ? ts_open_failed(err, where, path) : ts_nomem(err);
+}
+
+enum ts_status ts_lines_memory(struct ts_lines *l, struct ts_error *err, struct ts_pool *pool,
+			       const char *name, const char *bytes, size_t n)
+{
+	TS_TRY(start(l, err, pool, name));
+	l->chunk = bytes;
+	l->end = n;
+	return TS_OK;
+}
+
+void ts_lines_close(struct ts_lines *l)
+{
+	if (l->gz)
+		gzclose(l->gz);
+	ts_free(l->buffer);
+	ts_free(l->line);
+	ts_free(l->word);
+	*l = (struct ts_lines){ 0 };
+}
+
+/* A file cut short in the middle of its compressed data ends without a word from gzread. */
+static enum ts_status refill(struct ts_lines *l)
+{
+	int got, code;
+	const char *text;
+
+	l->at = l->end = 0;
+	if (!l->gz)
+		return TS_OK;
+	errno = 0;
+	got = gzread(l->gz, l->buffer, CHUNK);
+	text = gzerror(l->gz, &code);
+	if (got < 0 || code == Z_BUF_ERROR)
+		return ts_lines_fail(l, TS_IO, SIZE_MAX, "reading '%s' failed: %s", l->file,
+				     code == Z_ERRNO ? strerror(errno) : text);
+	l->end = (size_t)got;
+	return TS_OK;
+}
+
+static enum ts_status append(struct ts_lines *l, size_t n)
+{
+	if (TS_GROW(l->line, l->capacity, l->length + n + 1) != TS_OK)
+		return ts_nomem(l->err);
+	memcpy(l->line + l->length, l->chunk + l->at, n);
+	l->length += n;
+	l->line[l->length] = '\0';
+	l->at += n;
+	return TS_OK;
+}
+
+static enum ts_status read_line(struct ts_lines *l, bool *more)
+{
+	*more = false;
+	l->hash = NULL;
+	l->length = 0;
+	for (;;) {
+		const char *stop;
+
+		if (l->at == l->end)
+			TS_TRY(refill(l));
+		if (l->at == l->end)
+			return TS_OK;
+		*more = true;
+		stop = memchr(l->chunk + l->at, '\n', l->end - l->at);
+		TS_TRY(append(l, (stop ? (size_t)(stop - l->chunk) : l->end) - l->at));
+		if (!stop)
+			continue;
+		l->at++;
+		return TS_OK;
+	}
+}
+
+/* Cuts the line in place: the blank after each word becomes its end. */
+static enum ts_status cut(struct ts_lines *l)
+{
+	static const char blanks[] = " \t\r\v\f";
+	char *p = l->line;
+
+	l->nwords = 0;
+	l->comment = "";
+	l->hash = strchr(l->line, '#');
+	if (l->hash) {
+		*l->hash = '\0';
+		l->comment = l->hash + 1 + strspn(l->hash + 1, blanks);
+	}
+	for (;;) {
+		p += strspn(p, blanks);
+		if (!*p)
+			return TS_OK;
+		if (TS_GROW(l->word, l->word_capacity, l->nwords + 1) != TS_OK)
+			return ts_nomem(l->err);
+		l->word[l->nwords++] = p;
+		p += strcspn(p, blanks);
+		if (!*p)
+			return TS_OK;
+		*p++ = '\0';
+	}
+}
+
+enum ts_status ts_lines_next(struct ts_lines *l, bool *more)
+{
+	l->nwords = 0;
+	TS_TRY(read_line(l, more));
+	l->number += *more;
+	while (*more && l->length && strchr(" \t\r", l->line[l->length - 1]))
+		l->line[--l->length] = '\0';
+	if (!*more)
+		return TS_OK;
+	if (l->length && memchr(l->line, '\0', l->length))
+		return ts_lines_fail(l, TS_DAMAGED, SIZE_MAX,
+				     "this is no text: the line holds a zero byte");
+	return cut(l);
+}
+
+enum ts_status ts_lines_next_filled(struct ts_lines *l, bool *more)
+{
+	do
+		TS_TRY(ts_lines_next(l, more));
+	while (*more && !l->nwords);
+	return TS_OK;
+}
+
+/* The text as it was before it was cut, as far as messages need it. */
+static const char *original(struct ts_lines *l)
+{
+	char text[1024];
+	size_t n = l->length < sizeof text - 1 ? l->length : sizeof text - 1;
+
+	if (!l->line)
+		return "";
+	for (size_t k = 0; k < n; k++)
+		text[k] = l->line[k] ? l->line[k] : l->line + k == l->hash ? '#' : ' ';
+	text[n] = '\0';
+	return ts_pool_get(l->pool, text);
+}
+
+struct ts_place ts_lines_place(struct ts_lines *l, size_t k)
+{
+	struct ts_place place = { .file = l->file, .text = original(l), .line = l->number };
+
+	if (k < l->nwords) {
+		place.column = (int)(l->word[k] - l->line) + 1;
+		place.length = (int)strlen(l->word[k]);
+	}
+	return place;
+}
+
+enum ts_status ts_lines_real(struct ts_lines *l, size_t k, const char *what, double *out)
+{
+	if (k >= l->nwords)
+		return ts_lines_fail(l, TS_SYNTAX, k, "%s is missing, expected a number", what);
+	if (ts_parse_real(l->word[k], out))
+		return TS_OK;
+	return ts_lines_fail(l, TS_SYNTAX, k, "%s is '%.60s', expected a number", what, l->word[k]);
+}
+
+enum ts_status ts_lines_int(struct ts_lines *l, size_t k, const char *what, int64_t lo, int64_t hi,
+			    int64_t *out)
+{
+	if (k >= l->nwords)
+		return ts_lines_fail(l, TS_SYNTAX, k, "%s is missing, expected an integer", what);
+	if (!ts_parse_int(l->word[k], out))
+		return ts_lines_fail(l, TS_SYNTAX, k, "%s is '%.60s', expected an integer", what,
+				     l->word[k]);
+	if (*out >= lo && *out <= hi)
+		return TS_OK;
+	return ts_lines_fail(l, TS_RANGE, k,
+			     "%s is %" PRId64 ", expected an integer from %" PRId64 " to %" PRId64,
+			     what, *out, lo, hi);
+}
+
+bool ts_lines_match(const struct ts_lines *l, size_t k, const char *text)
+{
+	for (; k < l->nwords; k++) {
+		size_t n = strlen(l->word[k]);
+
+		if (strncmp(text, l->word[k], n) != 0 || (text[n] && text[n] != ' '))
+			return false;
+		text += n + (text[n] == ' ');
+	}
+	return !*text;
+}
