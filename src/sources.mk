@@ -147,10 +147,13 @@ library_sources = \
 	src/styles/bond/contact.c \
 	src/styles/command/atom_modify.c \
 	src/styles/command/atom_style.c \
+	src/styles/command/balance.c \
 	src/styles/command/bond_coeff.c \
 	src/styles/command/bond_style.c \
 	src/styles/command/boundary.c \
+	src/styles/command/box.c \
 	src/styles/command/comm_modify.c \
+	src/styles/command/comm_style.c \
 	src/styles/command/communicate.c \
 	src/styles/command/compute.c \
 	src/styles/command/compute_modify.c \
@@ -173,6 +176,7 @@ library_sources = \
 	src/styles/command/newton.c \
 	src/styles/command/package.c \
 	src/styles/command/pair_coeff.c \
+	src/styles/command/pair_modify.c \
 	src/styles/command/pair_style.c \
 	src/styles/command/processors.c \
 	src/styles/command/read_data.c \
@@ -187,6 +191,7 @@ library_sources = \
 	src/styles/command/thermo_log.c \
 	src/styles/command/thermo_modify.c \
 	src/styles/command/thermo_style.c \
+	src/styles/command/timer.c \
 	src/styles/command/timestep.c \
 	src/styles/command/uncompute.c \
 	src/styles/command/undump.c \

@@ -11,11 +11,14 @@
 TS_STYLE(bond, ts_bond_style, ts_bond_contact)
 TS_STYLE(command, ts_command_style, ts_command_atom_modify)
 TS_STYLE(command, ts_command_style, ts_command_atom_style)
+TS_STYLE(command, ts_command_style, ts_command_balance)
 TS_STYLE(command, ts_command_style, ts_command_bond_coeff)
 TS_STYLE(command, ts_command_style, ts_command_bond_style)
 TS_STYLE(command, ts_command_style, ts_command_boundary)
+TS_STYLE(command, ts_command_style, ts_command_box)
 TS_STYLE(command, ts_command_style, ts_command_clear)
 TS_STYLE(command, ts_command_style, ts_command_comm_modify)
+TS_STYLE(command, ts_command_style, ts_command_comm_style)
 TS_STYLE(command, ts_command_style, ts_command_communicate)
 TS_STYLE(command, ts_command_style, ts_command_compute)
 TS_STYLE(command, ts_command_style, ts_command_compute_modify)
@@ -45,6 +48,7 @@ TS_STYLE(command, ts_command_style, ts_command_newton)
 TS_STYLE(command, ts_command_style, ts_command_next)
 TS_STYLE(command, ts_command_style, ts_command_package)
 TS_STYLE(command, ts_command_style, ts_command_pair_coeff)
+TS_STYLE(command, ts_command_style, ts_command_pair_modify)
 TS_STYLE(command, ts_command_style, ts_command_pair_style)
 TS_STYLE(command, ts_command_style, ts_command_print)
 TS_STYLE(command, ts_command_style, ts_command_processors)
@@ -62,6 +66,7 @@ TS_STYLE(command, ts_command_style, ts_command_thermo)
 TS_STYLE(command, ts_command_style, ts_command_thermo_log)
 TS_STYLE(command, ts_command_style, ts_command_thermo_modify)
 TS_STYLE(command, ts_command_style, ts_command_thermo_style)
+TS_STYLE(command, ts_command_style, ts_command_timer)
 TS_STYLE(command, ts_command_style, ts_command_timestep)
 TS_STYLE(command, ts_command_style, ts_command_uncompute)
 TS_STYLE(command, ts_command_style, ts_command_undump)
@@ -114,11 +119,14 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_bond_contact.style,
 	&ts_command_atom_modify.style,
 	&ts_command_atom_style.style,
+	&ts_command_balance.style,
 	&ts_command_bond_coeff.style,
 	&ts_command_bond_style.style,
 	&ts_command_boundary.style,
+	&ts_command_box.style,
 	&ts_command_clear.style,
 	&ts_command_comm_modify.style,
+	&ts_command_comm_style.style,
 	&ts_command_communicate.style,
 	&ts_command_compute.style,
 	&ts_command_compute_modify.style,
@@ -148,6 +156,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_command_next.style,
 	&ts_command_package.style,
 	&ts_command_pair_coeff.style,
+	&ts_command_pair_modify.style,
 	&ts_command_pair_style.style,
 	&ts_command_print.style,
 	&ts_command_processors.style,
@@ -165,6 +174,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_command_thermo_log.style,
 	&ts_command_thermo_modify.style,
 	&ts_command_thermo_style.style,
+	&ts_command_timer.style,
 	&ts_command_timestep.style,
 	&ts_command_uncompute.style,
 	&ts_command_undump.style,

@@ -1,0 +1,36 @@
+/* Command box: accepted for compatibility. */
+#include "core/sim.h"
+
+#include "base/banned.h"
+
+struct state {
+	int tilt;
+};
+
+static const char *const tilts[] = { "small", "large", NULL };
+
+static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	(void)sim, (void)state, (void)where;
+	return TS_OK;
+}
+
+static const struct ts_arg args[] = {
+	TS_ENUM("tilt", struct state, tilt, tilts, .flags = TS_OPTIONAL,
+		.help = "no effect: boxes are not tilted"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(command, ts_command_style, ts_command_box)
+const struct ts_command_style ts_command_box = {
+	.style = {
+		.name = "box",
+		.kind = TS_KIND_COMMAND,
+		.summary = "Accepted for compatibility; has no effect",
+		.doc = "Elsewhere it allows boxes of large tilt. Boxes are rectangular here.",
+		.example = "box tilt large",
+		.args = args,
+		.state_size = sizeof(struct state),
+	},
+	.run = run,
+};

@@ -1,0 +1,36 @@
+/* Command comm_style: accepted for compatibility. */
+#include "core/sim.h"
+
+#include "base/banned.h"
+
+struct state {
+	int style;
+};
+
+static const char *const styles[] = { "brick", "tiled", NULL };
+
+static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	(void)sim, (void)state, (void)where;
+	return TS_OK;
+}
+
+static const struct ts_arg args[] = {
+	TS_ENUM("style", struct state, style, styles, .flags = TS_POSITIONAL, .help = "no effect"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(command, ts_command_style, ts_command_comm_style)
+const struct ts_command_style ts_command_comm_style = {
+	.style = {
+		.name = "comm_style",
+		.kind = TS_KIND_COMMAND,
+		.summary = "Accepted for compatibility; has no effect",
+		.doc = "Elsewhere it says how processes share the box among each other. Here threads share the\n"
+		       "particles, whatever their places.",
+		.example = "comm_style tiled",
+		.args = args,
+		.state_size = sizeof(struct state),
+	},
+	.run = run,
+};
