@@ -42,6 +42,8 @@ library_sources = \
 	src/core/registry.c \
 	src/core/sim.c \
 	src/core/sim.h \
+	src/core/stepping.c \
+	src/core/stepping.h \
 	src/core/style.h \
 	src/core/uses.c \
 	src/core/uses.h \
@@ -80,6 +82,14 @@ library_sources = \
 	src/io/vtk.h \
 	src/law/contact.h \
 	src/law/spring_dashpot.h \
+	src/library/columns.c \
+	src/library/library.h \
+	src/library/life.c \
+	src/library/manual.c \
+	src/library/particles.c \
+	src/library/run.c \
+	src/library/state.c \
+	src/library/value.c \
 	src/math/exactsum.c \
 	src/math/exactsum.h \
 	src/math/fit.c \
@@ -108,6 +118,7 @@ library_sources = \
 	src/neigh/row_loop.h \
 	src/neigh/rows.c \
 	src/neigh/rows.h \
+	src/particles/assign.c \
 	src/particles/body.h \
 	src/particles/columns.c \
 	src/particles/domain.c \
@@ -239,5 +250,4 @@ library_sources = \
 	src/styles/region/sphere.c \
 	src/styles/region/union.c \
 	src/styles/style_table.c \
-	src/systems.c \
-	src/tsim.c
+	src/systems.c

@@ -15,6 +15,7 @@ allowed() {
 	neigh) echo base math geom core particles law neigh ;;
 	flow) echo base math geom core particles law flow ;;
 	io) echo base math geom core particles io ;;
+	library) echo base math geom core particles script library tsim.h ;;
 	styles) echo base math law geom core particles neigh flow io ;;
 	esac
 }
@@ -24,7 +25,7 @@ while read -r file; do
 	folder=${file%%/*}
 	sed -n 's/^[ \t]*#[ \t]*include[ \t]*"\([^"]*\)".*/\1/p' "$file" | while read -r header; do
 		case $header in
-		*/*) ;;
+		*/* | tsim.h) ;;
 		*)
 			echo "src/$file: includes \"$header\"; paths are relative to src/"
 			continue

@@ -30,6 +30,7 @@ unit_tests = \
 	tests/check_args \
 	tests/check_geom \
 	tests/check_io \
+	tests/check_library \
 	tests/check_math \
 	tests/check_neigh \
 	tests/check_order \
@@ -82,6 +83,10 @@ tests_check_geom_LDADD = $(tests_ldadd)
 tests_check_io_SOURCES = tests/check_io.c $(tests_common)
 tests_check_io_CFLAGS = $(tests_cflags)
 tests_check_io_LDADD = $(tests_ldadd)
+
+tests_check_library_SOURCES = tests/check_library.c $(tests_common)
+tests_check_library_CFLAGS = $(tests_cflags)
+tests_check_library_LDADD = $(tests_ldadd)
 
 tests_check_math_SOURCES = tests/check_math.c $(tests_common)
 tests_check_math_CFLAGS = $(tests_cflags)

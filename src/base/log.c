@@ -4,6 +4,8 @@
 #include <stdarg.h>
 #include <string.h>
 
+#include "base/str.h"
+
 #include "base/banned.h"
 
 static void hide_progress(struct ts_log *log)
@@ -13,32 +15,44 @@ static void hide_progress(struct ts_log *log)
 	log->progress_shown = false;
 }
 
+static void put(struct ts_log *log, bool screen, bool file, const char *format, va_list args)
+{
+	va_list again;
+
+	if (screen && log->sink) {
+		struct ts_str text = { 0 };
+
+		va_copy(again, args);
+		ts_str_vaddf(&text, format, again);
+		va_end(again);
+		log->sink(log->sink_data, TS_LOG_TEXT, ts_str_text(&text));
+		ts_str_release(&text);
+	}
+	if (screen && log->screen) {
+		hide_progress(log);
+		va_copy(again, args);
+		vfprintf(log->screen, format, again);
+		va_end(again);
+	}
+	if (file && log->file)
+		vfprintf(log->file, format, args);
+}
+
 void ts_log(struct ts_log *log, const char *format, ...)
 {
 	va_list args;
 
-	if (log->screen) {
-		hide_progress(log);
-		va_start(args, format);
-		vfprintf(log->screen, format, args);
-		va_end(args);
-	}
-	if (log->file) {
-		va_start(args, format);
-		vfprintf(log->file, format, args);
-		va_end(args);
-	}
+	va_start(args, format);
+	put(log, true, true, format, args);
+	va_end(args);
 }
 
 void ts_log_screen(struct ts_log *log, const char *format, ...)
 {
 	va_list args;
 
-	if (!log->screen)
-		return;
-	hide_progress(log);
 	va_start(args, format);
-	vfprintf(log->screen, format, args);
+	put(log, true, false, format, args);
 	va_end(args);
 }
 
@@ -46,29 +60,36 @@ void ts_log_file(struct ts_log *log, const char *format, ...)
 {
 	va_list args;
 
-	if (!log->file)
-		return;
 	va_start(args, format);
-	vfprintf(log->file, format, args);
+	put(log, false, true, format, args);
 	va_end(args);
 }
 
 void ts_warn(struct ts_log *log, const struct ts_place *place, const char *format, ...)
 {
-	char text[1024];
+	ts_log_sink_fn *sink = log->sink;
+	char where[256] = "", text[1024 + sizeof where];
+	size_t n;
 	va_list args;
 
 	log->warnings++;
-	va_start(args, format);
-	vsnprintf(text, sizeof text, format, args);
-	va_end(args);
 	if (place && place->line)
-		ts_log(log, "%s:%d: ", place->file, place->line);
-	ts_log(log, "warning: %s\n", text);
+		snprintf(where, sizeof where, "%s:%d: ", place->file, place->line);
+	n = (size_t)snprintf(text, sizeof text, "%swarning: ", where);
+	va_start(args, format);
+	vsnprintf(text + n, sizeof text - n, format, args);
+	va_end(args);
+	log->sink = NULL; /* it is told once, and that this is a warning */
+	ts_log(log, "%s\n", text);
+	log->sink = sink;
+	if (sink)
+		sink(log->sink_data, TS_LOG_WARNING, text);
 }
 
 void ts_log_progress(struct ts_log *log, const char *text)
 {
+	if (log->sink && *text)
+		log->sink(log->sink_data, TS_LOG_PROGRESS, text);
 	if (!log->progress || !log->screen)
 		return;
 	hide_progress(log);

@@ -7,6 +7,9 @@
 
 #include "base/status.h"
 
+enum ts_log_level { TS_LOG_TEXT, TS_LOG_WARNING, TS_LOG_PROGRESS };
+typedef void ts_log_sink_fn(void *data, enum ts_log_level level, const char *text);
+
 /* Either stream may be NULL. The log owns `file`, not `screen`. */
 struct ts_log {
 	FILE *screen, *file;
@@ -14,6 +17,8 @@ struct ts_log {
 	bool progress;               /* the screen is a terminal: show a progress line */
 	bool progress_shown;         /* a progress line now stands on the screen        */
 	int warnings;
+	ts_log_sink_fn *sink; /* gets all that goes to the screen, screen or not; or NULL */
+	void *sink_data;
 };
 
 void ts_log(struct ts_log *log, const char *format, ...) __attribute__((format(printf, 2, 3)));

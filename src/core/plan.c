@@ -42,7 +42,7 @@ enum ts_status ts_plan_compile(struct ts_plan *plan, struct tsim *sim)
 			TS_TRY(add_actions(plan, sim, list->item[i]));
 		}
 	}
-	return TS_OK;
+	return sim->outside ? add_actions(plan, sim, sim->outside) : TS_OK;
 }
 
 void ts_plan_release(struct ts_plan *plan)
@@ -108,38 +108,63 @@ static enum ts_status step(struct ts_plan *plan, struct tsim *sim)
 	return stages(plan, sim, TS_STAGE_PRE_FORCE, TS_STAGE_OUTPUT);
 }
 
-static enum ts_status run(struct ts_plan *plan, struct tsim *sim, bool setup)
+/* What holds only inside a run. */
+static enum ts_status leave_run(struct tsim *sim, enum ts_status status)
 {
-	if (setup || sim->explain)
-		TS_TRY(set_up(plan, sim));
-	if (sim->explain) {
-		sim->clock.step = sim->clock.last_step;
-		return TS_OK;
-	}
-	/* only now have all fixes seen the first state */
-	TS_TRY(ts_plan_stage(plan, sim, TS_STAGE_OUTPUT));
-	while (sim->clock.step < sim->clock.last_step && !sim->stop)
-		TS_TRY(step(plan, sim));
-	TS_TRY(ts_plan_stage(plan, sim, TS_STAGE_FINISH));
-	return ts_sim_fingerprint(sim, &sim->fingerprint);
+	sim->running = sim->in_setup = sim->resuming = sim->rebuild = false;
+	return status;
 }
 
-enum ts_status ts_plan_run(struct ts_plan *plan, struct tsim *sim, bool setup)
+enum ts_status ts_plan_start(struct ts_plan *plan, struct tsim *sim, bool setup)
 {
-	enum ts_status status;
+	enum ts_status status = TS_OK;
 
 	sim->running = true;
 	sim->clock.wall_start = ts_clock();
-	status = run(plan, sim, setup);
-	sim->running = sim->in_setup = sim->resuming = sim->rebuild = false;
-	if (status != TS_OK)
-		return status;
+	if (setup || sim->explain)
+		status = set_up(plan, sim);
+	if (sim->explain)
+		sim->clock.step = sim->clock.last_step;
+	else if (status == TS_OK) /* only now have all fixes seen the first state */
+		status = ts_plan_stage(plan, sim, TS_STAGE_OUTPUT);
+	return leave_run(sim, status);
+}
+
+enum ts_status ts_plan_steps(struct ts_plan *plan, struct tsim *sim)
+{
+	enum ts_status status = TS_OK;
+
+	sim->running = true;
+	while (status == TS_OK && sim->clock.step < sim->clock.last_step && !sim->stop)
+		status = step(plan, sim);
+	return leave_run(sim, status);
+}
+
+enum ts_status ts_plan_finish(struct ts_plan *plan, struct tsim *sim)
+{
+	sim->running = true;
+	return leave_run(sim, ts_plan_stage(plan, sim, TS_STAGE_FINISH));
+}
+
+enum ts_status ts_plan_stopped(struct tsim *sim)
+{
 	if (sim->stop)
 		return ts_fail(&sim->error, TS_STOPPED, NULL,
 			       "stopped on request after step %" PRId64
 			       "; all results up to here are written",
 			       sim->clock.step);
 	return TS_OK;
+}
+
+enum ts_status ts_plan_run(struct ts_plan *plan, struct tsim *sim, bool setup)
+{
+	TS_TRY(ts_plan_start(plan, sim, setup));
+	if (!sim->explain) {
+		TS_TRY(ts_plan_steps(plan, sim));
+		TS_TRY(ts_plan_finish(plan, sim));
+		TS_TRY(ts_sim_fingerprint(sim, &sim->fingerprint));
+	}
+	return ts_plan_stopped(sim);
 }
 
 /* Arguments given as v_NAME count with the value they have now. */

@@ -25,6 +25,12 @@ void ts_plan_release(struct ts_plan *plan);
  * depend on has changed since the last step, compute forces anew. With sim->explain nothing is
  * stepped or written: the plan is printed. */
 enum ts_status ts_plan_run(struct ts_plan *plan, struct tsim *sim, bool setup);
+/* Its parts, for runs in pieces: until the first output; the steps up to clock.last_step; the end. */
+enum ts_status ts_plan_start(struct ts_plan *plan, struct tsim *sim, bool setup);
+enum ts_status ts_plan_steps(struct ts_plan *plan, struct tsim *sim);
+enum ts_status ts_plan_finish(struct ts_plan *plan, struct tsim *sim);
+/* TS_STOPPED if someone asked for it. */
+enum ts_status ts_plan_stopped(struct tsim *sim);
 
 /* What a style may add to the report of -explain and to the checks before a run. */
 struct ts_limit {

@@ -17,6 +17,7 @@ struct ts_particles;
 struct ts_neigh;
 struct ts_bonds;
 struct ts_thermo;
+struct ts_library;
 
 enum ts_units { TS_UNITS_LJ, TS_UNITS_SI, TS_UNITS_CGS, TS_UNITS_MICRO };
 
@@ -49,12 +50,15 @@ struct tsim {
 	bool explain;      /* -explain: plan runs, do not step or write */
 	bool unsafe;       /* this run only warns of a step beyond the stability limit */
 	bool running;      /* inside a run */
+	bool in_pieces;    /* this run is stepped from outside, its end not known: core/stepping.h */
 	bool explicit_euler; /* a live integrator is explicit Euler, which has limits of its own */
 	bool rebuild;      /* this step exchanges particles and rebuilds the contact rows */
 	bool in_setup;     /* forces before the first step: contact history stands still */
 	bool resuming;     /* nothing forces depend on has changed since the last step: the run
 			    * goes on with the forces and the rows of that step */
 	volatile int stop; /* set from a signal handler: finish the step, then stop */
+	uint64_t generation; /* grows when particles are added, deleted, reordered or their columns
+			      * move in memory; never goes back, not by `clear` either */
 	uint64_t fingerprint; /* of all that forces depend on, at the end of the last run */
 
 	unsigned columns;     /* all that live styles need */
@@ -68,6 +72,9 @@ struct tsim {
 	struct ts_thermo *thermo;
 
 	struct ts_pending *pending; /* state from a restart file for styles not yet defined again */
+
+	struct ts_instance *outside; /* acts last in its stages: the program around the library */
+	struct ts_library *library;  /* what the C library keeps; NULL without it */
 
 	const struct ts_host *host;
 	void *host_data;

@@ -139,7 +139,7 @@ static void progress(struct ts_thermo *t, struct tsim *sim)
 	double now = ts_clock(), spent = now - c->wall_start, left, percent;
 	char text[128];
 
-	if (now < t->progress_due || c->last_step <= c->first_step || c->step == c->first_step)
+	if (now < t->progress_due || sim->in_pieces || c->step == c->first_step)
 		return;
 	t->progress_due = now + 0.2;
 	percent = 100 * (double)(c->step - c->first_step) / (double)(c->last_step - c->first_step);
@@ -162,9 +162,9 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 		TS_TRY(resolve(t, sim));
 		TS_TRY(header(t, sim));
 	}
-	if (first || c->step == c->last_step || sim->stop || (t->every && c->step % t->every == 0))
+	if (first || (c->step == c->last_step && !sim->in_pieces) || sim->stop || (t->every && c->step % t->every == 0))
 		TS_TRY(row(t, sim));
-	if (sim->log.progress)
+	if (sim->log.progress || sim->log.sink)
 		progress(t, sim);
 	return TS_OK;
 }

@@ -29,6 +29,7 @@ static enum ts_status enlarge(struct tsim *sim, struct ts_column *c, size_t rows
 	ts_free(c->data);
 	c->data = data;
 	bind(c);
+	sim->generation++;
 	return TS_OK;
 }
 
@@ -106,6 +107,7 @@ enum ts_status ts_particles_add(struct tsim *sim, size_t n, size_t *first)
 		p->mass[i] = ts_body_volume(sim, 0.5);
 	}
 	p->n += n;
+	sim->generation++;
 	return TS_OK;
 }
 
@@ -131,6 +133,7 @@ enum ts_status ts_particles_delete(struct tsim *sim, const unsigned char *flag)
 		kept++;
 	}
 	p->n = kept;
+	sim->generation++;
 	return TS_OK;
 }
 
@@ -139,6 +142,7 @@ enum ts_status ts_particles_reorder(struct tsim *sim, const int32_t *order)
 	struct ts_particles *p = sim->particles;
 
 	p->nghost = 0;
+	sim->generation++;
 	for (size_t k = 0; k < p->ncolumns; k++) {
 		struct ts_column *c = &p->column[k];
 		size_t row = c->width * c->element;

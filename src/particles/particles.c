@@ -32,6 +32,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		TS_TRY(describe_columns(sim, p));
 		p->group[0] = "all";
 		p->lost_policy = TS_LOST_WARN;
+		sim->generation++;
 	}
 	return ts_particles_need(sim, sim->columns);
 }
@@ -98,6 +99,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 		p->n = p->nghost = 0;
 		TS_TRY(ts_particles_reserve(sim, (size_t)n));
 		p->n = (size_t)n;
+		sim->generation++;
 		p->ntypes = ntypes;
 	}
 	TS_TRY(archive_groups(p, a));

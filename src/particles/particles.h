@@ -12,21 +12,21 @@
 #include "core/group.h"
 #include "core/sim.h"
 
-/* Built-in columns. X(id, name, C type, width, flags) */
-#define TS_COLUMN_LIST(X)                                                                          \
-	X(TAG, tag, int32_t, 1, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_BORDER)                      \
-	X(TYPE, type, int32_t, 1, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_BORDER)                    \
-	X(MASK, mask, uint32_t, 1, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_BORDER)                   \
-	X(IMAGE, image, int32_t, 3, TS_COL_ALWAYS | TS_COL_SAVED)                                  \
-	X(X, x, double, 3, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_BORDER | TS_COL_FORWARD)          \
-	X(V, v, double, 3, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_BORDER | TS_COL_FORWARD)          \
-	X(F, f, double, 3, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_RESULT)                           \
-	X(RADIUS, radius, double, 1, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_BORDER)                 \
-	X(MASS, mass, double, 1, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_BORDER)                     \
-	X(IMASS, imass, double, 1, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_BORDER)                               \
-	X(XHOLD, xhold, double, 3, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_BORDER | TS_COL_RESULT)   \
-	X(OMEGA, omega, double, 3, TS_COL_SAVED | TS_COL_BORDER | TS_COL_FORWARD)                  \
-	X(TORQUE, torque, double, 3, TS_COL_SAVED | TS_COL_RESULT)
+/* Built-in columns. C(id, name, C type, width, flags) */
+#define TS_COLUMN_LIST(C)                                                                          \
+	C(TAG, tag, int32_t, 1, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_BORDER)                      \
+	C(TYPE, type, int32_t, 1, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_BORDER)                    \
+	C(MASK, mask, uint32_t, 1, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_BORDER)                   \
+	C(IMAGE, image, int32_t, 3, TS_COL_ALWAYS | TS_COL_SAVED)                                  \
+	C(X, x, double, 3, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_BORDER | TS_COL_FORWARD)          \
+	C(V, v, double, 3, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_BORDER | TS_COL_FORWARD)          \
+	C(F, f, double, 3, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_RESULT)                           \
+	C(RADIUS, radius, double, 1, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_BORDER)                 \
+	C(MASS, mass, double, 1, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_BORDER)                     \
+	C(IMASS, imass, double, 1, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_BORDER)                               \
+	C(XHOLD, xhold, double, 3, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_BORDER | TS_COL_RESULT)   \
+	C(OMEGA, omega, double, 3, TS_COL_SAVED | TS_COL_BORDER | TS_COL_FORWARD)                  \
+	C(TORQUE, torque, double, 3, TS_COL_SAVED | TS_COL_RESULT)
 
 enum ts_column_flags {
 	TS_COL_ALWAYS = 1,
@@ -125,6 +125,16 @@ void ts_particles_inverse_mass(struct ts_particles *p);
 enum ts_status ts_particles_quantity(struct tsim *sim, const char *name, struct ts_table *out);
 bool ts_particles_has_quantity(const char *name);
 void ts_particles_suggest_quantity(struct ts_suggest *suggest);
+
+/* The same, written: the k-th value goes to row[k], or to row k where row is NULL. All values are
+ * checked before the first is written. A radius keeps the density, a density the radius, a mass
+ * the radius. */
+enum ts_assign { TS_ASSIGN_NOT, TS_ASSIGN_MOTION, TS_ASSIGN_FORCE, TS_ASSIGN_PROPERTY };
+enum ts_assign ts_particles_assignable(const char *name);
+enum ts_status ts_particles_assign(struct tsim *sim, const char *name, const int32_t *row,
+				   const double *value, size_t n);
+/* Name of the k-th quantity that can be read; NULL: there are no more. */
+const char *ts_particles_quantity_name(size_t k);
 
 /* Groups. */
 int ts_group_find(const struct ts_particles *p, const char *name); /* bit, or -1 */

@@ -114,6 +114,11 @@ void ts_particles_suggest_quantity(struct ts_suggest *suggest)
 		ts_suggest_try(suggest, quantities[k].name);
 }
 
+const char *ts_particles_quantity_name(size_t k)
+{
+	return k < NQUANTITIES ? quantities[k].name : NULL;
+}
+
 enum ts_status ts_particles_quantity(struct tsim *sim, const char *name, struct ts_table *out)
 {
 	const struct ts_particles *p = sim->particles;

@@ -287,6 +287,11 @@ enum ts_status ts_script_set(struct ts_script *script, const char *name, const c
 	return status;
 }
 
+const char *ts_script_variable(const struct ts_script *script, size_t k)
+{
+	return k < script->variables.n ? script->variables.item[k]->name : NULL;
+}
+
 enum ts_status ts_script_value(struct ts_script *script, const char *expression, double *out)
 {
 	return ts_expr_scalar(script, expression, NULL, out);

@@ -23,6 +23,8 @@ enum ts_status ts_script_string(struct ts_script *script, const char *text, cons
  * the file name in messages. */
 enum ts_status ts_script_set(struct ts_script *script, const char *name, const char *const *values,
 			     size_t n, const char *origin);
+/* Name of the k-th variable; NULL: there are no more. */
+const char *ts_script_variable(const struct ts_script *script, size_t k);
 /* A number by an expression: "v_x", "2*PI", "c_ke", "step" ... */
 enum ts_status ts_script_value(struct ts_script *script, const char *expression, double *out);
 

@@ -1,0 +1,86 @@
+#include "core/stepping.h"
+
+#include "base/banned.h"
+
+enum ts_status ts_stepping_watch(struct ts_stepping *stepping, struct tsim *sim)
+{
+	if (!stepping->open || stepping->watched)
+		return TS_OK;
+	TS_TRY(ts_sim_fingerprint(sim, &stepping->fingerprint));
+	stepping->watched = true;
+	return TS_OK;
+}
+
+static void release(struct ts_stepping *stepping, struct tsim *sim)
+{
+	ts_plan_release(&stepping->plan);
+	stepping->open = stepping->watched = false;
+	sim->in_pieces = false;
+}
+
+/* What the next run compares itself with is the state at the end of the last piece. */
+enum ts_status ts_stepping_end(struct ts_stepping *stepping, struct tsim *sim)
+{
+	enum ts_status status;
+
+	if (!stepping->open)
+		return TS_OK;
+	status = ts_stepping_watch(stepping, sim);
+	if (status == TS_OK)
+		status = ts_plan_finish(&stepping->plan, sim);
+	sim->fingerprint = status == TS_OK ? stepping->fingerprint : 0;
+	release(stepping, sim);
+	return status;
+}
+
+static enum ts_status unchanged(struct ts_stepping *stepping, struct tsim *sim, bool *yes)
+{
+	uint64_t now = 0;
+
+	*yes = stepping->open;
+	if (!stepping->open || !stepping->watched)
+		return TS_OK;
+	TS_TRY(ts_sim_fingerprint(sim, &now));
+	*yes = now == stepping->fingerprint;
+	return TS_OK;
+}
+
+static enum ts_status begin(struct ts_stepping *stepping, struct tsim *sim, int64_t n)
+{
+	sim->clock.first_step = sim->clock.step;
+	sim->clock.last_step = sim->clock.step + n;
+	sim->unsafe = false;
+	sim->in_pieces = stepping->open = true;
+	TS_TRY(ts_plan_compile(&stepping->plan, sim));
+	return ts_plan_start(&stepping->plan, sim, true);
+}
+
+static enum ts_status go(struct ts_stepping *stepping, struct tsim *sim, int64_t n)
+{
+	bool on = false;
+
+	TS_TRY(unchanged(stepping, sim, &on));
+	if (!on) {
+		TS_TRY(ts_stepping_end(stepping, sim));
+		TS_TRY(begin(stepping, sim, n));
+	}
+	sim->clock.last_step = sim->clock.step + n;
+	if (sim->explain)
+		return TS_OK;
+	stepping->watched = false;
+	TS_TRY(ts_plan_steps(&stepping->plan, sim));
+	if (stepping->always)
+		TS_TRY(ts_stepping_watch(stepping, sim));
+	return ts_plan_stopped(sim);
+}
+
+enum ts_status ts_stepping_go(struct ts_stepping *stepping, struct tsim *sim, int64_t n)
+{
+	enum ts_status status = go(stepping, sim, n);
+
+	if (status == TS_STOPPED)
+		ts_stepping_end(stepping, sim);
+	else if (status != TS_OK || sim->explain)
+		release(stepping, sim);
+	return status;
+}

@@ -1,0 +1,201 @@
+/* Scripts, steps, and those who take part in steps. */
+#include "library/library.h"
+
+#include <inttypes.h>
+#include <string.h>
+
+#include "script/script.h"
+
+#include "base/banned.h"
+
+/* Before a script line the run of tsim_step ends. */
+static enum ts_status between_runs(struct tsim *sim, const char *what)
+{
+	TS_TRY(ts_library_idle(sim, what));
+	return ts_stepping_end(&sim->library->stepping, sim);
+}
+
+int tsim_line(struct tsim *sim, const char *line)
+{
+	return tsim_text(sim, line, "line");
+}
+
+int tsim_string(struct tsim *sim, const char *text)
+{
+	return tsim_text(sim, text, "string");
+}
+
+int tsim_text(struct tsim *sim, const char *text, const char *name)
+{
+	enum ts_status status = between_runs(sim, "a script line");
+
+	if (status == TS_OK)
+		status = ts_script_string(sim->host_data, text, name);
+	return ts_library_settle(sim, status);
+}
+
+int tsim_file(struct tsim *sim, const char *path)
+{
+	enum ts_status status = between_runs(sim, "a script");
+
+	if (status == TS_OK)
+		status = ts_script_file(sim->host_data, path);
+	return ts_library_settle(sim, status);
+}
+
+int tsim_stream(struct tsim *sim, FILE *stream, const char *name)
+{
+	enum ts_status status = between_runs(sim, "a script");
+
+	if (status == TS_OK)
+		status = ts_script_stream(sim->host_data, stream, name);
+	return ts_library_settle(sim, status);
+}
+
+int tsim_has_quit(struct tsim *sim, int *status)
+{
+	int ignored;
+
+	return ts_script_quit(sim->host_data, status ? status : &ignored);
+}
+
+void tsim_stop(struct tsim *sim)
+{
+	sim->stop = 1;
+}
+
+int tsim_step(struct tsim *sim, int64_t n)
+{
+	enum ts_status status = ts_library_idle(sim, "tsim_step");
+
+	if (status == TS_OK && !ts_sim_has_box(sim))
+		status = ts_fail(&sim->error, TS_STATE, NULL,
+				 "tsim_step needs a simulation box: use create_box or read_restart "
+				 "first");
+	if (status == TS_OK && (n < 0 || n > INT64_MAX - sim->clock.step))
+		status = ts_fail(&sim->error, TS_RANGE, NULL,
+				 "tsim_step: %" PRId64 " steps asked for, expected 0 or more", n);
+	if (status == TS_OK)
+		status = ts_stepping_go(&sim->library->stepping, sim, n);
+	return ts_library_settle(sim, status);
+}
+
+/* An error that a function looked at and got over is no error of the run. */
+static enum ts_status call_all(struct tsim *sim, enum tsim_stage stage)
+{
+	struct ts_library *library = sim->library;
+	const struct ts_library_calls *calls = &library->calls[stage];
+	bool clean = sim->error.status == TS_OK;
+	int code = 0;
+
+	library->stage = (int)stage;
+	for (size_t k = 0; k < calls->n && !code; k++)
+		code = calls->item[k].fn(sim, calls->item[k].data);
+	library->stage = -1;
+	if (!code && clean)
+		ts_error_clear(&sim->error);
+	if (!code)
+		return TS_OK;
+	if (sim->error.status != TS_OK)
+		return sim->error.status;
+	return ts_fail(&sim->error, TS_STOPPED, NULL,
+		       "a function of tsim_on_step ended the run at step %" PRId64 " with code %d",
+		       sim->clock.step, code);
+}
+
+static enum ts_status before_force(struct ts_instance *self, struct tsim *sim)
+{
+	(void)self;
+	return call_all(sim, TSIM_BEFORE_FORCE);
+}
+
+static enum ts_status after_force(struct ts_instance *self, struct tsim *sim)
+{
+	(void)self;
+	return call_all(sim, TSIM_AFTER_FORCE);
+}
+
+static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
+{
+	(void)self;
+	return call_all(sim, TSIM_END_OF_STEP);
+}
+
+static const struct ts_style outside = {
+	.name = "outside",
+	.kind = TS_KIND_SYSTEM,
+	.summary = "what the program around the library does in each step",
+	.hook = { [TS_STAGE_PRE_FORCE] = before_force,
+		  [TS_STAGE_POST_FORCE] = after_force,
+		  [TS_STAGE_END_OF_STEP] = end_of_step },
+};
+
+static enum ts_status check_stage(struct tsim *sim, enum tsim_stage stage)
+{
+	if ((int)stage >= 0 && (int)stage < TSIM_STAGES)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_RANGE, NULL, "there is no stage %d of a step", (int)stage);
+}
+
+/* Who adds forces is part of what forces depend on: the next run computes them anew. */
+static void changed(struct tsim *sim, enum tsim_stage stage)
+{
+	struct ts_library *library = sim->library;
+	size_t n = 0;
+
+	for (int k = 0; k < TSIM_STAGES; k++)
+		n += library->calls[k].n;
+	library->outside.style = &outside;
+	library->outside.id = "";
+	sim->outside = n ? &library->outside : NULL;
+	if (stage != TSIM_END_OF_STEP)
+		sim->fingerprint = 0;
+}
+
+static enum ts_status add_call(struct tsim *sim, enum tsim_stage stage, struct ts_library_call call)
+{
+	struct ts_library_calls *calls = &sim->library->calls[stage];
+
+	TS_TRY(between_runs(sim, "tsim_on_step"));
+	if (TS_GROW(calls->item, calls->capacity, calls->n + 1) != TS_OK)
+		return ts_nomem(&sim->error);
+	calls->item[calls->n++] = call;
+	changed(sim, stage);
+	return TS_OK;
+}
+
+static enum ts_status remove_call(struct tsim *sim, enum tsim_stage stage,
+				  struct ts_library_call call)
+{
+	struct ts_library_calls *calls = &sim->library->calls[stage];
+	size_t k = 0;
+
+	TS_TRY(between_runs(sim, "tsim_off_step"));
+	while (k < calls->n && (calls->item[k].fn != call.fn || calls->item[k].data != call.data))
+		k++;
+	if (k == calls->n)
+		return ts_fail(&sim->error, TS_UNKNOWN, NULL,
+			       "tsim_off_step: this function does not take part in this stage");
+	memmove(&calls->item[k], &calls->item[k + 1], (calls->n - k - 1) * sizeof *calls->item);
+	calls->n--;
+	changed(sim, stage);
+	return TS_OK;
+}
+
+int tsim_on_step(struct tsim *sim, enum tsim_stage stage, tsim_step_fn *fn, void *data)
+{
+	enum ts_status status = check_stage(sim, stage);
+
+	if (status == TS_OK)
+		status = add_call(sim, stage, (struct ts_library_call){ fn, data });
+	return ts_library_settle(sim, status);
+}
+
+int tsim_off_step(struct tsim *sim, enum tsim_stage stage, tsim_step_fn *fn, void *data)
+{
+	enum ts_status status = check_stage(sim, stage);
+
+	if (status == TS_OK)
+		status = remove_call(sim, stage, (struct ts_library_call){ fn, data });
+	return ts_library_settle(sim, status);
+}

@@ -1,0 +1,712 @@
+/* The C library: what tsim.h promises. */
+#include <pthread.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "deck.h"
+
+#include "base/alloc.h"
+
+/* A packing that falls on a floor: contacts, friction of the air, periodic images, many rebuilds. */
+static const char packing[] = "units si\n"
+			      "boundary p f f\n"
+			      "region box block 0 0.385 0 0.4 0 1 units box\n"
+			      "create_box 2 box\n"
+			      "lattice sc 0.055\n"
+			      "region low block 0 0.385 0.05 0.35 0.05 0.5 units box\n"
+			      "create_atoms 1 region low\n"
+			      "set group all diameter 0.0523 density 2385\n"
+			      "group rock type 1\n"
+			      "velocity all create 3.7e19 86028121\n"
+			      "pair_style spring/dashpot\n"
+			      "pair_coeff * * stiffness 2385 restitution 0.5\n"
+			      "fix move all nve\n"
+			      "fix g all gravity 9.81 vector 0.1 0 -1\n"
+			      "fix floor all wall/gran primitive type 1 zplane 0.03\n"
+			      "compute k all ke\n"
+			      "compute nc all contacts\n"
+			      "compute x all property/atom id x vz\n"
+			      "fix trace all vector 10 c_k\n"
+			      "thermo 50\n"
+			      "timestep 2e-4\n";
+
+static struct tsim *sim;
+
+static void open_packing(void)
+{
+	sim = deck_open("%s", packing);
+}
+
+static void close_sim(void)
+{
+	tsim_close(sim);
+	sim = NULL;
+	ck_assert_int_eq(ts_alloc_balance(), 0);
+}
+
+static void demand_same(struct tsim *a, struct tsim *b)
+{
+	static const char *const names[] = { "x", "y", "z", "vx", "vy", "vz", "fx", "fy", "fz" };
+	size_t n = tsim_count(a);
+	double *p = calloc(n, sizeof *p), *q = calloc(n, sizeof *q);
+
+	ck_assert_uint_eq(n, tsim_count(b));
+	for (size_t k = 0; k < DECK_LENGTH(names); k++) {
+		ck_assert_int_eq(tsim_gather(a, names[k], NULL, p, n), 0);
+		ck_assert_int_eq(tsim_gather(b, names[k], NULL, q, n), 0);
+		ck_assert_msg(memcmp(p, q, n * sizeof *p) == 0, "%s differs", names[k]);
+	}
+	free(p);
+	free(q);
+}
+
+/* ---- stepping */
+
+START_TEST(pieces_are_one_run)
+{
+	struct tsim *whole = deck_open("%s", packing);
+	struct tsim_view v = TSIM_INIT(struct tsim_view);
+
+	deck(whole, "run 600\n");
+	for (int k = 0; k < 200; k++)
+		ck_assert_msg(tsim_step(sim, 1) == 0, "%s", tsim_error(sim));
+	/* with a view given out, changes are looked for: there are none */
+	ck_assert_int_eq(tsim_column_view(sim, "v", &v), 0);
+	for (int k = 0; k < 100; k++)
+		ck_assert_int_eq(tsim_step(sim, 3), 0);
+	ck_assert_int_eq(tsim_step(sim, 0), 0);
+	deck(sim, "run 100\n");
+	demand_same(sim, whole);
+	/* averages and histories too: 61 samples, none twice */
+	DECK_NEAR(deck_value(sim, "f_trace[61]"), deck_value(whole, "f_trace[61]"), 0);
+	tsim_close(whole);
+}
+END_TEST
+
+/* Each piece after a change is as the script would run it. */
+START_TEST(a_change_between_pieces_is_seen)
+{
+	struct tsim *script = deck_open("%s", packing);
+	size_t n = tsim_count(sim);
+	double *vz = calloc(n, sizeof *vz);
+	struct tsim_view v = TSIM_INIT(struct tsim_view);
+
+	deck(script, "run 150\nvelocity all set NULL NULL -0.385 units box\nrun 150\n"
+		     "velocity all set 0.2385 NULL NULL units box\nrun 150\n");
+	ck_assert_int_eq(tsim_step(sim, 100), 0);
+	ck_assert_int_eq(tsim_step(sim, 50), 0);
+	for (size_t i = 0; i < n; i++)
+		vz[i] = -0.385;
+	ck_assert_int_eq(tsim_column_write(sim, "vz", vz, n), 0);
+	ck_assert_int_eq(tsim_step(sim, 150), 0);
+	ck_assert_int_eq(tsim_column_view(sim, "v", &v), 0);
+	ck_assert(v.type == TSIM_F64 && v.width == 3 && v.count == n && v.writable);
+	for (size_t i = 0; i < n; i++)
+		((double(*)[3])v.data)[i][0] = 0.2385;
+	ck_assert_int_eq(tsim_step(sim, 150), 0);
+	demand_same(sim, script);
+	free(vz);
+	tsim_close(script);
+}
+END_TEST
+
+struct recorder {
+	int calls[3], fail_at;
+	double sum_f, t_last;
+};
+
+static int record_before(struct tsim *s, void *data)
+{
+	(void)s;
+	((struct recorder *)data)->calls[0]++;
+	return 0;
+}
+
+static int push_up(struct tsim *s, void *data)
+{
+	struct recorder *r = data;
+	struct tsim_view f = TSIM_INIT(struct tsim_view), m = TSIM_INIT(struct tsim_view);
+
+	r->calls[1]++;
+	if (tsim_column_view(s, "f", &f) || tsim_column_view(s, "mass", &m) || !f.writable ||
+	    m.writable)
+		return 1;
+	for (size_t i = 0; i < f.count; i++)
+		((double(*)[3])f.data)[i][2] += 9.81 * ((double *)m.data)[i];
+	return 0;
+}
+
+static int record_end(struct tsim *s, void *data)
+{
+	struct recorder *r = data;
+
+	tsim_clock(s, NULL, &r->t_last, NULL);
+	return ++r->calls[2] == r->fail_at ? 17 : 0;
+}
+
+/* Gravity taken away again by a force from outside: a particle thrown flies straight. */
+START_TEST(forces_from_outside)
+{
+	struct recorder r = { .fail_at = 1 << 30 };
+	double v0, x0;
+
+	tsim_close(sim);
+	sim = deck_open("boundary f f f\nregion b block 0 9 0 9 0 9 units box\ncreate_box 1 b\n"
+			"create_atoms 1 single 1 1 2.385 units box\n"
+			"velocity all set 0 0 0.385\nfix g all gravity 9.81 vector 0 0 -1\n"
+			"fix m all nve\ntimestep 1e-3\n");
+	ck_assert_int_eq(tsim_on_step(sim, TSIM_BEFORE_FORCE, record_before, &r), 0);
+	ck_assert_int_eq(tsim_on_step(sim, TSIM_AFTER_FORCE, push_up, &r), 0);
+	ck_assert_int_eq(tsim_on_step(sim, TSIM_END_OF_STEP, record_end, &r), 0);
+	deck(sim, "run 500\n");
+	ck_assert_int_eq(tsim_step(sim, 500), 0);
+	ck_assert_int_eq(r.calls[0], 1001); /* and once when the first run begins */
+	ck_assert_int_eq(r.calls[1], 1001);
+	ck_assert_int_eq(r.calls[2], 1000);
+	DECK_NEAR(r.t_last, 1.0, 1e-12);
+	DECK_NEAR(deck_value(sim, "vz[1]"), 0.385, 1e-13);
+	DECK_NEAR(deck_value(sim, "z[1]"), 2.385 + 0.385, 1e-12);
+	/* without it the particle falls, from the first step on */
+	ck_assert_int_eq(tsim_off_step(sim, TSIM_AFTER_FORCE, push_up, &r), 0);
+	ck_assert_int_eq(tsim_off_step(sim, TSIM_AFTER_FORCE, push_up, &r), TSIM_UNKNOWN);
+	tsim_error_clear(sim);
+	v0 = deck_value(sim, "vz[1]");
+	x0 = deck_value(sim, "z[1]");
+	deck(sim, "run 200\n");
+	DECK_NEAR(deck_value(sim, "vz[1]"), v0 - 9.81 * 0.2, 1e-12);
+	DECK_NEAR(deck_value(sim, "z[1]"), x0 + 0.2 * v0 - 9.81 * 0.2 * 0.2 / 2, 1e-12);
+}
+END_TEST
+
+START_TEST(a_function_ends_the_run)
+{
+	struct recorder r = { .fail_at = 7 };
+
+	ck_assert_int_eq(tsim_on_step(sim, TSIM_END_OF_STEP, record_end, &r), 0);
+	ck_assert_int_eq(tsim_string(sim, "run 100\n"), TSIM_STOPPED);
+	ck_assert_ptr_nonnull(strstr(tsim_error(sim), "at step 7 with code 17"));
+	tsim_error_clear(sim);
+	DECK_NEAR(deck_value(sim, "step"), 7, 0);
+	ck_assert_int_eq(tsim_step(sim, 3), 0);
+	DECK_NEAR(deck_value(sim, "step"), 10, 0);
+}
+END_TEST
+
+static int ask_for_stop(struct tsim *s, void *data)
+{
+	int64_t step;
+
+	tsim_clock(s, &step, NULL, NULL);
+	if (step == *(const int *)data)
+		tsim_stop(s);
+	return 0;
+}
+
+START_TEST(stop_and_go_on)
+{
+	struct tsim *whole = deck_open("%s", packing);
+	int at = 33;
+
+	deck(whole, "run 100\n");
+	ck_assert_int_eq(tsim_on_step(sim, TSIM_END_OF_STEP, ask_for_stop, &at), 0);
+	ck_assert_int_eq(tsim_step(sim, 100), TSIM_STOPPED);
+	DECK_NEAR(deck_value(sim, "step"), 33, 0);
+	tsim_error_clear(sim);
+	ck_assert_int_eq(tsim_step(sim, 67), 0);
+	demand_same(sim, whole);
+	tsim_close(whole);
+}
+END_TEST
+
+/* What a function of a stage may not do, and does not harm when it tries. */
+static int try_forbidden(struct tsim *s, void *data)
+{
+	double one = 1, many[1024] = { 0 };
+	int32_t id = 1;
+	struct tsim_particles p = TSIM_INIT(struct tsim_particles);
+	unsigned char member[1024] = { 0 };
+	int *stage = data;
+
+	p.n = 1;
+	p.x = many;
+#define REFUSED(call)                                                                              \
+	ck_assert_int_eq(call, TSIM_STATE);                                                        \
+	tsim_error_clear(s)
+	REFUSED(tsim_line(s, "print no"));
+	REFUSED(tsim_file(s, "none"));
+	REFUSED(tsim_step(s, 1));
+	REFUSED(tsim_create(s, &p, NULL));
+	REFUSED(tsim_delete(s, &id, 1));
+	REFUSED(tsim_group_set(s, "rock", member, tsim_count(s)));
+	REFUSED(tsim_scatter(s, "mass", &id, &one, 1));
+	REFUSED(tsim_on_step(s, TSIM_AFTER_FORCE, try_forbidden, data));
+	if (*stage != TSIM_END_OF_STEP) {
+		REFUSED(tsim_scatter(s, "vx", &id, &one, 1));
+	}
+#undef REFUSED
+	tsim_close(s);
+	ck_assert_int_eq(tsim_variable_number(s, "seen", *stage), 0);
+	return 0;
+}
+
+START_TEST(forbidden_inside_a_step)
+{
+	int stage[3] = { TSIM_BEFORE_FORCE, TSIM_AFTER_FORCE, TSIM_END_OF_STEP };
+	double zero = 0;
+	int32_t id = 1;
+
+	for (int k = 0; k < 3; k++)
+		ck_assert_int_eq(tsim_on_step(sim, (enum tsim_stage)k, try_forbidden, &stage[k]), 0);
+	deck(sim, "run 5\n");
+	DECK_NEAR(deck_value(sim, "v_seen"), TSIM_END_OF_STEP, 0);
+	ck_assert_int_eq(tsim_scatter(sim, "fx", &id, &zero, 1), TSIM_STATE);
+	tsim_error_clear(sim);
+	ck_assert_int_eq(tsim_on_step(sim, (enum tsim_stage)9, try_forbidden, NULL), TSIM_RANGE);
+}
+END_TEST
+
+START_TEST(steps_refused)
+{
+	struct tsim *empty = tsim_open();
+
+	ck_assert_int_eq(tsim_step(empty, 1), TSIM_STATE);
+	tsim_close(empty);
+	ck_assert_int_eq(tsim_step(sim, -1), TSIM_RANGE);
+	tsim_error_clear(sim);
+	deck(sim, "timestep 1\n");
+	ck_assert_int_ne(tsim_step(sim, 1), 0); /* beyond the limit of stability */
+	tsim_error_clear(sim);
+	deck(sim, "timestep 1e-4\n");
+	ck_assert_int_eq(tsim_step(sim, 1), 0);
+}
+END_TEST
+
+/* ---- numbers */
+
+START_TEST(tables)
+{
+	size_t n = tsim_count(sim), rows, columns;
+	struct tsim_table t = TSIM_INIT(struct tsim_table);
+	struct tsim_output o = TSIM_INIT(struct tsim_output);
+	double *x = calloc(n, sizeof *x), *copy = calloc(3 * n, sizeof *copy), samples[4];
+
+	deck(sim, "run 30\n");
+	ck_assert_int_eq(tsim_evaluate(sim, "2*PI", TSIM_SCALAR, &t), 0);
+	DECK_NEAR(t.data[0], 6.28318530717958647693, 0);
+	ck_assert_int_eq(tsim_extent(sim, "f_trace", TSIM_VECTOR, &rows, &columns), 0);
+	ck_assert(rows == 4 && columns == 1);
+	ck_assert_int_eq(tsim_read(sim, "f_trace", TSIM_VECTOR, samples, 4, 1), 0);
+	DECK_NEAR(samples[3], deck_value(sim, "c_k"), 0);
+	ck_assert_int_eq(tsim_evaluate(sim, "c_x", TSIM_PER_PARTICLE, &t), 0);
+	ck_assert(t.rows == n && t.columns == 3);
+	ck_assert_int_eq(tsim_column_read(sim, "x", x, n), 0);
+	for (size_t i = 0; i < n; i++)
+		DECK_NEAR(t.data[3 * i + 1], x[i], 0);
+	ck_assert_int_eq(tsim_read(sim, "c_x", TSIM_PER_PARTICLE, copy, n, 3), 0);
+	ck_assert_int_eq(tsim_evaluate(sim, "c_x[2]", TSIM_PER_PARTICLE, &t), 0);
+	ck_assert(t.rows == n && t.columns == 1);
+	DECK_NEAR(t.data[n - 1], x[n - 1], 0);
+	ck_assert_int_eq(tsim_evaluate(sim, "radius", TSIM_PER_PARTICLE, &t), 0);
+	DECK_NEAR(t.data[n / 2], 0.0523 / 2, 0);
+	deck(sim, "variable w atom x*2\n");
+	ck_assert_int_eq(tsim_evaluate(sim, "v_w", TSIM_PER_PARTICLE, &t), 0);
+	DECK_NEAR(t.data[5], 2 * x[5], 0);
+	/* refusals */
+	ck_assert_int_eq(tsim_read(sim, "c_x", TSIM_PER_PARTICLE, copy, n, 2), TSIM_RANGE);
+	ck_assert_ptr_nonnull(strstr(tsim_error(sim), "and 3 columns, the array"));
+	tsim_error_clear(sim);
+	ck_assert_int_eq(tsim_evaluate(sim, "c_k", TSIM_LOCAL, &t), TSIM_STATE);
+	tsim_error_clear(sim);
+	ck_assert_int_eq(tsim_evaluate(sim, "c_nix", TSIM_VECTOR, &t), TSIM_UNKNOWN);
+	tsim_error_clear(sim);
+	ck_assert_int_eq(tsim_evaluate(sim, "c_k", (enum tsim_shape)77, &t), TSIM_RANGE);
+	tsim_error_clear(sim);
+	ck_assert_int_eq(tsim_output(sim, "c_x", 0, &o), 0);
+	ck_assert_int_eq(o.shape, TSIM_PER_PARTICLE);
+	ck_assert_int_eq(tsim_output(sim, "c_x", 99, &o), TSIM_UNKNOWN);
+	free(x);
+	free(copy);
+}
+END_TEST
+
+START_TEST(variables)
+{
+	char text[8];
+	size_t length, k = 0;
+
+	ck_assert_int_eq(tsim_variable(sim, "given", "2.385"), 0);
+	deck(sim, "variable given index 1\n");
+	DECK_NEAR(deck_value(sim, "v_given"), 2.385, 0);
+	ck_assert_int_eq(tsim_variable_set(sim, "name", "string", "wide ${open}"), 0);
+	ck_assert_int_eq(tsim_variable_text(sim, "name", text, sizeof text, &length), 0);
+	ck_assert_str_eq(text, "wide ${");
+	ck_assert_uint_eq(length, 12);
+	ck_assert_int_eq(tsim_variable_set(sim, "name", "equal", "2*v_given"), 0);
+	DECK_NEAR(deck_value(sim, "v_name"), 4.77, 1e-15);
+	ck_assert_int_eq(tsim_variable_number(sim, "third", 1.0 / 3), 0);
+	DECK_NEAR(deck_value(sim, "v_third"), 1.0 / 3, 0);
+	ck_assert_int_eq(tsim_variable_number(sim, "third", -1e-300), 0);
+	DECK_NEAR(deck_value(sim, "v_third"), -1e-300, 0);
+	while (tsim_variable_name(sim, k))
+		k++;
+	ck_assert_uint_eq(k, 3);
+	ck_assert_int_eq(tsim_variable_text(sim, "thirt", text, sizeof text, NULL), TSIM_UNKNOWN);
+	ck_assert_ptr_nonnull(strstr(tsim_error(sim), "did you mean 'third'"));
+	tsim_error_clear(sim);
+	ck_assert_int_eq(tsim_variable_number(sim, "third", NAN), TSIM_RANGE);
+	tsim_error_clear(sim);
+	ck_assert_int_eq(tsim_variable_set(sim, "a b", "equal", "1"), TSIM_SYNTAX);
+}
+END_TEST
+
+/* ---- particles */
+
+START_TEST(every_quantity_can_be_read_and_written_back)
+{
+	size_t n = tsim_count(sim), written = 0;
+	double *value = calloc(n, sizeof *value), *again = calloc(n, sizeof *again);
+	const char *name;
+
+	for (size_t k = 0; (name = tsim_quantity_name(k)); k++) {
+		int status;
+
+		ck_assert_int_eq(tsim_column_read(sim, name, value, n), 0);
+		status = tsim_column_write(sim, name, value, n);
+		ck_assert(status == 0 || status == TSIM_STATE);
+		tsim_error_clear(sim);
+		if (status)
+			continue;
+		written++;
+		ck_assert_int_eq(tsim_column_read(sim, name, again, n), 0);
+		for (size_t i = 0; i < n; i++)
+			DECK_NEAR(again[i], value[i], 1e-15 * fabs(value[i]));
+	}
+	ck_assert_uint_ge(written, 17);
+	free(value);
+	free(again);
+}
+END_TEST
+
+START_TEST(values_are_checked)
+{
+	static const struct {
+		const char *name;
+		double value;
+		int status;
+	} cases[] = {
+		{ "x", NAN, TSIM_RANGE },    { "vx", INFINITY, TSIM_RANGE },
+		{ "type", 3, TSIM_RANGE },   { "type", 1.5, TSIM_RANGE },
+		{ "type", 0, TSIM_RANGE },   { "radius", 0, TSIM_RANGE },
+		{ "mass", -1, TSIM_RANGE },  { "ix", 0.5, TSIM_RANGE },
+		{ "ix", 1e10, TSIM_RANGE },  { "id", 7, TSIM_STATE },
+		{ "radios", 1, TSIM_UNKNOWN }, { "density", 2385, TSIM_OK },
+		{ "omegaz", 2.385, TSIM_OK }, { "type", 2, TSIM_OK },
+	};
+	int32_t id = 3, none[2] = { 3, 999999 };
+	double x[2] = { 0 };
+
+	for (size_t k = 0; k < DECK_LENGTH(cases); k++) {
+		ck_assert_int_eq(tsim_scatter(sim, cases[k].name, &id, &cases[k].value, 1),
+				 cases[k].status);
+		tsim_error_clear(sim);
+	}
+	DECK_NEAR(deck_value(sim, "type[3]"), 2, 0);
+	DECK_NEAR(deck_value(sim, "omegaz[3]"), 2.385, 0);
+	ck_assert_int_eq(tsim_gather(sim, "x", none, x, 2), TSIM_UNKNOWN);
+	tsim_error_clear(sim);
+	ck_assert_int_eq(tsim_column_read(sim, "x", x, 2), TSIM_RANGE);
+}
+END_TEST
+
+START_TEST(views_and_generation)
+{
+	struct tsim_view x = TSIM_INIT(struct tsim_view), tag = TSIM_INIT(struct tsim_view);
+	size_t n = tsim_count(sim), k = 0;
+	uint64_t generation = tsim_generation(sim);
+	int32_t id = 5;
+
+	ck_assert_int_eq(tsim_column_view(sim, "x", &x), 0);
+	ck_assert_int_eq(tsim_column_view(sim, "tag", &tag), 0);
+	ck_assert(x.generation == generation && x.count == n && x.element == 8);
+	ck_assert(tag.type == TSIM_I32 && tag.element == 4 && tag.width == 1 && !tag.writable);
+	((double *)x.data)[0] = 0.2385;
+	ck_assert_int_eq(tsim_gather(sim, "x", tag.data, (double[1]){ 0 }, 1), 0);
+	DECK_NEAR(deck_value(sim, "x[1]"), ((int32_t *)tag.data)[0] == 1 ? 0.2385 : NAN, 0);
+	ck_assert_int_eq(tsim_delete(sim, &id, 1), 0);
+	ck_assert_uint_ne(tsim_generation(sim), generation);
+	ck_assert_uint_eq(tsim_count(sim), n - 1);
+	ck_assert_int_eq(tsim_delete(sim, &id, 1), TSIM_UNKNOWN);
+	tsim_error_clear(sim);
+	generation = tsim_generation(sim);
+	deck(sim, "clear\n");
+	ck_assert_uint_gt(tsim_generation(sim), generation);
+	ck_assert_int_eq(tsim_column_view(sim, "omega", &x), TSIM_STATE);
+	tsim_error_clear(sim);
+	ck_assert_int_eq(tsim_column_view(sim, "nix", &x), TSIM_UNKNOWN);
+	while (tsim_column_name(sim, k))
+		k++;
+	ck_assert_uint_ge(k, 10);
+}
+END_TEST
+
+START_TEST(particles_made)
+{
+	double x[6] = { 0.1, 0.2, 0.3, 0.2, 0.2, 0.9 }, v[6] = { 0, 0, 1, 0, 0, -1 };
+	double radius[2] = { 0.01, 0.02385 }, density[2] = { 1000, 2000 };
+	int32_t type[2] = { 2, 1 }, id[2];
+	struct tsim_particles p = { .size = sizeof p, .n = 2, .x = x, .v = v, .type = type,
+				    .radius = radius, .density = density };
+	size_t n = tsim_count(sim);
+	double mass[2];
+
+	ck_assert_int_eq(tsim_step(sim, 5), 0);
+	ck_assert_msg(tsim_create(sim, &p, id) == 0, "%s", tsim_error(sim));
+	ck_assert_uint_eq(tsim_count(sim), n + 2);
+	ck_assert_int_eq(tsim_gather(sim, "mass", id, mass, 2), 0);
+	DECK_NEAR(mass[1], 4.0 / 3 * 3.14159265358979323846 * 2000 * pow(0.02385, 3), 1e-15);
+	ck_assert_int_eq(tsim_step(sim, 5), 0);
+	ck_assert_int_eq(tsim_delete(sim, id, 2), 0);
+	ck_assert_uint_eq(tsim_count(sim), n);
+	x[4] = 7; /* outside */
+	ck_assert_int_eq(tsim_create(sim, &p, id), TSIM_RANGE);
+	tsim_error_clear(sim);
+	x[4] = 0.2;
+	type[0] = 3;
+	ck_assert_int_eq(tsim_create(sim, &p, id), TSIM_RANGE);
+	tsim_error_clear(sim);
+	p.type = NULL;
+	radius[1] = -1;
+	ck_assert_int_eq(tsim_create(sim, &p, id), TSIM_RANGE);
+	tsim_error_clear(sim);
+	p.radius = p.density = NULL;
+	ck_assert_int_eq(tsim_create(sim, &p, NULL), 0);
+	ck_assert_uint_eq(tsim_count(sim), n + 2);
+	p.size = offsetof(struct tsim_particles, v); /* a program built with fewer fields */
+	ck_assert_int_eq(tsim_create(sim, &p, NULL), 0);
+	DECK_NEAR(deck_value(sim, "count(all)"), (double)n + 4, 0);
+}
+END_TEST
+
+START_TEST(groups)
+{
+	size_t n = tsim_count(sim);
+	unsigned char *member = calloc(n, 1);
+	int bit;
+
+	ck_assert_int_eq(tsim_group_get(sim, "rock", member, n), 0);
+	for (size_t i = 0; i < n; i++) {
+		ck_assert_uint_eq(member[i], 1);
+		member[i] = i % 3 == 0;
+	}
+	ck_assert_int_eq(tsim_group_set(sim, "third", member, n), 0);
+	DECK_NEAR(deck_value(sim, "count(third)"), (double)((n + 2) / 3), 0);
+	ck_assert_int_eq(tsim_group_bit(sim, "third", &bit), 0);
+	ck_assert_str_eq(tsim_group_name(sim, bit), "third");
+	ck_assert_ptr_null(tsim_group_name(sim, 32));
+	ck_assert_int_eq(tsim_group_set(sim, "all", member, n), TSIM_STATE);
+	tsim_error_clear(sim);
+	ck_assert_int_eq(tsim_group_bit(sim, "thirt", &bit), TSIM_UNKNOWN);
+	free(member);
+}
+END_TEST
+
+/* ---- the rest */
+
+START_TEST(state)
+{
+	struct tsim_box box = TSIM_INIT(struct tsim_box);
+	const char *name, *help, *style;
+	int64_t step;
+	double value, time, dt;
+
+	tsim_box(sim, &box);
+	ck_assert(box.exists && box.dimension == 3 && box.periodic[0] && !box.periodic[1]);
+	ck_assert_int_eq(box.face[1][1], 'f');
+	DECK_NEAR(box.hi[0], 0.385, 0);
+	deck(sim, "run 10\n");
+	tsim_clock(sim, &step, &time, &dt);
+	ck_assert(step == 10);
+	DECK_NEAR(time, 2e-3, 1e-18);
+	DECK_NEAR(dt, 2e-4, 0);
+	for (size_t k = 0; (name = tsim_setting_name(k, &help)); k++)
+		ck_assert(!tsim_setting(sim, name, &value) && *help);
+	ck_assert_int_eq(tsim_setting(sim, "nlocals", &value), TSIM_UNKNOWN);
+	ck_assert_str_eq(tsim_live(sim, "fix", 2, &style), "floor");
+	ck_assert_str_eq(style, "wall/gran");
+	ck_assert_ptr_null(tsim_live(sim, "fix", 99, &style));
+	ck_assert_ptr_null(tsim_live(sim, "nix", 0, &style));
+}
+END_TEST
+
+START_TEST(what_there_is)
+{
+	char text[4096];
+	size_t length, n = 0, rows = 0;
+	const char *kind, *style, *summary;
+
+	for (size_t k = 0; (kind = tsim_kind(k)); k++)
+		for (size_t s = 0; (style = tsim_style(kind, s, &summary)); s++, n++) {
+			struct tsim_argument a = TSIM_INIT(struct tsim_argument);
+
+			ck_assert_int_eq(tsim_help(kind, style, 0, text, sizeof text, &length), 0);
+			ck_assert(*summary && length > 20);
+			for (size_t i = 0; !tsim_argument(kind, style, i, &a); i++, rows++)
+				ck_assert_msg(*a.name && *a.type, "%s %s", kind, style);
+		}
+	ck_assert_uint_gt(n, 70);
+	ck_assert_uint_gt(rows, 200);
+	ck_assert_int_eq(tsim_help("fix", "gravty", 0, text, sizeof text, NULL), TSIM_UNKNOWN);
+	ck_assert_str_eq(text, "there is no fix 'gravty'; did you mean 'gravity'?");
+	ck_assert_int_eq(tsim_help("fics", "gravity", 0, text, 5, &length), TSIM_UNKNOWN);
+	ck_assert_str_eq(text, "ther");
+	ck_assert_int_eq(tsim_help("fix", "gravity", 1, NULL, 0, &length), 0);
+	ck_assert_ptr_null(tsim_style("nix", 0, NULL));
+	ck_assert_str_eq(tsim_status_text(TSIM_RANGE), "value out of range");
+}
+END_TEST
+
+struct heard {
+	int texts, warnings, progress;
+	char all[1 << 14];
+};
+
+static void hear(void *data, enum tsim_log_level level, const char *text)
+{
+	struct heard *heard = data;
+	size_t n = strlen(heard->all);
+
+	heard->texts += level == TSIM_LOG_TEXT;
+	heard->warnings += level == TSIM_LOG_WARNING;
+	heard->progress += level == TSIM_LOG_PROGRESS;
+	snprintf(heard->all + n, sizeof heard->all - n, "%s", text);
+}
+
+START_TEST(options_and_log)
+{
+	static struct heard heard;
+	struct tsim_options options = { .size = sizeof options, .threads = 2, .on_log = hear,
+					.on_log_data = &heard };
+	struct tsim_error_place place = TSIM_INIT(struct tsim_error_place);
+	struct tsim *other;
+	double threads;
+
+	ck_assert_int_eq(tsim_open_with(&options, &other), 0);
+	ck_assert_int_eq(tsim_setting(other, "threads", &threads), 0);
+	DECK_NEAR(threads, 2, 0);
+	deck(other, "%s", packing);
+	deck(other, "create_atoms 1 single 9 9 9 units box\nprint 'said'\nrun 50\n");
+	ck_assert(heard.texts > 4 && heard.warnings == 1);
+	ck_assert_ptr_nonnull(strstr(heard.all, "said\n"));
+	ck_assert_ptr_nonnull(strstr(heard.all, "lies outside the box"));
+	ck_assert_int_eq(tsim_text(other, "print 1\n\nprnt 2\n", "notes"), TSIM_UNKNOWN);
+	tsim_error_where(other, &place);
+	ck_assert(place.status == TSIM_UNKNOWN && place.line == 3 && place.column == 1 &&
+		  place.length == 4);
+	ck_assert_str_eq(place.file, "notes");
+	ck_assert_str_eq(place.text, "prnt 2");
+	tsim_close(other);
+	options.threads = 5000;
+	ck_assert_int_eq(tsim_open_with(&options, &other), TSIM_RANGE);
+	ck_assert_ptr_nonnull(strstr(tsim_error(other), "5000 threads"));
+	tsim_close(other);
+	options.threads = 1;
+	options.log = "/nowhere/log";
+	ck_assert_int_eq(tsim_open_with(&options, &other), TSIM_IO);
+	tsim_close(other);
+	options = (struct tsim_options){ .size = sizeof options, .explain = 1 };
+	ck_assert_int_eq(tsim_open_with(&options, &other), 0);
+	deck(other, "%s", packing);
+	ck_assert_int_eq(tsim_step(other, 100), 0);
+	DECK_NEAR(deck_value(other, "step"), 100, 0);
+	DECK_NEAR(deck_value(other, "z[1]"), 0.055, 1e-12);
+	tsim_close(other);
+}
+END_TEST
+
+START_TEST(quit_is_told)
+{
+	int status = 0;
+
+	ck_assert(!tsim_has_quit(sim, NULL));
+	deck(sim, "quit 3\nprint never\n");
+	ck_assert(tsim_has_quit(sim, &status) && status == 3);
+}
+END_TEST
+
+START_TEST(a_thousand_times)
+{
+	long before = ts_alloc_balance();
+
+	for (int k = 0; k < 1000; k++) {
+		struct tsim *one = tsim_open();
+
+		ck_assert_ptr_nonnull(one);
+		if (k % 100 == 0) {
+			deck(one, "%s", packing);
+			ck_assert_int_eq(tsim_step(one, 2), 0);
+		}
+		tsim_close(one);
+	}
+	ck_assert_int_eq(ts_alloc_balance(), before);
+	tsim_close(NULL);
+	ck_assert_str_eq(tsim_error(NULL), "error: out of memory\n");
+}
+END_TEST
+
+static void *run_alone(void *data)
+{
+	struct tsim *one = tsim_open();
+	double *ke = data;
+
+	if (!tsim_string(one, packing) && !tsim_step(one, 150) && !tsim_string(one, "run 50"))
+		tsim_value(one, "ke", ke);
+	tsim_close(one);
+	return NULL;
+}
+
+START_TEST(two_at_once)
+{
+	pthread_t thread[2];
+	double ke[2] = { 0, 1 };
+
+	for (int k = 0; k < 2; k++)
+		ck_assert_int_eq(pthread_create(&thread[k], NULL, run_alone, &ke[k]), 0);
+	for (int k = 0; k < 2; k++)
+		pthread_join(thread[k], NULL);
+	deck(sim, "run 200\n");
+	DECK_NEAR(ke[0], deck_value(sim, "ke"), 0);
+	DECK_NEAR(ke[1], ke[0], 0);
+}
+END_TEST
+
+int main(void)
+{
+	Suite *suite = suite_create("library");
+	TCase *tests = tcase_create("all");
+
+	tcase_add_checked_fixture(tests, open_packing, close_sim);
+	tcase_set_timeout(tests, 120);
+	tcase_add_test(tests, pieces_are_one_run);
+	tcase_add_test(tests, a_change_between_pieces_is_seen);
+	tcase_add_test(tests, forces_from_outside);
+	tcase_add_test(tests, a_function_ends_the_run);
+	tcase_add_test(tests, stop_and_go_on);
+	tcase_add_test(tests, forbidden_inside_a_step);
+	tcase_add_test(tests, steps_refused);
+	tcase_add_test(tests, tables);
+	tcase_add_test(tests, variables);
+	tcase_add_test(tests, every_quantity_can_be_read_and_written_back);
+	tcase_add_test(tests, values_are_checked);
+	tcase_add_test(tests, views_and_generation);
+	tcase_add_test(tests, particles_made);
+	tcase_add_test(tests, groups);
+	tcase_add_test(tests, state);
+	tcase_add_test(tests, what_there_is);
+	tcase_add_test(tests, options_and_log);
+	tcase_add_test(tests, quit_is_told);
+	tcase_add_test(tests, a_thousand_times);
+	tcase_add_test(tests, two_at_once);
+	suite_add_tcase(suite, tests);
+	return deck_main(suite);
+}
