@@ -137,14 +137,21 @@ library_sources = \
 	src/script/diagnostic.c \
 	src/script/expr.c \
 	src/script/expr.h \
+	src/script/expr_argument.c \
 	src/script/expr_function.c \
+	src/script/expr_math.c \
 	src/script/expr_name.c \
 	src/script/expr_operand.c \
 	src/script/expr_series.c \
+	src/script/expr_special.c \
+	src/script/expr_step.c \
 	src/script/flow_control.c \
 	src/script/interpreter.h \
 	src/script/line.c \
 	src/script/line.h \
+	src/script/number_format.c \
+	src/script/number_format.h \
+	src/script/random.c \
 	src/script/script.c \
 	src/script/script.h \
 	src/script/shell.c \
@@ -155,6 +162,10 @@ library_sources = \
 	src/script/variable.c \
 	src/script/variable.h \
 	src/script/variable_command.c \
+	src/script/variable_file.c \
+	src/script/variable_formula.c \
+	src/script/variable_list.c \
+	src/script/variable_text.c \
 	src/styles/bond/contact.c \
 	src/styles/command/atom_modify.c \
 	src/styles/command/atom_style.c \

@@ -266,7 +266,7 @@ START_TEST(variable_rules)
 	expect_error("variable k eqaul 1", 1, 12, 5, "did you mean 'equal'");
 	expect_error("variable k index", 1, 10, 1, "needs a value");
 	expect_error("variable none delete", 1, 10, 4, "unknown variable");
-	expect_error("next s", 1, 6, 1, "index or loop variable");
+	expect_error("next s", 1, 6, 1, "index, loop or file variable");
 	expect_error("variable w index abc\nvariable z equal v_w*2\nprint $z", 2, 18, 3,
 		     "'abc', which is no number");
 	expect_error("variable at atom x\nprint ${at}", 2, 7, 5, "for each particle");

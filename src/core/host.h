@@ -4,6 +4,7 @@
 
 #include "base/status.h"
 #include "base/str.h"
+#include "core/archive.h"
 #include "core/value.h"
 
 struct ts_host {
@@ -18,8 +19,17 @@ struct ts_host {
 	/* The values of an atom-style variable, one per local particle (one column). */
 	enum ts_status (*peratom)(void *host, const char *variable, const struct ts_place *where,
 				  struct ts_table *out);
+	/* The numbers of a vector-style variable, rows x 1. */
+	enum ts_status (*vector)(void *host, const char *variable, const struct ts_place *where,
+				 struct ts_table *out);
 	bool (*has_variable)(void *host, const char *variable);
 	bool (*is_peratom)(void *host, const char *variable);
+	bool (*is_vector)(void *host, const char *variable);
+	/* Gives a variable of style internal its number, for the formulas that use it. */
+	enum ts_status (*set)(void *host, const char *variable, const struct ts_place *where,
+			      double value);
+	/* Writes or reads what the script must remember between runs: its streams of random numbers. */
+	enum ts_status (*archive)(void *host, struct ts_archive *archive);
 	void (*suggest_variable)(void *host, struct ts_suggest *suggest);
 };
 

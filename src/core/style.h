@@ -119,6 +119,8 @@ struct ts_system_style {
 	bool (*has_quantity)(const char *name);
 	enum ts_status (*quantity)(struct tsim *sim, const char *name, struct ts_table *out);
 	void (*suggest_quantity)(struct ts_suggest *suggest);
+	/* Material properties by name, for `if property_NAME`. */
+	bool (*has_property)(const struct tsim *sim, const char *name);
 };
 
 /* The table of all styles, generated (src/styles/style_table.c): sorted by kind, then name; closed

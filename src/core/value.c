@@ -98,6 +98,15 @@ void ts_quantity_suggest(struct ts_suggest *suggest)
 			(*s)->suggest_quantity(suggest);
 }
 
+bool ts_property_has(const struct tsim *sim, const char *name)
+{
+	bool found = false;
+
+	for (const struct ts_system_style *const *s = ts_system_table; *s; s++)
+		found |= (*s)->has_property && (*s)->has_property(sim, name);
+	return found;
+}
+
 /* Reads "[12]" and moves on. */
 static bool read_bracket(const char **text, long *index)
 {
@@ -135,19 +144,32 @@ static bool split_index(const char *text, char *name, size_t size, long *index, 
 	return *text == '\0';
 }
 
+/* v_name or, of a list, v_name[k] */
 static enum ts_status resolve_variable(struct tsim *sim, const char *name,
 				       const struct ts_place *where, struct ts_ref *ref)
 {
-	struct ts_suggest suggest = ts_suggest_start(name);
+	struct ts_suggest suggest;
+	char plain[128];
 
 	ref->kind = TS_REF_VARIABLE;
-	ref->variable = name;
-	if (sim->host && sim->host->has_variable(sim->host_data, name))
-		return TS_OK;
-	if (sim->host)
-		sim->host->suggest_variable(sim->host_data, &suggest);
-	return ts_fail(&sim->error, TS_UNKNOWN, where, "unknown variable '%s'%s", name,
-		       ts_suggest_text(&suggest));
+	if (!split_index(name, plain, sizeof plain, &ref->index, &ref->column) || ref->column)
+		return ts_fail(&sim->error, TS_SYNTAX, where,
+			       "'v_%s' is malformed, expected v_NAME or v_NAME[k]", name);
+	ref->variable = ts_pool_get(sim->pool, plain);
+	if (!ref->variable)
+		return ts_nomem(&sim->error);
+	if (!sim->host || !sim->host->has_variable(sim->host_data, plain)) {
+		suggest = ts_suggest_start(plain);
+		if (sim->host)
+			sim->host->suggest_variable(sim->host_data, &suggest);
+		return ts_fail(&sim->error, TS_UNKNOWN, where, "unknown variable '%s'%s", plain,
+			       ts_suggest_text(&suggest));
+	}
+	if (ref->index && !sim->host->is_vector(sim->host_data, plain))
+		return ts_fail(&sim->error, TS_SYNTAX, where,
+			       "variable '%s' is not of style vector: v_%s[k] has no meaning",
+			       plain, plain);
+	return TS_OK;
 }
 
 static enum ts_status resolve_keyword(struct tsim *sim, const char *name,
@@ -210,6 +232,15 @@ static unsigned shape_seen(const struct ts_ref *ref, enum ts_shape shape)
 	return 1u << (shape == TS_VECTOR && ref->index ? TS_SCALAR : shape);
 }
 
+static unsigned variable_shape(const struct tsim *sim, const struct ts_ref *ref)
+{
+	if (sim->host->is_peratom(sim->host_data, ref->variable))
+		return 1u << TS_PERATOM;
+	if (sim->host->is_vector(sim->host_data, ref->variable) && !ref->index)
+		return 1u << TS_VECTOR;
+	return 1u << TS_SCALAR;
+}
+
 unsigned ts_ref_shapes(const struct tsim *sim, const struct ts_ref *ref)
 {
 	unsigned shapes = 0;
@@ -217,8 +248,7 @@ unsigned ts_ref_shapes(const struct tsim *sim, const struct ts_ref *ref)
 	if (ref->kind == TS_REF_KEYWORD)
 		return 1u << TS_SCALAR;
 	if (ref->kind == TS_REF_VARIABLE)
-		return sim->host->is_peratom(sim->host_data, ref->variable) ? 1u << TS_PERATOM
-									    : 1u << TS_SCALAR;
+		return variable_shape(sim, ref);
 	for (const struct ts_value *v = ref->inst->style->values; v && v->name; v++)
 		if (ts_value_given(ref->inst, v))
 			shapes |= shape_seen(ref, v->shape);
@@ -292,6 +322,25 @@ static enum ts_status instance_scalar(struct tsim *sim, const struct ts_ref *ref
 	return TS_OK;
 }
 
+static enum ts_status variable_scalar(struct tsim *sim, const struct ts_ref *ref,
+				      const struct ts_place *where, double *out)
+{
+	struct ts_table table = { 0 };
+	enum ts_status status;
+
+	if (!ref->index)
+		return sim->host->scalar(sim->host_data, ref->variable, where, out);
+	status = sim->host->vector(sim->host_data, ref->variable, where, &table);
+	if (status == TS_OK && (size_t)ref->index > table.rows)
+		status = ts_fail(&sim->error, TS_RANGE, where,
+				 "element [%ld] asked for, variable '%s' has %zu", ref->index,
+				 ref->variable, table.rows);
+	if (status == TS_OK)
+		*out = table.data[ref->index - 1];
+	ts_table_release(&table);
+	return status;
+}
+
 enum ts_status ts_ref_scalar(struct tsim *sim, const struct ts_ref *ref,
 			     const struct ts_place *where, double *out)
 {
@@ -299,7 +348,7 @@ enum ts_status ts_ref_scalar(struct tsim *sim, const struct ts_ref *ref,
 	case TS_REF_KEYWORD:
 		return ref->keyword->eval(sim, out);
 	case TS_REF_VARIABLE:
-		return sim->host->scalar(sim->host_data, ref->variable, where, out);
+		return variable_scalar(sim, ref, where, out);
 	case TS_REF_COMPUTE:
 	case TS_REF_FIX:
 		break;
@@ -357,11 +406,14 @@ enum ts_status ts_ref_vector(struct tsim *sim, const struct ts_ref *ref,
 {
 	const struct ts_value *value = ref->inst ? ts_value_find(ref->inst, TS_VECTOR) : NULL;
 
+	if (ref->kind == TS_REF_VARIABLE)
+		return sim->host->vector(sim->host_data, ref->variable, where, out);
 	if (ref->inst && ref->index)
 		return one_column(sim, ref, where, TS_ARRAY, out);
 	if (!value)
 		return ts_fail(&sim->error, TS_STATE, where,
-			       "expected a compute or fix with a vector output");
+			       "expected a compute or fix with a vector output, or a variable of "
+			       "style vector");
 	return ts_value_eval(ref->inst, sim, value, out);
 }
 

@@ -97,7 +97,12 @@ struct ts_function {
 	const char *name, *arguments, *help;
 	size_t least, most; /* number of arguments */
 	enum ts_status (*eval)(struct tsim *sim, struct ts_words args, double *out);
+	/* One value per local particle, in formulas of particles; eval may be NULL then. */
+	enum ts_status (*peratom)(struct tsim *sim, struct ts_words args, struct ts_table *out);
 };
 const struct ts_function *ts_function_find(const struct tsim *sim, const char *name);
+
+/* Whether some system has a material property of that name (property/global of LIGGGHTS). */
+bool ts_property_has(const struct tsim *sim, const char *name);
 
 #endif

@@ -13,6 +13,11 @@ int ts_group_find(const struct ts_particles *p, const char *name)
 	return -1;
 }
 
+bool ts_group_exists(const struct tsim *sim, const char *name)
+{
+	return ts_group_find(sim->particles, name) >= 0;
+}
+
 const char *ts_group_name(const struct tsim *sim, int bit)
 {
 	return sim->particles->group[bit];
@@ -194,13 +199,13 @@ static enum ts_status eval_bound(struct tsim *sim, struct ts_words args, double 
 }
 
 const struct ts_function ts_group_functions[] = {
-	{ "count", "group", "number of particles in the group", 1, 1, eval_count },
-	{ "mass", "group", "total mass of the group", 1, 1, eval_mass },
-	{ "ke", "group", "kinetic energy of the group", 1, 1, eval_ke },
-	{ "xcm", "group,dim", "centre of mass of the group, dim = x|y|z", 2, 2, eval_xcm },
-	{ "vcm", "group,dim", "velocity of the centre of mass", 2, 2, eval_vcm },
-	{ "fcm", "group,dim", "total force on the group", 2, 2, eval_fcm },
+	{ "count", "group", "number of particles in the group", 1, 1, eval_count, NULL },
+	{ "mass", "group", "total mass of the group", 1, 1, eval_mass, NULL },
+	{ "ke", "group", "kinetic energy of the group", 1, 1, eval_ke, NULL },
+	{ "xcm", "group,dim", "centre of mass of the group, dim = x|y|z", 2, 2, eval_xcm, NULL },
+	{ "vcm", "group,dim", "velocity of the centre of mass", 2, 2, eval_vcm, NULL },
+	{ "fcm", "group,dim", "total force on the group", 2, 2, eval_fcm, NULL },
 	{ "bound", "group,side", "extreme coordinate of centres, side = xmin|xmax|ymin...", 2, 2,
-	  eval_bound },
+	  eval_bound, NULL },
 	{ .name = NULL },
 };

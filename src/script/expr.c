@@ -7,7 +7,7 @@
 
 #include "base/banned.h"
 
-enum { DEEPEST = 100, BINDING = 8 /* tighter than any binary operator */ };
+enum { DEEPEST = 500, BINDING = 8 /* tighter than any binary operator */ };
 
 enum ts_status ts_expr_fail(struct ts_expr *e, enum ts_status code, size_t at, size_t end,
 			    const char *format, ...)
@@ -63,13 +63,22 @@ const char *ts_expr_copy(struct ts_expr *e, size_t at, size_t end)
 	return copy;
 }
 
-double *ts_expr_array(struct ts_expr *e)
+enum ts_status ts_expr_array(struct ts_expr *e, size_t n, struct ts_operand *out)
 {
-	double *data = ts_arena_alloc(&e->arena, e->rows, sizeof *data);
+	out->data = ts_arena_alloc(&e->arena, n, sizeof *out->data);
+	out->n = n;
+	return out->data ? TS_OK : ts_nomem(&e->sim->error);
+}
 
-	if (!data)
-		ts_nomem(&e->sim->error);
-	return data;
+enum ts_status ts_expr_take(struct ts_expr *e, enum ts_status status, struct ts_table *table,
+			    struct ts_operand *out)
+{
+	if (status == TS_OK)
+		status = ts_expr_array(e, table->rows, out);
+	for (size_t i = 0; status == TS_OK && i < table->rows; i++)
+		out->data[i] = table->data[i * table->columns];
+	ts_table_release(table);
+	return status;
 }
 
 static enum ts_status read_number(struct ts_expr *e, struct ts_operand *out)
@@ -129,6 +138,29 @@ static enum ts_status read_name(struct ts_expr *e, struct ts_operand *out)
 	return name ? ts_expr_name(e, name, at, out) : TS_NOMEM;
 }
 
+/* [1,2.5,v_x], the list of a variable of style vector. */
+static enum ts_status read_list(struct ts_expr *e, struct ts_operand *out)
+{
+	size_t at = e->at, n = 1, k = 0;
+	double number;
+
+	if (e->kind != TS_FORMULA_VECTOR)
+		return ts_expr_fail(e, TS_SYNTAX, at, at + 1,
+				    "a list [..] has its place in a variable of style vector and "
+				    "in sum(), ave() and the like; one number is needed here");
+	for (const char *c = e->text + at; *c && *c != ']'; c++)
+		n += *c == ',';
+	TS_TRY(ts_expr_array(e, n, out));
+	do {
+		e->at++;
+		TS_TRY(ts_expr_read_number(e, &number));
+		if (k < n)
+			out->data[k++] = number;
+	} while (ts_expr_peek(e) == ',');
+	out->n = k;
+	return ts_expr_expect(e, ']');
+}
+
 /* A number, a name, a bracket, or one of these behind - or !. */
 static enum ts_status read_operand(struct ts_expr *e, struct ts_operand *out)
 {
@@ -154,6 +186,8 @@ static enum ts_status read_operand(struct ts_expr *e, struct ts_operand *out)
 		TS_TRY(read_number(e, out));
 	} else if (e->condition && (c == '"' || c == '\'')) {
 		TS_TRY(read_quoted(e, out));
+	} else if (c == '[') {
+		TS_TRY(read_list(e, out));
 	} else if (!c) {
 		return ts_expr_fail(e, TS_SYNTAX, e->length ? e->length - 1 : 0, e->length,
 				    "expected a number or a name, found the end of the formula");
@@ -168,43 +202,48 @@ static enum ts_status read_operand(struct ts_expr *e, struct ts_operand *out)
 /* Operators of at least this level. */
 enum ts_status ts_expr_read(struct ts_expr *e, int level, struct ts_operand *out)
 {
+	const struct ts_operator *op;
 	struct ts_operand right, result;
-	enum ts_op op;
-	size_t n, at;
-	int found;
+	size_t at;
 
-	if (e->depth >= DEEPEST)
+	if (e->script->formula_depth >= DEEPEST)
 		return ts_expr_fail(e, TS_RANGE, e->at, e->at + 1,
-				    "the formula is nested too deeply");
-	e->depth++;
+				    "the formula is nested too deeply, more than %d times", DEEPEST);
+	e->script->formula_depth++;
 	TS_TRY(read_operand(e, out));
 	for (;;) {
 		ts_expr_peek(e);
-		op = ts_op_find(e->text + e->at, &found, &n);
-		if (op == TS_NOP || found < level)
+		op = ts_operator_find(e->text + e->at);
+		if (!op || op->level < level)
 			break;
 		at = e->at;
-		e->at += n;
-		TS_TRY(ts_expr_read(e, found + 1, &right));
+		e->at += strlen(op->text);
+		TS_TRY(ts_expr_read(e, op->level + 1, &right));
 		TS_TRY(ts_op_binary(e, op, at, out, &right, &result));
 		*out = result;
 	}
-	e->depth--;
+	e->script->formula_depth--;
 	return TS_OK;
 }
 
-static enum ts_status evaluate(struct ts_expr *e, struct ts_operand *out)
+enum ts_status ts_expr_read_number(struct ts_expr *e, double *out)
 {
-	TS_TRY(ts_expr_read(e, 1, out));
-	if (ts_expr_peek(e))
-		return ts_expr_fail(e, TS_SYNTAX, e->at, e->at + 1,
-				    "expected an operator or the end of the formula, found '%c'",
-				    e->text[e->at]);
-	return ts_op_need_number(e, out);
+	enum ts_formula kind = e->kind;
+	struct ts_operand value;
+	enum ts_status status;
+
+	e->kind = TS_FORMULA_SCALAR;
+	status = ts_expr_read(e, 1, &value);
+	e->kind = kind;
+	if (status == TS_OK)
+		status = ts_op_need_number(e, &value);
+	if (status == TS_OK)
+		*out = value.scalar;
+	return status;
 }
 
 static struct ts_expr start(struct ts_script *script, const char *text,
-			    const struct ts_place *place)
+			    const struct ts_place *place, enum ts_formula kind)
 {
 	static const struct ts_place nowhere;
 
@@ -212,13 +251,31 @@ static struct ts_expr start(struct ts_script *script, const char *text,
 				 .sim = script->sim,
 				 .text = text,
 				 .length = strlen(text),
-				 .place = place ? place : &nowhere };
+				 .place = place ? place : &nowhere,
+				 .kind = kind };
+}
+
+/* The whole text. The depth counts formulas within formulas too, so that a long chain of variables
+ * cannot exhaust the stack. */
+static enum ts_status evaluate(struct ts_expr *e, struct ts_operand *out)
+{
+	int depth = e->script->formula_depth;
+	enum ts_status status = ts_expr_read(e, 1, out);
+
+	e->script->formula_depth = depth;
+	if (status != TS_OK)
+		return status;
+	if (ts_expr_peek(e))
+		return ts_expr_fail(e, TS_SYNTAX, e->at, e->at + 1,
+				    "expected an operator or the end of the formula, found '%c'",
+				    e->text[e->at]);
+	return ts_op_need_number(e, out);
 }
 
 enum ts_status ts_expr_scalar(struct ts_script *script, const char *text,
 			      const struct ts_place *place, double *out)
 {
-	struct ts_expr e = start(script, text, place);
+	struct ts_expr e = start(script, text, place, TS_FORMULA_SCALAR);
 	struct ts_operand value;
 	enum ts_status status = evaluate(&e, &value);
 
@@ -231,7 +288,7 @@ enum ts_status ts_expr_scalar(struct ts_script *script, const char *text,
 enum ts_status ts_expr_condition(struct ts_script *script, const char *text,
 				 const struct ts_place *place, bool *out)
 {
-	struct ts_expr e = start(script, text, place);
+	struct ts_expr e = start(script, text, place, TS_FORMULA_SCALAR);
 	struct ts_operand value;
 	enum ts_status status;
 
@@ -243,24 +300,44 @@ enum ts_status ts_expr_condition(struct ts_script *script, const char *text,
 	return status;
 }
 
+/* Stores n copies of a number, or as many numbers as there are. */
+static enum ts_status store(struct ts_expr *e, const struct ts_operand *value, size_t n,
+			    struct ts_table *out)
+{
+	if (ts_table_resize(out, n, 1) != TS_OK)
+		return ts_nomem(&e->sim->error);
+	for (size_t i = 0; i < n; i++)
+		out->data[i] = value->data ? value->data[i] : value->scalar;
+	return TS_OK;
+}
+
 enum ts_status ts_expr_peratom(struct ts_script *script, const char *text,
 			       const struct ts_place *place, struct ts_table *out)
 {
-	struct ts_expr e = start(script, text, place);
+	struct ts_expr e = start(script, text, place, TS_FORMULA_PERATOM);
+	struct ts_table id = { 0 };
 	struct ts_operand value;
-	enum ts_status status = ts_quantity_eval(e.sim, "id", out);
+	enum ts_status status = ts_quantity_eval(e.sim, "id", &id);
 
-	if (status != TS_OK)
-		return ts_expr_blame(&e, status, 0, e.length);
-	e.peratom = true;
-	e.rows = out->rows;
-	status = evaluate(&e, &value);
+	e.rows = id.rows;
+	e.id = id.data;
+	status = status == TS_OK ? evaluate(&e, &value) : ts_expr_blame(&e, status, 0, e.length);
 	if (status == TS_OK)
-		status = ts_table_resize(out, e.rows, 1);
-	if (status == TS_NOMEM)
-		ts_nomem(&e.sim->error);
-	for (size_t i = 0; status == TS_OK && i < e.rows; i++)
-		out->data[i] = value.data ? value.data[i] : value.scalar;
+		status = store(&e, &value, e.rows, out);
+	ts_arena_release(&e.arena);
+	ts_table_release(&id);
+	return status;
+}
+
+enum ts_status ts_expr_vector(struct ts_script *script, const char *text,
+			      const struct ts_place *place, struct ts_table *out)
+{
+	struct ts_expr e = start(script, text, place, TS_FORMULA_VECTOR);
+	struct ts_operand value;
+	enum ts_status status = evaluate(&e, &value);
+
+	if (status == TS_OK)
+		status = store(&e, &value, value.data ? value.n : 1, out);
 	ts_arena_release(&e.arena);
 	return status;
 }

@@ -1,7 +1,7 @@
 /* Formulas, evaluated while they are read: no tree is kept. A value is one number, or one per local
- * particle, or (in conditions) a word.
+ * particle, or a list of numbers, or (in conditions) a word.
  *
- * Precedence from low to high, all left-associative as in LIGGGHTS:
+ * Precedence from low to high, all left-associative as in LIGGGHTS (ts_operators in expr_operand.c):
  *   ||   &&   == !=   < <= > >=   + -   * / %   ^   then unary - and !
  * so -2^2 is 4 and 2^3^2 is 64. */
 #ifndef TS_SCRIPT_EXPR_H
@@ -11,11 +11,15 @@
 
 struct ts_operand {
 	double scalar;
-	double *data;	  /* not NULL: one value per particle, owned by the arena */
+	double *data;	  /* not NULL: n values, owned by the arena */
+	size_t n;
 	const char *word; /* as written, if it is a bare name or a quoted word */
 	bool is_word;	  /* has no number */
 	size_t at, end;	  /* where it stands in the text */
 };
+
+/* What names stand for: numbers; numbers and columns of particles; numbers and lists. */
+enum ts_formula { TS_FORMULA_SCALAR, TS_FORMULA_PERATOM, TS_FORMULA_VECTOR };
 
 struct ts_expr {
 	struct ts_script *script;
@@ -24,9 +28,10 @@ struct ts_expr {
 	const char *text;
 	size_t length, at;
 	const struct ts_place *place;
-	bool peratom, condition;
-	size_t rows; /* local particles, for peratom */
-	int depth;
+	enum ts_formula kind;
+	bool condition;	  /* bare names are words */
+	size_t rows;	  /* local particles, for formulas of particles */
+	const double *id; /* their identities */
 };
 
 /* expr.c */
@@ -35,58 +40,78 @@ enum ts_status ts_expr_fail(struct ts_expr *e, enum ts_status code, size_t at, s
 /* An error of a callee that knew no place gets this one. */
 enum ts_status ts_expr_blame(struct ts_expr *e, enum ts_status status, size_t at, size_t end);
 enum ts_status ts_expr_read(struct ts_expr *e, int level, struct ts_operand *out);
+/* The same, and it must be one number. */
+enum ts_status ts_expr_read_number(struct ts_expr *e, double *out);
 char ts_expr_peek(struct ts_expr *e); /* the next character that is no blank */
 enum ts_status ts_expr_expect(struct ts_expr *e, char wanted);
 const char *ts_expr_copy(struct ts_expr *e, size_t at, size_t end); /* NULL: out of memory */
-double *ts_expr_array(struct ts_expr *e);			    /* rows numbers, or NULL */
+/* Makes the operand a list of n numbers. */
+enum ts_status ts_expr_array(struct ts_expr *e, size_t n, struct ts_operand *out);
+/* Makes the operand a copy of the first column, unless status says that the table failed; releases the
+ * table. */
+enum ts_status ts_expr_take(struct ts_expr *e, enum ts_status status, struct ts_table *table,
+			    struct ts_operand *out);
 
 /* expr_operand.c */
-enum ts_op {
-	TS_OP_OR,
-	TS_OP_XOR,
-	TS_OP_AND,
-	TS_OP_EQ,
-	TS_OP_NE,
-	TS_OP_LE,
-	TS_OP_LT,
-	TS_OP_GE,
-	TS_OP_GT,
-	TS_OP_ADD,
-	TS_OP_SUB,
-	TS_OP_MUL,
-	TS_OP_DIV,
-	TS_OP_MOD,
-	TS_OP_POW,
-	TS_NOP
+struct ts_operator {
+	const char *text;
+	int level; /* 1 to 7: how tight it binds */
+	double (*apply)(double a, double b);
+	const char *help;
+	bool divides; /* the right number must not be 0 */
+	bool compares_words;
 };
-/* The operator at the text, or TS_NOP; its level, 1 to 7, and length. */
-enum ts_op ts_op_find(const char *text, int *level, size_t *length);
-enum ts_status ts_op_binary(struct ts_expr *e, enum ts_op op, size_t at, const struct ts_operand *a,
-			    const struct ts_operand *b, struct ts_operand *out);
+extern const struct ts_operator ts_operators[]; /* closed by .text NULL */
+const struct ts_operator *ts_operator_find(const char *text); /* the one the text begins with, or NULL */
+enum ts_status ts_op_binary(struct ts_expr *e, const struct ts_operator *op, size_t at,
+			    const struct ts_operand *a, const struct ts_operand *b,
+			    struct ts_operand *out);
 enum ts_status ts_op_unary(struct ts_expr *e, char op, struct ts_operand *a);
 /* Refuses words where numbers are needed. */
 enum ts_status ts_op_need_number(struct ts_expr *e, const struct ts_operand *a);
 
 /* expr_name.c: the name at `at`..`e->at`, which may be followed by [..] or (..). */
 enum ts_status ts_expr_name(struct ts_expr *e, const char *name, size_t at, struct ts_operand *out);
-
-/* expr_function.c, expr_series.c: what follows the bracket of a call. */
-struct ts_math_function {
-	const char *name, *arguments;
-	size_t n;
-	double (*pure)(double);
-	enum ts_status (*eval)(struct ts_expr *e, const double *arg, double *out);
+struct ts_constant {
+	const char *name;
+	double value;
+	const char *help;
 };
-const struct ts_math_function *ts_math_function_find(const char *name);
-void ts_math_function_suggest(struct ts_suggest *suggest);
-enum ts_status ts_math_function_call(struct ts_expr *e, const struct ts_math_function *function,
-				     size_t at, struct ts_operand *out);
-struct ts_series_function;
-const struct ts_series_function *ts_series_function_find(const char *name);
-void ts_series_function_suggest(struct ts_suggest *suggest);
-enum ts_status ts_series_function_call(struct ts_expr *e, const struct ts_series_function *function,
-				       size_t at, struct ts_operand *out);
-enum ts_status ts_group_function_call(struct ts_expr *e, const struct ts_function *function,
-				      size_t at, struct ts_operand *out);
+extern const struct ts_constant ts_constants[]; /* closed by .name NULL */
+
+/* expr_argument.c: what stands in the brackets of a call; e->at goes from the opening one to behind the
+ * closing one. Formulas, or words such as names of groups. */
+enum ts_status ts_expr_arguments(struct ts_expr *e, struct ts_operand *arg, size_t most, size_t *n);
+enum ts_status ts_expr_words(struct ts_expr *e, size_t at, struct ts_word *word, size_t most,
+			     size_t *n);
+enum ts_status ts_expr_count(struct ts_expr *e, size_t at, const char *name, const char *arguments,
+			     size_t least, size_t most, size_t found);
+enum { TS_MOST_ARGUMENTS = 8 };
+
+/* A function of formulas. The tables below have one per row, closed by .name NULL; each row has one of
+ * the six functions. */
+struct ts_expr_function {
+	const char *name, *arguments, *help;
+	size_t least, most;	   /* how many arguments it takes */
+	double (*pure)(double);	   /* of one number */
+	enum ts_status (*eval)(struct ts_expr *e, const double *arg, double *out);
+	/* random; the last argument is the seed */
+	enum ts_status (*draw)(struct ts_expr *e, const double *arg, struct ts_rng *rng, double *out);
+	enum ts_status (*series)(const double *x, size_t n, double *out); /* of at least `length` */
+	size_t length;
+	void (*map)(double *x, size_t n); /* turns a list into another */
+	/* of names */
+	enum ts_status (*words)(struct ts_expr *e, struct ts_words words, struct ts_operand *out);
+};
+extern const struct ts_expr_function ts_math_functions[], ts_step_functions[], ts_series_functions[],
+	ts_special_functions[];
+/* All tables of functions, closed by NULL. */
+extern const struct ts_expr_function *const ts_expr_functions[];
+const struct ts_expr_function *ts_expr_function_find(const char *name);
+/* e->at stands at the opening bracket. */
+enum ts_status ts_expr_call(struct ts_expr *e, const struct ts_expr_function *f, size_t at,
+			    struct ts_operand *out);
+enum ts_status ts_group_function_call(struct ts_expr *e, const struct ts_function *f, size_t at,
+				      struct ts_operand *out);
 
 #endif

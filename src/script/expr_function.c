@@ -1,3 +1,4 @@
+/* Calls of functions. */
 #include <math.h>
 #include <string.h>
 
@@ -5,244 +6,187 @@
 
 #include "base/banned.h"
 
-static const double two_pi = 2 * 3.14159265358979323846;
-
-static enum ts_status eval_atan2(struct ts_expr *e, const double *arg, double *out)
-{
-	(void)e;
-	*out = atan2(arg[0], arg[1]);
-	return TS_OK;
-}
-
-/* Random numbers come from one stream per seed, which lives as long as the script. */
-static enum ts_status stream_of(struct ts_expr *e, double seed, struct ts_rng **out)
-{
-	struct ts_script *s = e->script;
-	size_t k = 0;
-
-	if (!(seed >= 1 && seed < 9e15) || floor(seed) < seed)
-		return ts_fail(&e->sim->error, TS_RANGE, NULL,
-			       "the seed must be a positive whole number, found %.15g", seed);
-	while (k < s->nstreams && s->stream[k].seed != (int64_t)seed)
-		k++;
-	if (k == s->nstreams) {
-		if (TS_GROW(s->stream, s->stream_capacity, k + 1) != TS_OK)
-			return ts_nomem(&e->sim->error);
-		s->stream[k].seed = (int64_t)seed;
-		s->stream[k].rng = ts_rng_start((uint64_t)seed, 0);
-		s->nstreams++;
-	}
-	*out = &s->stream[k].rng;
-	return TS_OK;
-}
-
-static enum ts_status eval_random(struct ts_expr *e, const double *arg, double *out)
-{
-	struct ts_rng *rng = NULL;
-
-	TS_TRY(stream_of(e, arg[2], &rng));
-	*out = arg[0] + ts_rng_uniform(rng) * (arg[1] - arg[0]);
-	return TS_OK;
-}
-
-static enum ts_status eval_normal(struct ts_expr *e, const double *arg, double *out)
-{
-	struct ts_rng *rng = NULL;
-
-	if (arg[1] < 0)
-		return ts_fail(&e->sim->error, TS_RANGE, NULL,
-			       "the standard deviation must not be negative, found %.6g", arg[1]);
-	TS_TRY(stream_of(e, arg[2], &rng));
-	*out = arg[0] + arg[1] * ts_rng_normal(rng);
-	return TS_OK;
-}
-
-/* Time since the start of the run. */
-static double elapsed(const struct ts_expr *e)
-{
-	return (double)(e->sim->clock.step - e->sim->clock.first_step) * e->sim->clock.dt;
-}
-
-static enum ts_status eval_ramp(struct ts_expr *e, const double *arg, double *out)
-{
-	double steps = (double)(e->sim->clock.last_step - e->sim->clock.first_step);
-	double done = (double)(e->sim->clock.step - e->sim->clock.first_step);
-
-	if (!e->sim->running)
-		return ts_fail(&e->sim->error, TS_STATE, NULL, "ramp() has a value only in a run");
-	*out = arg[0] + (arg[1] - arg[0]) * (steps > 0 ? done / steps : 0);
-	return TS_OK;
-}
-
-static enum ts_status eval_vdisplace(struct ts_expr *e, const double *arg, double *out)
-{
-	*out = arg[0] + arg[1] * elapsed(e);
-	return TS_OK;
-}
-
-static enum ts_status periodic(struct ts_expr *e, const double *arg, double *phase)
-{
-	if (!(arg[2] > 0))
-		return ts_fail(&e->sim->error, TS_RANGE, NULL,
-			       "the period must be positive, found %.6g", arg[2]);
-	*phase = two_pi * elapsed(e) / arg[2];
-	return TS_OK;
-}
-
-static enum ts_status eval_swiggle(struct ts_expr *e, const double *arg, double *out)
-{
-	double phase = 0;
-
-	TS_TRY(periodic(e, arg, &phase));
-	*out = arg[0] + arg[1] * sin(phase);
-	return TS_OK;
-}
-
-static enum ts_status eval_cwiggle(struct ts_expr *e, const double *arg, double *out)
-{
-	double phase = 0;
-
-	TS_TRY(periodic(e, arg, &phase));
-	*out = arg[0] + arg[1] * (1 - cos(phase));
-	return TS_OK;
-}
-
-/* The next after the present step of y, x, x+y, 2x, 2x+y ... */
-static enum ts_status eval_stagger(struct ts_expr *e, const double *arg, double *out)
-{
-	double step = (double)e->sim->clock.step, start;
-
-	if (!(arg[0] > arg[1] && arg[1] > 0))
-		return ts_fail(&e->sim->error, TS_RANGE, NULL,
-			       "stagger(x,y) needs x > y > 0, found %.6g and %.6g", arg[0], arg[1]);
-	start = floor(step / arg[0]) * arg[0];
-	*out = step < start + arg[1] ? start + arg[1] : start + arg[0];
-	return TS_OK;
-}
-
-/* x, 2x .. yx, then z times as much: the next of these after the present step. */
-static enum ts_status eval_logfreq(struct ts_expr *e, const double *arg, double *out)
-{
-	double step = (double)e->sim->clock.step, decade = arg[0], multiple;
-
-	if (!(arg[0] > 0 && arg[1] > 0 && arg[1] < arg[2]))
-		return ts_fail(&e->sim->error, TS_RANGE, NULL,
-			       "logfreq(x,y,z) needs x > 0 and 0 < y < z, found %.6g, %.6g, %.6g",
-			       arg[0], arg[1], arg[2]);
-	while (step >= decade * arg[2])
-		decade *= arg[2];
-	multiple = floor(step / decade);
-	*out = multiple < arg[1] ? (multiple + 1) * decade : decade * arg[2];
-	return TS_OK;
-}
-
-static const struct ts_math_function functions[] = {
-	{ "sqrt", "x", 1, sqrt, NULL },
-	{ "exp", "x", 1, exp, NULL },
-	{ "ln", "x", 1, log, NULL },
-	{ "log", "x", 1, log10, NULL },
-	{ "abs", "x", 1, fabs, NULL },
-	{ "sin", "x", 1, sin, NULL },
-	{ "cos", "x", 1, cos, NULL },
-	{ "tan", "x", 1, tan, NULL },
-	{ "asin", "x", 1, asin, NULL },
-	{ "acos", "x", 1, acos, NULL },
-	{ "atan", "x", 1, atan, NULL },
-	{ "ceil", "x", 1, ceil, NULL },
-	{ "floor", "x", 1, floor, NULL },
-	{ "round", "x", 1, round, NULL },
-	{ "atan2", "y,x", 2, NULL, eval_atan2 },
-	{ "random", "lo,hi,seed", 3, NULL, eval_random },
-	{ "normal", "mean,sigma,seed", 3, NULL, eval_normal },
-	{ "ramp", "first,last", 2, NULL, eval_ramp },
-	{ "vdisplace", "value,velocity", 2, NULL, eval_vdisplace },
-	{ "swiggle", "value,amplitude,period", 3, NULL, eval_swiggle },
-	{ "cwiggle", "value,amplitude,period", 3, NULL, eval_cwiggle },
-	{ "stagger", "x,y", 2, NULL, eval_stagger },
-	{ "logfreq", "x,y,z", 3, NULL, eval_logfreq },
+const struct ts_expr_function *const ts_expr_functions[] = {
+	ts_math_functions, ts_step_functions, ts_series_functions, ts_special_functions, NULL
 };
-enum { NFUNCTIONS = sizeof functions / sizeof *functions, MOST = 3 };
 
-const struct ts_math_function *ts_math_function_find(const char *name)
+const struct ts_expr_function *ts_expr_function_find(const char *name)
 {
-	for (size_t k = 0; k < NFUNCTIONS; k++)
-		if (ts_streq(functions[k].name, name))
-			return &functions[k];
+	for (const struct ts_expr_function *const *table = ts_expr_functions; *table; table++)
+		for (const struct ts_expr_function *f = *table; f->name; f++)
+			if (ts_streq(f->name, name))
+				return f;
 	return NULL;
 }
 
-void ts_math_function_suggest(struct ts_suggest *suggest)
+static enum ts_status check_value(struct ts_expr *e, const struct ts_expr_function *f, size_t at,
+				  double x, double value)
 {
-	for (size_t k = 0; k < NFUNCTIONS; k++)
-		ts_suggest_try(suggest, functions[k].name);
+	if (isfinite(value))
+		return TS_OK;
+	return ts_expr_fail(e, TS_RANGE, at, e->at, "%s is %s, for %s = %.6g", f->name,
+			    isnan(value) ? "not a real number" : "infinite", f->arguments, x);
 }
 
-static enum ts_status evaluate(struct ts_expr *e, const struct ts_math_function *f, size_t at,
+static enum ts_status evaluate(struct ts_expr *e, const struct ts_expr_function *f, size_t at,
 			       const double *arg, double *out)
 {
 	if (f->pure)
 		*out = f->pure(arg[0]);
 	else
 		TS_TRY(ts_expr_blame(e, f->eval(e, arg, out), at, e->at));
-	if (isfinite(*out))
-		return TS_OK;
-	return ts_expr_fail(e, TS_RANGE, at, e->at, "%s is %s, for %s = %.6g", f->name,
-			    isnan(*out) ? "not a real number" : "infinite", f->arguments, arg[0]);
+	return check_value(e, f, at, arg[0], *out);
 }
 
-static enum ts_status wrong_count(struct ts_expr *e, const struct ts_math_function *f, size_t at,
-				  size_t n)
+/* One number by scalar arguments, else one for each element of the lists among them. */
+static enum ts_status of_numbers(struct ts_expr *e, const struct ts_expr_function *f, size_t at,
+				 const struct ts_operand *arg, struct ts_operand *out)
 {
-	return ts_expr_fail(e, TS_SYNTAX, at, e->at + (e->text[e->at] != '\0'),
-			    "%s(%s) takes %zu argument%s, found %s%zu", f->name, f->arguments, f->n,
-			    f->n == 1 ? "" : "s", n > f->n ? "at least " : "", n);
-}
+	double number[TS_MOST_ARGUMENTS] = { 0 };
+	const struct ts_operand *list = NULL;
 
-/* Between the brackets; e->at ends behind the closing one. */
-static enum ts_status read_arguments(struct ts_expr *e, const struct ts_math_function *f, size_t at,
-				     struct ts_operand *arg)
-{
-	size_t n = 0;
-
-	e->at++;
-	if (ts_expr_peek(e) == ')')
-		return wrong_count(e, f, at, 0);
-	for (;;) {
-		TS_TRY(ts_expr_read(e, 1, &arg[n]));
-		TS_TRY(ts_op_need_number(e, &arg[n++]));
-		if (ts_expr_peek(e) != ',')
-			break;
-		if (n == f->n)
-			return wrong_count(e, f, at, n + 1);
-		e->at++;
-	}
-	if (n != f->n)
-		return wrong_count(e, f, at, n);
-	return ts_expr_expect(e, ')');
-}
-
-enum ts_status ts_math_function_call(struct ts_expr *e, const struct ts_math_function *f, size_t at,
-				     struct ts_operand *out)
-{
-	bool drawn = f->eval == eval_random || f->eval == eval_normal;
-	bool many = e->peratom && drawn; /* each particle draws its own */
-	struct ts_operand arg[MOST] = { 0 };
-	double number[MOST] = { 0 };
-
-	TS_TRY(read_arguments(e, f, at, arg));
-	for (size_t k = 0; k < f->n; k++) {
+	for (size_t k = 0; k < f->most; k++) {
 		number[k] = arg[k].scalar;
-		many |= arg[k].data != NULL;
+		if (arg[k].data && list && list->n != arg[k].n)
+			return ts_expr_fail(e, TS_RANGE, at, e->at,
+					    "lists of %zu and %zu numbers cannot be combined",
+					    list->n, arg[k].n);
+		if (arg[k].data)
+			list = &arg[k];
 	}
-	if (!many)
+	if (!list)
 		return evaluate(e, f, at, number, &out->scalar);
-	out->data = ts_expr_array(e);
-	if (!out->data)
-		return TS_NOMEM;
-	for (size_t i = 0; i < e->rows; i++) {
-		for (size_t k = 0; k < f->n; k++)
+	TS_TRY(ts_expr_array(e, list->n, out));
+	for (size_t i = 0; i < out->n; i++) {
+		for (size_t k = 0; k < f->most; k++)
 			number[k] = arg[k].data ? arg[k].data[i] : arg[k].scalar;
 		TS_TRY(evaluate(e, f, at, number, &out->data[i]));
 	}
 	return TS_OK;
+}
+
+/* Random numbers come from one stream per seed. In formulas of particles each draws from a stream of its
+ * own, so that the numbers do not depend on the order of particles. */
+static enum ts_status drawn(struct ts_expr *e, const struct ts_expr_function *f, size_t at,
+			    const struct ts_operand *arg, struct ts_operand *out)
+{
+	bool each = e->kind == TS_FORMULA_PERATOM;
+	double number[TS_MOST_ARGUMENTS] = { 0 };
+	struct ts_stream *stream;
+	size_t n = 1;
+	double *to = &out->scalar;
+
+	for (size_t k = 0; k < f->most; k++)
+		if (arg[k].data && (k + 1 == f->most || !each))
+			return ts_expr_fail(e, TS_SYNTAX, arg[k].at, arg[k].end,
+					    "one number is needed here, found a list");
+	TS_TRY(ts_expr_blame(e, ts_script_stream_of(e->script, arg[f->most - 1].scalar, &stream), at,
+			     e->at));
+	if (each) {
+		TS_TRY(ts_expr_array(e, e->rows, out));
+		n = e->rows;
+		to = out->data;
+	}
+	for (size_t i = 0; i < n; i++) {
+		struct ts_rng rng = { (uint64_t)stream->seed, each ? (uint64_t)e->id[i] : 0,
+				      (uint64_t)(each ? stream->rounds : stream->draws) };
+
+		for (size_t k = 0; k < f->most; k++)
+			number[k] = arg[k].data ? arg[k].data[i] : arg[k].scalar;
+		TS_TRY(ts_expr_blame(e, f->draw(e, number, &rng, &to[i]), at, e->at));
+		TS_TRY(check_value(e, f, at, number[0], to[i]));
+	}
+	*(each ? &stream->rounds : &stream->draws) += 1;
+	return TS_OK;
+}
+
+static enum ts_status of_list(struct ts_expr *e, const struct ts_expr_function *f, size_t at,
+			      struct ts_operand *arg, struct ts_operand *out)
+{
+	size_t n = arg->n;
+	enum ts_status status;
+
+	if (!arg->data)
+		return ts_expr_fail(e, TS_SYNTAX, arg->at, arg->end,
+				    "expected a list: the vector of a compute or fix, a variable "
+				    "of style vector, or [1,2.5,3]");
+	if (f->map) {
+		f->map(arg->data, n);
+		*out = *arg;
+		return TS_OK;
+	}
+	if (n < f->length && e->sim->explain) {
+		out->scalar = 0; /* nothing has been run that could fill the list */
+		return TS_OK;
+	}
+	if (n < f->length)
+		return ts_expr_fail(e, TS_RANGE, at, e->at,
+				    "%s needs at least %zu numbers, this list has %zu", f->name,
+				    f->length, n);
+	status = f->series(arg->data, n, &out->scalar);
+	if (status == TS_RANGE || (status == TS_OK && !isfinite(out->scalar)))
+		return ts_expr_fail(e, TS_RANGE, at, e->at, "%s of this list has no finite value",
+				    f->name);
+	return status == TS_NOMEM ? ts_nomem(&e->sim->error) : status;
+}
+
+static enum ts_status of_words(struct ts_expr *e, const struct ts_expr_function *f, size_t at,
+			       struct ts_operand *out)
+{
+	struct ts_word word[TS_MOST_ARGUMENTS] = { 0 };
+	size_t n;
+
+	TS_TRY(ts_expr_words(e, at, word, TS_MOST_ARGUMENTS, &n));
+	TS_TRY(ts_expr_count(e, at, f->name, f->arguments, f->least, f->most, n));
+	return ts_expr_blame(e, f->words(e, (struct ts_words){ word, n }, out), at, e->at);
+}
+
+enum ts_status ts_expr_call(struct ts_expr *e, const struct ts_expr_function *f, size_t at,
+			    struct ts_operand *out)
+{
+	struct ts_operand arg[TS_MOST_ARGUMENTS] = { 0 };
+	bool list = f->series || f->map;
+	enum ts_formula kind = e->kind;
+	enum ts_status status;
+	size_t n;
+
+	if (f->words)
+		return of_words(e, f, at, out);
+	if (list)
+		e->kind = TS_FORMULA_VECTOR;
+	status = ts_expr_arguments(e, arg, f->most, &n);
+	e->kind = kind;
+	if (status != TS_OK)
+		return status;
+	TS_TRY(ts_expr_count(e, at, f->name, f->arguments, f->least, f->most, n));
+	if (f->map && kind != TS_FORMULA_VECTOR)
+		return ts_expr_fail(e, TS_SYNTAX, at, e->at,
+				    "%s gives a list; one number is needed here", f->name);
+	if (list)
+		return of_list(e, f, at, arg, out);
+	return f->draw ? drawn(e, f, at, arg, out) : of_numbers(e, f, at, arg, out);
+}
+
+enum ts_status ts_group_function_call(struct ts_expr *e, const struct ts_function *f, size_t at,
+				      struct ts_operand *out)
+{
+	struct ts_word word[TS_MOST_ARGUMENTS] = { 0 };
+	struct ts_words words = { word, 0 };
+	struct ts_table table = { 0 };
+
+	TS_TRY(ts_expr_words(e, at, word, TS_MOST_ARGUMENTS, &words.n));
+	TS_TRY(ts_expr_count(e, at, f->name, f->arguments, f->least, f->most, words.n));
+	if (f->peratom && e->kind == TS_FORMULA_PERATOM)
+		return ts_expr_blame(
+			e, ts_expr_take(e, f->peratom(e->sim, words, &table), &table, out), at,
+			e->at);
+	if (!f->eval)
+		return ts_expr_fail(e, TS_STATE, at, e->at,
+				    "%s has a value for each particle; it has its place in a "
+				    "variable of style atom",
+				    f->name);
+	TS_TRY(ts_expr_blame(e, f->eval(e->sim, words, &out->scalar), at, e->at));
+	if (isfinite(out->scalar))
+		return TS_OK;
+	return ts_expr_fail(e, TS_RANGE, at, e->at, "%s has no finite value", f->name);
 }

@@ -1,76 +1,199 @@
+/* What a name in a formula stands for. */
+#include <inttypes.h>
+#include <math.h>
 #include <string.h>
 
 #include "script/expr.h"
 
 #include "base/banned.h"
 
-static const double pi = 3.14159265358979323846;
+const struct ts_constant ts_constants[] = {
+	{ "PI", 3.14159265358979323846, "ratio of a circle's circumference to its diameter" },
+	{ "yes", 1, "1" },
+	{ "no", 0, "0" },
+	{ "true", 1, "1" },
+	{ "false", 0, "0" },
+	{ "on", 1, "1" },
+	{ "off", 0, "0" },
+	{ .name = NULL },
+};
+
+static const struct ts_constant *constant_find(const char *name)
+{
+	for (const struct ts_constant *c = ts_constants; c->name; c++)
+		if (ts_streq(c->name, name))
+			return c;
+	return NULL;
+}
+
+/* The number between [ and ], at least `least`. */
+static enum ts_status read_index(struct ts_expr *e, double least, int64_t *out)
+{
+	size_t at = e->at++;
+	double k = 0;
+
+	TS_TRY(ts_expr_read_number(e, &k));
+	if (ts_expr_peek(e) != ']')
+		return ts_expr_fail(e, TS_SYNTAX, at, at + 1, "'[' is never closed");
+	e->at++;
+	if (!(k >= least && k < 9e15) || floor(k) < k)
+		return ts_expr_fail(e, TS_RANGE, at, e->at,
+				    "expected a whole number from %.0f on between [ and ], found "
+				    "%.15g",
+				    least, k);
+	*out = (int64_t)k;
+	return TS_OK;
+}
+
+/* The row of the particle with that identity. */
+static enum ts_status find_particle(struct ts_expr *e, int64_t identity, size_t at, size_t *row)
+{
+	struct ts_table id = { 0 };
+	enum ts_status status = ts_quantity_eval(e->sim, "id", &id);
+
+	*row = 0;
+	while (status == TS_OK && *row < id.rows && (int64_t)id.data[*row] != identity)
+		++*row;
+	if (status == TS_OK && *row == id.rows)
+		status = ts_expr_fail(e, TS_RANGE, at, e->at, "there is no particle with id %" PRId64,
+				      identity);
+	ts_table_release(&id);
+	return ts_expr_blame(e, status, at, e->at);
+}
+
+/* v_NAME[k]: of a list its k-th number, else the value of the particle with identity k. */
+static enum ts_status element(struct ts_expr *e, struct ts_variable *variable,
+			      const struct ts_place *place, size_t at, struct ts_operand *out)
+{
+	struct ts_table table = { 0 };
+	enum ts_status status;
+	size_t row = 0;
+	int64_t k = 0;
+
+	TS_TRY(read_index(e, 1, &k));
+	if (variable->style->vector) {
+		status = ts_variable_vector(e->script, variable, place, &table);
+		row = (size_t)k - 1;
+		if (status == TS_OK && row >= table.rows)
+			status = ts_expr_fail(e, TS_RANGE, at, e->at,
+					      "element [%" PRId64 "] asked for, variable '%s' has "
+					      "%zu",
+					      k, variable->name, table.rows);
+	} else if (variable->style->peratom && !variable->style->number) {
+		TS_TRY(find_particle(e, k, at, &row));
+		status = ts_variable_peratom(e->script, variable, place, &table);
+	} else {
+		status = ts_expr_fail(e, TS_SYNTAX, at, e->at,
+				      "variable '%s' (style %s) has one value; '[' has its place "
+				      "behind a variable of style vector or atom",
+				      variable->name, variable->style->name);
+	}
+	if (status == TS_OK)
+		out->scalar = table.data[row];
+	ts_table_release(&table);
+	return status;
+}
 
 static enum ts_status variable(struct ts_expr *e, const char *name, size_t at,
 			       struct ts_operand *out)
 {
 	struct ts_place place = ts_place_inside(e->place, e->length, at, e->at - at);
-	struct ts_variable *found;
 	struct ts_table table = { 0 };
-	enum ts_status status;
+	struct ts_variable *found;
 
 	TS_TRY(ts_variable_require(e->script, name + 2, &place, &found));
-	if (!e->peratom || found->style != TS_VAR_ATOM)
-		return ts_variable_number(e->script, found, &place, &out->scalar);
-	status = ts_variable_peratom(e->script, found, &place, &table);
-	if (status == TS_OK) {
-		out->data = ts_expr_array(e);
-		status = out->data ? TS_OK : TS_NOMEM;
-	}
-	if (status == TS_OK && e->rows)
-		memcpy(out->data, table.data, e->rows * sizeof *out->data);
+	if (e->text[e->at] == '[')
+		return element(e, found, &place, at, out);
+	if (e->kind == TS_FORMULA_PERATOM && found->style->peratom && !found->style->number)
+		return ts_expr_take(e, ts_variable_peratom(e->script, found, &place, &table),
+				    &table, out);
+	if (e->kind == TS_FORMULA_VECTOR && found->style->vector)
+		return ts_expr_take(e, ts_variable_vector(e->script, found, &place, &table), &table,
+				    out);
+	return ts_variable_number(e->script, found, &place, &out->scalar);
+}
+
+/* c_ID[k] of a style that has no such element but values of particles: of the one with identity k. */
+static enum ts_status of_identity(struct ts_expr *e, const char *name, int64_t identity,
+				  int64_t column, size_t at, struct ts_operand *out)
+{
+	struct ts_place place = ts_place_inside(e->place, e->length, at, e->at - at);
+	struct ts_table table = { 0 };
+	struct ts_str whole = { 0 };
+	enum ts_status status;
+	struct ts_ref ref;
+	size_t row = 0;
+
+	ts_str_add(&whole, name);
+	if (column)
+		ts_str_addf(&whole, "[%" PRId64 "]", column);
+	status = whole.failed ? ts_nomem(&e->sim->error)
+			      : ts_ref_resolve(e->sim, whole.text, &place, &ref);
+	if (status == TS_OK)
+		status = find_particle(e, identity, at, &row);
+	if (status == TS_OK)
+		status = ts_ref_peratom(e->sim, &ref, &place, &table);
+	if (status == TS_OK)
+		out->scalar = table.data[row * table.columns];
 	ts_table_release(&table);
+	ts_str_release(&whole);
 	return status;
 }
 
-/* Takes the [..] or [..][..] behind the name into account. */
-static enum ts_status read_index(struct ts_expr *e)
+/* The values a reference has for this kind of formula. */
+static enum ts_status of_reference(struct ts_expr *e, const struct ts_ref *ref,
+				   const struct ts_place *place, struct ts_operand *out)
 {
-	const char *close;
+	unsigned shapes = ts_ref_shapes(e->sim, ref);
+	struct ts_table table = { 0 };
 
-	while (e->text[e->at] == '[') {
-		close = strchr(e->text + e->at, ']');
-		if (!close)
-			return ts_expr_fail(e, TS_SYNTAX, e->at, e->at + 1,
-					    "'[' is never closed");
-		e->at = (size_t)(close - e->text) + 1;
+	if (e->kind == TS_FORMULA_PERATOM && shapes & (1u << TS_PERATOM) &&
+	    !(shapes & (1u << TS_SCALAR)))
+		return ts_expr_take(e, ts_ref_peratom(e->sim, ref, place, &table), &table, out);
+	if (e->kind == TS_FORMULA_VECTOR && shapes & (1u << TS_VECTOR)) {
+		enum ts_status status = ts_ref_vector(e->sim, ref, place, &table);
+
+		table.rows *= table.columns;
+		table.columns = 1;
+		return ts_expr_take(e, status, &table, out);
 	}
-	return TS_OK;
+	if (e->kind == TS_FORMULA_VECTOR && shapes & (1u << TS_LOCAL))
+		return ts_expr_take(e, ts_ref_local(e->sim, ref, place, &table), &table, out);
+	if (e->kind == TS_FORMULA_VECTOR && shapes & (1u << TS_PERATOM))
+		return ts_expr_take(e, ts_ref_peratom(e->sim, ref, place, &table), &table, out);
+	return ts_ref_scalar(e->sim, ref, place, &out->scalar);
 }
 
-/* c_ID, c_ID[k], f_ID, f_ID[k] */
-static enum ts_status output(struct ts_expr *e, size_t at, struct ts_operand *out)
+/* c_ID, c_ID[k], c_ID[k][j], and the same of fixes */
+static enum ts_status output(struct ts_expr *e, const char *name, size_t at, struct ts_operand *out)
 {
-	struct ts_table table = { 0 };
+	struct ts_str whole = { 0 };
+	int64_t k[2] = { -1, 0 };
+	enum ts_status status;
 	struct ts_place place;
 	struct ts_ref ref;
-	enum ts_status status;
-	const char *name;
-	unsigned shapes;
+	unsigned shapes = 0;
 
-	TS_TRY(read_index(e));
-	place = ts_place_inside(e->place, e->length, at, e->at - at);
-	name = ts_expr_copy(e, at, e->at);
-	if (!name)
-		return TS_NOMEM;
-	TS_TRY(ts_expr_blame(e, ts_ref_resolve(e->sim, name, &place, &ref), at, e->at));
-	shapes = ts_ref_shapes(e->sim, &ref);
-	if (!e->peratom || shapes & (1u << TS_SCALAR) || !(shapes & (1u << TS_PERATOM)))
-		return ts_expr_blame(e, ts_ref_scalar(e->sim, &ref, &place, &out->scalar), at,
-				     e->at);
-	status = ts_ref_peratom(e->sim, &ref, &place, &table);
-	if (status == TS_OK) {
-		out->data = ts_expr_array(e);
-		status = out->data ? TS_OK : TS_NOMEM;
+	ts_str_add(&whole, name);
+	for (int n = 0; n < 2 && e->text[e->at] == '['; n++) {
+		status = read_index(e, n, &k[n]);
+		ts_str_addf(&whole, "[%" PRId64 "]", k[n]);
+		if (status != TS_OK) {
+			ts_str_release(&whole);
+			return status;
+		}
 	}
-	for (size_t i = 0; status == TS_OK && i < e->rows; i++)
-		out->data[i] = table.data[i * table.columns];
-	ts_table_release(&table);
+	place = ts_place_inside(e->place, e->length, at, e->at - at);
+	status = whole.failed ? ts_nomem(&e->sim->error)
+			      : ts_ref_resolve(e->sim, whole.text, &place, &ref);
+	if (status == TS_OK)
+		shapes = ts_ref_shapes(e->sim, &ref);
+	if (status == TS_OK && k[0] > 0 && !(shapes & (1u << TS_SCALAR)) &&
+	    (k[1] > 0 || (e->kind == TS_FORMULA_SCALAR && shapes & (1u << TS_PERATOM))))
+		status = of_identity(e, name, k[0], k[1], at, out);
+	else if (status == TS_OK)
+		status = of_reference(e, &ref, &place, out);
+	ts_str_release(&whole);
 	return ts_expr_blame(e, status, at, e->at);
 }
 
@@ -80,45 +203,23 @@ static enum ts_status column(struct ts_expr *e, const char *name, size_t at, str
 	struct ts_table table = { 0 };
 	enum ts_status status = ts_quantity_eval(e->sim, name, &table);
 
-	if (status == TS_OK) {
-		out->data = ts_expr_array(e);
-		status = out->data ? TS_OK : TS_NOMEM;
-	}
-	if (status == TS_OK && e->rows)
-		memcpy(out->data, table.data, e->rows * sizeof *out->data);
-	ts_table_release(&table);
-	return ts_expr_blame(e, status, at, e->at);
+	return ts_expr_blame(e, ts_expr_take(e, status, &table, out), at, e->at);
 }
 
 /* A quantity of the particle with a given identity: vx[17]. */
 static enum ts_status of_particle(struct ts_expr *e, const char *name, size_t at,
 				  struct ts_operand *out)
 {
-	struct ts_table id = { 0 }, table = { 0 };
-	struct ts_operand index;
+	struct ts_table table = { 0 };
 	enum ts_status status;
-	size_t i = 0;
+	int64_t identity = 0;
+	size_t row = 0;
 
-	e->at++;
-	TS_TRY(ts_expr_read(e, 1, &index));
-	TS_TRY(ts_expr_expect(e, ']'));
-	TS_TRY(ts_op_need_number(e, &index));
-	if (index.data)
-		return ts_expr_fail(e, TS_SYNTAX, at, e->at,
-				    "expected one identity between [ and ], found one for each "
-				    "particle");
-	status = ts_quantity_eval(e->sim, "id", &id);
+	TS_TRY(read_index(e, 1, &identity));
+	TS_TRY(find_particle(e, identity, at, &row));
+	status = ts_quantity_eval(e->sim, name, &table);
 	if (status == TS_OK)
-		status = ts_quantity_eval(e->sim, name, &table);
-	while (status == TS_OK && i < id.rows &&
-	       (id.data[i] < index.scalar || id.data[i] > index.scalar))
-		i++;
-	if (status == TS_OK && i == id.rows)
-		status = ts_expr_fail(e, TS_RANGE, at, e->at, "there is no particle with id %.15g",
-				      index.scalar);
-	if (status == TS_OK)
-		out->scalar = table.data[i];
-	ts_table_release(&id);
+		out->scalar = table.data[row];
 	ts_table_release(&table);
 	return ts_expr_blame(e, status, at, e->at);
 }
@@ -137,11 +238,13 @@ static enum ts_status unknown(struct ts_expr *e, const char *name, size_t at, bo
 			ts_suggest_try(&suggest, f->name);
 	}
 	if (call) {
-		ts_math_function_suggest(&suggest);
-		ts_series_function_suggest(&suggest);
+		for (const struct ts_expr_function *const *t = ts_expr_functions; *t; t++)
+			for (const struct ts_expr_function *f = *t; f->name; f++)
+				ts_suggest_try(&suggest, f->name);
 	} else {
-		ts_suggest_try(&suggest, "PI");
-		if (e->peratom)
+		for (const struct ts_constant *c = ts_constants; c->name; c++)
+			ts_suggest_try(&suggest, c->name);
+		if (e->kind == TS_FORMULA_PERATOM)
 			ts_quantity_suggest(&suggest);
 		if (ts_variable_find(e->script, name)) /* a forgotten v_ explains best */
 			suggest.distance = 0, suggest.best = ts_str_text(&with_prefix);
@@ -154,42 +257,52 @@ static enum ts_status unknown(struct ts_expr *e, const char *name, size_t at, bo
 
 static enum ts_status call(struct ts_expr *e, const char *name, size_t at, struct ts_operand *out)
 {
-	const struct ts_math_function *math = ts_math_function_find(name);
-	const struct ts_series_function *series = ts_series_function_find(name);
-	const struct ts_function *function = ts_function_find(e->sim, name);
+	const struct ts_expr_function *function = ts_expr_function_find(name);
+	const struct ts_function *of_group = ts_function_find(e->sim, name);
 
-	if (math)
-		return ts_math_function_call(e, math, at, out);
-	if (series)
-		return ts_series_function_call(e, series, at, out);
 	if (function)
-		return ts_group_function_call(e, function, at, out);
+		return ts_expr_call(e, function, at, out);
+	if (of_group)
+		return ts_group_function_call(e, of_group, at, out);
 	return unknown(e, name, at, true);
+}
+
+/* A bare word of a condition: a constant has a number too; property_NAME asks whether there is one. */
+static enum ts_status bare_word(struct ts_expr *e, const char *name, struct ts_operand *out)
+{
+	static const char property[] = "property_";
+	const struct ts_constant *constant = constant_find(name);
+
+	if (strncmp(name, property, sizeof property - 1) == 0) {
+		out->scalar = ts_property_has(e->sim, name + sizeof property - 1);
+		return TS_OK;
+	}
+	out->word = name;
+	out->is_word = !constant;
+	out->scalar = constant ? constant->value : 0;
+	return TS_OK;
 }
 
 enum ts_status ts_expr_name(struct ts_expr *e, const char *name, size_t at, struct ts_operand *out)
 {
+	const struct ts_constant *constant = constant_find(name);
 	const struct ts_keyword *keyword;
 	char next = e->text[e->at];
 
 	if (strncmp(name, "v_", 2) == 0)
 		return variable(e, name, at, out);
 	if (strncmp(name, "c_", 2) == 0 || strncmp(name, "f_", 2) == 0)
-		return output(e, at, out);
+		return output(e, name, at, out);
 	if (next == '(')
 		return call(e, name, at, out);
 	if (next == '[' && ts_quantity_has(e->sim, name))
 		return of_particle(e, name, at, out);
-	if (e->peratom && ts_quantity_has(e->sim, name))
+	if (e->kind == TS_FORMULA_PERATOM && ts_quantity_has(e->sim, name))
 		return column(e, name, at, out);
-	if (ts_streq(name, "PI")) {
-		out->scalar = pi;
-		out->word = name;
-		return TS_OK;
-	}
-	if (e->condition) {
-		out->word = name;
-		out->is_word = true;
+	if (e->condition)
+		return bare_word(e, name, out);
+	if (constant) {
+		out->scalar = constant->value;
 		return TS_OK;
 	}
 	keyword = ts_keyword_find(e->sim, name);

@@ -5,90 +5,115 @@
 
 #include "base/banned.h"
 
-/* Longer spellings first, where one begins with another. */
-static const struct {
-	const char *text;
-	enum ts_op op;
-	int level;
-} operators[] = {
-	{ "||", TS_OP_OR, 1 }, { "|^", TS_OP_XOR, 1 }, { "&&", TS_OP_AND, 2 },
-	{ "==", TS_OP_EQ, 3 }, { "!=", TS_OP_NE, 3 },  { "<=", TS_OP_LE, 4 },
-	{ "<", TS_OP_LT, 4 },  { ">=", TS_OP_GE, 4 },  { ">", TS_OP_GT, 4 },
-	{ "+", TS_OP_ADD, 5 }, { "-", TS_OP_SUB, 5 },  { "*", TS_OP_MUL, 6 },
-	{ "/", TS_OP_DIV, 6 }, { "%", TS_OP_MOD, 6 },  { "^", TS_OP_POW, 7 },
-};
-
-enum ts_op ts_op_find(const char *text, int *level, size_t *length)
-{
-	for (size_t k = 0; k < sizeof operators / sizeof *operators; k++) {
-		*length = strlen(operators[k].text);
-		*level = operators[k].level;
-		if (strncmp(text, operators[k].text, *length) == 0)
-			return operators[k].op;
-	}
-	return TS_NOP;
-}
-
 static bool truth(double a)
 {
 	return a < 0 || a > 0;
 }
 
-static bool equal(double a, double b)
+static double op_or(double a, double b)
+{
+	return truth(a) || truth(b);
+}
+
+static double op_xor(double a, double b)
+{
+	return truth(a) != truth(b);
+}
+
+static double op_and(double a, double b)
+{
+	return truth(a) && truth(b);
+}
+
+static double op_equal(double a, double b)
 {
 	return !(a < b) && !(a > b);
 }
 
-static double apply(enum ts_op op, double a, double b)
+static double op_unequal(double a, double b)
 {
-	switch (op) {
-	case TS_OP_OR:
-		return truth(a) || truth(b);
-	case TS_OP_XOR:
-		return truth(a) != truth(b);
-	case TS_OP_AND:
-		return truth(a) && truth(b);
-	case TS_OP_EQ:
-		return equal(a, b);
-	case TS_OP_NE:
-		return !equal(a, b);
-	case TS_OP_LE:
-		return a <= b;
-	case TS_OP_LT:
-		return a < b;
-	case TS_OP_GE:
-		return a >= b;
-	case TS_OP_GT:
-		return a > b;
-	case TS_OP_ADD:
-		return a + b;
-	case TS_OP_SUB:
-		return a - b;
-	case TS_OP_MUL:
-		return a * b;
-	case TS_OP_DIV:
-		return a / b;
-	case TS_OP_MOD:
-		return fmod(a, b);
-	case TS_OP_POW:
-		return pow(a, b);
-	case TS_NOP:
-		break;
-	}
-	return NAN;
+	return a < b || a > b;
 }
 
-static enum ts_status checked(struct ts_expr *e, enum ts_op op, size_t at, double a, double b,
-			      double *out)
+static double op_not_above(double a, double b)
 {
-	size_t end = at + 1;
+	return a <= b;
+}
 
-	if ((op == TS_OP_DIV || op == TS_OP_MOD) && !truth(b))
+static double op_below(double a, double b)
+{
+	return a < b;
+}
+
+static double op_not_below(double a, double b)
+{
+	return a >= b;
+}
+
+static double op_above(double a, double b)
+{
+	return a > b;
+}
+
+static double op_add(double a, double b)
+{
+	return a + b;
+}
+
+static double op_subtract(double a, double b)
+{
+	return a - b;
+}
+
+static double op_multiply(double a, double b)
+{
+	return a * b;
+}
+
+static double op_divide(double a, double b)
+{
+	return a / b;
+}
+
+/* Longer spellings first, where one begins with another. */
+const struct ts_operator ts_operators[] = {
+	{ "||", 1, op_or, "1 if one of the two is not 0", false, false },
+	{ "|^", 1, op_xor, "1 if exactly one of the two is not 0", false, false },
+	{ "&&", 2, op_and, "1 if neither is 0", false, false },
+	{ "==", 3, op_equal, "1 if equal", false, true },
+	{ "!=", 3, op_unequal, "1 if not equal", false, true },
+	{ "<=", 4, op_not_above, "1 if less or equal", false, false },
+	{ "<", 4, op_below, "1 if less", false, false },
+	{ ">=", 4, op_not_below, "1 if greater or equal", false, false },
+	{ ">", 4, op_above, "1 if greater", false, false },
+	{ "+", 5, op_add, "sum", false, false },
+	{ "-", 5, op_subtract, "difference", false, false },
+	{ "*", 6, op_multiply, "product", false, false },
+	{ "/", 6, op_divide, "quotient", true, false },
+	{ "%", 6, fmod, "remainder, with the sign of the left number", true, false },
+	{ "^", 7, pow, "power", false, false },
+	{ .text = NULL },
+};
+
+const struct ts_operator *ts_operator_find(const char *text)
+{
+	for (const struct ts_operator *op = ts_operators; op->text; op++)
+		if (strncmp(text, op->text, strlen(op->text)) == 0)
+			return op;
+	return NULL;
+}
+
+static enum ts_status checked(struct ts_expr *e, const struct ts_operator *op, size_t at, double a,
+			      double b, double *out)
+{
+	size_t end = at + strlen(op->text);
+
+	if (op->divides && !truth(b))
 		return ts_expr_fail(e, TS_RANGE, at, end, "division of %.6g by zero", a);
-	*out = apply(op, a, b);
+	*out = op->apply(a, b);
 	if (isfinite(*out))
 		return TS_OK;
-	return ts_expr_fail(e, TS_RANGE, at, end, "%.6g %c %.6g is %s", a, e->text[at], b,
+	return ts_expr_fail(e, TS_RANGE, at, end, "%.6g %s %.6g is %s", a, op->text, b,
 			    isnan(*out) ? "not a real number" : "too large for a number");
 }
 
@@ -102,26 +127,28 @@ enum ts_status ts_op_need_number(struct ts_expr *e, const struct ts_operand *a)
 			    a->word, a->word);
 }
 
-enum ts_status ts_op_binary(struct ts_expr *e, enum ts_op op, size_t at, const struct ts_operand *a,
-			    const struct ts_operand *b, struct ts_operand *out)
+enum ts_status ts_op_binary(struct ts_expr *e, const struct ts_operator *op, size_t at,
+			    const struct ts_operand *a, const struct ts_operand *b,
+			    struct ts_operand *out)
 {
-	bool words = a->is_word || b->is_word;
+	bool words = a->is_word || b->is_word || (a->word && b->word);
 
 	*out = (struct ts_operand){ .at = a->at, .end = b->end };
-	if (words && (op == TS_OP_EQ || op == TS_OP_NE)) {
+	if (words && op->compares_words) {
 		bool same = a->word && b->word && ts_streq(a->word, b->word);
 
-		out->scalar = same == (op == TS_OP_EQ);
+		out->scalar = op->apply(same, true);
 		return TS_OK;
 	}
 	TS_TRY(ts_op_need_number(e, a));
 	TS_TRY(ts_op_need_number(e, b));
 	if (!a->data && !b->data)
 		return checked(e, op, at, a->scalar, b->scalar, &out->scalar);
-	out->data = ts_expr_array(e);
-	if (!out->data)
-		return TS_NOMEM;
-	for (size_t i = 0; i < e->rows; i++)
+	if (a->data && b->data && a->n != b->n)
+		return ts_expr_fail(e, TS_RANGE, a->at, b->end,
+				    "lists of %zu and %zu numbers cannot be combined", a->n, b->n);
+	TS_TRY(ts_expr_array(e, a->data ? a->n : b->n, out));
+	for (size_t i = 0; i < out->n; i++)
 		TS_TRY(checked(e, op, at, a->data ? a->data[i] : a->scalar,
 			       b->data ? b->data[i] : b->scalar, &out->data[i]));
 	return TS_OK;
@@ -132,7 +159,7 @@ enum ts_status ts_op_unary(struct ts_expr *e, char op, struct ts_operand *a)
 	double *data = a->data ? a->data : &a->scalar;
 
 	TS_TRY(ts_op_need_number(e, a));
-	for (size_t i = 0; i < (a->data ? e->rows : 1); i++) {
+	for (size_t i = 0; i < (a->data ? a->n : 1); i++) {
 		if (op == '-')
 			data[i] = -data[i];
 		else if (op == '!')

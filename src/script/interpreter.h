@@ -9,9 +9,9 @@
 #include "script/source.h"
 #include "script/variable.h"
 
+/* The random numbers of one seed: those of single numbers, and rounds in which each particle draws one. */
 struct ts_stream {
-	int64_t seed;
-	struct ts_rng rng;
+	int64_t seed, draws, rounds;
 };
 
 struct ts_script {
@@ -24,6 +24,7 @@ struct ts_script {
 	bool quit;
 	int quit_status;
 	int depth;		  /* of scripts and commands in each other */
+	int formula_depth;	  /* of formulas, over all variables that use each other */
 	struct ts_words current;  /* the command that runs */
 	struct ts_stream *stream; /* one per seed of random() and normal() */
 	size_t nstreams, stream_capacity;
@@ -53,8 +54,14 @@ enum ts_status ts_expr_scalar(struct ts_script *script, const char *text,
 			      const struct ts_place *place, double *out);
 enum ts_status ts_expr_peratom(struct ts_script *script, const char *text,
 			       const struct ts_place *place, struct ts_table *out);
+enum ts_status ts_expr_vector(struct ts_script *script, const char *text,
+			      const struct ts_place *place, struct ts_table *out);
 /* A condition of `if`, where bare names are words that can be compared. */
 enum ts_status ts_expr_condition(struct ts_script *script, const char *text,
 				 const struct ts_place *place, bool *out);
+
+/* random.c: the stream of a seed, and all streams for a restart file. */
+enum ts_status ts_script_stream_of(struct ts_script *script, double seed, struct ts_stream **out);
+enum ts_status ts_script_archive(struct ts_script *script, struct ts_archive *archive);
 
 #endif

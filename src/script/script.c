@@ -47,7 +47,43 @@ static bool host_is_peratom(void *host, const char *name)
 {
 	const struct ts_variable *variable = ts_variable_find(host, name);
 
-	return variable && variable->style == TS_VAR_ATOM;
+	return variable && variable->style->peratom && !variable->style->number;
+}
+
+static bool host_is_vector(void *host, const char *name)
+{
+	const struct ts_variable *variable = ts_variable_find(host, name);
+
+	return variable && variable->style->vector;
+}
+
+static enum ts_status host_vector(void *host, const char *name, const struct ts_place *where,
+				  struct ts_table *out)
+{
+	struct ts_variable *variable;
+
+	TS_TRY(ts_variable_require(host, name, where, &variable));
+	return ts_variable_vector(host, variable, where, out);
+}
+
+static enum ts_status host_set(void *host, const char *name, const struct ts_place *where,
+			       double value)
+{
+	struct ts_script *script = host;
+	struct ts_variable *variable;
+
+	TS_TRY(ts_variable_require(script, name, where, &variable));
+	if (variable->style != &ts_var_internal)
+		return ts_fail(&script->sim->error, TS_STATE, where,
+			       "variable '%s' is of style %s; one of style internal is needed here",
+			       name, variable->style->name);
+	variable->number = value;
+	return TS_OK;
+}
+
+static enum ts_status host_archive(void *host, struct ts_archive *archive)
+{
+	return ts_script_archive(host, archive);
 }
 
 static void host_suggest_variable(void *host, struct ts_suggest *suggest)
@@ -64,7 +100,11 @@ static const struct ts_host host_table = {
 	.scalar = host_scalar,
 	.peratom = host_peratom,
 	.has_variable = host_has_variable,
+	.vector = host_vector,
 	.is_peratom = host_is_peratom,
+	.is_vector = host_is_vector,
+	.set = host_set,
+	.archive = host_archive,
 	.suggest_variable = host_suggest_variable,
 };
 
@@ -279,7 +319,7 @@ enum ts_status ts_script_set(struct ts_script *script, const char *name, const c
 	variable = ts_variable_find(script, name);
 	if (variable) /* the last one given wins */
 		ts_variable_delete(script, variable);
-	status = ts_variable_define(script, &word[0], TS_VAR_INDEX,
+	status = ts_variable_define(script, &word[0], &ts_var_index,
 				    (struct ts_words){ word + 1, n });
 	if (status == TS_OK)
 		ts_variable_find(script, name)->given = true;

@@ -1,4 +1,5 @@
-/* Variables of a script. */
+/* Variables of a script. Each style is a constant record in its own file: variable_list.c (index, loop and
+ * their kin), variable_text.c, variable_file.c, variable_formula.c. */
 #ifndef TS_SCRIPT_VARIABLE_H
 #define TS_SCRIPT_VARIABLE_H
 
@@ -9,23 +10,64 @@
 #include "core/value.h"
 
 struct ts_script;
+struct ts_variable;
 
-enum ts_variable_style {
-	TS_VAR_INDEX,
-	TS_VAR_LOOP,
-	TS_VAR_STRING,
-	TS_VAR_GETENV,
-	TS_VAR_EQUAL,
-	TS_VAR_ATOM
+/* All styles, in the order of the manual. */
+#define TS_VARIABLE_STYLES(X)                                                                      \
+	X(index)                                                                                   \
+	X(loop)                                                                                    \
+	X(world)                                                                                   \
+	X(universe)                                                                                \
+	X(uloop)                                                                                   \
+	X(string)                                                                                  \
+	X(getenv)                                                                                  \
+	X(format)                                                                                  \
+	X(timer)                                                                                   \
+	X(internal)                                                                                \
+	X(file)                                                                                    \
+	X(atomfile)                                                                                \
+	X(equal)                                                                                   \
+	X(atom)                                                                                    \
+	X(vector)
+
+/* A slot left NULL: not possible with this style; `number` NULL: the text, read as a number. */
+struct ts_variable_style {
+	const char *name, *values, *help;
+	size_t least, most; /* how many words it takes; most 0: any number */
+	bool keeps;	    /* defining one that exists already does nothing */
+	enum ts_status (*define)(struct ts_script *script, struct ts_variable *variable);
+	/* what ${name} stands for */
+	enum ts_status (*text)(struct ts_script *script, struct ts_variable *variable,
+			       const struct ts_place *where, struct ts_str *out);
+	/* what v_name stands for */
+	enum ts_status (*number)(struct ts_script *script, struct ts_variable *variable,
+				 const struct ts_place *where, double *out);
+	/* one value per local particle; rows x 1 */
+	enum ts_status (*peratom)(struct ts_script *script, struct ts_variable *variable,
+				  const struct ts_place *where, struct ts_table *out);
+	/* a list of numbers; rows x 1 */
+	enum ts_status (*vector)(struct ts_script *script, struct ts_variable *variable,
+				 const struct ts_place *where, struct ts_table *out);
+	/* goes on to the next value; *exhausted: there is none */
+	enum ts_status (*next)(struct ts_script *script, struct ts_variable *variable,
+			       bool *exhausted);
+	void (*release)(struct ts_variable *variable);
 };
-extern const char *const ts_variable_styles[]; /* their names, closed by NULL */
+#define TS_VARIABLE_DECLARE(style) extern const struct ts_variable_style ts_var_##style;
+TS_VARIABLE_STYLES(TS_VARIABLE_DECLARE)
+#undef TS_VARIABLE_DECLARE
+extern const struct ts_variable_style *const ts_variable_styles[]; /* closed by NULL */
+
+struct ts_variable_feed; /* variable_file.c */
 
 struct ts_variable {
 	const char *name;
-	enum ts_variable_style style;
-	struct ts_words values; /* index: all; string, getenv, equal, atom: one */
+	const struct ts_variable_style *style;
+	struct ts_words values; /* as written */
 	int64_t at, last;	/* index: which value; loop: the number itself */
 	int pad;		/* loop: digits */
+	double number;		/* internal, timer */
+	struct ts_variable_feed *feed;
 	struct ts_arena arena;
 	struct ts_place where;
 	bool busy;  /* its formula is being evaluated */
@@ -42,22 +84,20 @@ struct ts_variable *ts_variable_find(const struct ts_script *script, const char 
 /* The same and marks it used; or an error with a suggestion. */
 enum ts_status ts_variable_require(struct ts_script *script, const char *name,
 				   const struct ts_place *where, struct ts_variable **out);
-/* Defines it, or leaves it alone if it is an index or loop variable that exists. */
+/* Defines it, or leaves it alone if it exists and its style says so. */
 enum ts_status ts_variable_define(struct ts_script *script, const struct ts_word *name,
-				  enum ts_variable_style style, struct ts_words values);
+				  const struct ts_variable_style *style, struct ts_words values);
 void ts_variable_delete(struct ts_script *script, struct ts_variable *variable);
 void ts_variables_release(struct ts_script *script);
 
-/* What ${name} stands for. */
 enum ts_status ts_variable_text(struct ts_script *script, struct ts_variable *variable,
 				const struct ts_place *where, struct ts_str *out);
-/* What v_name stands for. */
 enum ts_status ts_variable_number(struct ts_script *script, struct ts_variable *variable,
 				  const struct ts_place *where, double *out);
-/* One value per local particle. */
 enum ts_status ts_variable_peratom(struct ts_script *script, struct ts_variable *variable,
 				   const struct ts_place *where, struct ts_table *out);
-/* The next value of an index or loop variable; *exhausted: there is none. */
+enum ts_status ts_variable_vector(struct ts_script *script, struct ts_variable *variable,
+				  const struct ts_place *where, struct ts_table *out);
 enum ts_status ts_variable_next(struct ts_script *script, struct ts_variable *variable,
 				const struct ts_place *where, bool *exhausted);
 

@@ -10,50 +10,45 @@ struct variable {
 	struct ts_words values;
 };
 
-/* The names of enum ts_variable_style, then `delete`, then LIGGGHTS' words for many replicas, of
- * which there is one here. */
-static const char *const styles[] = { "index",	"loop",	    "string", "getenv", "equal", "atom",
-				      "delete", "universe", "world",  "uloop",	NULL };
-enum { DELETE = TS_VAR_ATOM + 1, UNIVERSE, WORLD, ULOOP };
+#define NAME(style) #style,
+static const char *const styles[] = { TS_VARIABLE_STYLES(NAME) "delete", NULL };
+#undef NAME
 
 static const struct ts_arg variable_args[] = {
 	TS_WORD("name", struct variable, name, .flags = TS_POSITIONAL,
 		.help = "letters, digits and _"),
 	TS_ENUM("style", struct variable, style, styles, .flags = TS_POSITIONAL,
-		.help = "what the variable is"),
-	{ .name = "values",
-	  .type = TS_ARG_REST,
-	  .flags = TS_POSITIONAL | TS_OPTIONAL,
-	  .offset = TS_FIELD(struct variable, values, struct ts_words *),
-	  .help = "index: words; loop: N, or N1 N2 [pad]; string, getenv: one word; equal, "
-		  "atom: a formula; delete: nothing" },
+		.help = "what the variable is; delete: there shall be none of that name"),
+	TS_REST_OPTIONAL("values", struct variable, values,
+			 .help = "index, universe: words; loop, uloop: N, or N1 N2, and pad; string, "
+				 "getenv, world: one word; equal, atom, vector: a formula; format: a "
+				 "variable and a format; internal: a number; file, atomfile: a path"),
 	TS_ARGS_END
 };
+
+static enum ts_status delete(struct ts_script *script, const struct ts_word *name)
+{
+	struct ts_variable *found;
+
+	TS_TRY(ts_variable_require(script, name->text, &name->place, &found));
+	if (found->busy)
+		return ts_fail(&script->sim->error, TS_STATE, &name->place,
+			       "variable '%s' cannot be deleted while it is evaluated", name->text);
+	ts_variable_delete(script, found);
+	return TS_OK;
+}
 
 static enum ts_status run_variable(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct variable *args = state;
-	enum ts_variable_style style = TS_VAR_INDEX;
-	struct ts_variable *found;
+	const struct ts_variable_style *style = ts_variable_styles[args->style];
 	struct ts_script *script;
 	struct ts_word name;
 
 	TS_TRY(ts_script_of(sim, where, &script));
 	name = (struct ts_word){ .text = args->name, .place = *ts_script_place(script, 1, where) };
-	if (args->style == DELETE) {
-		TS_TRY(ts_variable_require(script, args->name, &name.place, &found));
-		if (found->busy)
-			return ts_fail(&sim->error, TS_STATE, &name.place,
-				       "variable '%s' cannot be deleted while it is evaluated",
-				       args->name);
-		ts_variable_delete(script, found);
-		return TS_OK;
-	}
-	if (args->style < DELETE)
-		style = (enum ts_variable_style)args->style;
-	else if (args->style == ULOOP)
-		style = TS_VAR_LOOP;
-	return ts_variable_define(script, &name, style, args->values);
+	return style ? ts_variable_define(script, &name, style, args->values)
+		     : delete(script, &name);
 }
 
 const struct ts_command_style ts_command_variable = {

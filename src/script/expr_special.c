@@ -1,0 +1,197 @@
+/* Functions that ask about the script and the program; their arguments are names. */
+#include <ctype.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/utsname.h>
+
+#include "core/group.h"
+#include "core/help.h"
+#include "script/expr.h"
+
+#include "base/banned.h"
+
+/* The present value of a file variable, which then goes on to the next; as with the command `next` it is
+ * deleted when there is none. */
+static enum ts_status eval_next(struct ts_expr *e, struct ts_words words, struct ts_operand *out)
+{
+	const struct ts_word *word = &words.word[0];
+	struct ts_variable *variable;
+	struct ts_table table = { 0 };
+	bool exhausted = false;
+
+	TS_TRY(ts_variable_require(e->script, word->text, &word->place, &variable));
+	if (variable->style == &ts_var_file)
+		TS_TRY(ts_variable_number(e->script, variable, &word->place, &out->scalar));
+	else if (variable->style == &ts_var_atomfile && e->kind == TS_FORMULA_PERATOM)
+		TS_TRY(ts_expr_take(
+			e, ts_variable_peratom(e->script, variable, &word->place, &table), &table,
+			out));
+	else
+		return ts_fail(&e->sim->error, TS_STATE, &word->place,
+			       "next() needs a variable of style file or, in formulas of particles, "
+			       "atomfile; '%s' is of style %s",
+			       word->text, variable->style->name);
+	TS_TRY(ts_variable_next(e->script, variable, &word->place, &exhausted));
+	if (exhausted)
+		ts_variable_delete(e->script, variable);
+	return TS_OK;
+}
+
+static enum ts_status eval_is_file(struct ts_expr *e, struct ts_words words,
+				   struct ts_operand *out)
+{
+	struct stat info;
+
+	(void)e;
+	out->scalar = stat(words.word[0].text, &info) == 0;
+	return TS_OK;
+}
+
+/* Does the name of the operating system begin with the word? (LAMMPS: a regular expression ^Linux) */
+static enum ts_status eval_is_os(struct ts_expr *e, struct ts_words words, struct ts_operand *out)
+{
+	const char *word = words.word[0].text;
+	struct utsname name;
+	size_t k = 0;
+
+	word += *word == '^';
+	if (uname(&name) < 0)
+		return ts_fail(&e->sim->error, TS_IO, &words.word[0].place,
+			       "the operating system does not tell its name");
+	while (word[k] && tolower((unsigned char)word[k]) ==
+				  tolower((unsigned char)name.sysname[k]))
+		k++;
+	out->scalar = word[k] == '\0';
+	return TS_OK;
+}
+
+static enum ts_status find_kind(struct ts_expr *e, const struct ts_word *word, enum ts_kind *kind)
+{
+	struct ts_suggest suggest = ts_suggest_start(word->text);
+
+	if (ts_kind_find(word->text, kind))
+		return TS_OK;
+	for (int k = 0; k < TS_NKIND; k++)
+		ts_suggest_try(&suggest, ts_kind_name((enum ts_kind)k));
+	return ts_fail(&e->sim->error, TS_UNKNOWN, &word->place, "unknown category '%s'%s",
+		       word->text, ts_suggest_text(&suggest));
+}
+
+static enum ts_status eval_is_defined(struct ts_expr *e, struct ts_words words,
+				      struct ts_operand *out)
+{
+	const char *category = words.word[0].text, *id = words.word[1].text;
+	enum ts_kind kind;
+
+	if (ts_streq(category, "variable")) {
+		out->scalar = ts_variable_find(e->script, id) != NULL;
+	} else if (ts_streq(category, "group")) {
+		out->scalar = ts_group_exists(e->sim, id);
+	} else {
+		TS_TRY(find_kind(e, &words.word[0], &kind));
+		out->scalar = ts_sim_find(e->sim, kind, id) != NULL;
+	}
+	return TS_OK;
+}
+
+static enum ts_status eval_is_available(struct ts_expr *e, struct ts_words words,
+					struct ts_operand *out)
+{
+	enum ts_kind kind = TS_KIND_COMMAND;
+
+	TS_TRY(find_kind(e, &words.word[0], &kind));
+	out->scalar = ts_style_find(kind, words.word[1].text) != NULL;
+	return TS_OK;
+}
+
+/* Is a style of that name in use? */
+static enum ts_status eval_is_active(struct ts_expr *e, struct ts_words words,
+				     struct ts_operand *out)
+{
+	enum ts_kind kind = TS_KIND_FIX;
+	const struct ts_instances *all;
+
+	TS_TRY(find_kind(e, &words.word[0], &kind));
+	all = &e->sim->instances[kind];
+	for (size_t k = 0; k < all->n; k++)
+		if (ts_streq(all->item[k]->style->name, words.word[1].text))
+			out->scalar = 1;
+	return TS_OK;
+}
+
+static double setting_dimension(const struct tsim *sim)
+{
+	return sim->dimension;
+}
+
+static double setting_box_exist(const struct tsim *sim)
+{
+	return ts_sim_has_box(sim);
+}
+
+static double setting_threads(const struct tsim *sim)
+{
+	return sim->threads;
+}
+
+static double setting_one(const struct tsim *sim)
+{
+	(void)sim;
+	return 1;
+}
+
+static double setting_zero(const struct tsim *sim)
+{
+	(void)sim;
+	return 0;
+}
+
+static const struct {
+	const char *name;
+	double (*get)(const struct tsim *sim);
+} settings[] = {
+	{ "dimension", setting_dimension }, { "box_exist", setting_box_exist },
+	{ "nthreads", setting_threads },    { "world_size", setting_one },
+	{ "world_rank", setting_zero },	    { "universe_size", setting_one },
+	{ "universe_rank", setting_zero },  { "triclinic", setting_zero },
+	{ "newton_bond", setting_zero },    { "newton_pair", setting_zero },
+};
+
+static enum ts_status eval_extract_setting(struct ts_expr *e, struct ts_words words,
+					   struct ts_operand *out)
+{
+	const struct ts_word *word = &words.word[0];
+	struct ts_suggest suggest = ts_suggest_start(word->text);
+
+	for (size_t k = 0; k < sizeof settings / sizeof *settings; k++) {
+		ts_suggest_try(&suggest, settings[k].name);
+		if (ts_streq(settings[k].name, word->text)) {
+			out->scalar = settings[k].get(e->sim);
+			return TS_OK;
+		}
+	}
+	return ts_fail(&e->sim->error, TS_UNKNOWN, &word->place, "unknown setting '%s'%s",
+		       word->text, ts_suggest_text(&suggest));
+}
+
+#define ASK(name_, arguments_, n, f, help_)                                                        \
+	{ .name = (name_), .arguments = (arguments_), .help = (help_), .least = (n), .most = (n),  \
+	  .words = (f) }
+
+const struct ts_expr_function ts_special_functions[] = {
+	ASK("next", "variable", 1, eval_next,
+	    "present value of a variable of style file or atomfile, which then goes on to the next"),
+	ASK("is_file", "path", 1, eval_is_file, "1 if there is a file of that name"),
+	ASK("is_os", "name", 1, eval_is_os,
+	    "1 if the name of the operating system begins with that"),
+	ASK("is_defined", "category,id", 2, eval_is_defined,
+	    "1 if there is a variable, group, region, compute, fix or dump of that id"),
+	ASK("is_active", "category,style", 2, eval_is_active,
+	    "1 if a fix, compute, pair, ... of that style is in use"),
+	ASK("is_available", "category,style", 2, eval_is_available,
+	    "1 if this program knows a command, fix, pair, ... of that name"),
+	ASK("extract_setting", "name", 1, eval_extract_setting,
+	    "one of dimension, box_exist, nthreads, world_size, world_rank, universe_size, "
+	    "universe_rank, triclinic, newton_bond, newton_pair"),
+	{ .name = NULL },
+};

@@ -1,0 +1,254 @@
+/* Functions of the clock: values that change in the course of a run, and the next of a sequence of steps
+ * (for `dump_modify every`, `thermo v_name` and the like). */
+#include <math.h>
+
+#include "script/expr.h"
+
+#include "base/banned.h"
+
+static const double two_pi = 2 * 3.14159265358979323846;
+/* What a sequence that is over gives: a step that never comes. */
+static const double never = 9e18;
+
+/* Time since the start of the run. */
+static double elapsed(const struct ts_expr *e)
+{
+	return (double)(e->sim->clock.step - e->sim->clock.first_step) * e->sim->clock.dt;
+}
+
+static enum ts_status eval_ramp(struct ts_expr *e, const double *arg, double *out)
+{
+	double steps = (double)(e->sim->clock.last_step - e->sim->clock.first_step);
+	double done = (double)(e->sim->clock.step - e->sim->clock.first_step);
+
+	if (!e->sim->running)
+		return ts_fail(&e->sim->error, TS_STATE, NULL, "ramp() has a value only in a run");
+	*out = arg[0] + (arg[1] - arg[0]) * (steps > 0 ? done / steps : 0);
+	return TS_OK;
+}
+
+static enum ts_status eval_vdisplace(struct ts_expr *e, const double *arg, double *out)
+{
+	*out = arg[0] + arg[1] * elapsed(e);
+	return TS_OK;
+}
+
+static enum ts_status periodic(struct ts_expr *e, const double *arg, double *phase)
+{
+	if (!(arg[2] > 0))
+		return ts_fail(&e->sim->error, TS_RANGE, NULL,
+			       "the period must be positive, found %.6g", arg[2]);
+	*phase = two_pi * elapsed(e) / arg[2];
+	return TS_OK;
+}
+
+static enum ts_status eval_swiggle(struct ts_expr *e, const double *arg, double *out)
+{
+	double phase = 0;
+
+	TS_TRY(periodic(e, arg, &phase));
+	*out = arg[0] + arg[1] * sin(phase);
+	return TS_OK;
+}
+
+static enum ts_status eval_cwiggle(struct ts_expr *e, const double *arg, double *out)
+{
+	double phase = 0;
+
+	TS_TRY(periodic(e, arg, &phase));
+	*out = arg[0] + arg[1] * (1 - cos(phase));
+	return TS_OK;
+}
+
+/* Steps are whole: a fraction is cut off. */
+static void whole(const double *arg, size_t n, double *out)
+{
+	for (size_t k = 0; k < n; k++)
+		out[k] = trunc(arg[k]);
+}
+
+static enum ts_status eval_stagger(struct ts_expr *e, const double *arg, double *out)
+{
+	double step = (double)e->sim->clock.step, start, a[2];
+
+	whole(arg, 2, a);
+	if (!(a[0] > a[1] && a[1] > 0))
+		return ts_fail(&e->sim->error, TS_RANGE, NULL,
+			       "stagger(x,y) needs x > y > 0, found %.6g and %.6g", arg[0], arg[1]);
+	start = floor(step / a[0]) * a[0];
+	*out = step < start + a[1] ? start + a[1] : start + a[0];
+	return TS_OK;
+}
+
+/* Checks x, y, z of the logarithmic sequences and finds the start of the present decade. */
+static enum ts_status decade(struct ts_expr *e, const char *name, const double *arg, double *a,
+			     double *out)
+{
+	double step = (double)e->sim->clock.step;
+
+	whole(arg, 3, a);
+	if (!(a[0] > 0 && a[1] > 0 && a[2] > 1))
+		return ts_fail(&e->sim->error, TS_RANGE, NULL,
+			       "%s(x,y,z) needs x > 0, y > 0 and z > 1, found %.6g, %.6g, %.6g",
+			       name, arg[0], arg[1], arg[2]);
+	for (*out = a[0]; step >= *out * a[2];)
+		*out *= a[2];
+	return TS_OK;
+}
+
+/* x, 2x .. yx, then z times as much */
+static enum ts_status eval_logfreq(struct ts_expr *e, const double *arg, double *out)
+{
+	double a[3], start = 0, multiple;
+
+	TS_TRY(decade(e, "logfreq", arg, a, &start));
+	if (!(a[1] < a[2]))
+		return ts_fail(&e->sim->error, TS_RANGE, NULL,
+			       "logfreq(x,y,z) needs y < z, found %.6g and %.6g", arg[1], arg[2]);
+	multiple = floor((double)e->sim->clock.step / start);
+	*out = multiple < a[1] ? (multiple + 1) * start : start * a[2];
+	return TS_OK;
+}
+
+/* y steps, evenly spaced, from x to zx, then from zx to zzx ... */
+static enum ts_status eval_logfreq2(struct ts_expr *e, const double *arg, double *out)
+{
+	double step = (double)e->sim->clock.step, a[3], start = 0, width, done;
+
+	TS_TRY(decade(e, "logfreq2", arg, a, &start));
+	*out = a[0];
+	if (step < a[0])
+		return TS_OK;
+	width = start * (a[2] - 1);
+	done = floor((step - start) * a[1] / width);
+	*out = start + floor((done + 1) * width / a[1]);
+	if (*out <= step) /* the present step was rounded down */
+		*out = start + floor((done + 2) * width / a[1]);
+	return TS_OK;
+}
+
+/* y steps from x to z, evenly spaced on a logarithmic scale */
+static enum ts_status eval_logfreq3(struct ts_expr *e, const double *arg, double *out)
+{
+	double step = (double)e->sim->clock.step, a[3], ratio, k = 0;
+
+	whole(arg, 3, a);
+	if (!(a[0] > 0 && a[1] > 1 && a[2] > a[0] && a[2] - a[0] + 1 >= a[1]))
+		return ts_fail(&e->sim->error, TS_RANGE, NULL,
+			       "logfreq3(x,y,z) needs 0 < x < z and 1 < y <= z - x + 1, found %.6g, "
+			       "%.6g, %.6g",
+			       arg[0], arg[1], arg[2]);
+	*out = a[0];
+	if (step < a[0])
+		return TS_OK;
+	ratio = pow(a[2] / a[0], 1 / (a[1] - 1));
+	while (*out <= step && k < a[1])
+		*out = fmax(*out + 1, ceil(a[0] * pow(ratio, ++k) * (1 - 1e-12)));
+	if (step >= a[2])
+		*out = never;
+	return TS_OK;
+}
+
+static double strided(double step, double first, double last, double width)
+{
+	double next = first + (floor((step - first) / width) + 1) * width;
+
+	return step < first ? first : next > last ? never : next;
+}
+
+static enum ts_status eval_stride(struct ts_expr *e, const double *arg, double *out)
+{
+	double step = (double)e->sim->clock.step, a[3];
+
+	whole(arg, 3, a);
+	if (!(a[0] >= 0 && a[1] >= a[0] && a[2] > 0))
+		return ts_fail(&e->sim->error, TS_RANGE, NULL,
+			       "stride(x,y,z) needs 0 <= x <= y and z > 0, found %.6g, %.6g, %.6g",
+			       arg[0], arg[1], arg[2]);
+	*out = strided(step, a[0], a[1], a[2]);
+	return TS_OK;
+}
+
+static enum ts_status eval_stride2(struct ts_expr *e, const double *arg, double *out)
+{
+	double step = (double)e->sim->clock.step, a[6];
+
+	whole(arg, 6, a);
+	if (!(a[0] >= 0 && a[1] >= a[0] && a[2] > 0 && a[3] >= a[0] && a[4] >= a[3] &&
+	      a[4] <= a[1] && a[5] > 0))
+		return ts_fail(&e->sim->error, TS_RANGE, NULL,
+			       "stride2(x,y,z,a,b,c) needs 0 <= x <= a <= b <= y, z > 0 and c > 0");
+	if (step < a[3])
+		*out = fmin(strided(step, a[0], a[1], a[2]), a[3]);
+	else if (step < a[4])
+		*out = fmin(strided(step, a[3], a[4], a[5]), never);
+	else
+		*out = strided(step, a[4], a[1], a[2]);
+	if (*out >= never && step < a[4]) /* the fine part ends; the coarse one goes on behind it */
+		*out = strided(a[4], a[4], a[1], a[2]);
+	return TS_OK;
+}
+
+const struct ts_expr_function ts_step_functions[] = {
+	{ .name = "ramp",
+	  .arguments = "first,last",
+	  .help = "goes evenly from first to last in the course of the run",
+	  .least = 2,
+	  .most = 2,
+	  .eval = eval_ramp },
+	{ .name = "vdisplace",
+	  .arguments = "value,velocity",
+	  .help = "value + velocity t, with t the time since the start of the run",
+	  .least = 2,
+	  .most = 2,
+	  .eval = eval_vdisplace },
+	{ .name = "swiggle",
+	  .arguments = "value,amplitude,period",
+	  .help = "value + amplitude sin(2 PI t/period)",
+	  .least = 3,
+	  .most = 3,
+	  .eval = eval_swiggle },
+	{ .name = "cwiggle",
+	  .arguments = "value,amplitude,period",
+	  .help = "value + amplitude (1 - cos(2 PI t/period))",
+	  .least = 3,
+	  .most = 3,
+	  .eval = eval_cwiggle },
+	{ .name = "stagger",
+	  .arguments = "x,y",
+	  .help = "the next of the steps y, x, x+y, 2x, 2x+y ...",
+	  .least = 2,
+	  .most = 2,
+	  .eval = eval_stagger },
+	{ .name = "logfreq",
+	  .arguments = "x,y,z",
+	  .help = "the next of the steps x, 2x .. yx, zx, 2zx .. yzx, zzx ...",
+	  .least = 3,
+	  .most = 3,
+	  .eval = eval_logfreq },
+	{ .name = "logfreq2",
+	  .arguments = "x,y,z",
+	  .help = "the next of y evenly spaced steps from x to zx, y from zx to zzx ...",
+	  .least = 3,
+	  .most = 3,
+	  .eval = eval_logfreq2 },
+	{ .name = "logfreq3",
+	  .arguments = "x,y,z",
+	  .help = "the next of y steps from x to z, evenly spaced on a logarithmic scale",
+	  .least = 3,
+	  .most = 3,
+	  .eval = eval_logfreq3 },
+	{ .name = "stride",
+	  .arguments = "x,y,z",
+	  .help = "the next of the steps x, x+z, x+2z .. y",
+	  .least = 3,
+	  .most = 3,
+	  .eval = eval_stride },
+	{ .name = "stride2",
+	  .arguments = "x,y,z,a,b,c",
+	  .help = "as stride, but every c steps from a to b",
+	  .least = 6,
+	  .most = 6,
+	  .eval = eval_stride2 },
+	{ .name = NULL },
+};

@@ -1,0 +1,78 @@
+#include "script/number_format.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/banned.h"
+
+enum { WIDEST = 3 /* digits of a width or precision */ };
+
+/* The letter of the conversion that starts behind a %, or NULL; *end is the position behind it. */
+static const char *conversion(const char *text, const char **end)
+{
+	const char *c = text + strspn(text, "-+ 0#");
+	size_t width = strspn(c, "0123456789"), precision = 0;
+
+	c += width;
+	if (*c == '.') {
+		precision = strspn(c + 1, "0123456789");
+		c += 1 + precision;
+	}
+	*end = c + 1;
+	return *c && strchr("eEfFgGd", *c) && width <= WIDEST && precision <= WIDEST ? c : NULL;
+}
+
+enum ts_status ts_number_format_check(struct ts_error *error, const char *format,
+			       const struct ts_place *place)
+{
+	bool good = true;
+	int found = 0;
+
+	for (const char *c = strchr(format, '%'); c && good; c = strchr(c, '%')) {
+		if (c[1] == '%') {
+			c += 2;
+			continue;
+		}
+		good = conversion(c + 1, &c) != NULL;
+		found++;
+	}
+	if (good && found == 1)
+		return TS_OK;
+	return ts_fail(error, TS_SYNTAX, place,
+		       "expected a format for one number, such as %%.4f or %%g, found '%s'",
+		       format);
+}
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wformat-nonliteral"
+static void add_real(struct ts_str *out, const char *format, double value)
+{
+	ts_str_addf(out, format, value);
+}
+#pragma GCC diagnostic pop
+
+void ts_number_format_add(struct ts_str *out, const char *format, double value)
+{
+	const char *c = format, *letter = NULL, *end;
+	struct ts_str whole = { 0 };
+
+	for (c = strchr(c, '%'); c && !letter; c = strchr(c, '%')) {
+		if (c[1] == '%')
+			c += 2;
+		else
+			letter = conversion(c + 1, &c);
+	}
+	if (!letter || *letter != 'd') {
+		add_real(out, format, value);
+		return;
+	}
+	/* %.0f shows a whole number as %d does, and any double is fit for it */
+	end = memchr(format, '.', (size_t)(letter - format));
+	ts_str_add_n(&whole, format, (size_t)((end ? end : letter) - format));
+	ts_str_addf(&whole, ".0f%s", letter + 1);
+	if (whole.failed)
+		out->failed = true;
+	else
+		add_real(out, whole.text, round(value) + 0.0);
+	ts_str_release(&whole);
+}

@@ -1,0 +1,235 @@
+/* Variables read from a file, one value (file) or one value for each particle (atomfile) at a time. The
+ * format is that of LAMMPS: `#` starts a comment, blank lines do not count. */
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "script/interpreter.h"
+
+#include "base/banned.h"
+
+struct ts_variable_feed {
+	FILE *stream;
+	struct ts_str row;     /* the last line read */
+	struct ts_place line;  /* the same as a place */
+	struct ts_str text;    /* file: its first word */
+	double *id, *value;    /* atomfile: the present set */
+	size_t n, id_capacity, value_capacity;
+};
+
+static void release(struct ts_variable *variable)
+{
+	struct ts_variable_feed *feed = variable->feed;
+
+	if (!feed)
+		return;
+	if (feed->stream)
+		fclose(feed->stream);
+	ts_str_release(&feed->row);
+	ts_str_release(&feed->text);
+	ts_free(feed->id);
+	ts_free(feed->value);
+	ts_free(feed);
+}
+
+/* The bytes up to the end of the line, without it; *end: there were none. */
+static enum ts_status read_row(struct ts_script *script, struct ts_variable_feed *feed, bool *end)
+{
+	int c;
+
+	ts_str_clear(&feed->row);
+	feed->line.line++;
+	while ((c = getc(feed->stream)) != EOF && c != '\n') {
+		char byte = (char)c;
+
+		if (!c)
+			return ts_fail(&script->sim->error, TS_SYNTAX, &feed->line,
+				       "this is not a text file: it has a byte 0 here");
+		ts_str_add_n(&feed->row, &byte, 1);
+	}
+	*end = c == EOF && !feed->row.length;
+	feed->line.text = ts_str_text(&feed->row);
+	if (c == EOF && ferror(feed->stream))
+		return ts_fail(&script->sim->error, TS_IO, &feed->line, "cannot read: %s",
+			       strerror(errno));
+	return feed->row.failed ? ts_nomem(&script->sim->error) : TS_OK;
+}
+
+/* The words of the next line that has any. Memory comes from the arena. */
+static enum ts_status next_words(struct ts_script *script, struct ts_variable_feed *feed,
+				 struct ts_arena *arena, struct ts_words *words, bool *end)
+{
+	*end = false;
+	for (words->n = 0; !words->n;) {
+		TS_TRY(read_row(script, feed, end));
+		if (*end)
+			return TS_OK;
+		if (ts_words_split(arena, feed->line.text, &feed->line, words) != TS_OK)
+			return ts_nomem(&script->sim->error);
+	}
+	return TS_OK;
+}
+
+/* The message about a bad line outlives the line. */
+static enum ts_status keep_line(struct ts_script *script, const struct ts_variable_feed *feed,
+				enum ts_status status)
+{
+	struct ts_place *place = &script->sim->error.place;
+
+	if (status != TS_OK && place->text == feed->line.text)
+		place->text = place->text ? ts_pool_get(script->sim->pool, place->text) : NULL;
+	return status;
+}
+
+static enum ts_status next_text(struct ts_script *script, struct ts_variable *variable,
+				bool *exhausted)
+{
+	struct ts_variable_feed *feed = variable->feed;
+	struct ts_arena arena = { 0 };
+	struct ts_words words;
+	enum ts_status status = next_words(script, feed, &arena, &words, exhausted);
+
+	if (status == TS_OK && !*exhausted) {
+		ts_str_clear(&feed->text);
+		ts_str_add(&feed->text, words.word[0].text);
+		if (feed->text.failed)
+			status = ts_nomem(&script->sim->error);
+	}
+	ts_arena_release(&arena);
+	return keep_line(script, feed, status);
+}
+
+/* One line `id value` of a set. */
+static enum ts_status read_pair(struct ts_script *script, struct ts_variable_feed *feed,
+				struct ts_arena *arena, int64_t left)
+{
+	struct ts_error *error = &script->sim->error;
+	struct ts_words words;
+	double number[2] = { 0 };
+	bool end;
+
+	TS_TRY(next_words(script, feed, arena, &words, &end));
+	if (end)
+		return ts_fail(error, TS_SYNTAX, &feed->line,
+			       "the file ends within a set of values: %lld more were announced",
+			       (long long)left);
+	if (words.n != 2)
+		return ts_fail(error, TS_SYNTAX, &words.word[0].place,
+			       "expected the identity of a particle and a value, found %zu words",
+			       words.n);
+	for (size_t k = 0; k < 2; k++)
+		if (!ts_parse_real(words.word[k].text, &number[k]))
+			return ts_fail(error, TS_SYNTAX, &words.word[k].place,
+				       "expected a number, found '%s'", words.word[k].text);
+	if (TS_GROW(feed->id, feed->id_capacity, feed->n + 1) != TS_OK ||
+	    TS_GROW(feed->value, feed->value_capacity, feed->n + 1) != TS_OK)
+		return ts_nomem(error);
+	feed->id[feed->n] = number[0];
+	feed->value[feed->n++] = number[1];
+	return TS_OK;
+}
+
+static enum ts_status next_set(struct ts_script *script, struct ts_variable *variable,
+			       bool *exhausted)
+{
+	struct ts_variable_feed *feed = variable->feed;
+	struct ts_arena arena = { 0 };
+	struct ts_words words;
+	int64_t count = 0;
+	enum ts_status status = next_words(script, feed, &arena, &words, exhausted);
+
+	if (status == TS_OK && !*exhausted) {
+		feed->n = 0;
+		if (!ts_parse_int(words.word[0].text, &count) || count < 0)
+			status = ts_fail(&script->sim->error, TS_SYNTAX, &words.word[0].place,
+					 "expected the number of values that follow, found '%s'",
+					 words.word[0].text);
+	}
+	for (int64_t k = 0; status == TS_OK && k < count; k++) {
+		ts_arena_release(&arena);
+		status = read_pair(script, feed, &arena, count - k);
+	}
+	ts_arena_release(&arena);
+	return keep_line(script, feed, status);
+}
+
+static enum ts_status open_feed(struct ts_script *script, struct ts_variable *variable)
+{
+	const struct ts_word *path = &variable->values.word[0];
+	struct ts_error *error = &script->sim->error;
+	bool empty = false;
+
+	variable->feed = ts_alloc(1, sizeof *variable->feed);
+	if (!variable->feed)
+		return ts_nomem(error);
+	variable->feed->line.file = ts_pool_get(script->sim->pool, path->text);
+	if (!variable->feed->line.file)
+		return ts_nomem(error);
+	variable->feed->stream = fopen(path->text, "r");
+	if (!variable->feed->stream)
+		return ts_fail(error, TS_IO, &path->place, "cannot open '%s': %s", path->text,
+			       strerror(errno));
+	TS_TRY(variable->style->next(script, variable, &empty));
+	if (empty)
+		return ts_fail(error, TS_IO, &path->place, "the file '%s' has no values",
+			       path->text);
+	return TS_OK;
+}
+
+static enum ts_status file_text(struct ts_script *script, struct ts_variable *variable,
+				const struct ts_place *where, struct ts_str *out)
+{
+	(void)script, (void)where;
+	ts_str_add(out, ts_str_text(&variable->feed->text));
+	return TS_OK;
+}
+
+/* Particles the set does not name have the value 0. */
+static enum ts_status atomfile_peratom(struct ts_script *script, struct ts_variable *variable,
+				       const struct ts_place *where, struct ts_table *out)
+{
+	const struct ts_variable_feed *feed = variable->feed;
+	double greatest = 0, *value;
+
+	(void)where;
+	TS_TRY(ts_quantity_eval(script->sim, "id", out));
+	for (size_t i = 0; i < out->rows; i++)
+		greatest = out->data[i] > greatest ? out->data[i] : greatest;
+	value = ts_alloc((size_t)greatest + 1, sizeof *value);
+	if (!value)
+		return ts_nomem(&script->sim->error);
+	for (size_t k = 0; k < feed->n; k++)
+		if (feed->id[k] > 0 && feed->id[k] <= greatest)
+			value[(size_t)feed->id[k]] = feed->value[k];
+	for (size_t i = 0; i < out->rows; i++)
+		out->data[i] = value[(size_t)out->data[i]];
+	ts_free(value);
+	return TS_OK;
+}
+
+const struct ts_variable_style ts_var_file = {
+	.name = "file",
+	.values = "PATH",
+	.help = "the first word of each line of a file, one after the other with `next` or next()",
+	.least = 1,
+	.most = 1,
+	.keeps = true,
+	.define = open_feed,
+	.text = file_text,
+	.next = next_text,
+	.release = release,
+};
+
+const struct ts_variable_style ts_var_atomfile = {
+	.name = "atomfile",
+	.values = "PATH",
+	.help = "values for particles from a file: sets of a line with a number N and N lines `id "
+		"value`, one set after the other with `next` or next(); 0 for particles not named",
+	.least = 1,
+	.most = 1,
+	.keeps = true,
+	.define = open_feed,
+	.peratom = atomfile_peratom,
+	.next = next_set,
+	.release = release,
+};

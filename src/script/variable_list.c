@@ -1,0 +1,126 @@
+/* Variables that step through a list with `next`: index, loop, and the words for runs of several partitions,
+ * of which there is one here. */
+#include <inttypes.h>
+#include <string.h>
+
+#include "script/interpreter.h"
+
+#include "base/banned.h"
+
+static enum ts_status define_list(struct ts_script *script, struct ts_variable *variable)
+{
+	(void)script;
+	variable->last = (int64_t)variable->values.n - 1;
+	return TS_OK;
+}
+
+static enum ts_status list_text(struct ts_script *script, struct ts_variable *variable,
+				const struct ts_place *where, struct ts_str *out)
+{
+	(void)script, (void)where;
+	ts_str_add(out, variable->values.word[variable->at].text);
+	return TS_OK;
+}
+
+static enum ts_status list_next(struct ts_script *script, struct ts_variable *variable,
+				bool *exhausted)
+{
+	(void)script;
+	*exhausted = variable->at == variable->last;
+	variable->at += !*exhausted;
+	return TS_OK;
+}
+
+/* N | N1 N2, and `pad`. */
+static enum ts_status define_loop(struct ts_script *script, struct ts_variable *variable)
+{
+	struct ts_error *error = &script->sim->error;
+	struct ts_words values = variable->values;
+	int64_t bound[2] = { 1, 0 };
+	bool pad = values.n > 1 && ts_streq(values.word[values.n - 1].text, "pad");
+
+	values.n -= pad;
+	if (values.n > 2)
+		return ts_fail(error, TS_SYNTAX, &values.word[2].place,
+			       "a loop variable takes 'N', 'N1 N2' or 'N1 N2 pad', found '%s'",
+			       values.word[2].text);
+	for (size_t k = 0; k < values.n; k++)
+		if (!ts_parse_int(values.word[k].text, &bound[values.n == 1 ? 1 : k]))
+			return ts_fail(error, TS_SYNTAX, &values.word[k].place,
+				       "expected a whole number, found '%s'", values.word[k].text);
+	if (bound[1] < bound[0])
+		return ts_fail(error, TS_RANGE, &values.word[0].place,
+			       "the loop from %" PRId64 " to %" PRId64 " has no values", bound[0],
+			       bound[1]);
+	if (pad)
+		variable->pad = (int)strlen(values.word[values.n - 1].text);
+	variable->at = bound[0];
+	variable->last = bound[1];
+	return TS_OK;
+}
+
+static enum ts_status loop_text(struct ts_script *script, struct ts_variable *variable,
+				const struct ts_place *where, struct ts_str *out)
+{
+	(void)script, (void)where;
+	ts_str_addf(out, "%0*" PRId64, variable->pad, variable->at);
+	return TS_OK;
+}
+
+const struct ts_variable_style ts_var_index = {
+	.name = "index",
+	.values = "words",
+	.help = "words, one after the other with `next`",
+	.least = 1,
+	.keeps = true,
+	.define = define_list,
+	.text = list_text,
+	.next = list_next,
+};
+
+const struct ts_variable_style ts_var_loop = {
+	.name = "loop",
+	.values = "N | N1 N2 [pad]",
+	.help = "whole numbers from 1 to N or from N1 to N2, one after the other with `next`; pad: "
+		"with zeros in front, all as long as the last",
+	.least = 1,
+	.most = 3,
+	.keeps = true,
+	.define = define_loop,
+	.text = loop_text,
+	.next = list_next,
+};
+
+const struct ts_variable_style ts_var_world = {
+	.name = "world",
+	.values = "word",
+	.help = "one word for each partition, of which there is one",
+	.least = 1,
+	.most = 1,
+	.keeps = true,
+	.define = define_list,
+	.text = list_text,
+};
+
+const struct ts_variable_style ts_var_universe = {
+	.name = "universe",
+	.values = "words",
+	.help = "as index: with one partition the words come one after the other",
+	.least = 1,
+	.keeps = true,
+	.define = define_list,
+	.text = list_text,
+	.next = list_next,
+};
+
+const struct ts_variable_style ts_var_uloop = {
+	.name = "uloop",
+	.values = "N [pad]",
+	.help = "as loop: with one partition the numbers come one after the other",
+	.least = 1,
+	.most = 2,
+	.keeps = true,
+	.define = define_loop,
+	.text = loop_text,
+	.next = list_next,
+};

@@ -1,0 +1,129 @@
+/* Variables of one value that is no formula: string, getenv, format, timer, internal. */
+#include <stdlib.h>
+
+#include "base/clock.h"
+#include "script/number_format.h"
+#include "script/interpreter.h"
+
+#include "base/banned.h"
+
+static enum ts_status string_text(struct ts_script *script, struct ts_variable *variable,
+				  const struct ts_place *where, struct ts_str *out)
+{
+	(void)script, (void)where;
+	ts_str_add(out, variable->values.word[0].text);
+	return TS_OK;
+}
+
+const struct ts_variable_style ts_var_string = {
+	.name = "string",
+	.values = "text",
+	.help = "a text; in quotes if it has blanks",
+	.least = 1,
+	.most = 1,
+	.text = string_text,
+};
+
+static enum ts_status getenv_text(struct ts_script *script, struct ts_variable *variable,
+				  const struct ts_place *where, struct ts_str *out)
+{
+	const char *name = variable->values.word[0].text, *text = getenv(name);
+
+	if (!text)
+		return ts_fail(&script->sim->error, TS_UNKNOWN, where,
+			       "the environment has no '%s', which variable '%s' stands for", name,
+			       variable->name);
+	ts_str_add(out, text);
+	return TS_OK;
+}
+
+const struct ts_variable_style ts_var_getenv = {
+	.name = "getenv",
+	.values = "NAME",
+	.help = "what the environment says for that name when the variable is used",
+	.least = 1,
+	.most = 1,
+	.text = getenv_text,
+};
+
+static enum ts_status define_format(struct ts_script *script, struct ts_variable *variable)
+{
+	return ts_number_format_check(&script->sim->error, variable->values.word[1].text,
+			       &variable->values.word[1].place);
+}
+
+static enum ts_status format_text(struct ts_script *script, struct ts_variable *variable,
+				  const struct ts_place *where, struct ts_str *out)
+{
+	const struct ts_word *word = variable->values.word;
+	struct ts_variable *source;
+	double value = 0;
+
+	TS_TRY(ts_variable_require(script, word[0].text, &word[0].place, &source));
+	TS_TRY(ts_variable_number(script, source, where, &value));
+	ts_number_format_add(out, word[1].text, value);
+	return TS_OK;
+}
+
+const struct ts_variable_style ts_var_format = {
+	.name = "format",
+	.values = "NAME FORMAT",
+	.help = "the number another variable stands for, written in a format such as %.6g",
+	.least = 2,
+	.most = 2,
+	.define = define_format,
+	.text = format_text,
+};
+
+static enum ts_status define_timer(struct ts_script *script, struct ts_variable *variable)
+{
+	(void)script;
+	variable->number = ts_clock();
+	return TS_OK;
+}
+
+static enum ts_status plain_text(struct ts_script *script, struct ts_variable *variable,
+				 const struct ts_place *where, struct ts_str *out)
+{
+	(void)script, (void)where;
+	ts_str_addf(out, "%.15g", variable->number);
+	return TS_OK;
+}
+
+static enum ts_status plain_number(struct ts_script *script, struct ts_variable *variable,
+				   const struct ts_place *where, double *out)
+{
+	(void)script, (void)where;
+	*out = variable->number;
+	return TS_OK;
+}
+
+const struct ts_variable_style ts_var_timer = {
+	.name = "timer",
+	.values = "",
+	.help = "seconds on the clock when this line was run; the difference of two is a duration",
+	.define = define_timer,
+	.text = plain_text,
+	.number = plain_number,
+};
+
+static enum ts_status define_internal(struct ts_script *script, struct ts_variable *variable)
+{
+	const struct ts_word *word = variable->values.word;
+
+	if (ts_parse_real(word->text, &variable->number))
+		return TS_OK;
+	return ts_fail(&script->sim->error, TS_SYNTAX, &word->place,
+		       "expected a number, found '%s'", word->text);
+}
+
+const struct ts_variable_style ts_var_internal = {
+	.name = "internal",
+	.values = "number",
+	.help = "a number that a command sets for its formulas, e.g. create_atoms var",
+	.least = 1,
+	.most = 1,
+	.define = define_internal,
+	.text = plain_text,
+	.number = plain_number,
+};
