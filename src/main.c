@@ -23,6 +23,7 @@ enum option_id {
 	OPT_SCREEN,
 	OPT_ECHO,
 	OPT_THREADS,
+	OPT_CHECK,
 	OPT_EXPLAIN,
 	OPT_HELP,
 	OPT_DOC,
@@ -40,6 +41,7 @@ static const struct {
 	[OPT_SCREEN] = { "screen", "FILE|none", "write there what else goes to the screen", 1 },
 	[OPT_ECHO] = { "echo", "none|screen|log|both", "where input lines are shown (log)", 1 },
 	[OPT_THREADS] = { "threads", "N", "number of threads (OMP_NUM_THREADS, else 1)", 1 },
+	[OPT_CHECK] = { "check", "", "run nothing: tell all errors and what the script would do", 0 },
 	[OPT_EXPLAIN] = { "explain", "", "run nothing: print the plan of each run", 0 },
 	[OPT_HELP] = { "help", "[KIND [STYLE]]", "manual page, e.g. -help fix gravity", 0 },
 	[OPT_DOC] = { "doc", "DIR", "write all manual pages to the directory as Markdown", 1 },
@@ -49,7 +51,7 @@ static const struct {
 struct setup {
 	const char *input, *log, *screen, *doc;
 	FILE *screen_file;
-	bool help, version, log_given;
+	bool help, version, log_given, check, explain;
 	const char *help_kind, *help_style;
 };
 
@@ -273,8 +275,11 @@ static int apply(struct tsim *sim, struct setup *setup, enum option_id id, char 
 	case OPT_THREADS:
 		return set_threads(sim, value[0]);
 	case OPT_EXPLAIN:
-		sim->explain = true;
+		sim->explain = setup->explain = true;
 		break;
+	case OPT_CHECK:
+		setup->check = true;
+		return ts_script_check(sim->host_data) == TS_OK ? 0 : EXIT_USAGE;
 	case OPT_HELP:
 		setup->help = true;
 		setup->help_kind = n > 0 ? value[0] : NULL;
@@ -369,6 +374,25 @@ static void report_error(struct tsim *sim)
 	ts_log_file(&sim->log, "%s", text);
 }
 
+/* Errors of a script that was only checked; the exit status. */
+static int report_check(struct tsim *sim)
+{
+	struct ts_str errors = { 0 }, report = { 0 };
+	int n = 0;
+	bool bad = ts_script_check_report(sim->host_data, &errors, &report, &n) != TS_OK;
+
+	bad |= errors.failed || report.failed;
+	sim->log.quiet = false;
+	fflush(stdout);
+	fputs(ts_str_text(&errors), stderr);
+	ts_log(&sim->log, "%s", ts_str_text(&report));
+	ts_str_release(&errors);
+	ts_str_release(&report);
+	if (bad)
+		report_error(sim);
+	return bad || n ? EXIT_FAILURE : EXIT_SUCCESS;
+}
+
 /* Runs the script; the exit status. */
 static int run(struct tsim *sim, struct setup *setup)
 {
@@ -379,6 +403,7 @@ static int run(struct tsim *sim, struct setup *setup)
 	catch_signals(sim);
 	if (!status)
 		ts_log(&sim->log, "tsim %s\n", tsim_version());
+	sim->log.quiet = setup->check && !setup->explain;
 	if (!status && setup->input)
 		status = tsim_file(sim, setup->input);
 	else if (!status)
@@ -388,11 +413,13 @@ static int run(struct tsim *sim, struct setup *setup)
 		quit = sim->error.status == TS_STOPPED && signal_number ? 128 + signal_number
 									: EXIT_FAILURE;
 	} else {
-		if (sim->explain)
+		if (setup->explain)
 			ts_log(&sim->log, "\nNothing was run: values printed by the script are "
 					  "those before the first step.\n");
 		ts_script_warn_unused(sim->host_data);
 		ts_script_quit(sim->host_data, &quit);
+		if (setup->check)
+			quit = report_check(sim);
 		if (ts_log_close(&sim->log, &sim->error) != TS_OK) {
 			report_error(sim);
 			quit = EXIT_FAILURE;

@@ -7,6 +7,7 @@ shell_tests = \
 	tests/decks/commands.sh \
 	tests/decks/inputs.sh \
 	tests/drilling.sh \
+	tests/dry_run.sh \
 	tests/house.sh \
 	tests/layers.sh \
 	tests/manual_current.sh \

@@ -19,6 +19,8 @@ static void put(struct ts_log *log, bool screen, bool file, const char *format, 
 {
 	va_list again;
 
+	if (log->quiet)
+		return;
 	if (screen && log->sink) {
 		struct ts_str text = { 0 };
 
@@ -68,6 +70,7 @@ void ts_log_file(struct ts_log *log, const char *format, ...)
 void ts_warn(struct ts_log *log, const struct ts_place *place, const char *format, ...)
 {
 	ts_log_sink_fn *sink = log->sink;
+	bool quiet = log->quiet;
 	char where[256] = "", text[1024 + sizeof where];
 	size_t n;
 	va_list args;
@@ -80,8 +83,10 @@ void ts_warn(struct ts_log *log, const struct ts_place *place, const char *forma
 	vsnprintf(text + n, sizeof text - n, format, args);
 	va_end(args);
 	log->sink = NULL; /* it is told once, and that this is a warning */
+	log->quiet = false;
 	ts_log(log, "%s\n", text);
 	log->sink = sink;
+	log->quiet = quiet;
 	if (sink)
 		sink(log->sink_data, TS_LOG_WARNING, text);
 }

@@ -16,6 +16,7 @@ struct ts_log {
 	bool echo_screen, echo_file; /* what `echo` says about input lines */
 	bool progress;               /* the screen is a terminal: show a progress line */
 	bool progress_shown;         /* a progress line now stands on the screen        */
+	bool quiet; /* only warnings */
 	int warnings;
 	ts_log_sink_fn *sink; /* gets all that goes to the screen, screen or not; or NULL */
 	void *sink_data;

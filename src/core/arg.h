@@ -59,7 +59,8 @@ enum ts_arg_flags {
 	TS_OPTIONAL = 2, /* may be missing: NaN, INT64_MIN, NULL, -1, null ... is stored */
 	TS_NULLABLE = 4,
 	TS_TO_KEYWORD = 8, /* TS_ARG_REST: ends before the first word that is a keyword of the table */
-	TS_STATEFUL = 16   /* state saved in a restart file has a meaning only with the same value */
+	TS_STATEFUL = 16,  /* state saved in a restart file has a meaning only with the same value */
+	TS_WRITES = 32 /* TS_ARG_WORD: a file that will be written */
 };
 
 struct ts_mode;
@@ -164,6 +165,10 @@ void ts_args_record(const struct tsim *sim, const struct ts_arg *rows, const voi
 /* The value alone, " 20000"; false where the argument is absent. A flag that is set: " yes". */
 bool ts_arg_record(const struct tsim *sim, const struct ts_arg *row, const void *base,
 		   struct ts_str *out);
+
+/* -check: tells the host of the files that rows marked TS_WRITES name. */
+enum ts_status ts_args_outputs(struct tsim *sim, const char *what, const struct ts_arg *rows,
+			       const void *base, const struct ts_place *where);
 
 /* How a row is written in a synopsis: "stiffness K", "[side in|out]", "x y z" ... */
 void ts_arg_synopsis(const struct ts_arg *row, struct ts_str *out);

@@ -166,6 +166,8 @@ static enum ts_status read_number(struct parse *p, const struct ts_arg *row, str
 	}
 	if (word && strncmp(word->text, "v_", 2) == 0) {
 		suggest = ts_suggest_start(word->text + 2);
+		if (p->sim->unreached)
+			return TS_OK;
 		if (!host || !host->has_variable(p->sim->host_data, word->text + 2)) {
 			if (host)
 				host->suggest_variable(p->sim->host_data, &suggest);
@@ -222,6 +224,10 @@ static enum ts_status read_group(struct parse *p, const struct ts_arg *row, int 
 
 	if (!word)
 		return refuse(p, row, NULL, "the name of a group");
+	if (p->sim->unreached) {
+		*out = 0;
+		return TS_OK;
+	}
 	return ts_group_require(p->sim, word, out);
 }
 
@@ -234,6 +240,8 @@ static enum ts_status read_region(struct parse *p, const struct ts_arg *row,
 	if (!word)
 		return refuse(p, row, NULL, "the name of a region");
 	if ((row->flags & TS_NULLABLE) && ts_streq(word->text, "NULL"))
+		return TS_OK;
+	if (p->sim->unreached)
 		return TS_OK;
 	return ts_sim_require(p->sim, TS_KIND_REGION, word, out);
 }

@@ -143,6 +143,26 @@ void ts_args_record(const struct tsim *sim, const struct ts_arg *rows, const voi
 	}
 }
 
+enum ts_status ts_args_outputs(struct tsim *sim, const char *what, const struct ts_arg *rows,
+			       const void *base, const struct ts_place *where)
+{
+	if (!sim->check || !sim->host)
+		return TS_OK;
+	for (const struct ts_arg *row = rows; row && row->type != TS_ARG_END; row++) {
+		const void *field = (const char *)base + row->offset;
+
+		if (absent(row, field))
+			continue;
+		if (row->flags & TS_WRITES)
+			TS_TRY(sim->host->would_write(sim->host_data, where, what,
+						      *(const char *const *)field));
+		if (row->type == TS_ARG_MODE)
+			TS_TRY(ts_args_outputs(sim, what, row->modes[*(const int *)field].args,
+					       base, where));
+	}
+	return TS_OK;
+}
+
 static void add_choices(const char *const *choices, struct ts_str *out)
 {
 	for (size_t k = 0; choices[k]; k++)

@@ -31,6 +31,12 @@ struct ts_host {
 	/* Writes or reads what the script must remember between runs: its streams of random numbers. */
 	enum ts_status (*archive)(void *host, struct ts_archive *archive);
 	void (*suggest_variable)(void *host, struct ts_suggest *suggest);
+	/* -check: keeps the message of an error that others may follow, and makes a success of it. */
+	enum ts_status (*pardon)(void *host, enum ts_status status);
+	/* -check: told of each run, and of each file that would be written or changed. */
+	enum ts_status (*planned)(void *host, const struct ts_place *where, int64_t steps);
+	enum ts_status (*would_write)(void *host, const struct ts_place *where, const char *what,
+				      const char *path);
 };
 
 #endif

@@ -38,7 +38,7 @@ enum ts_status ts_plan_compile(struct ts_plan *plan, struct tsim *sim)
 
 		for (size_t i = 0; i < list->n; i++) {
 			if (list->item[i]->style->init)
-				TS_TRY(list->item[i]->style->init(list->item[i], sim));
+				TS_TRY(ts_pardon(sim, list->item[i]->style->init(list->item[i], sim)));
 			TS_TRY(add_actions(plan, sim, list->item[i]));
 		}
 	}

@@ -65,7 +65,8 @@ static enum ts_status collect(struct ts_plan_report *report, struct tsim *sim)
 
 		for (size_t k = 0; k < list->n; k++)
 			if (list->item[k]->style->plan)
-				TS_TRY(list->item[k]->style->plan(list->item[k], sim, report));
+				TS_TRY(ts_pardon(sim, list->item[k]->style->plan(list->item[k], sim,
+										 report)));
 	}
 	return TS_OK;
 }

@@ -1,5 +1,6 @@
 #include "core/sim.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -71,6 +72,7 @@ static void set_defaults(struct tsim *sim)
 		sim->grain = 8192;
 	sim->columns = 0;
 	sim->fingerprint = 0;
+	sim->planned = false;
 	sim->running = sim->rebuild = sim->in_setup = sim->resuming = false;
 	if (sim->threads == 0)
 		sim->threads = threads && ts_parse_int(threads, &n) && n > 0 && n < 1024 ? (int)n
@@ -220,6 +222,8 @@ enum ts_status ts_sim_create(struct tsim *sim, enum ts_kind kind, const struct t
 	snprintf(what, sizeof what, "%s %s", ts_kind_name(kind), style->name);
 	status = ts_args_parse(sim, what, style->args, args, where, &inst->arena, inst->state);
 	if (status == TS_OK)
+		status = ts_args_outputs(sim, what, style->args, inst->state, where);
+	if (status == TS_OK)
 		status = first_init(sim, inst, args);
 	if (status != TS_OK) {
 		instance_free(inst);
@@ -259,6 +263,25 @@ enum ts_status ts_sim_destroy(struct tsim *sim, enum ts_kind kind, const struct 
 	return TS_OK;
 }
 
+enum ts_status ts_pardon(struct tsim *sim, enum ts_status status)
+{
+	if (status == TS_OK || !sim->check || !sim->host)
+		return status;
+	return sim->host->pardon(sim->host_data, status);
+}
+
+void ts_from_run(struct tsim *sim, const char *name)
+{
+	static const char *const known[] = { "step", "time", "dt", "elapsed" };
+
+	if (!sim->check || !sim->planned || sim->from_run[0])
+		return;
+	for (size_t k = 0; k < sizeof known / sizeof *known; k++)
+		if (ts_streq(name, known[k]))
+			return;
+	snprintf(sim->from_run, sizeof sim->from_run, "%s", name);
+}
+
 enum ts_status ts_sim_command(struct tsim *sim, struct ts_words words)
 {
 	const struct ts_style *style;
@@ -279,6 +302,8 @@ enum ts_status ts_sim_command(struct tsim *sim, struct ts_words words)
 		return ts_nomem(&sim->error);
 	status = ts_args_parse(sim, style->name, style->args, ts_words_from(words, 1), &where, &arena,
 			       state);
+	if (status == TS_OK)
+		status = ts_args_outputs(sim, style->name, style->args, state, &where);
 	if (status == TS_OK)
 		status = command->run(sim, state, &where);
 	ts_arena_release(&arena);

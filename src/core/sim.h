@@ -48,6 +48,10 @@ struct tsim {
 	int threads;
 	int grain; /* a loop is shared among threads only as far as each gets so many rounds */
 	bool explain;      /* -explain: plan runs, do not step or write */
+	bool check;        /* -check: as explain, but errors do not end the script */
+	bool planned;      /* -check: a run would have changed the state by now */
+	bool unreached;    /* -check: reads a line that is not run: names are not looked up */
+	char from_run[48]; /* -check: a value read by this line that only a run can give */
 	bool unsafe;       /* this run only warns of a step beyond the stability limit */
 	bool running;      /* inside a run */
 	bool in_pieces;    /* this run is stepped from outside, its end not known: core/stepping.h */
@@ -117,6 +121,11 @@ struct ts_instance *ts_sim_only(const struct tsim *sim, enum ts_kind kind);
 
 /* Whether create_box or read_restart has been done; defined by the domain system. */
 bool ts_sim_has_box(const struct tsim *sim);
+
+/* For reporting several errors at once: with -check an error is noted and becomes TS_OK. */
+enum ts_status ts_pardon(struct tsim *sim, enum ts_status status);
+/* Says that the value of this name was read: -check must know which ones hang on a run. */
+void ts_from_run(struct tsim *sim, const char *name);
 
 /* Runs a command by its words (word 0 is its name). */
 enum ts_status ts_sim_command(struct tsim *sim, struct ts_words words);

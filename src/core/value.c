@@ -344,6 +344,8 @@ static enum ts_status variable_scalar(struct tsim *sim, const struct ts_ref *ref
 enum ts_status ts_ref_scalar(struct tsim *sim, const struct ts_ref *ref,
 			     const struct ts_place *where, double *out)
 {
+	if (ref->kind == TS_REF_KEYWORD)
+		ts_from_run(sim, ref->keyword->name);
 	switch (ref->kind) {
 	case TS_REF_KEYWORD:
 		return ref->keyword->eval(sim, out);

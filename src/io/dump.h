@@ -39,7 +39,7 @@ struct ts_dump_common {
 #define TS_DUMP_ARGS(T)                                                                            \
 	TS_INT("every", T, common.every, .flags = TS_POSITIONAL, .range = TS_POSITIVE,             \
 	       .help = "steps between frames"),                                                    \
-		TS_WORD("file", T, common.file, .flags = TS_POSITIONAL,                            \
+		TS_WORD("file", T, common.file, .flags = TS_POSITIONAL | TS_WRITES,                            \
 			.help = "name of the file; `*` stands for the step, one file per frame; "  \
 				"compressed if it ends in .gz")
 #define TS_DUMP_SAVED(T) TS_SAVE_I64(T, common.last), TS_SAVE_I64(T, common.frames)

@@ -60,9 +60,17 @@ enum ts_status ts_thermo_format(struct tsim *sim, bool integer, const char *form
 static enum ts_status resolve(struct ts_thermo *t, struct tsim *sim)
 {
 	for (size_t k = 0; k < t->n; k++)
-		TS_TRY(ts_ref_input_resolve(sim, "thermo_style", TS_WANT(SCALAR),
-					    &t->column[k].input));
+		TS_TRY(ts_pardon(sim, ts_ref_input_resolve(sim, "thermo_style", TS_WANT(SCALAR),
+							   &t->column[k].input)));
 	return TS_OK;
+}
+
+/* Else they are resolved at the first row. */
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
+			   struct ts_plan_report *report)
+{
+	(void)report;
+	return sim->explain ? resolve(self->state, sim) : TS_OK;
 }
 
 /* The columns of `one`, LIGGGHTS' default. */
@@ -192,6 +200,7 @@ const struct ts_system_style ts_thermo_system = {
 		.summary = "Table of numbers in the log, progress line",
 		.state_size = sizeof(struct ts_thermo),
 		.init = init,
+		.plan = plan,
 		.hook = {
 			[TS_STAGE_OUTPUT] = output,
 			[TS_STAGE_FINISH] = finish,

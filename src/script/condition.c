@@ -1,4 +1,5 @@
 /* if "condition" then commands [elif "condition" commands ...] [else commands] */
+#include "script/check.h"
 #include "script/interpreter.h"
 
 #include "base/banned.h"
@@ -93,6 +94,8 @@ static enum ts_status run_if(struct tsim *sim, void *state, const struct ts_plac
 
 	TS_TRY(ts_script_of(sim, where, &script));
 	TS_TRY(check(sim, words, where));
+	if (script->check)
+		TS_TRY(ts_check_commands(script, words));
 	while (k < words.n) {
 		bool yes = true, otherwise = is(&words.word[k], "else");
 		size_t test = k == 0 ? 0 : k + 1, first = otherwise ? k + 1 : test + 1;
@@ -101,11 +104,13 @@ static enum ts_status run_if(struct tsim *sim, void *state, const struct ts_plac
 			TS_TRY(holds(script, &words.word[test], &yes));
 			first += is(&words.word[first], "then");
 		}
-		if (yes)
+		if (yes) {
+			TS_TRY(ts_check_branch(script, where, k ? words.word[k].text : "then"));
 			return run_branch(script, words, first);
+		}
 		k = branch_end(words, first);
 	}
-	return TS_OK;
+	return ts_check_branch(script, where, "no branch");
 }
 
 const struct ts_command_style ts_command_if = {

@@ -263,6 +263,8 @@ static enum ts_status call(struct ts_expr *e, const char *name, size_t at, struc
 	if (function)
 		return ts_expr_call(e, function, at, out);
 	if (of_group)
+		ts_from_run(e->sim, name);
+	if (of_group)
 		return ts_group_function_call(e, of_group, at, out);
 	return unknown(e, name, at, true);
 }
@@ -306,6 +308,8 @@ enum ts_status ts_expr_name(struct ts_expr *e, const char *name, size_t at, stru
 		return TS_OK;
 	}
 	keyword = ts_keyword_find(e->sim, name);
+	if (keyword)
+		ts_from_run(e->sim, name);
 	if (keyword)
 		return ts_expr_blame(e, keyword->eval(e->sim, &out->scalar), at, e->at);
 	return unknown(e, name, at, false);

@@ -1,4 +1,5 @@
 /* Which line comes next: label, jump, next, include, quit, clear. */
+#include "script/check.h"
 #include "script/interpreter.h"
 
 #include "base/banned.h"
@@ -27,6 +28,7 @@ static enum ts_status run_jump(struct tsim *sim, void *state, const struct ts_pl
 	const struct jump *jump = state;
 	struct ts_script *script;
 	struct ts_source source;
+	bool follow;
 
 	TS_TRY(ts_script_of(sim, where, &script));
 	if (script->skip_jump) {
@@ -35,10 +37,17 @@ static enum ts_status run_jump(struct tsim *sim, void *state, const struct ts_pl
 	}
 	if (!script->source)
 		return ts_fail(&sim->error, TS_STATE, where, "there is no script to jump in");
+	TS_TRY(ts_check_jump(script, where, jump->file, jump->label, &follow));
+	if (!follow)
+		return TS_OK;
 	if (ts_streq(jump->file, "SELF")) {
 		ts_source_rewind(script->source);
+		if (jump->label && ts_source_seek(script->source, jump->label))
+			return TS_OK;
 	} else {
 		TS_TRY(ts_source_open(&source, sim, jump->file, ts_script_place(script, 1, where)));
+		if (script->check)
+			TS_TRY(ts_check_source(script, script->source));
 		ts_source_close(script->source);
 		*script->source = source;
 	}
@@ -76,8 +85,11 @@ static const struct ts_arg label_args[] = { TS_WORD("name", struct name, name,
 
 static enum ts_status run_label(struct tsim *sim, void *state, const struct ts_place *where)
 {
-	(void)sim, (void)state, (void)where;
-	return TS_OK;
+	const struct name *label = state;
+	struct ts_script *script;
+
+	TS_TRY(ts_script_of(sim, where, &script));
+	return script->source ? ts_source_mark(script->source, sim, label->name) : TS_OK;
 }
 
 const struct ts_command_style ts_command_label = {
@@ -111,6 +123,8 @@ static enum ts_status run_next(struct tsim *sim, void *state, const struct ts_pl
 	bool exhausted;
 
 	TS_TRY(ts_script_of(sim, where, &script));
+	if (script->check)
+		script->check->nexts++;
 	for (size_t k = 0; k < next->names.n; k++) {
 		const struct ts_word *name = &next->names.word[k];
 

@@ -14,6 +14,8 @@ struct ts_stream {
 	int64_t seed, draws, rounds;
 };
 
+struct ts_check;
+
 struct ts_script {
 	struct tsim *sim;
 	struct ts_variables variables;
@@ -28,6 +30,7 @@ struct ts_script {
 	struct ts_words current;  /* the command that runs */
 	struct ts_stream *stream; /* one per seed of random() and normal() */
 	size_t nstreams, stream_capacity;
+	struct ts_check *check; /* -check: go through all of it, whatever fails */
 };
 
 /* The interpreter a command was called by; fails if there is none. */

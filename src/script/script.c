@@ -3,6 +3,7 @@
 #include <inttypes.h>
 #include <string.h>
 
+#include "script/check.h"
 #include "script/interpreter.h"
 
 #include "base/banned.h"
@@ -94,6 +95,28 @@ static void host_suggest_variable(void *host, struct ts_suggest *suggest)
 		ts_suggest_try(suggest, script->variables.item[k]->name);
 }
 
+static enum ts_status host_pardon(void *host, enum ts_status status)
+{
+	const struct ts_script *script = host;
+
+	return script->check && status != TS_OK ? ts_check_keep_error(host, "") : status;
+}
+
+static enum ts_status host_planned(void *host, const struct ts_place *where, int64_t steps)
+{
+	const struct ts_script *script = host;
+
+	return script->check ? ts_check_run(host, where, steps) : TS_OK;
+}
+
+static enum ts_status host_would_write(void *host, const struct ts_place *where, const char *what,
+				       const char *path)
+{
+	const struct ts_script *script = host;
+
+	return script->check ? ts_check_write(host, where, what, path) : TS_OK;
+}
+
 static const struct ts_host host_table = {
 	.execute = host_execute,
 	.substitute = host_substitute,
@@ -106,6 +129,9 @@ static const struct ts_host host_table = {
 	.set = host_set,
 	.archive = host_archive,
 	.suggest_variable = host_suggest_variable,
+	.pardon = host_pardon,
+	.planned = host_planned,
+	.would_write = host_would_write,
 };
 
 struct ts_script *ts_script_new(struct tsim *sim)
@@ -125,6 +151,7 @@ void ts_script_free(struct ts_script *script)
 	if (!script)
 		return;
 	ts_variables_release(script);
+	ts_check_free(script);
 	ts_free(script->stream);
 	script->sim->host = NULL;
 	script->sim->host_data = NULL;
@@ -170,13 +197,17 @@ static enum ts_status run_line(struct ts_script *script, struct ts_line *line)
 
 	ts_log_echo(&script->sim->log, ts_str_text(&line->text));
 	ts_line_uncomment(line);
-	status = ts_substitute(script, line, true);
+	status = script->check && line->rows ? ts_check_begin_line(script, &line->row[0]) : TS_OK;
+	if (status == TS_OK)
+		status = ts_substitute(script, line, true);
 	if (status == TS_OK)
 		status = ts_line_cut(line, error, &arena, &words);
 	if (status == TS_OK && words.n)
 		status = dispatch(script, words);
 	if (status == TS_OK && words.n && script->sim->stop)
 		status = ts_fail(error, TS_STOPPED, &words.word[0].place, "stopped on request");
+	if (status != TS_OK && script->check)
+		status = ts_check_recover(script, line, words, status);
 	ts_arena_release(&arena);
 	return status;
 }
@@ -191,11 +222,28 @@ static enum ts_status look_for_label(struct ts_script *script, struct ts_line *l
 
 	ts_line_uncomment(line);
 	status = ts_line_cut(line, &ignored, &arena, &words);
-	if (status == TS_OK && words.n == 2 && ts_streq(words.word[0].text, "label") &&
-	    ts_streq(words.word[1].text, script->label))
-		script->label = NULL;
+	if (status == TS_OK && words.n == 2 && ts_streq(words.word[0].text, "label")) {
+		status = ts_source_mark(script->source, script->sim, words.word[1].text);
+		if (ts_streq(words.word[1].text, script->label))
+			script->label = NULL;
+	}
 	ts_arena_release(&arena);
 	return status == TS_NOMEM ? ts_nomem(&script->sim->error) : TS_OK;
+}
+
+/* The end of the script came before the label. -check goes on behind the jump. */
+static enum ts_status no_label(struct ts_script *script)
+{
+	enum ts_status status = ts_fail(&script->sim->error, TS_UNKNOWN, &script->label_place,
+					"there is no 'label %s' in %s", script->label,
+					script->source->name);
+
+	if (!script->check)
+		return status;
+	script->label = NULL;
+	if (ts_streq(script->label_place.file, script->source->name))
+		ts_source_go(script->source, script->check->at, script->check->line);
+	return ts_check_keep_error(script, "");
 }
 
 static enum ts_status run_lines(struct ts_script *script)
@@ -206,15 +254,15 @@ static enum ts_status run_lines(struct ts_script *script)
 
 	while (status == TS_OK && !script->quit) {
 		status = ts_source_line(script->source, script->sim, &line, &end);
-		if (status != TS_OK || end)
+		if (status != TS_OK || (end && !script->label))
 			break;
-		status = script->label ? look_for_label(script, &line) : run_line(script, &line);
+		if (end)
+			status = no_label(script);
+		else
+			status = script->label ? look_for_label(script, &line)
+					       : run_line(script, &line);
 	}
 	ts_line_release(&line);
-	if (status == TS_OK && script->label)
-		status = ts_fail(&script->sim->error, TS_UNKNOWN, &script->label_place,
-				 "there is no 'label %s' in %s", script->label,
-				 script->source->name);
 	return status;
 }
 
@@ -234,6 +282,8 @@ static enum ts_status run_source(struct ts_script *script, struct ts_source *sou
 	script->source = source;
 	script->label = NULL;
 	status = run_lines(script);
+	if (status == TS_OK && script->check)
+		status = ts_check_source(script, source);
 	script->label = NULL;
 	script->source = outer;
 	script->depth--;

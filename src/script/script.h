@@ -33,6 +33,12 @@ bool ts_script_quit(const struct ts_script *script, int *status);
 /* Warns of variables of ts_script_set that nobody used: most often a misspelt name. */
 void ts_script_warn_unused(struct ts_script *script);
 
+/* -check: from now on scripts are gone through without running them, and errors do not end them. */
+enum ts_status ts_script_check(struct ts_script *script);
+/* All errors as diagnostics; what the script does and would write; the number of errors. */
+enum ts_status ts_script_check_report(struct ts_script *script, struct ts_str *errors,
+				      struct ts_str *report, int *nerrors);
+
 /* The error as the user sees it: place, message, the line and a mark below the culprit. */
 void ts_diagnostic(const struct ts_error *error, struct ts_str *out);
 

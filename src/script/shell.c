@@ -57,11 +57,18 @@ static const struct {
 	{ "putenv", set_environment, false },
 };
 
+static enum ts_status note(struct tsim *sim, const char *what, const struct ts_word *word)
+{
+	return sim->host->would_write(sim->host_data, &word->place, what, word->text);
+}
+
 static enum ts_status move(struct tsim *sim, struct ts_words words)
 {
 	if (words.n != 3)
 		return ts_fail(&sim->error, TS_SYNTAX, &words.word[0].place,
 			       "expected: shell mv OLD NEW");
+	if (sim->check)
+		return note(sim, "shell mv", &words.word[1]);
 	if (sim->explain || rename(words.word[1].text, words.word[2].text) == 0)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_IO, &words.word[1].place, "cannot move '%s' to '%s': %s",
@@ -72,6 +79,7 @@ static enum ts_status run_shell(struct tsim *sim, void *state, const struct ts_p
 {
 	struct ts_words words = ((const struct shell *)state)->words;
 	struct ts_suggest suggest;
+	char what[32];
 	size_t a = 0, n = sizeof actions / sizeof *actions;
 
 	(void)where;
@@ -88,6 +96,10 @@ static enum ts_status run_shell(struct tsim *sim, void *state, const struct ts_p
 	if (words.n < 2)
 		return ts_fail(&sim->error, TS_SYNTAX, &words.word[0].place,
 			       "expected a name after '%s'", actions[a].name);
+	for (size_t k = 1; k < words.n && sim->check && actions[a].writes; k++) {
+		snprintf(what, sizeof what, "shell %s", actions[a].name);
+		TS_TRY(note(sim, what, &words.word[k]));
+	}
 	for (size_t k = 1; k < words.n && !(sim->explain && actions[a].writes); k++)
 		if (actions[a].act(words.word[k].text) != 0)
 			return ts_fail(&sim->error, TS_IO, &words.word[k].place,

@@ -47,11 +47,44 @@ void ts_source_rewind(struct ts_source *source)
 	source->line = 0;
 }
 
+void ts_source_go(struct ts_source *source, size_t at, int line)
+{
+	source->at = at;
+	source->line = line;
+}
+
+enum ts_status ts_source_mark(struct ts_source *source, struct tsim *sim, const char *label)
+{
+	struct ts_source_label *new;
+
+	if (source->nlabels && source->label[source->nlabels - 1].at >= source->at)
+		return TS_OK;
+	if (TS_GROW(source->label, source->label_capacity, source->nlabels + 1) != TS_OK)
+		return ts_nomem(&sim->error);
+	new = &source->label[source->nlabels];
+	*new = (struct ts_source_label){ ts_pool_get(sim->pool, label), source->at, source->line };
+	source->nlabels += new->name != NULL;
+	return new->name ? TS_OK : ts_nomem(&sim->error);
+}
+
+/* All labels up to the last one met are known: lines are read or skipped in order. */
+bool ts_source_seek(struct ts_source *source, const char *label)
+{
+	ts_source_rewind(source);
+	for (size_t k = 0; k < source->nlabels; k++) {
+		ts_source_go(source, source->label[k].at, source->label[k].line);
+		if (ts_streq(source->label[k].name, label))
+			return true;
+	}
+	return false;
+}
+
 void ts_source_close(struct ts_source *source)
 {
 	if (source->owns_stream && source->stream)
 		fclose(source->stream);
 	ts_str_release(&source->text);
+	ts_free(source->label);
 	*source = (struct ts_source){ 0 };
 }
 
@@ -74,6 +107,18 @@ static enum ts_status fetch(struct ts_source *source, struct tsim *sim)
 	if (c == EOF && ferror(source->stream))
 		return ts_fail(&sim->error, TS_IO, &place, "cannot read the script: %s",
 			       strerror(errno));
+	return TS_OK;
+}
+
+enum ts_status ts_source_rest(struct ts_source *source, struct tsim *sim)
+{
+	size_t n;
+
+	do {
+		n = source->text.length;
+		if (source->stream)
+			TS_TRY(fetch(source, sim));
+	} while (source->text.length > n);
 	return TS_OK;
 }
 

@@ -9,6 +9,13 @@
 
 struct tsim;
 
+/* Where a label stands. */
+struct ts_source_label {
+	const char *name;
+	size_t at; /* of the line behind it */
+	int line;
+};
+
 /* What was read is kept, so that `jump SELF` works on a pipe too. */
 struct ts_source {
 	const char *name; /* in the string pool */
@@ -17,6 +24,8 @@ struct ts_source {
 	int line;  /* its number minus one */
 	FILE *stream;
 	bool owns_stream;
+	struct ts_source_label *label; /* those met so far, in the order of the file */
+	size_t nlabels, label_capacity;
 };
 
 enum ts_status ts_source_open(struct ts_source *source, struct tsim *sim, const char *path,
@@ -26,6 +35,13 @@ enum ts_status ts_source_stream(struct ts_source *source, struct tsim *sim, FILE
 enum ts_status ts_source_string(struct ts_source *source, struct tsim *sim, const char *text,
 				const char *name);
 void ts_source_rewind(struct ts_source *source);
+/* Remembers that the line just read is this label. */
+enum ts_status ts_source_mark(struct ts_source *source, struct tsim *sim, const char *label);
+/* Goes behind the label if it is known, else to where it has to be looked for; whether it is known. */
+bool ts_source_seek(struct ts_source *source, const char *label);
+void ts_source_go(struct ts_source *source, size_t at, int line);
+/* Reads all that is left. */
+enum ts_status ts_source_rest(struct ts_source *source, struct tsim *sim);
 void ts_source_close(struct ts_source *source);
 
 /* The next logical line, as written; *end: there is none. */

@@ -19,9 +19,9 @@ struct print {
 static const struct ts_arg print_args[] = {
 	TS_WORD("text", struct print, text, .flags = TS_POSITIONAL,
 		.help = "text, in quotes if it has blanks; variables in it are replaced"),
-	TS_WORD("file", struct print, file, .flags = TS_OPTIONAL,
+	TS_WORD("file", struct print, file, .flags = TS_OPTIONAL | TS_WRITES,
 		.help = "file to write the line to; it is made anew"),
-	TS_WORD("append", struct print, append, .flags = TS_OPTIONAL,
+	TS_WORD("append", struct print, append, .flags = TS_OPTIONAL | TS_WRITES,
 		.help = "file to add the line to"),
 	TS_BOOL("screen", struct print, screen, .fallback = "yes",
 		.help = "whether the line goes to screen and log too"),
@@ -122,7 +122,7 @@ struct log_to {
 };
 
 static const struct ts_arg log_args[] = {
-	TS_WORD("file", struct log_to, file, .flags = TS_POSITIONAL,
+	TS_WORD("file", struct log_to, file, .flags = TS_POSITIONAL | TS_WRITES,
 		.help = "new log file; none: write no log"),
 	TS_FLAG("append", struct log_to, append, .help = "add to the file if it exists"),
 	TS_ARGS_END

@@ -12,6 +12,7 @@ struct run {
 	int64_t steps;
 	bool upto, pre, post, unsafe;
 	struct ts_words pieces; /* M and the commands after each M steps */
+	const struct ts_place *where;
 };
 
 /* Wall time by what it was spent on, as LAMMPS names it. */
@@ -64,6 +65,8 @@ static enum ts_status run_plan(struct ts_plan *plan, struct tsim *sim, int64_t s
 	sim->clock.first_step = sim->clock.step;
 	sim->clock.last_step = sim->clock.step + steps;
 	sim->unsafe = r->unsafe;
+	if (sim->check)
+		TS_TRY(sim->host->planned(sim->host_data, r->where, steps));
 	TS_TRY(ts_plan_compile(plan, sim));
 	TS_TRY(ts_plan_run(plan, sim, r->pre));
 	if (sim->explain)
@@ -94,6 +97,8 @@ static enum ts_status run_pieces(struct tsim *sim, int64_t last, const struct ru
 	if (!ts_parse_int(word[0].text, &every) || every < 1)
 		return ts_fail(&sim->error, TS_SYNTAX, &word[0].place,
 			       "run: every is '%s', expected a number of steps > 0", word[0].text);
+	if (sim->check) /* the commands once */
+		every = last - sim->clock.step;
 	while (sim->clock.step < last) {
 		int64_t left = last - sim->clock.step;
 
@@ -108,9 +113,10 @@ static enum ts_status run_pieces(struct tsim *sim, int64_t last, const struct ru
 
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
 {
-	const struct run *r = state;
+	struct run *r = state;
 	int64_t last = r->upto ? r->steps : sim->clock.step + r->steps;
 
+	r->where = where;
 	if (last < sim->clock.step)
 		return ts_fail(&sim->error, TS_RANGE, where,
 			       "run upto %" PRId64 ": the simulation is already at step %" PRId64,

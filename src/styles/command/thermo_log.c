@@ -19,7 +19,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 }
 
 static const struct ts_arg args[] = {
-	TS_WORD("file", struct state, file, .flags = TS_POSITIONAL, .help = "name of the file"),
+	TS_WORD("file", struct state, file, .flags = TS_POSITIONAL | TS_WRITES, .help = "name of the file"),
 	TS_ARGS_END,
 };
 

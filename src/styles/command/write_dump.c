@@ -31,7 +31,7 @@ static enum ts_status write(struct tsim *sim, const struct state *s, const struc
 	enum ts_status status;
 
 	TS_TRY(ts_sim_create(sim, TS_KIND_DUMP, style, id.text, s->group, words, where, &dump));
-	status = dump->style->hook[TS_STAGE_OUTPUT](dump, sim);
+	status = sim->explain ? TS_OK : dump->style->hook[TS_STAGE_OUTPUT](dump, sim);
 	if (status != TS_OK)
 		return status;
 	return ts_sim_destroy(sim, TS_KIND_DUMP, &id);
@@ -46,8 +46,6 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	enum ts_status status;
 
 	TS_TRY(ts_style_require(sim, TS_KIND_DUMP, &s->rest.word[0], &style));
-	if (sim->explain)
-		return TS_OK;
 	status = make_words(sim, &arena, s->rest, &words);
 	if (status == TS_OK)
 		status = write(sim, s, style, words, where);

@@ -25,7 +25,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 }
 
 static const struct ts_arg args[] = {
-	TS_WORD("file", struct state, file, .flags = TS_POSITIONAL,
+	TS_WORD("file", struct state, file, .flags = TS_POSITIONAL | TS_WRITES,
 		.help = "name of the file; `*` stands for the step"),
 	TS_ARGS_END,
 };

@@ -45,7 +45,7 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 static const struct ts_arg args[] = {
 	TS_INT("every", struct state, vtk.common.every, .flags = TS_POSITIONAL,
 	       .range = TS_POSITIVE, .help = "steps between frames"),
-	TS_WORD("file", struct state, vtk.common.file, .flags = TS_POSITIONAL,
+	TS_WORD("file", struct state, vtk.common.file, .flags = TS_POSITIONAL | TS_WRITES,
 		.help = "name of the frames, ending in .vtp, with a `*` for the step"),
 	TS_REST("columns", struct state, vtk.names,
 		.help = "what to write: id, type, vx, vy, vz, radius ..., c_ID[k], f_ID[k], "

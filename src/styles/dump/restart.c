@@ -36,7 +36,7 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 
 static const struct ts_arg args[] = {
 	TS_DUMP_ARGS(struct state),
-	TS_WORD("other", struct state, other, .flags = TS_POSITIONAL | TS_OPTIONAL,
+	TS_WORD("other", struct state, other, .flags = TS_POSITIONAL | TS_WRITES | TS_OPTIONAL,
 		.help = "a second file: the two are written in turn"),
 	TS_ARGS_END,
 };

@@ -72,7 +72,7 @@ static void fini(struct ts_instance *self)
 }
 
 static const struct ts_arg args[] = {
-	TS_WORD("file", struct breakage, path, .flags = TS_OPTIONAL,
+	TS_WORD("file", struct breakage, path, .flags = TS_OPTIONAL | TS_WRITES,
 		.help = "text file that gets one line per broken bond"),
 	TS_ARGS_END,
 };

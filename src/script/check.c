@@ -1,0 +1,207 @@
+#include "script/check.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "base/banned.h"
+
+/* What a line would have made: a thing of that kind, named by its k-th word. */
+static const struct {
+	const char *command, *kind;
+	size_t word;
+} makes[] = {
+	{ "variable", "variable", 1 }, { "fix", "fix", 1 },	    { "compute", "compute", 1 },
+	{ "region", "region", 1 },     { "group", "group", 1 },    { "dump", "dump", 1 },
+	{ "molecule", "molecule", 1 }, { "create_box", "box", 0 }, { "read_data", "box", 0 },
+	{ "read_restart", "box", 0 },
+};
+
+/* Commands on which nothing later builds. */
+static const char *const harmless[] = {
+	"print",	"echo",	       "log",	      "shell",	   "label",	 "jump",
+	"next",		"thermo",      "thermo_style", "thermo_modify", "thermo_log", "dump",
+	"dump_modify",	"undump",      "restart",      "write_restart", "write_dump", "write_data",
+	"info",		"if",	       "run",	      "variable",  "timestep",	 "uncompute",
+	"compute",
+};
+
+enum ts_status ts_script_check(struct ts_script *script)
+{
+	script->check = ts_alloc(1, sizeof *script->check);
+	if (!script->check)
+		return ts_nomem(&script->sim->error);
+	script->check->last = &script->check->first;
+	script->sim->explain = script->sim->check = true;
+	return TS_OK;
+}
+
+void ts_check_free(struct ts_script *script)
+{
+	struct ts_check *check = script->check;
+
+	if (!check)
+		return;
+	ts_str_release(&check->errors);
+	ts_map_release(&check->seen);
+	ts_map_release(&check->lost);
+	ts_map_release(&check->made);
+	ts_map_release(&check->events);
+	ts_arena_release(&check->arena);
+	ts_free(check);
+	script->check = NULL;
+}
+
+static bool is_harmless(const char *command)
+{
+	for (size_t k = 0; k < sizeof harmless / sizeof *harmless; k++)
+		if (ts_streq(harmless[k], command))
+			return true;
+	return false;
+}
+
+/* Does the message say that a thing is unknown which a failed line would have made? Such messages put
+ * the name in quotes behind the kind. */
+static bool names_lost(const struct ts_check *check, const struct ts_error *error)
+{
+	char name[128];
+	const char *quote = error->message, *end;
+
+	if (error->status != TS_UNKNOWN)
+		return false;
+	while ((quote = strchr(quote, '\'')) && (end = strchr(quote + 1, '\''))) {
+		for (size_t k = 0; k < sizeof makes / sizeof *makes; k++) {
+			snprintf(name, sizeof name, "%s %.*s", makes[k].kind,
+				 (int)(end - quote - 1), quote + 1);
+			if (ts_map_get(&check->lost, name))
+				return true;
+		}
+		quote = end + 1;
+	}
+	return false;
+}
+
+/* Whether the error may be there only because of an earlier one. */
+static bool follows(const struct ts_check *check, const struct ts_error *error)
+{
+	if (names_lost(check, error))
+		return true;
+	if (error->status == TS_STATE || error->status == TS_PHYSICS)
+		return check->weak || check->boxless;
+	return error->status == TS_RANGE && check->boxless;
+}
+
+/* NULL: out of memory. */
+static const char *place_key(struct ts_script *script, const struct ts_error *error)
+{
+	const struct ts_place *place = &error->place;
+	struct ts_str key = { 0 };
+	const char *kept;
+
+	if (place->line)
+		ts_str_addf(&key, "%s:%d:%d", place->file, place->line, place->column);
+	else
+		ts_str_add(&key, error->message);
+	kept = key.failed ? NULL : ts_pool_get(script->sim->pool, ts_str_text(&key));
+	ts_str_release(&key);
+	return kept;
+}
+
+enum ts_status ts_check_keep_error(struct ts_script *script, const char *remark)
+{
+	struct ts_check *check = script->check;
+	struct ts_error error = script->sim->error;
+	size_t n = strlen(error.message);
+	const char *key = place_key(script, &error);
+
+	if (error.status == TS_NOMEM || error.status == TS_STOPPED)
+		return error.status;
+	ts_error_clear(&script->sim->error);
+	if (!key)
+		return ts_nomem(&script->sim->error);
+	if (follows(check, &error)) {
+		check->unjudged++;
+		return TS_OK;
+	}
+	if (ts_map_get(&check->seen, key))
+		return TS_OK;
+	snprintf(error.message + n, sizeof error.message - n, "%s", remark);
+	ts_diagnostic(&error, &check->errors);
+	check->nerrors++;
+	if (check->errors.failed || ts_map_set(&check->seen, key, check) != TS_OK)
+		return ts_nomem(&script->sim->error);
+	return TS_OK;
+}
+
+/* Stands in for a box that could not be made, so that the lines after it can be read. */
+static enum ts_status put_box(struct ts_script *script, struct ts_words words)
+{
+	struct ts_check *check = script->check;
+	char text[160];
+	int64_t types;
+	enum ts_status status;
+
+	check->boxless = true;
+	if (ts_sim_has_box(script->sim))
+		return TS_OK;
+	if (words.n < 2 || !ts_parse_int(words.word[1].text, &types) || types < 1 || types > 1000)
+		types = 8;
+	snprintf(text, sizeof text,
+		 "region box-of-check block 0 1 0 1 0 1 units box\ncreate_box %d box-of-check\n"
+		 "region box-of-check delete",
+		 (int)types);
+	check->weak = false;
+	status = ts_script_execute(script, text, NULL);
+	check->weak = true;
+	return status;
+}
+
+static enum ts_status lose(struct ts_script *script, const char *kind, const char *name)
+{
+	struct ts_str key = { 0 };
+	const char *kept;
+
+	ts_str_addf(&key, "%s %s", kind, name);
+	kept = key.failed ? NULL : ts_pool_get(script->sim->pool, ts_str_text(&key));
+	ts_str_release(&key);
+	if (!kept || ts_map_set(&script->check->lost, kept, script->check) != TS_OK)
+		return ts_nomem(&script->sim->error);
+	return TS_OK;
+}
+
+static enum ts_status lose_names(struct ts_script *script, struct ts_words words)
+{
+	const char *command = words.word[0].text;
+
+	script->check->weak |= !is_harmless(command);
+	for (size_t k = 0; k < sizeof makes / sizeof *makes; k++) {
+		if (!ts_streq(makes[k].command, command))
+			continue;
+		if (makes[k].word == 0)
+			return put_box(script, words);
+		if (makes[k].word < words.n)
+			return lose(script, makes[k].kind, words.word[makes[k].word].text);
+	}
+	if (ts_streq(command, "run") && script->sim->clock.step < script->sim->clock.last_step)
+		script->sim->clock.step = script->sim->clock.last_step;
+	return TS_OK;
+}
+
+enum ts_status ts_check_recover(struct ts_script *script, const struct ts_line *line,
+				struct ts_words words, enum ts_status status)
+{
+	struct ts_error *error = &script->sim->error;
+	struct ts_arena arena = { 0 };
+
+	if (status == TS_NOMEM || status == TS_STOPPED)
+		return status;
+	if (error->status == TS_OK)
+		ts_fail(error, status, line->rows ? &line->row[0] : NULL, "%s",
+			ts_status_text(status));
+	status = ts_check_keep_error(script, "");
+	if (status == TS_OK && !words.n && line->rows)
+		status = ts_words_split(&arena, line->row[0].text, &line->row[0], &words);
+	if (status == TS_OK && words.n)
+		status = lose_names(script, words);
+	ts_arena_release(&arena);
+	return status == TS_NOMEM ? ts_nomem(error) : status;
+}

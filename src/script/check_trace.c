@@ -1,0 +1,321 @@
+/* What a script does, line by line, as -check tells it. */
+#include <inttypes.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "script/check.h"
+
+#include "base/banned.h"
+
+enum { MOST_ROUNDS = 1000, MOST_JUMPS = 100000 };
+
+static const char *keep(struct ts_script *script, struct ts_str *text)
+{
+	const char *kept = text->failed ? NULL
+					: ts_pool_get(script->sim->pool, ts_str_text(text));
+
+	ts_str_release(text);
+	return kept;
+}
+
+enum ts_status ts_check_begin_line(struct ts_script *script, const struct ts_place *row)
+{
+	struct ts_str text = { 0 };
+	const char *key;
+
+	script->sim->from_run[0] = '\0';
+	if (!row->line)
+		return TS_OK;
+	ts_str_addf(&text, "%s:%d", row->file, row->line);
+	key = keep(script, &text);
+	if (!key || ts_map_set(&script->check->seen, key, script->check) != TS_OK)
+		return ts_nomem(&script->sim->error);
+	return TS_OK;
+}
+
+static struct ts_check_event *add_event(struct ts_check *check, const char *key)
+{
+	struct ts_check_event *event = ts_arena_alloc(&check->arena, 1, sizeof *event);
+
+	if (!event || ts_map_set(&check->events, key, event) != TS_OK)
+		return NULL;
+	*check->last = event;
+	check->last = &event->next;
+	return event;
+}
+
+enum ts_status ts_check_note(struct ts_script *script, enum ts_check_kind kind,
+			     const struct ts_place *where, const char *hangs,
+			     struct ts_check_event **out, const char *format, ...)
+{
+	struct ts_check *check = script->check;
+	struct ts_place place = where ? *where : (struct ts_place){ .file = "" };
+	struct ts_check_event *event;
+	struct ts_str text = { 0 };
+	const char *what, *key;
+	va_list args;
+
+	va_start(args, format);
+	ts_str_vaddf(&text, format, args);
+	va_end(args);
+	what = keep(script, &text);
+	ts_str_addf(&text, "%d %s:%d %s", (int)kind, place.file, place.line, what ? what : "");
+	key = keep(script, &text);
+	event = what && key ? ts_map_get(&check->events, key) : NULL;
+	if (what && key && !event) {
+		event = add_event(check, key);
+		if (event)
+			event->kind = kind, event->where = place, event->what = what;
+	}
+	if (!event)
+		return ts_nomem(&script->sim->error);
+	event->count++;
+	if (hangs && *hangs && !event->hangs)
+		event->hangs = ts_pool_get(script->sim->pool, hangs);
+	if (out)
+		*out = event;
+	return TS_OK;
+}
+
+enum ts_status ts_check_run(struct ts_script *script, const struct ts_place *where, int64_t steps)
+{
+	struct ts_check_event *event;
+
+	TS_TRY(ts_check_note(script, TS_CHECK_RUN, where, script->sim->from_run, &event, "run"));
+	if (event->count == 1) {
+		event->step = script->sim->clock.step;
+		event->dt = script->sim->clock.dt;
+	}
+	event->steps += steps;
+	script->sim->planned = true;
+	return TS_OK;
+}
+
+/* NULL: out of memory; "": the working directory. */
+static const char *directory_of(struct ts_script *script, const char *path)
+{
+	const char *slash = strrchr(path, '/');
+	struct ts_str text = { 0 };
+
+	ts_str_add_n(&text, path, slash ? (size_t)(slash - path) : 0);
+	return keep(script, &text);
+}
+
+/* A file in a directory that is not there and that the script has not made would not be written. */
+enum ts_status ts_check_write(struct ts_script *script, const struct ts_place *where,
+			      const char *what, const char *path)
+{
+	struct ts_check *check = script->check;
+	const char *directory = directory_of(script, path);
+	bool makes = ts_streq(what, "shell mkdir");
+	struct stat info;
+
+	if (makes)
+		directory = ts_pool_get(script->sim->pool, path);
+	if (!directory || (makes && ts_map_set(&check->made, directory, check) != TS_OK))
+		return ts_nomem(&script->sim->error);
+	if (*directory && !makes && !ts_map_get(&check->made, directory) &&
+	    (stat(directory, &info) != 0 || !S_ISDIR(info.st_mode)))
+		return ts_fail(&script->sim->error, TS_IO, where,
+			       "%s '%s': there is no directory '%s', and the script does not make "
+			       "it (shell mkdir %s)",
+			       what, path, directory, directory);
+	return ts_check_note(script, TS_CHECK_WRITE, where, NULL, NULL, "%s %s", what, path);
+}
+
+enum ts_status ts_check_branch(struct ts_script *script, const struct ts_place *where,
+			       const char *which)
+{
+	struct ts_check *check = script->check;
+
+	if (!check)
+		return TS_OK;
+	check->hanging += script->sim->from_run[0] != '\0';
+	return ts_check_note(script, TS_CHECK_STEP, where, script->sim->from_run, NULL, "if: %s",
+			     which);
+}
+
+/* Rounds of a loop whose end hangs on a run: the second one sees what the first one left. */
+static int64_t rounds_allowed(const struct ts_check *check, const struct ts_check_event *event)
+{
+	bool waits = check->hanging != event->hanging && check->nexts == event->nexts;
+
+	return waits && event->count > 1 ? 2 : MOST_ROUNDS;
+}
+
+enum ts_status ts_check_jump(struct ts_script *script, const struct ts_place *where,
+			     const char *file, const char *label, bool *follow)
+{
+	struct ts_check *check = script->check;
+	struct ts_check_event *event;
+
+	*follow = true;
+	if (!check)
+		return TS_OK;
+	TS_TRY(ts_check_note(script, TS_CHECK_STEP, where, NULL, &event, "jump %s%s%s", file,
+			     label ? " " : "", label ? label : ""));
+	*follow = event->count <= rounds_allowed(check, event) && ++check->jumps < MOST_JUMPS;
+	event->count -= !*follow;
+	event->bounded |= !*follow;
+	event->endless |= !*follow && check->hanging == event->hanging && check->nexts == event->nexts;
+	event->hanging = check->hanging;
+	event->nexts = check->nexts;
+	check->at = script->source ? script->source->at : 0;
+	check->line = script->source ? script->source->line : 0;
+	return TS_OK;
+}
+
+enum ts_status ts_check_source(struct ts_script *script, struct ts_source *source)
+{
+	struct ts_check *check = script->check;
+	struct ts_check_text *text;
+
+	for (text = check->text; text; text = text->next)
+		if (ts_streq(text->name, source->name))
+			return TS_OK;
+	TS_TRY(ts_source_rest(source, script->sim));
+	text = ts_arena_alloc(&check->arena, 1, sizeof *text);
+	if (!text)
+		return ts_nomem(&script->sim->error);
+	text->name = source->name;
+	text->text = ts_arena_strdup(&check->arena, ts_str_text(&source->text));
+	text->next = check->text;
+	check->text = text;
+	return text->text ? TS_OK : ts_nomem(&script->sim->error);
+}
+
+static void add_place(struct ts_str *out, const struct ts_place *where)
+{
+	char place[64];
+
+	snprintf(place, sizeof place, "%s:%d", where->file ? where->file : "", where->line);
+	ts_str_addf(out, "  %-20s ", where->line ? place : "");
+}
+
+static void add_count(struct ts_str *out, const char *before, int64_t n, const char *what)
+{
+	ts_str_addf(out, "%s%" PRId64 " %s%s", before, n, what, n == 1 ? "" : "s");
+}
+
+static void add_event_text(const struct ts_check_event *e, struct ts_str *out)
+{
+	add_place(out, &e->where);
+	ts_str_add(out, e->what);
+	if (e->kind == TS_CHECK_RUN) {
+		if (e->count > 1)
+			add_count(out, " ", e->count, "time");
+		add_count(out, e->count > 1 ? ", " : " ", e->steps, "step");
+		ts_str_addf(out, "%s of %g from step %" PRId64, e->count > 1 ? " in all" : "",
+			    e->dt, e->step);
+	} else if (strncmp(e->what, "jump", 4) == 0) {
+		add_count(out, ": taken ", e->count, "time");
+	} else if (e->count > 1) {
+		add_count(out, ", ", e->count, "time");
+	}
+	if (e->bounded)
+		ts_str_addf(out, ", not followed further%s", e->endless ? ": is there an end?" : "");
+	if (e->hangs)
+		ts_str_addf(out, "; hangs on %s, which only a run can give", e->hangs);
+	ts_str_add(out, "\n");
+}
+
+/* Events of the kinds from..to. */
+static void add_events(const struct ts_check *check, enum ts_check_kind from, enum ts_check_kind to,
+		       const char *title, struct ts_str *out)
+{
+	bool any = false;
+
+	for (const struct ts_check_event *e = check->first; e; e = e->next) {
+		if (e->kind < from || e->kind > to)
+			continue;
+		ts_str_add(out, any ? "" : title);
+		any = true;
+		add_event_text(e, out);
+	}
+}
+
+/* Is there something to run that was not run? Labels are passed by. */
+static bool is_unreached(struct ts_script *script, struct ts_line *line)
+{
+	struct ts_str key = { 0 };
+	const char *text;
+	bool reached;
+
+	ts_line_uncomment(line);
+	text = ts_str_text(&line->text);
+	text += strspn(text, " \t");
+	if (!*text || (strncmp(text, "label", 5) == 0 && strchr(" \t", text[5])))
+		return false;
+	ts_str_addf(&key, "%s:%d", line->row[0].file, line->row[0].line);
+	reached = ts_map_get(&script->check->seen, ts_str_text(&key));
+	ts_str_release(&key);
+	return !reached;
+}
+
+static void add_range(struct ts_str *out, const char *name, int from, int to)
+{
+	if (from == to)
+		ts_str_addf(out, "  %s:%d\n", name, from);
+	else if (from)
+		ts_str_addf(out, "  %s:%d-%d\n", name, from, to);
+}
+
+/* The lines of the file that were not run, in ranges; and what is wrong in them. */
+static enum ts_status add_unreached(struct ts_script *script, const struct ts_check_text *text,
+				    struct ts_str *out)
+{
+	struct ts_line line = { 0 };
+	struct ts_source source;
+	enum ts_status status = ts_source_string(&source, script->sim, text->text, text->name);
+	int from = 0, to = 0;
+	bool end = false;
+
+	while (status == TS_OK && !end) {
+		status = ts_source_line(&source, script->sim, &line, &end);
+		if (status != TS_OK || end)
+			break;
+		if (!is_unreached(script, &line))
+			continue;
+		if (from && line.row[0].line > to + 1) {
+			add_range(out, text->name, from, to);
+			from = 0;
+		}
+		from = from ? from : line.row[0].line;
+		to = source.line;
+		status = ts_check_unreached(script, &line, " (in a line that is never reached)");
+	}
+	if (from)
+		add_range(out, text->name, from, to);
+	ts_line_release(&line);
+	ts_source_close(&source);
+	return status;
+}
+
+enum ts_status ts_script_check_report(struct ts_script *script, struct ts_str *errors,
+				      struct ts_str *report, int *nerrors)
+{
+	struct ts_check *check = script->check;
+	struct ts_str unreached = { 0 };
+	enum ts_status status = TS_OK;
+
+	for (const struct ts_check_text *t = check->text; t && status == TS_OK; t = t->next)
+		status = add_unreached(script, t, &unreached);
+	add_events(check, TS_CHECK_STEP, TS_CHECK_RUN, "what it does:\n", report);
+	add_events(check, TS_CHECK_WRITE, TS_CHECK_WRITE, "what it would write or change:\n", report);
+	if (unreached.length)
+		ts_str_addf(report, "lines never reached:\n%s", ts_str_text(&unreached));
+	ts_str_release(&unreached);
+	ts_str_add(errors, ts_str_text(&check->errors));
+	if (!check->nerrors)
+		ts_str_add(report, "no errors");
+	else
+		add_count(report, "", check->nerrors, "error");
+	ts_str_add(report, check->unjudged ? "" : "\n");
+	if (check->unjudged)
+		ts_str_addf(report, "; %d more message%s left out, since they may follow from these\n",
+			    check->unjudged, check->unjudged == 1 ? " was" : "s were");
+	*nerrors = check->nerrors;
+	return status;
+}

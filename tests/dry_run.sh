@@ -1,0 +1,193 @@
+#!/bin/sh
+# tsim -check: all errors of a script at once, none that only follow from others, what the script would
+# do and write, and nothing done or written.
+. "$top_srcdir/tests/lib_cases.sh"
+
+# check NAME: the script is standard input; err and out hold what is said, status the exit status
+check() {
+	cat >"$1"
+	"$TSIM" -check -in "$1" >out 2>err </dev/null
+	status=$?
+}
+
+# errors WHAT: standard input lists "line:column: part of the message", in order, and no more are told
+errors() {
+	cat >expected
+	sed -n 's/^[^ :]*:\([0-9]*:[0-9]*\): error: /\1: /p' err >found
+	n=0
+	good=0
+	while read -r place text; do
+		n=$((n + 1))
+		line=$(sed -n "${n}p" found)
+		case $line in
+		"$place "*"$text"*) ;;
+		*)
+			echo "expected $place $text"
+			echo "found    $line"
+			good=1
+			;;
+		esac
+	done <expected >>difference
+	[ "$(wc -l <found)" = "$n" ] && [ $good = 0 ] && { [ $n = 0 ] || [ $status = 1 ]; }
+	report "$1" $? err
+}
+
+says() {
+	grep -qxF -- "$2" out
+	report "$1: $2" $? out
+}
+
+check many.in <<'END'
+units sj
+atom_style granular
+boundary f f
+regio a block 0 1 0 1 0 1
+region bx blok 0 1 0 1 0 1 units box
+create_box 2 bx
+create_atoms 1 random 10 7 bx
+variable k equal 2+
+variable n loop 3
+label again
+fix 1 all gravty 9.81 vector 0 0 -1
+fix 2 all gravity 9.81 vector 0 0
+fix 3 sme nve
+compute c1 all kee
+variable e equal c_c1*2
+thermo_style custom step c_c1 v_e foo bar
+timestep ${k}
+print "energy ${e}"
+run 100
+next n
+jump SELF again
+jump SELF nowhere
+if "${k} > 2" then "prnt hello" "run 10" else "fix 4 all gravity x"
+dump d all custom 10 nodir/x.dump id x y z
+pair_style spring/dashpot
+pair_coeff * * stifness 2
+unfix 1
+unfix 9
+print a
+quit
+group x typ 1
+END
+errors 'all errors at once' <<'END'
+1:7: units: system is 'sj'
+3:1: boundary: z is missing
+4:1: unknown command 'regio'; did you mean 'region'?
+5:11: unknown region style 'blok'
+11:11: unknown fix style 'gravty'
+12:11: direction is missing
+13:7: there is no group 'sme'
+14:16: unknown compute style 'kee'
+8:19: expected a number or a name
+16:35: unknown quantity 'foo'
+16:39: unknown quantity 'bar'
+22:11: there is no 'label nowhere'
+23:21: unknown command 'prnt'
+23:66: expected a number or v_name (in a branch that is not taken)
+24:1: there is no directory 'nodir'
+26:16: unknown keyword 'stifness'
+28:1: there is no fix '9'
+31:9: group: style is 'typ'
+END
+
+ball="region b block 0 1 0 1 0 1 units box
+create_box 1 b
+create_atoms 1 single 0.5 0.5 0.5 units box
+set type 1 diameter 0.1 density 2385"
+
+check good.in <<END
+$ball
+shell mkdir made
+fix m all nve
+variable n loop 3
+label again
+run 100
+next n
+jump SELF again
+if "\$(ke) > 0" then "print 'it moves'" else "jump SELF rest"
+print "moved" file made/print.txt
+label rest
+dump d all custom 50 made/*.dump id x
+restart 100 made/a.restart made/b.restart
+run 10
+write_restart made/end.restart
+print "e" append log.extra
+log new.log
+END
+errors 'nothing to complain of' </dev/null
+[ "$(ls)" = "$(printf '%s\n' difference err expected found good.in many.in out)" ]
+report 'nothing is written or made' $?
+says trace '  good.in:9            run 3 times, 300 steps in all of 0.005 from step 0'
+says trace '  good.in:11           jump SELF again: taken 2 times'
+says trace '  good.in:12           if: else; hangs on ke, which only a run can give'
+says trace '  good.in:16           dump restart made/a.restart'
+says trace '  good.in:18           write_restart made/end.restart'
+says trace '  good.in:5            shell mkdir made'
+says trace '  good.in:13'
+says trace 'no errors'
+[ $status = 0 ]
+report 'exit status 0' $?
+
+check loops.in <<END
+$ball
+fix m all nve
+label two
+run 5
+if "\$(ke) > 0.5" then "jump SELF fin"
+jump SELF two
+label fin
+label three
+run 7
+if "\$(ke) < 0.5" then "jump SELF three"
+variable i loop 2000
+label four
+next i
+jump SELF four
+label never
+jump SELF never
+END
+errors 'loops that do not end' </dev/null
+says 'a loop that a run ends' '  loops.in:9           jump SELF two: taken 2 times, not followed further'
+says 'a loop that a run ends' '  loops.in:13          if: then, 3 times; hangs on ke, which only a run can give'
+says 'a long loop' '  loops.in:17          jump SELF four: taken 1000 times, not followed further'
+says 'an endless loop' '  loops.in:19          jump SELF never: taken 1000 times, not followed further: is there an end?'
+
+check follow.in <<'END'
+region b block 0 1 0 1 0 one units box
+create_box 2 b
+create_atoms 1 single 0.5 0.5 0.5 units box
+group two type 2
+variable x equal nothing
+variable y equal v_x+1
+compute c two ke
+fix f two wall/gran primitive type 1 xplane ${y}
+fix a all ave/time 1 1 1 f_f
+set type 1 diameter ${x}
+bond_coeff 1 stiffness 1 ultimate 1
+unfix f
+run 10
+END
+errors 'no error that only follows' <<'END'
+1:26: zhi is 'one', expected a number, INF or EDGE
+5:18: unknown name 'nothing'
+END
+grep -q 'left out' out
+report 'says that messages were left out' $? out
+
+printf 'units si\nprnt\nunits sj\n' | "$TSIM" -check >out 2>err
+[ $? = 1 ] && [ "$(grep -c '^stdin:' err)" = 2 ]
+report 'standard input' $? err
+
+printf 'include other.in\ninclude missing.in\nfixx\n' >outer.in
+printf 'fix\nlabel a\nprint x\n' >other.in
+"$TSIM" -check -in outer.in >out 2>err
+[ "$(grep -c error: err)" = 3 ] && grep -q '^other.in:1:' err && grep -q "^outer.in:2:9: .*'missing.in'" err
+report 'included scripts' $? err
+
+for deck in drilling; do
+	cp "$top_srcdir"/examples/$deck/in.* .
+	"$TSIM" -check -in in.$deck >out 2>err
+	report "examples/$deck has no errors" $? err
+done
+finish
