@@ -9,6 +9,8 @@ library_sources = \
 	src/base/hash.h \
 	src/base/log.c \
 	src/base/log.h \
+	src/base/map.c \
+	src/base/map.h \
 	src/base/parallel.c \
 	src/base/parallel.h \
 	src/base/status.c \
@@ -133,6 +135,10 @@ library_sources = \
 	src/particles/quantity.c \
 	src/particles/region.c \
 	src/particles/region.h \
+	src/script/check.c \
+	src/script/check.h \
+	src/script/check_trace.c \
+	src/script/check_unreached.c \
 	src/script/condition.c \
 	src/script/diagnostic.c \
 	src/script/expr.c \

@@ -1,5 +1,6 @@
 #include "core/value.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #include "core/sim.h"
@@ -33,12 +34,23 @@ const struct ts_value *ts_value_find(const struct ts_instance *inst, enum ts_sha
 	return NULL;
 }
 
+/* -check has to know what hangs on a run. */
+static void note_read(const struct ts_instance *inst, struct tsim *sim)
+{
+	char name[48];
+
+	snprintf(name, sizeof name, "%c_%s", ts_kind_name(inst->style->kind)[0], inst->id);
+	ts_from_run(sim, name);
+}
+
 enum ts_status ts_value_eval(struct ts_instance *inst, struct tsim *sim, const struct ts_value *value,
 			     struct ts_table *out)
 {
 	size_t columns = value->shape == TS_SCALAR ? 1 : value->columns;
 	enum ts_status status;
 
+	if (sim->check)
+		note_read(inst, sim);
 	if (value->shape == TS_SCALAR || (value->shape == TS_VECTOR && columns))
 		if (ts_table_resize(out, 1, columns) != TS_OK)
 			return ts_nomem(&sim->error);
