@@ -1,14 +1,16 @@
 /* Command line in, exit status out. */
+#include <inttypes.h>
 #include <signal.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 #include <unistd.h>
 
+#include "base/clock.h"
 #include "core/help.h"
 #include "core/sim.h"
+#include "io/restart.h"
 #include "script/script.h"
 #include "tsim.h"
 
@@ -24,6 +26,7 @@ enum option_id {
 	OPT_ECHO,
 	OPT_THREADS,
 	OPT_CHECK,
+	OPT_SIGNAL,
 	OPT_EXPLAIN,
 	OPT_HELP,
 	OPT_DOC,
@@ -42,6 +45,7 @@ static const struct {
 	[OPT_ECHO] = { "echo", "none|screen|log|both", "where input lines are shown (log)", 1 },
 	[OPT_THREADS] = { "threads", "N", "number of threads (OMP_NUM_THREADS, else 1)", 1 },
 	[OPT_CHECK] = { "check", "", "run nothing: tell all errors and what the script would do", 0 },
+	[OPT_SIGNAL] = { "restart-on-signal", "FILE|none", "where an interrupted run saves its state", 1 },
 	[OPT_EXPLAIN] = { "explain", "", "run nothing: print the plan of each run", 0 },
 	[OPT_HELP] = { "help", "[KIND [STYLE]]", "manual page, e.g. -help fix gravity", 0 },
 	[OPT_DOC] = { "doc", "DIR", "write all manual pages to the directory as Markdown", 1 },
@@ -58,16 +62,16 @@ struct setup {
 /* A signal handler can reach the simulation by no other way. */
 static struct tsim *volatile interrupted;
 static volatile sig_atomic_t signal_number;
-static volatile time_t signal_time;
+static volatile double signal_time;
 
 /* The first signal asks politely; one that comes later kills. `timeout` and some batch systems send
  * theirs twice at once, which means the same as once. */
 static void on_signal(int number)
 {
 	struct tsim *sim = interrupted;
-	time_t now = time(NULL);
+	double now = ts_clock();
 
-	if (signal_number && now - signal_time > 1) {
+	if (signal_number && now - signal_time > 0.2) {
 		signal(number, SIG_DFL);
 		raise(number);
 	}
@@ -80,11 +84,15 @@ static void on_signal(int number)
 
 static void catch_signals(struct tsim *sim)
 {
-	struct sigaction action = { .sa_handler = on_signal };
+	struct sigaction action = { .sa_handler = on_signal, .sa_flags = SA_RESTART }, before;
 
 	interrupted = sim;
 	sigaction(SIGINT, &action, NULL);
 	sigaction(SIGTERM, &action, NULL);
+	sigaction(SIGHUP, NULL, &before);
+	if (before.sa_handler != SIG_IGN) /* nohup */
+		sigaction(SIGHUP, &action, NULL);
+	signal(SIGPIPE, SIG_IGN); /* a reader that goes is an error of writing like others */
 }
 
 static int usage_error(const char *format, const char *what, const char *more)
@@ -274,6 +282,9 @@ static int apply(struct tsim *sim, struct setup *setup, enum option_id id, char 
 		return set_echo(sim, value[0]);
 	case OPT_THREADS:
 		return set_threads(sim, value[0]);
+	case OPT_SIGNAL:
+		sim->restart_on_signal = ts_streq(value[0], "none") ? "" : value[0];
+		break;
 	case OPT_EXPLAIN:
 		sim->explain = setup->explain = true;
 		break;
@@ -393,6 +404,39 @@ static int report_check(struct tsim *sim)
 	return bad || n ? EXIT_FAILURE : EXIT_SUCCESS;
 }
 
+/* Where an interrupted run is saved: beside the log file unless the user says otherwise. */
+static void interrupted_path(const struct tsim *sim, const struct setup *setup, struct ts_str *out)
+{
+	const char *log = setup->log_given ? setup->log : "", *slash = strrchr(log, '/');
+
+	if (!sim->restart_on_signal && slash)
+		ts_str_add_n(out, log, (size_t)(slash + 1 - log));
+	ts_str_add(out, sim->restart_on_signal ? sim->restart_on_signal
+					       : "tsim.interrupted.restart");
+}
+
+/* After a signal: saves the state and says how to go on. */
+static void save_interrupted(struct tsim *sim, const struct setup *setup)
+{
+	struct ts_str path = { 0 };
+
+	interrupted_path(sim, setup, &path);
+	tsim_error_clear(sim);
+	if (!path.length || !ts_sim_has_box(sim) || sim->explain) {
+		ts_str_release(&path);
+		return;
+	}
+	if (ts_restart_write(sim, ts_str_text(&path), NULL) != TS_OK)
+		report_error(sim);
+	else
+		ts_log(&sim->log,
+		       "The state at step %" PRId64 " is saved. To go on, put in the script, instead of "
+		       "what makes the box and the particles,\n"
+		       "  read_restart %s\nand as run command\n  run %" PRId64 " upto\n",
+		       sim->clock.step, ts_str_text(&path), sim->clock.goal);
+	ts_str_release(&path);
+}
+
 /* Runs the script; the exit status. */
 static int run(struct tsim *sim, struct setup *setup)
 {
@@ -410,8 +454,11 @@ static int run(struct tsim *sim, struct setup *setup)
 		status = tsim_stream(sim, stdin, "stdin");
 	if (status) {
 		report_error(sim);
-		quit = sim->error.status == TS_STOPPED && signal_number ? 128 + signal_number
-									: EXIT_FAILURE;
+		quit = EXIT_FAILURE;
+		if (sim->error.status == TS_STOPPED && signal_number) {
+			quit = 128 + signal_number;
+			save_interrupted(sim, setup);
+		}
 	} else {
 		if (setup->explain)
 			ts_log(&sim->log, "\nNothing was run: values printed by the script are "

@@ -15,6 +15,12 @@ static void hide_progress(struct ts_log *log)
 	log->progress_shown = false;
 }
 
+static void note_trouble(struct ts_log *log)
+{
+	if (!log->trouble)
+		log->trouble = errno ? errno : EIO;
+}
+
 static void put(struct ts_log *log, bool screen, bool file, const char *format, va_list args)
 {
 	va_list again;
@@ -33,11 +39,12 @@ static void put(struct ts_log *log, bool screen, bool file, const char *format, 
 	if (screen && log->screen) {
 		hide_progress(log);
 		va_copy(again, args);
-		vfprintf(log->screen, format, again);
+		if (vfprintf(log->screen, format, again) < 0)
+			note_trouble(log);
 		va_end(again);
 	}
-	if (file && log->file)
-		vfprintf(log->file, format, args);
+	if (file && log->file && vfprintf(log->file, format, args) < 0)
+		note_trouble(log);
 }
 
 void ts_log(struct ts_log *log, const char *format, ...)
@@ -103,6 +110,30 @@ void ts_log_progress(struct ts_log *log, const char *text)
 		log->progress_shown = true;
 	}
 	fflush(log->screen);
+}
+
+static void flush(struct ts_log *log, FILE *stream)
+{
+	if (stream && fflush(stream) != 0)
+		note_trouble(log);
+}
+
+enum ts_status ts_log_flush(struct ts_log *log, struct ts_error *err)
+{
+	flush(log, log->file);
+	flush(log, log->screen);
+	return ts_log_check(log, err);
+}
+
+enum ts_status ts_log_check(const struct ts_log *log, struct ts_error *err)
+{
+	const char *reason = strerror(log->trouble ? log->trouble : EIO);
+
+	if (log->file && ferror(log->file))
+		return ts_fail(err, TS_IO, NULL, "writing the log file failed: %s", reason);
+	if (log->screen && ferror(log->screen))
+		return ts_fail(err, TS_IO, NULL, "writing to the screen failed: %s", reason);
+	return TS_OK;
 }
 
 void ts_log_echo(struct ts_log *log, const char *line)

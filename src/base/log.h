@@ -20,6 +20,7 @@ struct ts_log {
 	int warnings;
 	ts_log_sink_fn *sink; /* gets all that goes to the screen, screen or not; or NULL */
 	void *sink_data;
+	int trouble; /* errno of the first write that failed */
 };
 
 void ts_log(struct ts_log *log, const char *format, ...) __attribute__((format(printf, 2, 3)));
@@ -31,6 +32,10 @@ void ts_warn(struct ts_log *log, const struct ts_place *place, const char *forma
 	__attribute__((format(printf, 3, 4)));
 /* Overwrites the progress line of a terminal; an empty text removes it. */
 void ts_log_progress(struct ts_log *log, const char *text);
+/* Hands all to the system. */
+enum ts_status ts_log_flush(struct ts_log *log, struct ts_error *err);
+/* An error if something could not be written: a full disk, a reader of the screen that has gone. */
+enum ts_status ts_log_check(const struct ts_log *log, struct ts_error *err);
 /* An input line, to whom `echo` says. */
 void ts_log_echo(struct ts_log *log, const char *line);
 

@@ -201,6 +201,17 @@ static enum ts_status hash_instance(struct tsim *sim, const struct ts_instance *
 	return hash_variables(sim, inst, inst->style->args, hash);
 }
 
+/* Fixes that only look (averages, prints) may come and go: the forces stay what they are. */
+static bool only_looks(const struct ts_instance *inst)
+{
+	if (inst->style->kind != TS_KIND_FIX)
+		return false;
+	for (int stage = TS_STAGE_INITIAL_INTEGRATE; stage <= TS_STAGE_FINAL_INTEGRATE; stage++)
+		if (inst->style->hook[stage])
+			return false;
+	return true;
+}
+
 enum ts_status ts_sim_fingerprint(struct tsim *sim, uint64_t *out)
 {
 	static const enum ts_kind kinds[] = { TS_KIND_SYSTEM, TS_KIND_PAIR, TS_KIND_BOND,
@@ -215,7 +226,8 @@ enum ts_status ts_sim_fingerprint(struct tsim *sim, uint64_t *out)
 		const struct ts_instances *list = &sim->instances[kinds[k]];
 
 		for (size_t i = 0; i < list->n; i++)
-			TS_TRY(hash_instance(sim, list->item[i], &hash));
+			if (!only_looks(list->item[i]))
+				TS_TRY(hash_instance(sim, list->item[i], &hash));
 	}
 	*out = ts_hash_value(&hash);
 	return TS_OK;

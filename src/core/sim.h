@@ -31,6 +31,7 @@ struct ts_clock {
 	int64_t step;       /* the step counter                                    */
 	int64_t first_step; /* of the current run                                  */
 	int64_t last_step;  /* of the current run                                  */
+	int64_t goal;       /* where the last run command is to end                */
 	int64_t base_step;  /* time = base_time + (step - base_step) dt: exact for */
 	double base_time;   /* a constant dt, whatever the number of steps         */
 	double dt;
@@ -63,6 +64,8 @@ struct tsim {
 	volatile int stop; /* set from a signal handler: finish the step, then stop */
 	uint64_t generation; /* grows when particles are added, deleted, reordered or their columns
 			      * move in memory; never goes back, not by `clear` either */
+	const char *restart_on_signal; /* file written when a signal stops the run; "": none,
+					* NULL: tsim.interrupted.restart beside the log */
 	uint64_t fingerprint; /* of all that forces depend on, at the end of the last run */
 
 	unsigned columns;     /* all that live styles need */

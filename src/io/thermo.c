@@ -105,10 +105,7 @@ static enum ts_status emit(struct ts_thermo *t, struct tsim *sim)
 	if (t->line.failed)
 		return ts_nomem(&sim->error);
 	ts_log(&sim->log, "%s\n", ts_str_text(&t->line));
-	if (sim->log.file && fflush(sim->log.file) != 0)
-		return ts_fail(&sim->error, TS_IO, NULL, "writing the log file failed");
-	if (sim->log.screen)
-		fflush(sim->log.screen);
+	TS_TRY(ts_log_flush(&sim->log, &sim->error));
 	if (!ts_textfile_is_open(&t->file))
 		return TS_OK;
 	TS_TRY(ts_textfile_printf(&t->file, "%s\n", ts_str_text(&t->line)));

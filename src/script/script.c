@@ -204,6 +204,8 @@ static enum ts_status run_line(struct ts_script *script, struct ts_line *line)
 		status = ts_line_cut(line, error, &arena, &words);
 	if (status == TS_OK && words.n)
 		status = dispatch(script, words);
+	if (status == TS_OK)
+		status = ts_log_check(&script->sim->log, error);
 	if (status == TS_OK && words.n && script->sim->stop)
 		status = ts_fail(error, TS_STOPPED, &words.word[0].place, "stopped on request");
 	if (status != TS_OK && script->check)

@@ -53,7 +53,7 @@ for target in "${targets[@]}"; do
 			"../fuzz_$target" -dict=../words -artifact_prefix="../found.$target/" -timeout=20 \
 			-rss_limit_mb=2048 -max_len=8192 -print_final_stats=1 -use_value_profile=1 \
 			-max_total_time=$((${FUZZ_SECONDS:-60} / ${#targets[@]})) "../corpus.$target" \
-			"../seeds.$target" "$here/corpus/$target" >"../log.$target" 2>&1
+			"../seeds.$target" $(ls -d "$here/corpus/$target" 2>/dev/null) >"../log.$target" 2>&1
 	)
 	status=$?
 	echo "$target: $(sed -n 's/^stat::number_of_executed_units: *//p' "log.$target") executions," \

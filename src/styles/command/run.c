@@ -121,6 +121,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 		return ts_fail(&sim->error, TS_RANGE, where,
 			       "run upto %" PRId64 ": the simulation is already at step %" PRId64,
 			       r->steps, sim->clock.step);
+	sim->clock.goal = last;
 	if (!r->pieces.n)
 		return run_once(sim, last - sim->clock.step, r);
 	return run_pieces(sim, last, r);

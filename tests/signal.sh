@@ -1,0 +1,86 @@
+#!/bin/bash
+# A run stopped by a signal finishes its step, saves its state, says how to go on; and the run that goes on
+# ends as if there had been no signal, byte for byte.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+
+# The run writes 4 kB per step into a pipe, so it is never far ahead of who reads there.
+mkfifo pace
+cat >in.part <<END
+variable first string 'X'
+include $top_srcdir/tests/decks/in.everything
+run \${last} upto
+write_restart \${out}.restart
+END
+sed "s|^run|fix pace all print 1 \"\$(step) $(head -c 4000 /dev/zero | tr '\0' x)\" file pace screen no title none\nrun|" \
+	in.part >in.paced
+
+# interrupted SIGNAL STEP OPTIONS...: sends it when the run has come to the step; its exit status
+interrupted() {
+	local signal=$1 at=$2
+	shift 2
+	rm -f ./*.interrupted.restart
+	"$TSIM" -in in.paced -log a.log -var out a -var last 700 "$@" >out 2>err &
+	local run=$!
+	exec 3<pace
+	while read -r step _ && [ "${step/none/0}" -lt "$at" ]; do :; done <&3
+	kill "-$signal" $run
+	[ "$again" = yes ] && sleep 0.4 && kill "-$signal" $run
+	cat <&3 >rest
+	exec 3<&-
+	wait $run
+	status=$?
+}
+
+"$TSIM" -in in.part -log whole.log -screen none -var out whole -var last 700 2>err
+report 'the whole run' $? err
+
+interrupted INT 311
+[ $status = 130 ]
+report 'INT: exit status' $? err
+grep -q 'stopped on request after step 3' err
+report 'INT: says so' $? err
+grep -q '^  read_restart tsim.interrupted.restart' out && grep -q '^  run 700 upto' out
+report 'INT: says how to go on' $? out
+"$TSIM" -in in.part -log b.log -screen none -var out b -var last 700 \
+	-var from tsim.interrupted.restart 2>err
+report 'goes on' $? err
+for kind in dump contacts bonds cracks; do
+	cat {a,b}."$kind" >"parts.$kind"
+	same "$kind of both parts" "whole.$kind" "parts.$kind"
+done
+same 'the state at the end' whole.restart b.restart
+rows whole.log >whole.rows
+at=$(sed -n 's/.*after step \([0-9]*\);.*/\1/p' a.log)
+rows {a,b}.log | grep -vE "^ +$at " >parts.rows
+same 'the tables' whole.rows parts.rows
+
+mkdir logs
+interrupted TERM 5 -log logs/log
+[ $status = 143 ] && [ -s logs/tsim.interrupted.restart ]
+report 'TERM: beside the log' $? err
+interrupted HUP 5 -restart-on-signal here
+[ $status = 129 ] && [ -s here ] && grep -q 'read_restart here' out
+report 'HUP: in a file of the name given' $? err
+interrupted INT 5 -restart-on-signal none
+[ $status = 130 ] && ! ls ./*.interrupted.restart 2>/dev/null
+report 'no file' $? out
+sed -i.all 's/^include/write_restart_on_signal no\n&/' in.paced
+interrupted INT 5
+[ $status = 130 ] && ! ls ./*.interrupted.restart 2>/dev/null
+report 'no file, said in the script' $? out
+mv in.paced.all in.paced
+interrupted INT 5 -restart-on-signal missing/file
+[ $status = 130 ] && grep -q "missing/file'" err
+report 'a file that cannot be written' $? err
+again=yes
+interrupted INT 5
+[ $status = 130 ] && ! grep -q stopped err && ! ls ./*.interrupted.restart 2>/dev/null
+report 'the second signal stops at once' $? err
+again=
+
+printf 'label a\njump SELF a\n' >in.loop
+timeout -s TERM 0.3 "$TSIM" -in in.loop -log none >out 2>err
+grep -q 'stopped on request' err
+report 'a loop of the script without a run' $? err
+finish
