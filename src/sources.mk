@@ -71,6 +71,8 @@ library_sources = \
 	src/io/format.h \
 	src/io/lines.c \
 	src/io/lines.h \
+	src/io/newest.c \
+	src/io/newest.h \
 	src/io/replace.c \
 	src/io/replace.h \
 	src/io/restart.c \
@@ -229,6 +231,7 @@ library_sources = \
 	src/styles/command/write_data.c \
 	src/styles/command/write_dump.c \
 	src/styles/command/write_restart.c \
+	src/styles/command/write_restart_on_signal.c \
 	src/styles/compute/bonds.c \
 	src/styles/compute/com.c \
 	src/styles/compute/contacts.c \

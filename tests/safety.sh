@@ -164,7 +164,7 @@ stops 'restart to a missing folder' "$balls
 run 1
 write_restart missing/file" 'in.script:15:1' 'shell mkdir missing'
 stops 'restart during a run' "$balls
-restart 10 pipe
+dump save all restart 10 pipe
 run 100" 'in.script:14:1' 'not a plain file'
 "$TSIM" -in in.script -log none >full 2>err </dev/null
 [ $? = 1 ]

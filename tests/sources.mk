@@ -8,12 +8,15 @@ shell_tests = \
 	tests/decks/inputs.sh \
 	tests/drilling.sh \
 	tests/dry_run.sh \
+	tests/fuzz/fuzz.sh \
 	tests/house.sh \
+	tests/kill.sh \
 	tests/layers.sh \
 	tests/manual_current.sh \
 	tests/restart.sh \
 	tests/restart_changes.sh \
 	tests/safety.sh \
+	tests/signal.sh \
 	tests/special_bonds.sh \
 	tests/stability/refusal.sh \
 	tests/styles_current.sh \

@@ -77,6 +77,7 @@ TS_STYLE(command, ts_command_style, ts_command_velocity)
 TS_STYLE(command, ts_command_style, ts_command_write_data)
 TS_STYLE(command, ts_command_style, ts_command_write_dump)
 TS_STYLE(command, ts_command_style, ts_command_write_restart)
+TS_STYLE(command, ts_command_style, ts_command_write_restart_on_signal)
 TS_STYLE(compute, ts_style, ts_compute_bonds)
 TS_STYLE(compute, ts_style, ts_compute_com)
 TS_STYLE(compute, ts_style, ts_compute_contacts)
@@ -185,6 +186,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_command_write_data.style,
 	&ts_command_write_dump.style,
 	&ts_command_write_restart.style,
+	&ts_command_write_restart_on_signal.style,
 	&ts_compute_bonds,
 	&ts_compute_com,
 	&ts_compute_contacts,

@@ -1,5 +1,6 @@
 /* Command read_restart: continues from a saved state. */
 #include "core/sim.h"
+#include "io/newest.h"
 #include "io/restart.h"
 
 #include <inttypes.h>
@@ -10,21 +11,41 @@
 
 struct state {
 	const char *file;
+	bool remap;
 };
 
-static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+static enum ts_status read_path(struct tsim *sim, const struct ts_str *path,
+				const struct state *s, const struct ts_place *where)
 {
-	const struct state *s = state;
-
-	ts_log(&sim->log, "Reading restart file ...\n");
-	TS_TRY(ts_restart_read(sim, s->file, where));
+	if (path->failed)
+		return ts_nomem(&sim->error);
+	if (!path->length)
+		return ts_fail(&sim->error, TS_IO, where,
+			       "there is no restart file with a number for the * of '%s'", s->file);
+	ts_log(&sim->log, "Reading restart file %s ...\n", ts_str_text(path));
+	TS_TRY(ts_restart_read(sim, ts_str_text(path), where));
 	ts_log(&sim->log, "  step %" PRId64 ", %zu atoms\n", sim->clock.step, sim->particles->n);
 	return TS_OK;
 }
 
+static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	const struct state *s = state;
+	struct ts_str path = { 0 };
+	enum ts_status status;
+
+	ts_newest_path(s->file, &path);
+	status = read_path(sim, &path, s, where);
+	ts_str_release(&path);
+	return status;
+}
+
 static const struct ts_arg args[] = {
 	TS_WORD("file", struct state, file, .flags = TS_POSITIONAL,
-		.help = "a file made by write_restart or restart"),
+		.help = "a file made by write_restart or restart; of a name with `*` the one with the "
+			"largest number there"),
+	TS_FLAG("remap", struct state, remap,
+		.help = "no effect: particles are put into a periodic box in any case"),
 	TS_ARGS_END,
 };
 
@@ -37,7 +58,7 @@ const struct ts_command_style ts_command_read_restart = {
 		.doc = "Takes the place of create_box. Restored at once: box, particles, groups, bonds, contacts, clock,\n"
 		       "units. The script defines styles again; each whose kind, style and id match gets its state\n"
 		       "back, coefficients of pairs and bonds included. A damaged file is refused and changes nothing.",
-		.example = "read_restart rock.restart",
+		.example = "read_restart rock.restart\nread_restart rock.*.restart",
 		.args = args,
 		.state_size = sizeof(struct state),
 	},

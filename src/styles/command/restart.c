@@ -1,6 +1,8 @@
 /* Command restart: saves the state at intervals during runs. */
 #include "core/sim.h"
 
+#include <string.h>
+
 #include "base/banned.h"
 
 struct state {
@@ -30,6 +32,8 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	const struct state *s = state;
 	const struct ts_word id = { .text = "restart", .place = *where };
 	struct ts_word word[3];
+	struct ts_str series = { 0 };
+	enum ts_status status;
 	char every[24];
 
 	TS_TRY(stop(sim, &id));
@@ -42,7 +46,15 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	word[0] = (struct ts_word){ .text = every, .place = *where };
 	for (size_t k = 0; k < s->files.n; k++)
 		word[k + 1] = s->files.word[k];
-	return start(sim, &id, word, s->files.n + 1);
+	if (s->files.n == 1 && !strchr(word[1].text, '*')) {
+		ts_str_addf(&series, "%s.*", word[1].text);
+		if (series.failed)
+			return ts_nomem(&sim->error);
+		word[1].text = ts_str_text(&series);
+	}
+	status = start(sim, &id, word, s->files.n + 1);
+	ts_str_release(&series);
+	return status;
 }
 
 static const struct ts_arg args[] = {
@@ -52,7 +64,8 @@ static const struct ts_arg args[] = {
 	  .type = TS_ARG_REST,
 	  .flags = TS_POSITIONAL | TS_OPTIONAL,
 	  .offset = TS_FIELD(struct state, files, struct ts_words *),
-	  .help = "one file name, `*` stands for the step, or two to be written in turn" },
+	  .help = "one name, `*` stands for the step, which is put behind a name without it; or two "
+		  "names to be written in turn" },
 	TS_ARGS_END,
 };
 
@@ -62,8 +75,11 @@ const struct ts_command_style ts_command_restart = {
 		.name = "restart",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Saves the state at intervals during runs",
-		.doc = "Makes dump style restart with the id restart, which acts after the dumps defined before it.",
+		.doc = "Makes dump style restart with the id restart, which acts after the dumps defined before it. Of two\n"
+		       "names written in turn one is whole at any moment; so is any other, since files are written beside\n"
+		       "their place and renamed. To write a single file again and again use dump style restart.",
 		.example = "restart 10000 a.restart b.restart\n"
+			   "restart 50000 post/rock.*.restart\n"
 			   "restart 0",
 		.args = args,
 		.state_size = sizeof(struct state),

@@ -7,6 +7,7 @@
 
 struct state {
 	const char *file;
+	bool noinit;
 };
 
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
@@ -27,6 +28,8 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 static const struct ts_arg args[] = {
 	TS_WORD("file", struct state, file, .flags = TS_POSITIONAL | TS_WRITES,
 		.help = "name of the file; `*` stands for the step"),
+	TS_FLAG("noinit", struct state, noinit,
+		.help = "no effect: nothing has to be prepared for the file"),
 	TS_ARGS_END,
 };
 
