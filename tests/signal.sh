@@ -24,8 +24,9 @@ interrupted() {
 	local run=$!
 	exec 3<pace
 	while read -r step _ && [ "${step/none/0}" -lt "$at" ]; do :; done <&3
+	[ -z "$again" ] || sleep 0.5 # until the pipe is full
 	kill "-$signal" $run
-	[ "$again" = yes ] && sleep 0.4 && kill "-$signal" $run
+	[ -z "$again" ] || { sleep 0.4 && kill "-$signal" $run; }
 	cat <&3 >rest
 	exec 3<&-
 	wait $run
