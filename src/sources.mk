@@ -47,6 +47,7 @@ library_sources = \
 	src/core/stepping.c \
 	src/core/stepping.h \
 	src/core/style.h \
+	src/core/units.h \
 	src/core/uses.c \
 	src/core/uses.h \
 	src/core/value.c \
@@ -109,6 +110,8 @@ library_sources = \
 	src/neigh/bonds.h \
 	src/neigh/cells.c \
 	src/neigh/cells.h \
+	src/neigh/contact_list.c \
+	src/neigh/contact_list.h \
 	src/neigh/gather.c \
 	src/neigh/gather.h \
 	src/neigh/neigh.c \
@@ -132,11 +135,17 @@ library_sources = \
 	src/particles/group.c \
 	src/particles/lattice.c \
 	src/particles/lattice.h \
+	src/particles/moments.c \
+	src/particles/moments.h \
 	src/particles/particles.c \
 	src/particles/particles.h \
 	src/particles/quantity.c \
+	src/particles/reference.c \
+	src/particles/reference.h \
 	src/particles/region.c \
 	src/particles/region.h \
+	src/particles/temperature.c \
+	src/particles/temperature.h \
 	src/script/check.c \
 	src/script/check.h \
 	src/script/check_trace.c \
@@ -235,10 +244,21 @@ library_sources = \
 	src/styles/compute/bonds.c \
 	src/styles/compute/com.c \
 	src/styles/compute/contacts.c \
+	src/styles/compute/displace_atom.c \
+	src/styles/compute/erotate_sphere.c \
+	src/styles/compute/erotate_sphere_atom.c \
+	src/styles/compute/gyration.c \
 	src/styles/compute/ke.c \
+	src/styles/compute/ke_atom.c \
 	src/styles/compute/leave.c \
+	src/styles/compute/msd.c \
+	src/styles/compute/pressure.c \
 	src/styles/compute/property_atom.c \
 	src/styles/compute/reduce.c \
+	src/styles/compute/stress_atom.c \
+	src/styles/compute/temp.c \
+	src/styles/compute/temp_com.c \
+	src/styles/compute/vacf.c \
 	src/styles/dump/custom.c \
 	src/styles/dump/custom_vtk.c \
 	src/styles/dump/local.c \

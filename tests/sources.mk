@@ -5,6 +5,7 @@ shell_tests = \
 	tests/crosscheck/liggghts.sh \
 	tests/data_files.sh \
 	tests/decks/commands.sh \
+	tests/decks/computes.sh \
 	tests/decks/inputs.sh \
 	tests/drilling.sh \
 	tests/dry_run.sh \

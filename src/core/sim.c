@@ -229,10 +229,12 @@ enum ts_status ts_sim_create(struct tsim *sim, enum ts_kind kind, const struct t
 		instance_free(inst);
 		return status;
 	}
-	if (at < list->n)
+	if (at < list->n) {
 		instance_free(list->item[at]);
-	else
+		sim->removals++;
+	} else {
 		list->n++;
+	}
 	list->item[at] = inst;
 	if (out)
 		*out = inst;
@@ -260,6 +262,7 @@ enum ts_status ts_sim_destroy(struct tsim *sim, enum ts_kind kind, const struct 
 	memmove(&list->item[at], &list->item[at + 1], (list->n - at - 1) * sizeof *list->item);
 	list->n--;
 	instance_free(inst);
+	sim->removals++;
 	return TS_OK;
 }
 

@@ -58,6 +58,7 @@ struct tsim {
 	bool in_pieces;    /* this run is stepped from outside, its end not known: core/stepping.h */
 	bool explicit_euler; /* a live integrator is explicit Euler, which has limits of its own */
 	bool rebuild;      /* this step exchanges particles and rebuilds the contact rows */
+	uint64_t removals; /* of instances, ever: what refers to one must look again */
 	bool in_setup;     /* forces before the first step: contact history stands still */
 	bool resuming;     /* nothing forces depend on has changed since the last step: the run
 			    * goes on with the forces and the rows of that step */

@@ -119,6 +119,8 @@ bool ts_property_has(const struct tsim *sim, const char *name)
 	return found;
 }
 
+enum { MOST_ID = 128 };
+
 /* Reads "[12]" and moves on. */
 static bool read_bracket(const char **text, long *index)
 {
@@ -204,7 +206,7 @@ static enum ts_status resolve_keyword(struct tsim *sim, const char *name,
 static enum ts_status resolve_instance(struct tsim *sim, const char *name, enum ts_kind kind,
 				       const struct ts_place *where, struct ts_ref *ref)
 {
-	char id[128];
+	char id[MOST_ID];
 	struct ts_word word = { .text = id };
 
 	if (where)
@@ -224,7 +226,7 @@ static enum ts_status resolve_instance(struct tsim *sim, const char *name, enum 
 enum ts_status ts_ref_resolve(struct tsim *sim, const char *name, const struct ts_place *where,
 			      struct ts_ref *ref)
 {
-	*ref = (struct ts_ref){ 0 };
+	*ref = (struct ts_ref){ .name = name, .removals = sim->removals };
 	if (strncmp(name, "c_", 2) == 0)
 		return resolve_instance(sim, name, TS_KIND_COMPUTE, where, ref);
 	if (strncmp(name, "f_", 2) == 0)
@@ -232,6 +234,14 @@ enum ts_status ts_ref_resolve(struct tsim *sim, const char *name, const struct t
 	if (strncmp(name, "v_", 2) == 0)
 		return resolve_variable(sim, name + 2, where, ref);
 	return resolve_keyword(sim, name, where, ref);
+}
+
+/* The ref as it is now: instances may have been deleted since it was resolved. */
+static enum ts_status refresh(struct tsim *sim, const struct ts_ref *ref,
+			      const struct ts_place *where, struct ts_ref *now)
+{
+	*now = *ref;
+	return ref->removals == sim->removals ? TS_OK : ts_ref_resolve(sim, ref->name, where, now);
 }
 
 /* What an output of this shape is when read with the brackets of the ref; 0: nothing. */
@@ -253,16 +263,30 @@ static unsigned variable_shape(const struct tsim *sim, const struct ts_ref *ref)
 	return 1u << TS_SCALAR;
 }
 
+static struct ts_instance *find_again(const struct tsim *sim, const struct ts_ref *ref)
+{
+	char id[MOST_ID];
+	long index, column;
+
+	if (!split_index(ref->name + 2, id, sizeof id, &index, &column))
+		return NULL;
+	return ts_sim_find(sim, ref->kind == TS_REF_COMPUTE ? TS_KIND_COMPUTE : TS_KIND_FIX, id);
+}
+
 unsigned ts_ref_shapes(const struct tsim *sim, const struct ts_ref *ref)
 {
+	const struct ts_instance *inst;
 	unsigned shapes = 0;
 
 	if (ref->kind == TS_REF_KEYWORD)
 		return 1u << TS_SCALAR;
 	if (ref->kind == TS_REF_VARIABLE)
 		return variable_shape(sim, ref);
-	for (const struct ts_value *v = ref->inst->style->values; v && v->name; v++)
-		if (ts_value_given(ref->inst, v))
+	inst = ref->inst;
+	if (ref->removals != sim->removals)
+		inst = find_again(sim, ref);
+	for (const struct ts_value *v = inst ? inst->style->values : NULL; v && v->name; v++)
+		if (ts_value_given(inst, v))
 			shapes |= shape_seen(ref, v->shape);
 	return shapes;
 }
@@ -356,6 +380,8 @@ static enum ts_status variable_scalar(struct tsim *sim, const struct ts_ref *ref
 enum ts_status ts_ref_scalar(struct tsim *sim, const struct ts_ref *ref,
 			     const struct ts_place *where, double *out)
 {
+	struct ts_ref now;
+
 	if (ref->kind == TS_REF_KEYWORD)
 		ts_from_run(sim, ref->keyword->name);
 	switch (ref->kind) {
@@ -367,8 +393,9 @@ enum ts_status ts_ref_scalar(struct tsim *sim, const struct ts_ref *ref,
 	case TS_REF_FIX:
 		break;
 	}
-	return ref->column ? instance_element(sim, ref, where, out)
-			   : instance_scalar(sim, ref, where, out);
+	TS_TRY(refresh(sim, ref, where, &now));
+	return now.column ? instance_element(sim, &now, where, out)
+			  : instance_scalar(sim, &now, where, out);
 }
 
 static enum ts_status one_column(struct tsim *sim, const struct ts_ref *ref,
@@ -408,34 +435,44 @@ static enum ts_status repeat_scalar(struct tsim *sim, const struct ts_ref *ref,
 enum ts_status ts_ref_peratom(struct tsim *sim, const struct ts_ref *ref,
 			      const struct ts_place *where, struct ts_table *out)
 {
+	struct ts_ref now;
+
+	if (ref->kind != TS_REF_VARIABLE)
+		TS_TRY(refresh(sim, ref, where, &now));
 	if (!(ts_ref_shapes(sim, ref) & (1u << TS_PERATOM)))
 		return repeat_scalar(sim, ref, where, out);
 	if (ref->kind == TS_REF_VARIABLE)
 		return sim->host->peratom(sim->host_data, ref->variable, where, out);
-	return one_column(sim, ref, where, TS_PERATOM, out);
+	return one_column(sim, &now, where, TS_PERATOM, out);
 }
 
 enum ts_status ts_ref_vector(struct tsim *sim, const struct ts_ref *ref,
 			     const struct ts_place *where, struct ts_table *out)
 {
-	const struct ts_value *value = ref->inst ? ts_value_find(ref->inst, TS_VECTOR) : NULL;
+	const struct ts_value *value;
+	struct ts_ref now;
 
 	if (ref->kind == TS_REF_VARIABLE)
 		return sim->host->vector(sim->host_data, ref->variable, where, out);
-	if (ref->inst && ref->index)
-		return one_column(sim, ref, where, TS_ARRAY, out);
+	TS_TRY(refresh(sim, ref, where, &now));
+	if (now.inst && now.index)
+		return one_column(sim, &now, where, TS_ARRAY, out);
+	value = now.inst ? ts_value_find(now.inst, TS_VECTOR) : NULL;
 	if (!value)
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "expected a compute or fix with a vector output, or a variable of "
 			       "style vector");
-	return ts_value_eval(ref->inst, sim, value, out);
+	return ts_value_eval(now.inst, sim, value, out);
 }
 
 enum ts_status ts_ref_local(struct tsim *sim, const struct ts_ref *ref,
 			    const struct ts_place *where, struct ts_table *out)
 {
-	if (!ref->inst)
+	struct ts_ref now;
+
+	TS_TRY(refresh(sim, ref, where, &now));
+	if (!now.inst)
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "expected a compute or fix with a local output");
-	return one_column(sim, ref, where, TS_LOCAL, out);
+	return one_column(sim, &now, where, TS_LOCAL, out);
 }

@@ -5,6 +5,7 @@
 #define TS_CORE_VALUE_H
 
 #include <stddef.h>
+#include <stdint.h>
 
 #include <stdbool.h>
 
@@ -52,14 +53,17 @@ enum ts_ref_kind { TS_REF_KEYWORD, TS_REF_COMPUTE, TS_REF_FIX, TS_REF_VARIABLE }
 struct ts_keyword;
 struct ts_ref {
 	enum ts_ref_kind kind;
-	struct ts_instance *inst;           /* compute or fix */
+	const char *name;
+	uint64_t removals;        /* sim->removals when it was resolved */
+	struct ts_instance *inst; /* compute or fix */
 	const struct ts_keyword *keyword;
 	const char *variable;
 	long index;  /* k of [k], counted from 1; 0: none given */
 	long column; /* j of [i][j]; 0: none given */
 };
 
-/* Resolves a name. `name` must outlive the ref (arg tables copy it to the owner's arena). */
+/* Resolves a name. `name` must outlive the ref (arg tables copy it to the owner's arena). Should what it
+ * names be deleted and defined anew, the ref goes on with the new one. */
 enum ts_status ts_ref_resolve(struct tsim *sim, const char *name, const struct ts_place *where,
 			      struct ts_ref *ref);
 enum ts_status ts_ref_scalar(struct tsim *sim, const struct ts_ref *ref,

@@ -236,6 +236,7 @@ static enum ts_status build(struct tsim *sim, struct ts_rows *rows, const struct
 	status = reserve(rows, total);
 	if (status == TS_OK) {
 		rows->n = total;
+		rows->particles = s->p->n;
 		fill_rows(rows, s->p, found, shares);
 		ts_row_history_give(&old, rows);
 		status = ts_gather_index(&rows->gather, s->p->n, rows->n, row_end, partner_key,

@@ -18,6 +18,7 @@
 
 struct ts_rows {
 	size_t n, capacity;
+	size_t particles;   /* how many there were when the rows were built */
 	int32_t *i, *j;	    /* rows of the particle columns; i local, j local or ghost */
 	int32_t *tag[2];    /* identities of i and j */
 	uint8_t *image;	    /* which image of j: 13 = itself; see ts_image_code */

@@ -81,10 +81,21 @@ TS_STYLE(command, ts_command_style, ts_command_write_restart_on_signal)
 TS_STYLE(compute, ts_style, ts_compute_bonds)
 TS_STYLE(compute, ts_style, ts_compute_com)
 TS_STYLE(compute, ts_style, ts_compute_contacts)
+TS_STYLE(compute, ts_style, ts_compute_displace_atom)
+TS_STYLE(compute, ts_style, ts_compute_erotate_sphere)
+TS_STYLE(compute, ts_style, ts_compute_erotate_sphere_atom)
+TS_STYLE(compute, ts_style, ts_compute_gyration)
 TS_STYLE(compute, ts_style, ts_compute_ke)
+TS_STYLE(compute, ts_style, ts_compute_ke_atom)
 TS_STYLE(compute, ts_style, ts_compute_leave)
+TS_STYLE(compute, ts_style, ts_compute_msd)
+TS_STYLE(compute, ts_style, ts_compute_pressure)
 TS_STYLE(compute, ts_style, ts_compute_property_atom)
 TS_STYLE(compute, ts_style, ts_compute_reduce)
+TS_STYLE(compute, ts_style, ts_compute_stress_atom)
+TS_STYLE(compute, ts_style, ts_compute_temp)
+TS_STYLE(compute, ts_style, ts_compute_temp_com)
+TS_STYLE(compute, ts_style, ts_compute_vacf)
 TS_STYLE(dump, ts_style, ts_dump_custom)
 TS_STYLE(dump, ts_style, ts_dump_custom_vtk)
 TS_STYLE(dump, ts_style, ts_dump_local)
@@ -190,10 +201,21 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_bonds,
 	&ts_compute_com,
 	&ts_compute_contacts,
+	&ts_compute_displace_atom,
+	&ts_compute_erotate_sphere,
+	&ts_compute_erotate_sphere_atom,
+	&ts_compute_gyration,
 	&ts_compute_ke,
+	&ts_compute_ke_atom,
 	&ts_compute_leave,
+	&ts_compute_msd,
+	&ts_compute_pressure,
 	&ts_compute_property_atom,
 	&ts_compute_reduce,
+	&ts_compute_stress_atom,
+	&ts_compute_temp,
+	&ts_compute_temp_com,
+	&ts_compute_vacf,
 	&ts_dump_custom,
 	&ts_dump_custom_vtk,
 	&ts_dump_local,

@@ -1,5 +1,5 @@
 /* Command velocity: gives particles velocities. */
-#include "core/sim.h"
+#include "core/units.h"
 
 #include <math.h>
 
@@ -30,9 +30,6 @@ static double scale_of(const struct tsim *sim, const struct state *s)
 {
 	return s->units == 0 ? sim->domain->lattice : 1;
 }
-
-/* Boltzmann's constant in each system of units. */
-static const double boltzmann[] = { 1, 1.380649e-23, 1.380649e-16, 1.380649e-8 };
 
 static double group_sum(const struct ts_particles *p, int group, int dim)
 {
@@ -88,7 +85,7 @@ static enum ts_status create(struct tsim *sim, const struct state *s)
 {
 	struct ts_particles *p = sim->particles;
 	struct ts_exactsum energy = ts_exactsum_start();
-	double kt = boltzmann[sim->units] * s->temperature, factor, dof;
+	double kt = ts_boltzmann(sim) * s->temperature, factor, dof;
 	size_t count = 0;
 
 	for (size_t i = 0; i < p->n; i++) {

@@ -1,0 +1,18 @@
+/* Constants of nature in the units of the script. */
+#ifndef TS_CORE_UNITS_H
+#define TS_CORE_UNITS_H
+
+#include "core/sim.h"
+
+/* Boltzmann's constant; exact in si since 2019. */
+static inline double ts_boltzmann(const struct tsim *sim)
+{
+	static const double constant[] = { [TS_UNITS_LJ] = 1,
+					   [TS_UNITS_SI] = 1.380649e-23,
+					   [TS_UNITS_CGS] = 1.380649e-16,
+					   [TS_UNITS_MICRO] = 1.380649e-8 };
+
+	return constant[sim->units];
+}
+
+#endif

@@ -1,0 +1,26 @@
+/* What each particle was like when a compute was defined (its place, its velocity): a column of its own,
+ * so that it goes with the particle, also into restart files. Particles that come later are taken as
+ * they are when they come. */
+#ifndef TS_PARTICLES_REFERENCE_H
+#define TS_PARTICLES_REFERENCE_H
+
+#include "particles/particles.h"
+
+/* Three numbers of particle i, as it is now. */
+typedef void ts_reference_fn(const struct tsim *sim, size_t i, double now[3]);
+
+struct ts_reference {
+	ts_reference_fn *now;
+	size_t column;
+	bool started;
+};
+
+/* In init: finds the column and, the first time, fills it in, unless a restart file has it. */
+enum ts_status ts_reference_init(struct ts_instance *self, struct tsim *sim, struct ts_reference *ref,
+				 ts_reference_fn *now);
+/* After a rebuild of the rows and in SETUP: new particles. */
+void ts_reference_add(struct tsim *sim, const struct ts_reference *ref);
+
+double *ts_reference_of(const struct tsim *sim, const struct ts_reference *ref, size_t i);
+
+#endif

@@ -1,0 +1,76 @@
+/* Compute: how far each particle has come. */
+#include "particles/moments.h"
+#include "particles/reference.h"
+
+#include "math/vec3.h"
+
+#include "base/banned.h"
+
+struct displace {
+	struct ts_reference start;
+	struct tsim *sim;
+};
+
+static void place(const struct tsim *sim, size_t i, double now[3])
+{
+	ts_unwrapped(sim, i, now);
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct displace *s = self->state;
+
+	s->sim = sim;
+	return ts_reference_init(self, sim, &s->start, place);
+}
+
+static enum ts_status new_particles(struct ts_instance *self, struct tsim *sim)
+{
+	ts_reference_add(sim, &((struct displace *)self->state)->start);
+	return TS_OK;
+}
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	struct displace *s = self->state;
+	const struct ts_particles *p = sim->particles;
+
+	TS_TRY(ts_table_resize(out, p->n, 4));
+	TS_TRY(new_particles(self, s->sim));
+	for (size_t i = 0; i < p->n; i++) {
+		double *row = out->data + 4 * i, x[3] = { 0 };
+
+		if (ts_in_group(p, i, self->group)) {
+			ts_unwrapped(sim, i, x);
+			ts_sub(x, ts_reference_of(sim, &s->start, i), x);
+		}
+		for (int d = 0; d < 3; d++)
+			row[d] = x[d];
+		row[3] = ts_norm(x);
+	}
+	return TS_OK;
+}
+
+static const char *const names[] = { "dx", "dy", "dz", "distance", NULL };
+static const struct ts_value values[] = {
+	{ "displacement", "length", "displacement and its length; 0 outside the group", TS_PERATOM, 4,
+	  names, eval },
+	{ .name = NULL },
+};
+
+TS_STYLE(compute, ts_style, ts_compute_displace_atom)
+const struct ts_style ts_compute_displace_atom = {
+	.name = "displace/atom",
+	.kind = TS_KIND_COMPUTE,
+	.summary = "Displacement of each particle",
+	.doc = "How far each particle of the group is from where it was when the compute was defined, or "
+	       "when it\n"
+	       "was inserted if that was later. Periodic wrapping does not count. The places are kept in "
+	       "restart\n"
+	       "files.",
+	.example = "compute way all displace/atom\ndump d all custom 100 post/way*.txt id c_way[4]",
+	.state_size = sizeof(struct displace),
+	.values = values,
+	.init = init,
+	.hook = { [TS_STAGE_POST_BUILD] = new_particles, [TS_STAGE_SETUP] = new_particles },
+};
