@@ -104,29 +104,41 @@ static void add_product(double w[6], const double d[3], const double f[3])
 		w[k] += 0.5 * d[ts_tensor_row[k]] * f[ts_tensor_column[k]];
 }
 
-void ts_virial_of(const struct tsim *sim, size_t i, const struct ts_virial_parts *parts, double w[6])
+static void add_contacts(const struct tsim *sim, size_t i, double w[6])
 {
 	const struct ts_rows *rows = &sim->neigh->rows;
-	const struct ts_bonds *bonds = sim->bonds;
+	const struct ts_gather *g = &rows->gather;
 	const struct ts_particles *p = sim->particles;
-	struct ts_contact_view view;
-	double d[3];
 
-	for (int k = 0; k < 6; k++)
-		w[k] = 0;
-	for (size_t k = rows->n && parts->pair ? rows->first[i] : 0;
-	     rows->n && parts->pair && k < rows->first[i + 1]; k++) {
-		size_t r = rows->entry[k] >> 1;
+	for (size_t k = g->first[i]; k < g->first[i + 1]; k++) {
+		size_t r = g->entry[k] >> 1;
+		double d[3];
 
 		ts_sub(p->x[rows->i[r]], p->x[rows->j[r]], d);
 		if (rows->touching[r])
 			add_product(w, d, rows->force[r]);
 	}
-	for (size_t k = bonds->n && parts->bond ? bonds->first[i] : 0;
-	     bonds->n && parts->bond && k < bonds->first[i + 1]; k++) {
-		ts_bond_view(sim, bonds->entry[k] >> 1, &view);
+}
+
+static void add_bonds(const struct tsim *sim, size_t i, double w[6])
+{
+	const struct ts_gather *g = &sim->bonds->gather;
+	struct ts_contact_view view;
+
+	for (size_t k = g->first[i]; k < g->first[i + 1]; k++) {
+		ts_bond_view(sim, g->entry[k] >> 1, &view);
 		add_product(w, view.d, view.force);
 	}
+}
+
+void ts_virial_of(const struct tsim *sim, size_t i, const struct ts_virial_parts *parts, double w[6])
+{
+	for (int k = 0; k < 6; k++)
+		w[k] = 0;
+	if (parts->pair && sim->neigh->rows.n)
+		add_contacts(sim, i, w);
+	if (parts->bond && sim->bonds->n)
+		add_bonds(sim, i, w);
 }
 
 enum ts_status ts_virial_read(struct tsim *sim, const struct ts_instance *self, struct ts_words words,

@@ -2,16 +2,16 @@
 #include "particles/moments.h"
 
 #include "math/vec3.h"
+#include "particles/body.h"
 
 #include "base/banned.h"
 
 static void rotational(const struct tsim *sim, size_t i, void *context, double *term)
 {
 	const struct ts_particles *p = sim->particles;
-	double radius = p->radius[i];
 
 	(void)context;
-	term[0] = 0.2 * p->mass[i] * radius * radius * ts_dot(p->omega[i], p->omega[i]);
+	term[0] = 0.5 * ts_inertia(sim, i) * ts_dot(p->omega[i], p->omega[i]);
 }
 
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
@@ -36,7 +36,7 @@ const struct ts_style ts_compute_erotate_sphere = {
 	.name = "erotate/sphere",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Kinetic energy of rotation",
-	.doc = "The sum of I omega^2 / 2 over the group with I = 0.4 m R^2, rounded once. It is 0 where "
+	.doc = "The sum of I omega^2 / 2 over the group with I = 0.4 m R^2 (0.5 m R^2 for discs), rounded once. It is 0 where "
 	       "nothing\n"
 	       "makes particles rotate.",
 	.example = "compute rotation all erotate/sphere",

@@ -2,7 +2,7 @@
 #include "core/sim.h"
 
 #include "math/vec3.h"
-#include "particles/particles.h"
+#include "particles/body.h"
 
 #include "base/banned.h"
 
@@ -12,11 +12,9 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 
 	TS_TRY(ts_table_resize(out, p->n, 1));
 	for (size_t i = 0; i < p->n; i++) {
-		double r = p->radius[i];
-
 		out->data[i] = 0;
 		if (p->omega && ts_in_group(p, i, self->group))
-			out->data[i] = 0.2 * p->mass[i] * r * r * ts_dot(p->omega[i], p->omega[i]);
+			out->data[i] = 0.5 * ts_inertia(sim, i) * ts_dot(p->omega[i], p->omega[i]);
 	}
 	return TS_OK;
 }
@@ -36,7 +34,7 @@ const struct ts_style ts_compute_erotate_sphere_atom = {
 	.name = "erotate/sphere/atom",
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Kinetic energy of rotation of each particle",
-	.doc = "I omega^2 / 2 with I = 0.4 m R^2; 0 where nothing makes particles rotate.",
+	.doc = "I omega^2 / 2 with I = 0.4 m R^2 (0.5 m R^2 for discs); 0 where nothing makes particles rotate.",
 	.example = "compute rotation all erotate/sphere/atom",
 	.values = values,
 };
