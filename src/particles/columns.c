@@ -86,6 +86,57 @@ enum ts_status ts_particles_add_column(struct tsim *sim, const char *name, size_
 	return TS_OK;
 }
 
+/* Gives the numbers of each identity to the particle that has it now. */
+static enum ts_status distribute(struct tsim *sim, const struct ts_column *c, const int32_t *tag,
+				 size_t n, const double *data)
+{
+	const struct ts_particles *p = sim->particles;
+	const int32_t *row_of_tag;
+
+	TS_TRY(ts_particles_map(sim, &row_of_tag));
+	for (size_t k = 0; k < n; k++)
+		if (tag[k] > 0 && tag[k] <= p->max_tag && row_of_tag[tag[k]] >= 0)
+			memcpy(column_row(c, (size_t)row_of_tag[tag[k]]), data + k * c->width,
+			       c->width * c->element);
+	return TS_OK;
+}
+
+enum ts_status ts_particles_archive_column(struct ts_archive *archive, struct tsim *sim,
+					   const char *name, size_t index)
+{
+	struct ts_particles *p = sim->particles;
+	const struct ts_column *c = &p->column[index];
+	size_t tags = p->n, numbers = p->n * c->width, room = 0, space = 0;
+	struct ts_str key = { 0 };
+	int32_t *tag = NULL;
+	double *data = NULL;
+	enum ts_status status;
+
+	ts_str_addf(&key, "%s of", name);
+	if (key.failed)
+		return ts_nomem(&sim->error);
+	if (ts_archive_writing(archive)) {
+		status = ts_archive_fixed(archive, ts_str_text(&key), TS_SAVED_I32, p->tag, p->n);
+		if (status == TS_OK)
+			status = ts_archive_fixed(archive, name, TS_SAVED_F64, c->data, numbers);
+	} else {
+		status = ts_archive_array(archive, ts_str_text(&key), TS_SAVED_I32, (void **)&tag,
+					  &room, &tags);
+		if (status == TS_OK)
+			status = ts_archive_array(archive, name, TS_SAVED_F64, (void **)&data,
+						  &space, &numbers);
+		if (status == TS_OK && numbers != tags * c->width)
+			status = ts_fail(&sim->error, TS_DAMAGED, NULL,
+					 "'%s' does not fit its particles", name);
+		if (status == TS_OK)
+			status = distribute(sim, c, tag, tags, data);
+	}
+	ts_str_release(&key);
+	ts_free(tag);
+	ts_free(data);
+	return status;
+}
+
 enum ts_status ts_particles_add(struct tsim *sim, size_t n, size_t *first)
 {
 	struct ts_particles *p = sim->particles;

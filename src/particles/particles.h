@@ -111,6 +111,11 @@ enum ts_status ts_particles_need(struct tsim *sim, unsigned columns);
 enum ts_status ts_particles_add_column(struct tsim *sim, const char *name, size_t width,
 				       unsigned flags, size_t *index);
 
+/* For a style's archive function: the column it has added, by identity, since the style may be defined
+ * again only after particles have come and gone. Such columns are not TS_COL_SAVED. */
+enum ts_status ts_particles_archive_column(struct ts_archive *archive, struct tsim *sim,
+					   const char *name, size_t index);
+
 /* A table row_of_tag[tag]: local row, -1 if there is no such particle. Valid until particles are
  * added, deleted or reordered. */
 enum ts_status ts_particles_map(struct tsim *sim, const int32_t **row_of_tag);

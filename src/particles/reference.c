@@ -1,7 +1,5 @@
 #include "particles/reference.h"
 
-#include "core/pending.h"
-
 #include "base/banned.h"
 
 enum { KNOWN = 3, WIDTH = 4 }; /* three numbers, and 1 where they are known */
@@ -32,15 +30,21 @@ enum ts_status ts_reference_init(struct ts_instance *self, struct tsim *sim, str
 	ts_str_addf(&name, "%s %s %s", ts_kind_name(self->style->kind), self->style->name, self->id);
 	status = name.failed ? ts_nomem(&sim->error)
 			     : ts_particles_add_column(sim, ts_str_text(&name), WIDTH,
-						       TS_COL_SAVED | TS_COL_RESULT, &ref->column);
+						       TS_COL_RESULT, &ref->column);
 	ts_str_release(&name);
 	if (status != TS_OK || ref->started)
 		return status;
 	ref->now = now;
 	ref->started = true;
 	/* a column of this name may be left over from a compute that is gone */
-	for (size_t i = 0; !ts_pending_waits(sim, self) && i < sim->particles->n; i++)
+	for (size_t i = 0; i < sim->particles->n; i++)
 		ts_reference_of(sim, ref, i)[KNOWN] = 0;
 	ts_reference_add(sim, ref);
 	return TS_OK;
+}
+
+enum ts_status ts_reference_archive(struct ts_archive *archive, struct tsim *sim,
+				    const struct ts_reference *ref)
+{
+	return ts_particles_archive_column(archive, sim, "reference", ref->column);
 }

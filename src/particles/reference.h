@@ -15,9 +15,12 @@ struct ts_reference {
 	bool started;
 };
 
-/* In init: finds the column and, the first time, fills it in, unless a restart file has it. */
+/* In init: finds the column and, the first time, fills it in. */
 enum ts_status ts_reference_init(struct ts_instance *self, struct tsim *sim, struct ts_reference *ref,
 				 ts_reference_fn *now);
+/* In the style's archive function. */
+enum ts_status ts_reference_archive(struct ts_archive *archive, struct tsim *sim,
+				    const struct ts_reference *ref);
 /* After a rebuild of the rows and in SETUP: new particles. */
 void ts_reference_add(struct tsim *sim, const struct ts_reference *ref);
 

@@ -184,6 +184,36 @@ run 0
 print \"is bond \$(c_b[1]) \$(-0.08*1931*0.01/1.32)\"
 print \"is stress \$(c_sum) \$(0.08*1931*0.01)\""
 
+agree 'what a restart file remembers goes with the particle' "$box
+create_atoms 1 single 0.9 0.2 0.3 units box
+create_atoms 2 single 0.2 0.8 0.9 units box
+set type * diameter 0.1 density 1000
+velocity all set 2.385 0.5 0
+fix move all nve
+compute way all displace/atom
+region middle block 0.1 0.6 INF INF INF INF units box
+compute out all leave middle
+run 1500
+write_restart cut.restart
+clear
+read_restart cut.restart
+group gone type 2
+delete_atoms group gone
+create_atoms 2 single 0.5 0.5 0.5 units box
+set type 2 diameter 0.1 density 1000
+pair_style spring/dashpot
+pair_coeff * * stiffness 2385 damping 0.5
+fix move all nve
+compute way all displace/atom
+region middle block 0.1 0.6 INF INF INF INF units box
+compute out all leave middle
+compute x all reduce max c_way[1]
+compute n all reduce sum c_way[1]
+print \"is dx \$(c_x) \$(2.385*0.15)\"
+print \"is others \$(c_n) \$(c_x)\"
+run 0
+print \"is left \$(c_out[2]) 2\""
+
 bad "$three
 compute p pair pressure thermo_temp" 'its group must be all'
 bad "$three

@@ -51,6 +51,11 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	return TS_OK;
 }
 
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	return ts_reference_archive(a, sim, &((struct displace *)self->state)->start);
+}
+
 static const char *const names[] = { "dx", "dy", "dz", "distance", NULL };
 static const struct ts_value values[] = {
 	{ "displacement", "length", "displacement and its length; 0 outside the group", TS_PERATOM, 4,
@@ -70,6 +75,7 @@ const struct ts_style ts_compute_displace_atom = {
 	       "files.",
 	.example = "compute way all displace/atom\ndump d all custom 100 post/way*.txt id c_way[4]",
 	.state_size = sizeof(struct displace),
+	.archive = archive,
 	.values = values,
 	.init = init,
 	.hook = { [TS_STAGE_POST_BUILD] = new_particles, [TS_STAGE_SETUP] = new_particles },

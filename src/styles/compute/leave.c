@@ -8,6 +8,7 @@ struct leave {
 	int64_t seen;   /* entries into the region, those there at the start included */
 	int64_t inside; /* now */
 	size_t column;  /* per particle: 1 inside, 0 not */
+	bool started;
 };
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -16,10 +17,13 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct ts_str name = { 0 };
 	enum ts_status status;
 
-	ts_str_addf(&name, "c_%s", self->id);
-	status = ts_particles_add_column(sim, ts_str_text(&name), 1,
-					 TS_COL_SAVED | TS_COL_RESULT, &s->column);
+	ts_str_addf(&name, "compute leave %s", self->id);
+	status = ts_particles_add_column(sim, ts_str_text(&name), 1, TS_COL_RESULT, &s->column);
 	ts_str_release(&name);
+	/* a column of this name may be left over from a compute that is gone */
+	for (size_t i = 0; status == TS_OK && !s->started && i < sim->particles->n; i++)
+		((double *)sim->particles->column[s->column].data)[i] = 0;
+	s->started = status == TS_OK;
 	return status;
 }
 
@@ -63,6 +67,11 @@ static enum ts_status eval_counts(struct ts_instance *self, const struct tsim *s
 	return TS_OK;
 }
 
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	return ts_particles_archive_column(a, sim, "inside", ((struct leave *)self->state)->column);
+}
+
 static const struct ts_arg args[] = {
 	TS_REGION("region", struct leave, region, .flags = TS_POSITIONAL | TS_STATEFUL,
 		  .help = "region to watch"),
@@ -95,6 +104,7 @@ const struct ts_style ts_compute_leave = {
 	.args = args,
 	.state_size = sizeof(struct leave),
 	.saved = saved,
+	.archive = archive,
 	.values = values,
 	.init = init,
 	.hook = { [TS_STAGE_SETUP] = look, [TS_STAGE_END_OF_STEP] = look },

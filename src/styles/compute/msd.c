@@ -102,6 +102,11 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	return TS_OK;
 }
 
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	return ts_reference_archive(a, sim, &((struct msd *)self->state)->start);
+}
+
 static const char *const names[] = { "x", "y", "z", "total", NULL };
 static const struct ts_value values[] = {
 	{ "msd", "length^2", "mean squared displacement along the axes, and their sum", TS_VECTOR, 4,
@@ -140,6 +145,7 @@ const struct ts_style ts_compute_msd = {
 	.args = args,
 	.state_size = sizeof(struct msd),
 	.saved = saved,
+	.archive = archive,
 	.values = values,
 	.init = init,
 	.hook = { [TS_STAGE_POST_BUILD] = new_particles, [TS_STAGE_SETUP] = new_particles },

@@ -51,6 +51,11 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	return TS_OK;
 }
 
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	return ts_reference_archive(a, sim, &((struct vacf *)self->state)->start);
+}
+
 static const char *const names[] = { "x", "y", "z", "total", NULL };
 static const struct ts_value values[] = {
 	{ "vacf", "velocity^2", "mean of v v0 along the axes, and their sum", TS_VECTOR, 4, names,
@@ -68,6 +73,7 @@ const struct ts_style ts_compute_vacf = {
 	       "particle was inserted if that was later. The velocities are kept in restart files.",
 	.example = "compute memory all vacf\nfix series all vector 10 c_memory[4]",
 	.state_size = sizeof(struct vacf),
+	.archive = archive,
 	.values = values,
 	.init = init,
 	.hook = { [TS_STAGE_POST_BUILD] = new_particles, [TS_STAGE_SETUP] = new_particles },
