@@ -112,6 +112,8 @@ enum ts_status ts_particles_archive_column(struct ts_archive *archive, struct ts
 	double *data = NULL;
 	enum ts_status status;
 
+	if (!ts_archive_writing(archive) && !ts_archive_has(archive, name))
+		return TS_OK; /* files of version 1 have no such columns */
 	ts_str_addf(&key, "%s of", name);
 	if (key.failed)
 		return ts_nomem(&sim->error);
