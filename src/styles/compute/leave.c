@@ -69,7 +69,7 @@ static enum ts_status eval_counts(struct ts_instance *self, const struct tsim *s
 
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
-	return ts_particles_archive_column(a, sim, "inside", ((struct leave *)self->state)->column);
+	return ts_particles_archive_column(a, sim, "flags", ((struct leave *)self->state)->column);
 }
 
 static const struct ts_arg args[] = {
