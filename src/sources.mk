@@ -39,6 +39,8 @@ library_sources = \
 	src/core/plan.c \
 	src/core/plan.h \
 	src/core/plan_report.c \
+	src/core/price.c \
+	src/core/price.h \
 	src/core/ref_list.c \
 	src/core/ref_list.h \
 	src/core/registry.c \
@@ -66,6 +68,7 @@ library_sources = \
 	src/io/dump.c \
 	src/io/dump.h \
 	src/io/dump_columns.c \
+	src/io/dump_price.c \
 	src/io/dump_vtk.c \
 	src/io/dump_vtk.h \
 	src/io/format.c \

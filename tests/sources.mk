@@ -14,6 +14,7 @@ shell_tests = \
 	tests/kill.sh \
 	tests/layers.sh \
 	tests/manual_current.sh \
+	tests/price.sh \
 	tests/restart.sh \
 	tests/restart_changes.sh \
 	tests/safety.sh \
@@ -40,6 +41,7 @@ unit_tests = \
 	tests/check_neigh \
 	tests/check_order \
 	tests/check_particles \
+	tests/check_price \
 	tests/check_script \
 	tests/check_styles \
 	tests/stability/check_limits
@@ -108,6 +110,10 @@ tests_check_order_LDADD = $(tests_ldadd)
 tests_check_particles_SOURCES = tests/check_particles.c $(tests_common)
 tests_check_particles_CFLAGS = $(tests_cflags)
 tests_check_particles_LDADD = $(tests_ldadd)
+
+tests_check_price_SOURCES = tests/check_price.c $(tests_common)
+tests_check_price_CFLAGS = $(tests_cflags)
+tests_check_price_LDADD = $(tests_ldadd)
 
 tests_check_script_SOURCES = tests/check_script.c $(tests_common)
 tests_check_script_CFLAGS = $(tests_cflags)
