@@ -28,6 +28,8 @@ library_sources = \
 	src/core/arg_record.c \
 	src/core/coeff.c \
 	src/core/coeff.h \
+	src/core/each.c \
+	src/core/each.h \
 	src/core/group.h \
 	src/core/help.c \
 	src/core/help.h \
@@ -39,8 +41,6 @@ library_sources = \
 	src/core/plan.c \
 	src/core/plan.h \
 	src/core/plan_report.c \
-	src/core/price.c \
-	src/core/price.h \
 	src/core/ref_list.c \
 	src/core/ref_list.h \
 	src/core/registry.c \
@@ -68,7 +68,6 @@ library_sources = \
 	src/io/dump.c \
 	src/io/dump.h \
 	src/io/dump_columns.c \
-	src/io/dump_price.c \
 	src/io/dump_vtk.c \
 	src/io/dump_vtk.h \
 	src/io/format.c \
@@ -130,12 +129,15 @@ library_sources = \
 	src/neigh/rows.h \
 	src/particles/assign.c \
 	src/particles/body.h \
+	src/particles/chosen.h \
 	src/particles/columns.c \
 	src/particles/domain.c \
 	src/particles/domain.h \
 	src/particles/exchange.c \
 	src/particles/exchange.h \
 	src/particles/group.c \
+	src/particles/group_spin.c \
+	src/particles/group_spin.h \
 	src/particles/lattice.c \
 	src/particles/lattice.h \
 	src/particles/moments.c \
@@ -147,6 +149,8 @@ library_sources = \
 	src/particles/reference.h \
 	src/particles/region.c \
 	src/particles/region.h \
+	src/particles/tally.c \
+	src/particles/tally.h \
 	src/particles/temperature.c \
 	src/particles/temperature.h \
 	src/script/check.c \
@@ -269,20 +273,29 @@ library_sources = \
 	src/styles/dump/restart.c \
 	src/styles/fix/addforce.c \
 	src/styles/fix/ave_time.c \
+	src/styles/fix/aveforce.c \
 	src/styles/fix/bond_breakage.c \
 	src/styles/fix/drag_stokes.c \
 	src/styles/fix/drill_bit.c \
+	src/styles/fix/enforce2d.c \
 	src/styles/fix/freeze.c \
 	src/styles/fix/gravity.c \
+	src/styles/fix/halt.c \
+	src/styles/fix/lineforce.c \
+	src/styles/fix/momentum.c \
+	src/styles/fix/move.c \
 	src/styles/fix/nve.c \
 	src/styles/fix/nve_euler.c \
+	src/styles/fix/nve_noforce.c \
 	src/styles/fix/nve_sphere.c \
 	src/styles/fix/nve_symplectic.c \
+	src/styles/fix/planeforce.c \
 	src/styles/fix/print.c \
 	src/styles/fix/setforce.c \
 	src/styles/fix/vector.c \
 	src/styles/fix/viscous.c \
 	src/styles/fix/wall_gran.c \
+	src/styles/fix/wall_reflect.c \
 	src/styles/flow/uniform.c \
 	src/styles/pair/spring_dashpot.c \
 	src/styles/region/block.c \

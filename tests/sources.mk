@@ -2,10 +2,12 @@
 shell_tests = \
 	tests/command_line.sh \
 	tests/crosscheck/data_files.sh \
+	tests/crosscheck/fixes.sh \
 	tests/crosscheck/liggghts.sh \
 	tests/data_files.sh \
 	tests/decks/commands.sh \
 	tests/decks/computes.sh \
+	tests/decks/fixes.sh \
 	tests/decks/inputs.sh \
 	tests/drilling.sh \
 	tests/dry_run.sh \
@@ -14,7 +16,6 @@ shell_tests = \
 	tests/kill.sh \
 	tests/layers.sh \
 	tests/manual_current.sh \
-	tests/price.sh \
 	tests/restart.sh \
 	tests/restart_changes.sh \
 	tests/safety.sh \
@@ -41,7 +42,6 @@ unit_tests = \
 	tests/check_neigh \
 	tests/check_order \
 	tests/check_particles \
-	tests/check_price \
 	tests/check_script \
 	tests/check_styles \
 	tests/stability/check_limits
@@ -110,10 +110,6 @@ tests_check_order_LDADD = $(tests_ldadd)
 tests_check_particles_SOURCES = tests/check_particles.c $(tests_common)
 tests_check_particles_CFLAGS = $(tests_cflags)
 tests_check_particles_LDADD = $(tests_ldadd)
-
-tests_check_price_SOURCES = tests/check_price.c $(tests_common)
-tests_check_price_CFLAGS = $(tests_cflags)
-tests_check_price_LDADD = $(tests_ldadd)
 
 tests_check_script_SOURCES = tests/check_script.c $(tests_common)
 tests_check_script_CFLAGS = $(tests_cflags)

@@ -1,6 +1,5 @@
 #include "core/sim.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -67,7 +66,6 @@ static void set_defaults(struct tsim *sim)
 	int64_t n;
 
 	sim->clock = (struct ts_clock){ .dt = 0.005 };
-	sim->bill.step = NAN;
 	sim->units = TS_UNITS_LJ;
 	sim->dimension = 3;
 	if (sim->grain == 0)
@@ -75,7 +73,7 @@ static void set_defaults(struct tsim *sim)
 	sim->columns = 0;
 	sim->fingerprint = 0;
 	sim->planned = false;
-	sim->running = sim->rebuild = sim->in_setup = sim->resuming = false;
+	sim->running = sim->rebuild = sim->in_setup = sim->resuming = sim->halted = false;
 	if (sim->threads == 0)
 		sim->threads = threads && ts_parse_int(threads, &n) && n > 0 && n < 1024 ? (int)n
 											 : 1;

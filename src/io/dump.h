@@ -2,7 +2,6 @@
 #ifndef TS_IO_DUMP_H
 #define TS_IO_DUMP_H
 
-#include "core/plan.h"
 #include "core/ref_list.h"
 #include "core/sim.h"
 #include "io/format.h"
@@ -70,9 +69,6 @@ enum ts_status ts_dump_open(struct ts_instance *self, struct tsim *sim);
 void ts_dump_header(struct ts_dump_common *d, struct tsim *sim, const char *what);
 /* After a frame: all of it is with the system; closes a file of its own. */
 enum ts_status ts_dump_frame_done(struct ts_dump_common *d);
-/* For -explain: how many frames of what size. */
-enum ts_status ts_dump_price(struct ts_instance *self, struct tsim *sim, bool local, bool vtk,
-			     struct ts_plan_report *report);
 void ts_dump_fini(struct ts_instance *self);
 
 #endif

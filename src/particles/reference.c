@@ -16,7 +16,7 @@ void ts_reference_add(struct tsim *sim, const struct ts_reference *ref)
 
 		if (row[KNOWN] > 0)
 			continue;
-		ref->now(sim, i, row);
+		ref->now(ref->owner, sim, i, row);
 		row[KNOWN] = 1;
 	}
 }
@@ -35,6 +35,7 @@ enum ts_status ts_reference_init(struct ts_instance *self, struct tsim *sim, str
 	if (status != TS_OK || ref->started)
 		return status;
 	ref->now = now;
+	ref->owner = self;
 	ref->started = true;
 	/* a column of this name may be left over from a compute that is gone */
 	for (size_t i = 0; i < sim->particles->n; i++)

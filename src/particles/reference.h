@@ -1,4 +1,4 @@
-/* What each particle was like when a compute was defined (its place, its velocity): a column of its own,
+/* What each particle was like when a compute or fix was defined (its place, its velocity): a column of its own,
  * so that it goes with the particle, also into restart files. Particles that come later are taken as
  * they are when they come. */
 #ifndef TS_PARTICLES_REFERENCE_H
@@ -7,9 +7,11 @@
 #include "particles/particles.h"
 
 /* Three numbers of particle i, as it is now. */
-typedef void ts_reference_fn(const struct tsim *sim, size_t i, double now[3]);
+typedef void ts_reference_fn(const struct ts_instance *self, const struct tsim *sim, size_t i,
+			     double now[3]);
 
 struct ts_reference {
+	const struct ts_instance *owner;
 	ts_reference_fn *now;
 	size_t column;
 	bool started;

@@ -103,20 +103,29 @@ TS_STYLE(dump, ts_style, ts_dump_local_vtk)
 TS_STYLE(dump, ts_style, ts_dump_restart)
 TS_STYLE(fix, ts_style, ts_fix_addforce)
 TS_STYLE(fix, ts_style, ts_fix_ave_time)
+TS_STYLE(fix, ts_style, ts_fix_aveforce)
 TS_STYLE(fix, ts_style, ts_fix_bond_breakage)
 TS_STYLE(fix, ts_style, ts_fix_drag_stokes)
 TS_STYLE(fix, ts_style, ts_fix_drill_bit)
+TS_STYLE(fix, ts_style, ts_fix_enforce2d)
 TS_STYLE(fix, ts_style, ts_fix_freeze)
 TS_STYLE(fix, ts_style, ts_fix_gravity)
+TS_STYLE(fix, ts_style, ts_fix_halt)
+TS_STYLE(fix, ts_style, ts_fix_lineforce)
+TS_STYLE(fix, ts_style, ts_fix_momentum)
+TS_STYLE(fix, ts_style, ts_fix_move)
 TS_STYLE(fix, ts_style, ts_fix_nve)
 TS_STYLE(fix, ts_style, ts_fix_nve_euler)
+TS_STYLE(fix, ts_style, ts_fix_nve_noforce)
 TS_STYLE(fix, ts_style, ts_fix_nve_sphere)
 TS_STYLE(fix, ts_style, ts_fix_nve_symplectic)
+TS_STYLE(fix, ts_style, ts_fix_planeforce)
 TS_STYLE(fix, ts_style, ts_fix_print)
 TS_STYLE(fix, ts_style, ts_fix_setforce)
 TS_STYLE(fix, ts_style, ts_fix_vector)
 TS_STYLE(fix, ts_style, ts_fix_viscous)
 TS_STYLE(fix, ts_style, ts_fix_wall_gran)
+TS_STYLE(fix, ts_style, ts_fix_wall_reflect)
 TS_STYLE(flow, ts_flow_style, ts_flow_uniform)
 TS_STYLE(pair, ts_pair_style, ts_pair_spring_dashpot)
 TS_STYLE(region, ts_region_style, ts_region_block)
@@ -223,20 +232,29 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_dump_restart,
 	&ts_fix_addforce,
 	&ts_fix_ave_time,
+	&ts_fix_aveforce,
 	&ts_fix_bond_breakage,
 	&ts_fix_drag_stokes,
 	&ts_fix_drill_bit,
+	&ts_fix_enforce2d,
 	&ts_fix_freeze,
 	&ts_fix_gravity,
+	&ts_fix_halt,
+	&ts_fix_lineforce,
+	&ts_fix_momentum,
+	&ts_fix_move,
 	&ts_fix_nve,
 	&ts_fix_nve_euler,
+	&ts_fix_nve_noforce,
 	&ts_fix_nve_sphere,
 	&ts_fix_nve_symplectic,
+	&ts_fix_planeforce,
 	&ts_fix_print,
 	&ts_fix_setforce,
 	&ts_fix_vector,
 	&ts_fix_viscous,
 	&ts_fix_wall_gran,
+	&ts_fix_wall_reflect,
 	&ts_flow_uniform.style,
 	&ts_pair_spring_dashpot.style,
 	&ts_region_block.style,

@@ -69,6 +69,7 @@ static enum ts_status run_plan(struct ts_plan *plan, struct tsim *sim, int64_t s
 		TS_TRY(sim->host->planned(sim->host_data, r->where, steps));
 	TS_TRY(ts_plan_compile(plan, sim));
 	TS_TRY(ts_plan_run(plan, sim, r->pre));
+	steps = sim->clock.step - sim->clock.first_step; /* fix halt may have ended it early */
 	if (sim->explain)
 		return TS_OK;
 	if (r->post)
@@ -99,7 +100,7 @@ static enum ts_status run_pieces(struct tsim *sim, int64_t last, const struct ru
 			       "run: every is '%s', expected a number of steps > 0", word[0].text);
 	if (sim->check) /* the commands once */
 		every = last - sim->clock.step;
-	while (sim->clock.step < last) {
+	while (sim->clock.step < last && !sim->halted) {
 		int64_t left = last - sim->clock.step;
 
 		TS_TRY(run_once(sim, left < every ? left : every, r));
@@ -122,6 +123,10 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 			       "run upto %" PRId64 ": the simulation is already at step %" PRId64,
 			       r->steps, sim->clock.step);
 	sim->clock.goal = last;
+	if (sim->halted) {
+		ts_log(&sim->log, "This run is skipped: fix halt has ended one before\n");
+		return TS_OK;
+	}
 	if (!r->pieces.n)
 		return run_once(sim, last - sim->clock.step, r);
 	return run_pieces(sim, last, r);

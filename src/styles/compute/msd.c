@@ -15,8 +15,10 @@ struct msd {
 	struct tsim *sim;
 };
 
-static void place(const struct tsim *sim, size_t i, double now[3])
+static void place(const struct ts_instance *self, const struct tsim *sim, size_t i,
+		  double now[3])
 {
+	(void)self;
 	ts_unwrapped(sim, i, now);
 }
 

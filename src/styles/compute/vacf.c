@@ -9,8 +9,10 @@ struct vacf {
 	struct tsim *sim;
 };
 
-static void velocity(const struct tsim *sim, size_t i, double now[3])
+static void velocity(const struct ts_instance *self, const struct tsim *sim, size_t i,
+		     double now[3])
 {
+	(void)self;
 	for (int d = 0; d < 3; d++)
 		now[d] = sim->particles->v[i][d];
 }

@@ -96,12 +96,6 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 	return ts_dump_vtk_write(self, sim, &poly);
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
-			   struct ts_plan_report *report)
-{
-	return ts_dump_price(self, sim, true, true, report);
-}
-
 static const struct ts_arg args[] = {
 	TS_INT("every", struct state, vtk.common.every, .flags = TS_POSITIONAL,
 	       .range = TS_POSITIVE, .help = "steps between frames"),
@@ -135,7 +129,6 @@ const struct ts_style ts_dump_local_vtk = {
 	.saved = saved,
 	.archive = ts_dump_vtk_archive,
 	.init = init,
-	.plan = plan,
 	.hook[TS_STAGE_OUTPUT] = output,
 	.fini = ts_dump_vtk_fini,
 };

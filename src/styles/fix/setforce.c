@@ -1,37 +1,82 @@
-#include "particles/particles.h"
+#include "core/each.h"
+#include "particles/chosen.h"
+#include "particles/tally.h"
+
+#include <string.h>
 
 #include "base/banned.h"
 
 struct setforce {
 	struct ts_number f[3];
+	struct ts_instance *region;
+	struct ts_each now[3];
+	struct ts_tally before; /* forces before they were set */
 };
 
 static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 {
-	const struct setforce *s = self->state;
+	struct setforce *s = self->state;
 	struct ts_particles *p = sim->particles;
 
-	for (int k = 0; k < 3; k++) {
-		double value;
-
-		if (s->f[k].null)
+	TS_TRY(ts_tally_start(sim, &s->before));
+	for (int k = 0; k < 3; k++)
+		if (!s->f[k].null)
+			TS_TRY(ts_each_now(sim, &s->f[k], &self->where, &s->now[k]));
+#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
+	for (size_t i = 0; i < p->n; i++) {
+		if (!ts_chosen(p, i, self->group, s->region))
 			continue;
-		TS_TRY(ts_number_now(sim, &s->f[k], &self->where, &value));
-		for (size_t i = 0; i < p->n; i++)
-			if (ts_in_group(p, i, self->group))
-				p->f[i][k] = value;
+		memcpy(s->before.note[i], p->f[i], sizeof p->f[i]);
+		for (int k = 0; k < 3; k++)
+			if (!s->f[k].null)
+				p->f[i][k] = ts_each_of(&s->now[k], i);
 	}
 	return TS_OK;
 }
 
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	struct setforce *s = self->state;
+
+	(void)sim;
+	return ts_tally_archive(a, &s->before);
+}
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	struct setforce *s = self->state;
+
+	(void)sim;
+	memcpy(out->data, ts_tally_sums(&s->before), 3 * sizeof *out->data);
+	return TS_OK;
+}
+
+static void fini(struct ts_instance *self)
+{
+	struct setforce *s = self->state;
+
+	for (int k = 0; k < 3; k++)
+		ts_each_release(&s->now[k]);
+	ts_tally_release(&s->before);
+}
+
 static const struct ts_arg args[] = {
 	TS_NUMBER("fx", struct setforce, f[0], .flags = TS_POSITIONAL | TS_NULLABLE, .unit = "force",
-		  .help = "x force; NULL leaves it, v_name makes it a variable"),
+		  .help = "x force; NULL leaves it, v_name makes it a variable (also one for each "
+			  "particle)"),
 	TS_NUMBER("fy", struct setforce, f[1], .flags = TS_POSITIONAL | TS_NULLABLE, .unit = "force",
 		  .help = "y force"),
 	TS_NUMBER("fz", struct setforce, f[2], .flags = TS_POSITIONAL | TS_NULLABLE, .unit = "force",
 		  .help = "z force"),
+	TS_REGION_KEYWORD(struct setforce),
 	TS_ARGS_END,
+};
+
+static const char *const components[] = { "x", "y", "z" };
+static const struct ts_value values[] = {
+	{ "before", "force", "total force on the particles before it was set", TS_VECTOR, 3,
+	  components, eval },
+	{ .name = NULL },
 };
 
 TS_STYLE(fix, ts_style, ts_fix_setforce)
@@ -44,5 +89,8 @@ const struct ts_style ts_fix_setforce = {
 	.example = "fix guide tool setforce 0.0 0.0 NULL",
 	.args = args,
 	.state_size = sizeof(struct setforce),
+	.archive = archive,
+	.values = values,
 	.hook = { [TS_STAGE_POST_FORCE] = post_force },
+	.fini = fini,
 };

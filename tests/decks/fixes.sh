@@ -1,0 +1,192 @@
+#!/bin/bash
+# Fixes that are no physics of grains: closed forms, outputs, ends of runs; each cut by a restart file is
+# the run in one, and threads change nothing.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+
+cat >in.box <<'END'
+units si
+boundary p p p
+newton off
+communicate single vel yes
+region box block 0 1 0 1.2 0 0.9 units box
+END
+cat >in.grains <<'END'
+include in.box
+create_box 2 box
+create_atoms 1 random 60 86028157 NULL overlap 0.08
+create_atoms 2 random 60 49979687 NULL overlap 0.08
+set type 1 diameter 0.0865 density 2470
+set type 2 diameter 0.0785 density 1830
+velocity all create 1e21 67867967
+END
+cat >in.rest <<'END'
+group light type 2
+region left block INF 0.4 INF INF INF INF units box
+pair_style spring/dashpot
+pair_coeff * * stiffness 20000 restitution 0.7
+timestep 1e-4
+END
+
+# run_script NAME THREADS: standard input after the grains
+run_script() {
+	cat >"in.$1"
+	OMP_NUM_THREADS=$2 "$TSIM" -in "in.$1" -log none >"$1.out" 2>err
+	report "$1 runs" $? err
+}
+
+# exact WHAT LINES...: whole, cut by a restart file, on two threads
+exact() {
+	local what=$1
+	shift
+	{
+		printf '%s\n' "$@"
+		echo 'package omp 2 grain 20'
+		echo 'dump d all custom 10 ${out}.dump id type x y z vx vy vz fx fy fz omegax radius mass'
+		echo 'dump_modify d sort id format float %.17g'
+		echo 'dump_modify d append yes'
+	} >in.fixes
+	rm -f ./*.dump
+	for threads in 1 2; do
+		run_script whole $threads <<-END
+			variable out string whole$threads
+			include in.grains
+			include in.rest
+			include in.fixes
+			package omp $threads grain 20
+			run 120
+			write_restart whole$threads.restart
+		END
+	done
+	run_script first 1 <<-END
+		variable out string parts
+		include in.grains
+		include in.rest
+		include in.fixes
+		run 53
+		write_restart cut.restart
+	END
+	run_script second 1 <<-END
+		variable out string parts
+		read_restart cut.restart
+		include in.rest
+		include in.fixes
+		run 67
+		write_restart parts.restart
+	END
+	same "$what: dump, cut" whole1.dump parts.dump
+	same "$what: state, cut" whole1.restart parts.restart
+	same "$what: dump, threads" whole1.dump whole2.dump
+}
+
+# says WHAT TEXT: in the output of the last script
+says() {
+	grep -qF -- "$2" script.out
+	report "$1" $? script.out
+}
+
+script() {
+	{
+		echo 'include in.box'
+		cat
+	} | run_script script 1
+}
+
+exact move 'fix n all nve/sphere' 'group few id <= 20' 'group rest subtract all few' 'unfix n' \
+	'fix n rest nve/sphere' 'fix a few move wiggle 0.01 NULL 0.02 0.031 units box'
+exact 'move rotate' 'group few id <= 20' 'group rest subtract all few' 'fix n rest nve/sphere' \
+	'fix a few move rotate 0.5 0.6 0 0 0 1 0.31 units box'
+exact momentum 'fix n all nve/sphere' 'fix a light momentum 7 linear 1 1 1 angular rescale'
+exact forces 'fix n all nve/sphere' 'variable w atom 0.01*y' 'fix g all gravity 9.81 vector 0 0 -1' \
+	'fix a light addforce 0.1 0 v_w every 4 region left' 'fix b light setforce NULL v_w 0 region left' \
+	'fix c light aveforce 0 NULL 0 region left' \
+	'fix d light lineforce 1 1 0' 'fix e light planeforce 0 1 1' \
+	'thermo_style custom step f_a f_a[*] f_b[*] f_c[*]'
+
+# a quarter turn and three quarters of a period
+script <<'END'
+create_box 1 box
+create_atoms 1 single 0.7 0.6 0.3 units box
+create_atoms 1 single 0.1 0.1 0.1 units box
+set group all diameter 0.2 density 2385
+group a id 1
+group b id 2
+fix a a move rotate 0.5 0.6 0 0 0 2 0.8 units box
+fix b b move wiggle 0.05 0 NULL 0.8 units box
+fix g b gravity 2.385 vector 0 0 -1
+timestep 0.002
+run 100
+print "a $(x[1]:%.12g) $(y[1]:%.12g) $(vx[1]:%.12g) $(abs(vy[1])<1e-12) $(omegaz[1]:%.12g)"
+run 200
+print "b $(x[2]:%.12g) $(abs(vx[2])<1e-12) $(z[2]+2.385*0.6^2/2:%.12g)"
+END
+says 'rotate: a quarter' 'a 0.5 0.8 -1.57079632679 1 7.85398163397'
+says 'wiggle: three quarters, z falls freely through the face' 'b 0.05 1 1'
+
+# what ends a run early
+script <<'END'
+create_box 1 box
+create_atoms 1 single 0.5 0.6 0.3 units box
+set group all diameter 0.2 density 2385
+velocity all set 0.25 0 0
+fix n all nve
+variable x equal x[1]
+timestep 0.01
+thermo 1000
+fix h all halt 2 v_x > 0.6 error continue
+run 100
+print "continued at $(step)"
+unfix h
+fix h all halt 5 v_x > 0.701 error soft message no
+run 100
+print "soft at $(step)"
+run 100
+print "skipped at $(step)"
+timer timeout reset
+unfix h
+run 3
+print "again at $(step)"
+fix h all halt 1 tlimit > 1e-9
+run 100
+print "time at $(step)"
+timer timeout reset
+fix h all halt 1 diskfree < 0 path .
+run 1
+print "disk at $(step)"
+END
+says 'halt continue' 'continued at 42'
+says 'its message' 'Fix halt condition for fix-id h met on step 42 with value 0.605'
+says 'the table has the last step' '      42 '
+says 'halt soft' 'soft at 85'
+says 'later runs are skipped' 'skipped at 85'
+says 'until the timer is reset' 'again at 88'
+says 'time limit' 'time at 89'
+says 'room on the disk' 'disk at 90'
+cat >in.bad <<'END'
+include in.grains
+include in.rest
+fix n all nve
+END
+bad() { # TEXT LINE...
+	{
+		cat in.bad
+		printf '%s\n' "${@:2}"
+	} >in.wrong
+	refused "$2" "$1" -in in.wrong
+}
+bad 'Fix halt condition for fix-id h met on step 7 with value 7' 'variable s equal step' \
+	'fix h all halt 7 v_s > 1 error hard' 'run 20'
+bad "did you mean 'bondmax'" 'fix h all halt 7 bondmx > 1'
+bad "unknown variable 'sped'" 'variable speed equal 1' 'fix h all halt 7 v_sped > 1'
+bad 'expected one of <, <=' 'fix h all halt 7 tlimit => 1'
+bad 'no disk at' 'fix h all halt 1 diskfree < 0 path /no/where' 'run 1'
+bad 'is for two dimensions' 'fix e all enforce2d'
+bad 'no wall can be at xlo' 'fix w all wall/reflect xlo EDGE'
+bad 'expected at least one of' 'fix w all wall/reflect'
+bad 'linear, angular or both' 'fix m all momentum 10'
+bad 'three numbers that are 0 or 1' 'fix m all momentum 10 linear 1 0.5 1'
+bad 'the axis has no length' 'fix m all move rotate 0 0 0 0 0 0 1'
+bad 'they go with the style `variable`' 'variable s equal step' 'fix m all move linear v_s 0 0'
+bad 'the direction has no length' 'fix l all lineforce 0 0 0'
+bad 'energy takes a variable' 'fix l all addforce 0 0 0 energy 3'
+finish
