@@ -121,9 +121,7 @@ static enum ts_status eval_logfreq2(struct ts_expr *e, const double *arg, double
 		return TS_OK;
 	width = start * (a[2] - 1);
 	done = floor((step - start) * a[1] / width);
-	*out = start + floor((done + 1) * width / a[1]);
-	if (*out <= step) /* the present step was rounded down */
-		*out = start + floor((done + 2) * width / a[1]);
+	*out = start + ceil((done + 1) * width / a[1]);
 	return TS_OK;
 }
 
@@ -178,14 +176,13 @@ static enum ts_status eval_stride2(struct ts_expr *e, const double *arg, double 
 	      a[4] <= a[1] && a[5] > 0))
 		return ts_fail(&e->sim->error, TS_RANGE, NULL,
 			       "stride2(x,y,z,a,b,c) needs 0 <= x <= a <= b <= y, z > 0 and c > 0");
+	*out = never;
 	if (step < a[3])
 		*out = fmin(strided(step, a[0], a[1], a[2]), a[3]);
 	else if (step < a[4])
-		*out = fmin(strided(step, a[3], a[4], a[5]), never);
-	else
-		*out = strided(step, a[4], a[1], a[2]);
-	if (*out >= never && step < a[4]) /* the fine part ends; the coarse one goes on behind it */
-		*out = strided(a[4], a[4], a[1], a[2]);
+		*out = strided(step, a[3], a[4], a[5]);
+	if (*out >= never) /* behind the fine part */
+		*out = strided(fmax(step, a[4]), a[0], a[1], a[2]);
 	return TS_OK;
 }
 
