@@ -25,6 +25,7 @@ enum option_id {
 	OPT_SCREEN,
 	OPT_ECHO,
 	OPT_THREADS,
+	OPT_SHELL,
 	OPT_CHECK,
 	OPT_SIGNAL,
 	OPT_EXPLAIN,
@@ -44,6 +45,7 @@ static const struct {
 	[OPT_SCREEN] = { "screen", "FILE|none", "write there what else goes to the screen", 1 },
 	[OPT_ECHO] = { "echo", "none|screen|log|both", "where input lines are shown (log)", 1 },
 	[OPT_THREADS] = { "threads", "N", "number of threads (OMP_NUM_THREADS, else 1)", 1 },
+	[OPT_SHELL] = { "shell", "yes|no", "whether `shell` may start programs (no)", 1 },
 	[OPT_CHECK] = { "check", "", "run nothing: tell all errors and what the script would do", 0 },
 	[OPT_SIGNAL] = { "restart-on-signal", "FILE|none", "where an interrupted run saves its state", 1 },
 	[OPT_EXPLAIN] = { "explain", "", "run nothing: print the plan of each run", 0 },
@@ -237,6 +239,14 @@ static int set_echo(struct tsim *sim, const char *where)
 			   "");
 }
 
+static int set_shell(struct tsim *sim, const char *text)
+{
+	if (!ts_streq(text, "yes") && !ts_streq(text, "no"))
+		return usage_error("expected yes or no after -shell, found '%s'%s", text, "");
+	ts_script_allow_programs(sim->host_data, ts_streq(text, "yes"));
+	return 0;
+}
+
 static int set_threads(struct tsim *sim, const char *text)
 {
 	int64_t n;
@@ -285,6 +295,8 @@ static int apply(struct tsim *sim, struct setup *setup, enum option_id id, char 
 	case OPT_SIGNAL:
 		sim->restart_on_signal = ts_streq(value[0], "none") ? "" : value[0];
 		break;
+	case OPT_SHELL:
+		return set_shell(sim, value[0]);
 	case OPT_EXPLAIN:
 		sim->explain = setup->explain = true;
 		break;

@@ -136,6 +136,7 @@ library_sources = \
 	src/particles/exchange.c \
 	src/particles/exchange.h \
 	src/particles/group.c \
+	src/particles/group_function.c \
 	src/particles/group_spin.c \
 	src/particles/group_spin.h \
 	src/particles/lattice.c \
@@ -175,6 +176,7 @@ library_sources = \
 	src/script/line.h \
 	src/script/number_format.c \
 	src/script/number_format.h \
+	src/script/partition.c \
 	src/script/random.c \
 	src/script/script.c \
 	src/script/script.h \
@@ -217,6 +219,7 @@ library_sources = \
 	src/styles/command/group.c \
 	src/styles/command/lattice.c \
 	src/styles/command/mass.c \
+	src/styles/command/modify_timing.c \
 	src/styles/command/neigh_modify.c \
 	src/styles/command/neighbor.c \
 	src/styles/command/newton.c \
@@ -224,6 +227,7 @@ library_sources = \
 	src/styles/command/pair_coeff.c \
 	src/styles/command/pair_modify.c \
 	src/styles/command/pair_style.c \
+	src/styles/command/partitioner_style.c \
 	src/styles/command/processors.c \
 	src/styles/command/read_data.c \
 	src/styles/command/read_restart.c \

@@ -1,74 +1,5 @@
-#include <check.h>
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
-
-#include "core/sim.h"
 #include "math/fit.h"
-#include "script/interpreter.h"
-#include "tsim.h"
-
-static struct tsim *sim;
-static char *shown;
-static size_t shown_size;
-static FILE *screen;
-
-static void setup(void)
-{
-	sim = tsim_open();
-	ck_assert_ptr_nonnull(sim);
-	screen = open_memstream(&shown, &shown_size);
-	ck_assert_ptr_nonnull(screen);
-	tsim_screen(sim, screen);
-}
-
-static void teardown(void)
-{
-	tsim_close(sim);
-	fclose(screen);
-	free(shown);
-	ck_assert_int_eq(ts_alloc_balance(), 0);
-}
-
-/* Runs the script, which must end well, and compares what it printed. */
-static void expect_output(const char *script, const char *output)
-{
-	rewind(screen);
-	ck_assert_msg(tsim_string(sim, script) == 0, "%s", tsim_error(sim));
-	fflush(screen);
-	ck_assert_uint_eq(shown_size, strlen(output));
-	ck_assert_int_eq(memcmp(shown, output, shown_size), 0);
-}
-
-/* Runs the script, which must fail at this place with this message in it. */
-static void expect_error(const char *script, int line, int column, int length, const char *message)
-{
-	ck_assert_msg(tsim_string(sim, script) != 0, "no error: %s", script);
-	ck_assert_msg(strstr(sim->error.message, message) != NULL, "'%s' gives: %s", script,
-		      sim->error.message);
-	ck_assert_msg(sim->error.place.line == line && sim->error.place.column == column &&
-			      sim->error.place.length == length,
-		      "'%s' points to %d:%d+%d: %s", script, sim->error.place.line,
-		      sim->error.place.column, sim->error.place.length, sim->error.message);
-	tsim_error_clear(sim);
-}
-
-static double value(const char *formula)
-{
-	double out = NAN;
-
-	ck_assert_msg(tsim_value(sim, formula, &out) == 0, "%s", tsim_error(sim));
-	return out;
-}
-
-static void expect_value(const char *formula, double wanted)
-{
-	double got = value(formula);
-
-	ck_assert_msg(fabs(got - wanted) <= 1e-15 * fabs(wanted), "%s is %.17g, not %.17g", formula,
-		      got, wanted);
-}
+#include "script_case.h"
 
 START_TEST(precedence)
 {
@@ -197,8 +128,8 @@ START_TEST(substitution)
 	expect_error("print ${lnog}", 1, 7, 7, "did you mean 'long'");
 	expect_error("print a${long", 1, 8, 2, "'${' is never closed");
 	expect_error("print \"a $ b\"", 1, 10, 1, "must be followed by the name");
-	expect_error("print $(2:%s)", 1, 9, 1, "expected a format");
-	expect_error("print $(2:%d)", 1, 9, 1, "expected a format");
+	expect_error("print $(2:%s)", 1, 11, 2, "expected a format");
+	expect_output("print '$(2.5:%d) $(-2:%03d) ${b:%5.2f}| $(50:%g%%)'\n", "3 -02  3.00| 50%\n");
 	expect_error("print $()", 1, 7, 3, "needs a formula");
 }
 END_TEST
@@ -337,23 +268,12 @@ START_TEST(quit_ends_all)
 }
 END_TEST
 
-static void write_file(const char *path, const char *text)
-{
-	FILE *file = fopen(path, "w");
-
-	ck_assert_ptr_nonnull(file);
-	fputs(text, file);
-	fclose(file);
-}
-
 START_TEST(files)
 {
-	char directory[] = "/tmp/tsim-check-XXXXXX", old[1024], line[64];
+	char line[64];
 	FILE *file;
 
-	ck_assert_ptr_nonnull(getcwd(old, sizeof old));
-	ck_assert_ptr_nonnull(mkdtemp(directory));
-	ck_assert_int_eq(chdir(directory), 0);
+	enter_directory();
 	write_file("inner.in", "print \"inner ${v}\"\nvariable k loop 2\nlabel again\nprint $k\n"
 			       "next k\njump SELF again\n");
 	write_file("self.in", "include self.in\n");
@@ -378,8 +298,7 @@ START_TEST(files)
 		"");
 	expect_error("shell rm nothing", 1, 10, 7, "failed");
 	expect_error("shell mkdr a", 1, 7, 4, "did you mean 'mkdir'");
-	ck_assert_int_eq(chdir(old), 0);
-	ck_assert_int_eq(rmdir(directory), 0);
+	leave_directory();
 }
 END_TEST
 
@@ -487,7 +406,7 @@ int main(void)
 	SRunner *runner;
 	int failed;
 
-	tcase_add_checked_fixture(script, setup, teardown);
+	tcase_add_checked_fixture(script, case_setup, case_teardown);
 	tcase_add_test(script, precedence);
 	tcase_add_test(script, functions);
 	tcase_add_test(script, random_streams);

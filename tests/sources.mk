@@ -44,12 +44,15 @@ unit_tests = \
 	tests/check_particles \
 	tests/check_script \
 	tests/check_styles \
+	tests/check_variables \
 	tests/stability/check_limits
 tests_common = \
 	tests/cloud.c \
 	tests/cloud.h \
 	tests/deck.c \
-	tests/deck.h
+	tests/deck.h \
+	tests/script_case.c \
+	tests/script_case.h
 
 tests_accuracy_check_breakage_SOURCES = tests/accuracy/check_breakage.c $(tests_common)
 tests_accuracy_check_breakage_CFLAGS = $(tests_cflags)
@@ -118,6 +121,10 @@ tests_check_script_LDADD = $(tests_ldadd)
 tests_check_styles_SOURCES = tests/check_styles.c $(tests_common)
 tests_check_styles_CFLAGS = $(tests_cflags)
 tests_check_styles_LDADD = $(tests_ldadd)
+
+tests_check_variables_SOURCES = tests/check_variables.c $(tests_common)
+tests_check_variables_CFLAGS = $(tests_cflags)
+tests_check_variables_LDADD = $(tests_ldadd)
 
 tests_stability_check_limits_SOURCES = tests/stability/check_limits.c $(tests_common)
 tests_stability_check_limits_CFLAGS = $(tests_cflags)

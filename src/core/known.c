@@ -21,6 +21,7 @@ const struct ts_known ts_known_table[] = {
 	{ TS_KIND_COMMAND, "min_*", "grains come to rest by their own damping; see fix viscous" },
 	{ TS_KIND_COMMAND, "neb", MOLECULAR },
 	{ TS_KIND_COMMAND, "prd", MOLECULAR },
+	{ TS_KIND_COMMAND, "python", "tsim runs no Python; a Python program can run tsim (module tsim)" },
 	{ TS_KIND_COMMAND, "run_style", "there is one way to step; integrators are fixes (nve ...)" },
 	{ TS_KIND_COMMAND, "suffix", ACCELERATORS },
 	{ TS_KIND_COMMAND, "tad", MOLECULAR },

@@ -74,16 +74,19 @@ static enum ts_status check(struct tsim *sim, struct ts_words words, const struc
 static enum ts_status run_branch(struct ts_script *script, struct ts_words words, size_t k)
 {
 	size_t end = branch_end(words, k);
+	enum ts_status status = TS_OK;
 
-	for (; k < end && !script->label && !script->quit; k++) {
+	script->branches++;
+	for (; status == TS_OK && k < end && !script->label && !script->quit; k++) {
 		struct ts_source *source = script->source;
 		size_t at = source ? source->at : 0;
 
-		TS_TRY(ts_script_execute(script, words.word[k].text, &words.word[k].place));
+		status = ts_script_execute(script, words.word[k].text, &words.word[k].place);
 		if (source && source->at != at)
 			break; /* jumped */
 	}
-	return TS_OK;
+	script->branches--;
+	return status;
 }
 
 static enum ts_status run_if(struct tsim *sim, void *state, const struct ts_place *where)
@@ -120,8 +123,10 @@ const struct ts_command_style ts_command_if = {
 		.summary = "runs commands if a condition holds",
 		.doc = "The condition is a formula: numbers, v_NAME, c_ID, functions, comparisons, "
 		       "&& and ||; it holds if its value is not 0. Bare names are words, which can "
-		       "be compared with == and !=. Variables are put into the condition and the "
-		       "commands when they are reached.",
+		       "be compared with == and !=; words with blanks need quotes. The word "
+		       "property_NAME asks whether there is a material property NAME (fix "
+		       "property/global). Variables are put into the condition and the commands when "
+		       "they are reached. `include` has no place among the commands; use `jump`.",
 		.example = "if \"${n} > 3 && ${mode} == drill\" then \"print 'deep enough'\" \"quit\" "
 			   "else \"print 'go on'\"",
 		.args = if_args,

@@ -29,21 +29,47 @@ static void underline(struct ts_str *out, const char *text, const struct ts_plac
 	ts_str_add(out, "\n");
 }
 
+/* Of a long line only the part around the mark is shown. The place is moved to that part. */
+static void cut_line(struct ts_place *place, struct ts_str *part)
+{
+	enum { WIDTH = 200, BEFORE = 80 };
+	size_t width = strlen(place->text), first, n;
+
+	if (width <= WIDTH)
+		return;
+	first = place->column > BEFORE ? (size_t)(place->column - BEFORE) : 0;
+	n = width - first < WIDTH ? width - first : WIDTH;
+	ts_str_add(part, first ? "..." : "");
+	ts_str_add_n(part, place->text + first, n);
+	ts_str_add(part, first + n < width ? "..." : "");
+	if (part->failed)
+		return;
+	if (place->column)
+		place->column += (first ? 3 : 0) - (int)first;
+	if (place->column + place->length > (int)part->length)
+		place->length = (int)part->length - place->column + 1;
+	place->text = part->text;
+}
+
 void ts_diagnostic(const struct ts_error *error, struct ts_str *out)
 {
-	const struct ts_place *place = &error->place;
-	size_t width = place->text ? strlen(place->text) : 0;
+	struct ts_place place = error->place;
+	struct ts_str part = { 0 };
+	size_t width;
 
-	if (place->line && place->column)
-		ts_str_addf(out, "%s:%d:%d: ", place->file, place->line, place->column);
-	else if (place->line)
-		ts_str_addf(out, "%s:%d: ", place->file, place->line);
-	else if (place->file)
-		ts_str_addf(out, "%s: ", place->file);
+	if (place.line && place.column)
+		ts_str_addf(out, "%s:%d:%d: ", place.file, place.line, place.column);
+	else if (place.line)
+		ts_str_addf(out, "%s:%d: ", place.file, place.line);
+	else if (place.file)
+		ts_str_addf(out, "%s: ", place.file);
 	ts_str_addf(out, "error: %s\n", error->message);
-	if (!place->line || !width)
+	if (!place.line || !place.text || !place.text[0])
 		return;
-	ts_str_addf(out, "  %s\n", place->text);
-	if (place->column > 0 && (size_t)(place->column + place->length) <= width + 2)
-		underline(out, place->text, place);
+	cut_line(&place, &part);
+	width = strlen(place.text);
+	ts_str_addf(out, "  %s\n", place.text);
+	if (place.column > 0 && (size_t)(place.column + place.length) <= width + 2)
+		underline(out, place.text, &place);
+	ts_str_release(&part);
 }

@@ -40,6 +40,10 @@ static enum ts_status run_jump(struct tsim *sim, void *state, const struct ts_pl
 	TS_TRY(ts_check_jump(script, where, jump->file, jump->label, &follow));
 	if (!follow)
 		return TS_OK;
+	if (ts_streq(jump->file, "SELF") && script->source->stream && !script->source->owns_stream)
+		return ts_fail(&sim->error, TS_STATE, ts_script_place(script, 1, where),
+			       "a script on standard input cannot go back to an earlier line; start it "
+			       "with -in FILE");
 	if (ts_streq(jump->file, "SELF")) {
 		ts_source_rewind(script->source);
 		if (jump->label && ts_source_seek(script->source, jump->label))
@@ -66,7 +70,7 @@ const struct ts_command_style ts_command_jump = {
 		.doc = "The script goes on with the first line of the file, or with the line behind "
 		       "the label. Lines that are skipped are neither substituted nor checked. A "
 		       "jump that follows a `next` without a further value does nothing: so loops "
-		       "end.",
+		       "end. A script that comes from standard input cannot jump to SELF.",
 		.example = "variable n loop 3\nlabel again\nprint \"round $n\"\nnext n\njump SELF again",
 		.args = jump_args,
 		.state_size = sizeof(struct jump),
@@ -111,7 +115,7 @@ struct next {
 
 static const struct ts_arg next_args[] = {
 	TS_REST("variables", struct next, names,
-		.help = "index and loop variables that take their next value"),
+		.help = "variables of style index, loop, universe, uloop, file or atomfile"),
 	TS_ARGS_END
 };
 
@@ -142,10 +146,10 @@ const struct ts_command_style ts_command_next = {
 	.style = {
 		.name = "next",
 		.kind = TS_KIND_COMMAND,
-		.summary = "gives index and loop variables their next value",
+		.summary = "gives index, loop and file variables their next value",
 		.doc = "A variable that has no further value is deleted, and the next `jump` does "
-		       "nothing.",
-		.example = "next n",
+		       "nothing. Several variables step together.",
+		.example = "next n\nnext n rock",
 		.args = next_args,
 		.state_size = sizeof(struct next),
 	},
@@ -163,6 +167,10 @@ static enum ts_status run_include(struct tsim *sim, void *state, const struct ts
 	struct ts_script *script;
 
 	TS_TRY(ts_script_of(sim, where, &script));
+	if (script->branches)
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "include has no place within an if; use jump, or set a variable to "
+			       "the file's name and include it in a line of its own");
 	return ts_script_include(script, file->name, ts_script_place(script, 1, where));
 }
 
@@ -171,7 +179,8 @@ const struct ts_command_style ts_command_include = {
 		.name = "include",
 		.kind = TS_KIND_COMMAND,
 		.summary = "runs another script, then goes on here",
-		.doc = "The other script shares all variables. Its jumps stay inside of it.",
+		.doc = "The other script shares all variables. Its jumps stay inside of it. Scripts may "
+		       "include others 50 deep. Not possible within `if`.",
 		.example = "include materials.in",
 		.args = include_args,
 		.state_size = sizeof(struct name),

@@ -25,6 +25,8 @@ struct ts_script {
 	bool skip_jump;		     /* `next` ran out: the next jump does nothing */
 	bool quit;
 	int quit_status;
+	bool programs;		     /* `shell` may start programs */
+	int branches;		     /* commands of `if` that are being run */
 	int depth;		  /* of scripts and commands in each other */
 	int formula_depth;	  /* of formulas, over all variables that use each other */
 	struct ts_words current;  /* the command that runs */
@@ -39,6 +41,8 @@ enum ts_status ts_script_of(struct tsim *sim, const struct ts_place *where, stru
 const struct ts_place *ts_script_place(const struct ts_script *script, size_t k,
 				       const struct ts_place *where);
 
+/* Runs a command by its words, word 0 being its name. */
+enum ts_status ts_script_run_words(struct ts_script *script, struct ts_words words);
 /* Runs a line or several, as the argument of a command that stands at `where`. */
 enum ts_status ts_script_execute(struct ts_script *script, const char *text,
 				 const struct ts_place *where);

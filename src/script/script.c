@@ -172,7 +172,7 @@ const struct ts_place *ts_script_place(const struct ts_script *script, size_t k,
 	return k < script->current.n ? &script->current.word[k].place : where;
 }
 
-static enum ts_status dispatch(struct ts_script *script, struct ts_words words)
+enum ts_status ts_script_run_words(struct ts_script *script, struct ts_words words)
 {
 	struct ts_words outer = script->current;
 	struct ts_error *error = &script->sim->error;
@@ -203,7 +203,7 @@ static enum ts_status run_line(struct ts_script *script, struct ts_line *line)
 	if (status == TS_OK)
 		status = ts_line_cut(line, error, &arena, &words);
 	if (status == TS_OK && words.n)
-		status = dispatch(script, words);
+		status = ts_script_run_words(script, words);
 	if (status == TS_OK)
 		status = ts_log_check(&script->sim->log, error);
 	if (status == TS_OK && words.n && script->sim->stop)
@@ -387,6 +387,11 @@ const char *ts_script_variable(const struct ts_script *script, size_t k)
 enum ts_status ts_script_value(struct ts_script *script, const char *expression, double *out)
 {
 	return ts_expr_scalar(script, expression, NULL, out);
+}
+
+void ts_script_allow_programs(struct ts_script *script, bool allowed)
+{
+	script->programs = allowed;
 }
 
 bool ts_script_quit(const struct ts_script *script, int *status)

@@ -28,6 +28,9 @@ const char *ts_script_variable(const struct ts_script *script, size_t k);
 /* A number by an expression: "v_x", "2*PI", "c_ke", "step" ... */
 enum ts_status ts_script_value(struct ts_script *script, const char *expression, double *out);
 
+/* Whether `shell` may start programs; at first it may not. */
+void ts_script_allow_programs(struct ts_script *script, bool allowed);
+
 /* Whether the script said `quit`, and with which status. */
 bool ts_script_quit(const struct ts_script *script, int *status);
 /* Warns of variables of ts_script_set that nobody used: most often a misspelt name. */

@@ -1,4 +1,5 @@
-/* The few things scripts ask of the operating system. No other program is started. */
+/* The few things scripts ask of the operating system. Other programs are started only if the user has
+ * allowed it with -shell yes. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,7 +20,7 @@ struct shell {
 static const struct ts_arg shell_args[] = {
 	TS_REST("action", struct shell, words,
 		.help = "mkdir DIR ..., mv OLD NEW, rm FILE ..., rmdir DIR ..., cd DIR, or putenv "
-			"NAME=VALUE ..."),
+			"NAME=VALUE ...; with -shell yes also a command of the system"),
 	TS_ARGS_END
 };
 
@@ -75,24 +76,59 @@ static enum ts_status move(struct tsim *sim, struct ts_words words)
 		       words.word[1].text, words.word[2].text, strerror(errno));
 }
 
+/* Any other word: a command line for the system's shell. */
+static enum ts_status run_program(struct tsim *sim, struct ts_words words)
+{
+	const struct ts_word *first = &words.word[0];
+	struct ts_str line = { 0 };
+	int result = 0;
+
+	for (size_t k = 0; k < words.n; k++)
+		ts_str_addf(&line, "%s%s", k ? " " : "", words.word[k].text);
+	if (line.failed)
+		return ts_nomem(&sim->error);
+	if (sim->log.file)
+		fflush(sim->log.file);
+	if (sim->log.screen)
+		fflush(sim->log.screen);
+	if (!sim->explain)
+		result = system(line.text);
+	ts_str_release(&line);
+	if (result < 0)
+		return ts_fail(&sim->error, TS_IO, &first->place, "cannot start a shell: %s",
+			       strerror(errno));
+	if (result)
+		ts_warn(&sim->log, &first->place, "'%s' did not succeed", first->text);
+	return TS_OK;
+}
+
+static enum ts_status unknown_action(struct tsim *sim, const struct ts_word *word)
+{
+	struct ts_suggest suggest = ts_suggest_start(word->text);
+
+	for (size_t a = 0; a < sizeof actions / sizeof *actions; a++)
+		ts_suggest_try(&suggest, actions[a].name);
+	return ts_fail(&sim->error, TS_UNKNOWN, &word->place,
+		       "shell knows mkdir, mv, rm, rmdir, cd and putenv, not '%s'%s; tsim starts other "
+		       "programs only with the option -shell yes",
+		       word->text, suggest.best ? ts_suggest_text(&suggest) : "");
+}
+
 static enum ts_status run_shell(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	struct ts_words words = ((const struct shell *)state)->words;
-	struct ts_suggest suggest;
 	char what[32];
 	size_t a = 0, n = sizeof actions / sizeof *actions;
+	struct ts_script *script;
 
-	(void)where;
+	TS_TRY(ts_script_of(sim, where, &script));
 	if (ts_streq(words.word[0].text, "mv"))
 		return move(sim, words);
-	suggest = ts_suggest_start(words.word[0].text);
 	while (a < n && !ts_streq(actions[a].name, words.word[0].text))
-		ts_suggest_try(&suggest, actions[a++].name);
+		a++;
 	if (a == n)
-		return ts_fail(&sim->error, TS_UNKNOWN, &words.word[0].place,
-			       "shell knows mkdir, mv, rm, rmdir, cd and putenv, not '%s'%s",
-			       words.word[0].text,
-			       suggest.best ? ts_suggest_text(&suggest) : "");
+		return script->programs ? run_program(sim, words)
+					: unknown_action(sim, &words.word[0]);
 	if (words.n < 2)
 		return ts_fail(&sim->error, TS_SYNTAX, &words.word[0].place,
 			       "expected a name after '%s'", actions[a].name);
@@ -113,9 +149,11 @@ const struct ts_command_style ts_command_shell = {
 		.name = "shell",
 		.kind = TS_KIND_COMMAND,
 		.summary = "makes directories, moves and removes files",
-		.doc = "mkdir of a directory that exists is no error. Other programs cannot be "
-		       "started.",
-		.example = "shell mkdir post",
+		.doc = "mkdir of a directory that exists is no error. With the option -shell yes of the "
+		       "command line any other words are run as a command of the system's shell; "
+		       "without it they are refused, so that a script from elsewhere cannot start "
+		       "programs.",
+		.example = "shell mkdir post\nshell mv profile.txt post/profile_old.txt",
 		.args = shell_args,
 		.state_size = sizeof(struct shell),
 	},

@@ -1,9 +1,11 @@
 #include "script/interpreter.h"
+#include "script/number_format.h"
 
-#include <stdio.h>
 #include <string.h>
 
 #include "base/banned.h"
+
+enum { MOST_SHOWN = 100 /* substitutions of a line whose echo is shown; then only the last */ };
 
 /* Position of the bracket that closes the one at `at`, 0 if none does. */
 static size_t closing(const char *text, size_t at)
@@ -19,38 +21,37 @@ static size_t closing(const char *text, size_t at)
 	return 0;
 }
 
-/* "%.4f" and the like: one conversion of a double, so that printf may be trusted with it. */
-static bool good_format(const char *format)
+/* Cuts `text:%format` that stands at from..to of the line at the colon; *format is what follows, or the
+ * default. Places are those of the two parts. */
+static enum ts_status split_format(struct ts_script *script, const struct ts_line *line, size_t from,
+				   struct ts_str *text, const char **format, struct ts_place *place)
 {
-	const char *c = format + 1;
+	char *colon = text->failed ? NULL : strstr(ts_str_text(text), ":%");
+	struct ts_place part;
+	size_t at;
 
-	if (format[0] != '%' || strlen(format) > 16)
-		return false;
-	c += strspn(c, "-+ 0#");
-	c += strspn(c, "0123456789");
-	if (*c == '.')
-		c += 1 + strspn(c + 1, "0123456789");
-	return *c && strchr("eEfFgG", *c) && !c[1];
+	*place = ts_line_place(line, from, text->length);
+	if (text->failed)
+		return ts_nomem(&script->sim->error);
+	if (!colon)
+		return TS_OK;
+	at = (size_t)(colon - text->text);
+	part = ts_line_place(line, from + at + 1, text->length - at - 1);
+	*place = ts_line_place(line, from, at);
+	*colon = '\0';
+	*format = colon + 1;
+	return ts_number_format_check(&script->sim->error, *format, &part);
 }
 
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wformat-nonliteral"
-static void add_number(struct ts_str *out, const char *format, double value)
-{
-	ts_str_addf(out, format, value);
-}
-#pragma GCC diagnostic pop
-
-/* The expression of $(expression) or $(expression:%format) that stands at from..to of the line. */
+/* $(formula) or $(formula:%format), whose inside stands at from..to of the line. */
 static enum ts_status expression(struct ts_script *script, const struct ts_line *line, size_t from,
 				 size_t to, struct ts_str *out)
 {
-	struct ts_place place = ts_line_place(line, from, to - from);
+	struct ts_place place;
 	struct ts_str inner = { 0 };
 	const char *format = "%.20g";
 	enum ts_status status;
-	double value;
-	char *colon;
+	double value = 0;
 
 	if (from == to) {
 		place = ts_line_place(line, from - 2, 3);
@@ -58,38 +59,38 @@ static enum ts_status expression(struct ts_script *script, const struct ts_line 
 			       "$() needs a formula between its brackets");
 	}
 	ts_str_add_n(&inner, line->text.text + from, to - from);
-	if (inner.failed)
-		return ts_nomem(&script->sim->error);
-	colon = strstr(inner.text, ":%");
-	if (colon) {
-		*colon = '\0';
-		format = colon + 1;
-		place = ts_line_place(line, from, (size_t)(colon - inner.text));
-	}
-	if (!good_format(format))
-		status = ts_fail(&script->sim->error, TS_SYNTAX, &place,
-				 "expected a format such as %%.4f after ':', found '%s'", format);
-	else
+	status = split_format(script, line, from, &inner, &format, &place);
+	if (status == TS_OK)
 		status = ts_expr_scalar(script, inner.text, &place, &value);
 	if (status == TS_OK)
-		add_number(out, format, value);
+		ts_number_format_add(out, format, value);
 	ts_str_release(&inner);
 	return status;
 }
 
+/* ${name} or ${name:%format}, whose inside stands at from..to. */
 static enum ts_status variable(struct ts_script *script, const struct ts_line *line, size_t from,
 			       size_t to, const struct ts_place *where, struct ts_str *out)
 {
 	struct ts_variable *found;
 	struct ts_str name = { 0 };
+	struct ts_place place;
+	const char *format = NULL;
 	enum ts_status status;
+	double value = 0;
 
 	ts_str_add_n(&name, line->text.text + from, to - from);
-	if (name.failed)
-		return ts_nomem(&script->sim->error);
-	status = ts_variable_require(script, name.text, where, &found);
+	status = split_format(script, line, from, &name, &format, &place);
+	if (status == TS_OK)
+		status = ts_variable_require(script, ts_str_text(&name), where, &found);
+	if (status == TS_OK && !format)
+		status = ts_variable_text(script, found, where, out);
+	else if (status == TS_OK)
+		status = ts_variable_number(script, found, where, &value);
+	if (status == TS_OK && format)
+		ts_number_format_add(out, format, value);
 	ts_str_release(&name);
-	return status == TS_OK ? ts_variable_text(script, found, where, out) : status;
+	return status;
 }
 
 /* The value of the reference whose $ stands at `at`; *next is the position behind it. */
@@ -130,11 +131,23 @@ static enum ts_status reference(struct ts_script *script, const struct ts_line *
 	return variable(script, line, at + 1, at + 2, &where, out);
 }
 
+/* The line as it is after a substitution. */
+static void show(struct ts_script *script, const struct ts_line *done, const char *rest)
+{
+	struct ts_str shown = { 0 };
+
+	if (done->text.failed)
+		return;
+	ts_str_addf(&shown, "%s%s", ts_str_text(&done->text), rest);
+	ts_log_echo(&script->sim->log, ts_str_text(&shown));
+	ts_str_release(&shown);
+}
+
 static enum ts_status replace(struct ts_script *script, const struct ts_line *line, bool echo,
 			      struct ts_line *out, struct ts_str *value)
 {
 	const char *text = ts_str_text(&line->text);
-	size_t at = 0;
+	size_t at = 0, steps = 0;
 
 	if (ts_line_same_rows(out, line) != TS_OK)
 		return TS_NOMEM;
@@ -146,19 +159,16 @@ static enum ts_status replace(struct ts_script *script, const struct ts_line *li
 			TS_TRY(reference(script, line, at, &end, value));
 			ts_line_add_from(out, ts_str_text(value), value->length, line, at,
 					 end - at);
-			if (echo && !out->text.failed) {
-				struct ts_str shown = { 0 };
-
-				ts_str_addf(&shown, "%s%s", ts_str_text(&out->text), text + end);
-				ts_log_echo(&script->sim->log, ts_str_text(&shown));
-				ts_str_release(&shown);
-			}
+			if (echo && ++steps < MOST_SHOWN)
+				show(script, out, text + end);
 			at = end;
 			continue;
 		}
 		for (end = end > at ? end : at + 1; at < end; at++)
 			ts_line_add_from(out, text + at, 1, line, at, 1);
 	}
+	if (steps >= MOST_SHOWN)
+		show(script, out, "");
 	return out->text.failed || value->failed ? TS_NOMEM : TS_OK;
 }
 

@@ -13,7 +13,7 @@ TS_STYLE(command, ts_command_style, ts_command_print)
 
 struct print {
 	const char *text, *file, *append;
-	bool screen;
+	bool screen, universe;
 };
 
 static const struct ts_arg print_args[] = {
@@ -25,6 +25,8 @@ static const struct ts_arg print_args[] = {
 		.help = "file to add the line to"),
 	TS_BOOL("screen", struct print, screen, .fallback = "yes",
 		.help = "whether the line goes to screen and log too"),
+	TS_BOOL("universe", struct print, universe, .fallback = "no",
+		.help = "no effect: there is one partition"),
 	TS_ARGS_END
 };
 

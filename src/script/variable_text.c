@@ -59,8 +59,9 @@ static enum ts_status format_text(struct ts_script *script, struct ts_variable *
 	struct ts_variable *source;
 	double value = 0;
 
+	(void)where;
 	TS_TRY(ts_variable_require(script, word[0].text, &word[0].place, &source));
-	TS_TRY(ts_variable_number(script, source, where, &value));
+	TS_TRY(ts_variable_number(script, source, &word[0].place, &value));
 	ts_number_format_add(out, word[1].text, value);
 	return TS_OK;
 }

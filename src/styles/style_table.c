@@ -42,6 +42,7 @@ TS_STYLE(command, ts_command_style, ts_command_label)
 TS_STYLE(command, ts_command_style, ts_command_lattice)
 TS_STYLE(command, ts_command_style, ts_command_log)
 TS_STYLE(command, ts_command_style, ts_command_mass)
+TS_STYLE(command, ts_command_style, ts_command_modify_timing)
 TS_STYLE(command, ts_command_style, ts_command_neigh_modify)
 TS_STYLE(command, ts_command_style, ts_command_neighbor)
 TS_STYLE(command, ts_command_style, ts_command_newton)
@@ -50,6 +51,8 @@ TS_STYLE(command, ts_command_style, ts_command_package)
 TS_STYLE(command, ts_command_style, ts_command_pair_coeff)
 TS_STYLE(command, ts_command_style, ts_command_pair_modify)
 TS_STYLE(command, ts_command_style, ts_command_pair_style)
+TS_STYLE(command, ts_command_style, ts_command_partition)
+TS_STYLE(command, ts_command_style, ts_command_partitioner_style)
 TS_STYLE(command, ts_command_style, ts_command_print)
 TS_STYLE(command, ts_command_style, ts_command_processors)
 TS_STYLE(command, ts_command_style, ts_command_quit)
@@ -171,6 +174,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_command_lattice.style,
 	&ts_command_log.style,
 	&ts_command_mass.style,
+	&ts_command_modify_timing.style,
 	&ts_command_neigh_modify.style,
 	&ts_command_neighbor.style,
 	&ts_command_newton.style,
@@ -179,6 +183,8 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_command_pair_coeff.style,
 	&ts_command_pair_modify.style,
 	&ts_command_pair_style.style,
+	&ts_command_partition.style,
+	&ts_command_partitioner_style.style,
 	&ts_command_print.style,
 	&ts_command_processors.style,
 	&ts_command_quit.style,

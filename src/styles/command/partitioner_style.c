@@ -1,0 +1,33 @@
+/* Command partitioner_style: accepted for compatibility. */
+#include "core/sim.h"
+
+#include "base/banned.h"
+
+struct state {
+	struct ts_words words;
+};
+
+static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	(void)sim, (void)state, (void)where;
+	return TS_OK;
+}
+
+static const struct ts_arg args[] = {
+	TS_REST("words", struct state, words, .help = "no effect"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(command, ts_command_style, ts_command_partitioner_style)
+const struct ts_command_style ts_command_partitioner_style = {
+	.style = {
+		.name = "partitioner_style",
+		.kind = TS_KIND_COMMAND,
+		.summary = "Accepted for compatibility; has no effect",
+		.doc = "Elsewhere it says how processes share the box.",
+		.example = "partitioner_style zoltan OBJ_WEIGHT_DIM 1",
+		.args = args,
+		.state_size = sizeof(struct state),
+	},
+	.run = run,
+};
