@@ -82,7 +82,7 @@ read_data base.data add append offset 2 0 shift 0 0 0.25 group more
 group third type 3
 group late id 10 14
 print "n $(count(all)) $(count(third)) $(count(late)) z $(xcm(more,z)) box $(zhi)"' \
-	'n 4 2 2 z 0.74999'  'box 1.25'
+	'n 4 2 2 z 1.702380952380952'  'box 1.25'
 expect 'a number added to the identities' 'read_data base.data
 read_data base.data add 100
 group late id 103 107
