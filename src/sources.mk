@@ -172,6 +172,8 @@ library_sources = \
 	src/script/expr_step.c \
 	src/script/flow_control.c \
 	src/script/interpreter.h \
+	src/script/language.c \
+	src/script/language.h \
 	src/script/line.c \
 	src/script/line.h \
 	src/script/number_format.c \
