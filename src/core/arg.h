@@ -45,6 +45,7 @@ struct ts_number {
 	double value;
 	const char *variable; /* NULL: constant */
 	bool null;            /* the user wrote NULL */
+	size_t at;            /* which word of the line it was, from 1; 0: a default */
 };
 
 /* Inclusive range of particle types, counted from 1. hi == 0: up to the last. */

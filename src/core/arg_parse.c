@@ -159,7 +159,7 @@ static enum ts_status read_number(struct parse *p, const struct ts_arg *row, str
 	const struct ts_host *host = p->sim->host;
 	struct ts_suggest suggest;
 
-	*out = (struct ts_number){ 0 };
+	*out = (struct ts_number){ .at = p->next };
 	if (word && (row->flags & TS_NULLABLE) && ts_streq(word->text, "NULL")) {
 		out->null = true;
 		return TS_OK;

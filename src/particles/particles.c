@@ -1,6 +1,7 @@
 #include "particles/particles.h"
 
 #include "core/plan.h"
+#include "particles/group_dynamic.h"
 
 #include "base/banned.h"
 
@@ -103,6 +104,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 		p->ntypes = ntypes;
 	}
 	TS_TRY(archive_groups(p, a));
+	TS_TRY(ts_group_archive_dynamic(sim, a));
 	return archive_columns(sim, p, a);
 }
 
@@ -157,6 +159,8 @@ const struct ts_system_style ts_particles_system = {
 		   .fingerprint = fingerprint,
 		   .init = init,
 		   .plan = plan,
+		   .hook = { [TS_STAGE_POST_INTEGRATE] = ts_group_step,
+			     [TS_STAGE_EXCHANGE] = ts_group_start },
 		   .fini = fini },
 	.slot = offsetof(struct tsim, particles),
 	.functions = ts_group_functions,

@@ -53,6 +53,14 @@ struct ts_column {
 
 enum { TS_MAX_GROUPS = 32 };
 
+/* See particles/group_dynamic.h. The names belong to the string pool; region and variable are looked
+ * up when they are needed, so they may be defined again. */
+struct ts_dynamic_group {
+	int64_t every; /* 0: not dynamic */
+	int parent;
+	const char *region, *variable; /* or NULL */
+};
+
 /* Of rotation; see particles/body.h. */
 enum ts_inertia { TS_INERTIA_BY_DIMENSION, TS_INERTIA_SPHERE, TS_INERTIA_DISC };
 
@@ -79,6 +87,7 @@ struct ts_particles {
 	enum ts_inertia inertia; /* as its integrator says */
 	double *type_mass; /* `mass` command, by type; 0: not given */
 	const char *group[TS_MAX_GROUPS]; /* names; NULL: free. group[0] = "all" */
+	struct ts_dynamic_group dynamic[TS_MAX_GROUPS];
 
 	/* ghosts: where they come from */
 	int32_t *ghost_owner;  /* local index of the original */

@@ -5,12 +5,29 @@
 
 #include "core/group.h"
 #include "core/uses.h"
+#include "particles/group_dynamic.h"
 #include "particles/particles.h"
 #include "particles/region.h"
 
 #include "base/banned.h"
 
-enum { TYPE, ID, REGION, UNION, SUBTRACT, INTERSECT, VARIABLE, EMPTY, CLEAR, DELETE };
+enum {
+	TYPE,
+	ID,
+	REGION,
+	UNION,
+	SUBTRACT,
+	INTERSECT,
+	VARIABLE,
+	EMPTY,
+	INITIALIZE,
+	CLEAR,
+	DELETE,
+	DYNAMIC,
+	STATIC,
+	INCLUDE,
+	MOLECULE
+};
 
 struct state {
 	const char *id;
@@ -18,6 +35,8 @@ struct state {
 	struct ts_words rest;
 	struct ts_instance *region;
 	const char *variable;
+	int parent;
+	int64_t every;
 };
 
 static void add(struct ts_particles *p, size_t i, int bit)
@@ -136,22 +155,40 @@ static enum ts_status add_where_variable(struct tsim *sim, const struct state *s
 {
 	struct ts_particles *p = sim->particles;
 	struct ts_table value = { 0 };
-	struct ts_str name = { 0 };
-	struct ts_ref ref;
-	enum ts_status status;
+	enum ts_status status = ts_group_variable(sim, s->variable, where, &value);
 
-	/* LAMMPS writes the bare name */
-	ts_str_addf(&name, "%s%s", strncmp(s->variable, "v_", 2) == 0 ? "" : "v_", s->variable);
-	status = name.failed ? ts_nomem(&sim->error)
-			     : ts_ref_resolve(sim, ts_str_text(&name), where, &ref);
-	if (status == TS_OK)
-		status = ts_ref_peratom(sim, &ref, where, &value);
 	for (size_t i = 0; status == TS_OK && i < p->n; i++)
 		if (value.data[i] != 0)
 			add(p, i, bit);
 	ts_table_release(&value);
-	ts_str_release(&name);
 	return status;
+}
+
+/* The group's members come from the parent from now on. */
+static enum ts_status make_dynamic(struct tsim *sim, const struct state *s, int bit,
+				   const struct ts_place *where)
+{
+	struct ts_particles *p = sim->particles;
+	struct ts_dynamic_group *g = &p->dynamic[bit];
+	struct ts_table value = { 0 };
+
+	if (s->parent == bit || p->dynamic[s->parent].every)
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "group %s: its parent group %s is %s", s->id, p->group[s->parent],
+			       s->parent == bit ? "itself" : "dynamic too");
+	if (s->variable) { /* blamed here, where it is written */
+		TS_TRY(ts_group_variable(sim, s->variable, where, &value));
+		ts_table_release(&value);
+	}
+	*g = (struct ts_dynamic_group){
+		.every = s->every,
+		.parent = s->parent,
+		.region = s->region ? ts_pool_get(sim->pool, s->region->id) : NULL,
+		.variable = s->variable ? ts_pool_get(sim->pool, s->variable) : NULL
+	};
+	if ((s->region && !g->region) || (s->variable && !g->variable))
+		return ts_nomem(&sim->error);
+	return ts_group_choose(sim, bit);
 }
 
 static void remove_all(struct ts_particles *p, int bit)
@@ -173,7 +210,14 @@ static enum ts_status delete_group(struct tsim *sim, const struct state *s,
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "group '%s' is in use by %s %s (line %d)", s->id,
 			       ts_kind_name(user->style->kind), user->id, user->where.line);
+	for (int child = 1; child < TS_MAX_GROUPS; child++)
+		if (sim->particles->dynamic[child].every &&
+		    sim->particles->dynamic[child].parent == bit)
+			return ts_fail(&sim->error, TS_STATE, where,
+				       "group '%s' is the parent of the dynamic group '%s'", s->id,
+				       sim->particles->group[child]);
 	remove_all(sim->particles, bit);
+	sim->particles->dynamic[bit].every = 0;
 	sim->particles->group[bit] = NULL;
 	return TS_OK;
 }
@@ -202,6 +246,11 @@ static enum ts_status fill(struct tsim *sim, const struct state *s, int bit,
 	case CLEAR:
 		remove_all(p, bit);
 		return TS_OK;
+	case DYNAMIC:
+		return make_dynamic(sim, s, bit, where);
+	case STATIC:
+		p->dynamic[bit].every = 0;
+		return TS_OK;
 	default:
 		return TS_OK;
 	}
@@ -219,6 +268,14 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 			       "group all always has all particles and cannot be changed");
 	if (s->mode == DELETE)
 		return delete_group(sim, s, where);
+	if (s->mode == INCLUDE || s->mode == MOLECULE)
+		return ts_fail(&sim->error, TS_UNKNOWN, where,
+			       "group: particles belong to no molecules in tsim");
+	bit = ts_group_find(p, s->id);
+	if (bit >= 0 && p->dynamic[bit].every && s->mode != DYNAMIC && s->mode != STATIC)
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "group '%s' is dynamic and changes by itself: `group %s static` ends that",
+			       s->id, s->id);
 	TS_TRY(ts_group_make(sim, s->id, where, &bit));
 	TS_TRY(fill(sim, s, bit, where));
 	for (size_t i = 0; i < p->n; i++)
@@ -250,6 +307,23 @@ static const struct ts_arg variable[] = {
 	TS_ARGS_END,
 };
 
+static const struct ts_arg molecules[] = {
+	TS_REST("numbers", struct state, rest, .help = "refused: there are no molecules"),
+	TS_ARGS_END,
+};
+
+static const struct ts_arg dynamic[] = {
+	TS_GROUP("parent", struct state, parent, .flags = TS_POSITIONAL,
+		 .help = "the group that the members come from; not dynamic itself"),
+	TS_REGION("region", struct state, region, .flags = TS_OPTIONAL,
+		  .help = "the region that they are in"),
+	TS_REF("var", struct state, variable, .flags = TS_OPTIONAL,
+	       .help = "an atom-style variable, NAME or v_NAME, that is not 0 for them"),
+	TS_INT("every", struct state, every, .fallback = "1", .range = TS_POSITIVE, .unit = "steps",
+	       .help = "they are chosen anew when the step is a multiple of this"),
+	TS_ARGS_END,
+};
+
 static const struct ts_mode modes[] = {
 	[TYPE] = { "type", "particles of these types", numbers },
 	[ID] = { "id", "particles with these identities", numbers },
@@ -259,8 +333,13 @@ static const struct ts_mode modes[] = {
 	[INTERSECT] = { "intersect", "members of all of the groups", groups },
 	[VARIABLE] = { "variable", "particles for which a variable is not 0", variable },
 	[EMPTY] = { "empty", "a group without members, if it does not exist yet", NULL },
+	[INITIALIZE] = { "initialize", "the same as empty", NULL },
 	[CLEAR] = { "clear", "remove all members", NULL },
 	[DELETE] = { "delete", "forget the group", NULL },
+	[DYNAMIC] = { "dynamic", "members chosen anew during runs", dynamic },
+	[STATIC] = { "static", "a dynamic group keeps the members it has", NULL },
+	[INCLUDE] = { "include", "refused: particles belong to no molecules", molecules },
+	[MOLECULE] = { "molecule", "refused: particles belong to no molecules", molecules },
 	{ .name = NULL },
 };
 
@@ -277,11 +356,15 @@ const struct ts_command_style ts_command_group = {
 		.kind = TS_KIND_COMMAND,
 		.summary = "Puts particles into a group",
 		.doc = "The particles that fit now are added to those already in the group; particles made\n"
-		       "later are not. There can be 31 groups besides all.",
+		       "later are not. There can be 31 groups besides all.\n"
+		       "The members of a dynamic group are chosen anew when a run starts, unless it goes on where the\n"
+		       "one before has ended, and after the particles have moved in each step that is a multiple of\n"
+		       "every.",
 		.example = "group wall type 2\n"
 			   "group left id <= 100\n"
 			   "group bottom region lower\n"
-			   "group free subtract all wall",
+			   "group free subtract all wall\n"
+			   "group fast dynamic free var v_fast every 100",
 		.args = args,
 		.state_size = sizeof(struct state),
 	},

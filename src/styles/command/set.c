@@ -3,27 +3,53 @@
 
 #include <math.h>
 
+#include "neigh/bonds.h"
+#include "particles/assign_words.h"
 #include "particles/body.h"
 #include "particles/particles.h"
 #include "particles/region.h"
 
 #include "base/banned.h"
 
-enum { ATOM, TYPE, GROUP, REGION };
+enum { ATOM, TYPE, GROUP, REGION, MOLECULE };
 
-/* What can be set, in the order in which it is applied. */
-enum { TO_TYPE, DIAMETER, DENSITY, MASS, X, Y, Z, VX, VY, VZ, OMEGAX, OMEGAY, OMEGAZ, NPROPERTIES };
+/* Plain numbers; they are set in the order of the line. */
+enum {
+	TO_TYPE,
+	DIAMETER,
+	DENSITY,
+	DENSITY_DISC,
+	MASS,
+	X,
+	Y,
+	Z,
+	VX,
+	VY,
+	VZ,
+	OMEGAX,
+	OMEGAY,
+	OMEGAZ,
+	NPROPERTIES
+};
+/* Words that take more; they come after the numbers. */
+enum { TYPE_FRACTION, TYPE_RATIO, TYPE_SUBSET, IMAGE, OMEGA, PROPERTY, BOND, NWORDS };
 
 struct state {
 	int mode, group;
 	struct ts_types range;
 	struct ts_instance *region;
+	const char *refused;
 	struct ts_number value[NPROPERTIES];
+	struct ts_words words[NWORDS];
 };
 
-static const char *const names[NPROPERTIES] = { "type",	  "diameter", "density", "mass", "x",
-						"y",	  "z",	      "vx",	 "vy",	 "vz",
-						"omegax", "omegay",   "omegaz" };
+static const char *const names[NPROPERTIES] = {
+	"type", "diameter", "density", "density/disc", "mass",	 "x",	   "y",
+	"z",	"vx",	    "vy",      "vz",	       "omegax", "omegay", "omegaz"
+};
+static const char *const word_names[NWORDS] = { "type/fraction", "type/ratio", "type/subset",
+						"image",	 "omega",      "property/atom",
+						"bond" };
 
 static bool selected(const struct tsim *sim, const struct state *s, size_t i)
 {
@@ -41,7 +67,7 @@ static const char *problem(const struct ts_particles *p, int what, double value)
 {
 	if (!isfinite(value))
 		return "a finite number";
-	if ((what == DIAMETER || what == DENSITY || what == MASS) && !(value > 0))
+	if (what >= DIAMETER && what <= MASS && !(value > 0))
 		return "a number > 0";
 	if (what == TO_TYPE && !(value >= 1 && value <= p->ntypes && value == floor(value)))
 		return "a type, 1 or more and at most what create_box says";
@@ -62,6 +88,7 @@ static void apply(struct tsim *sim, size_t i, int what, double value)
 		p->mass[i] = density * ts_body_volume(sim, p->radius[i]);
 		break;
 	case DENSITY:
+	case DENSITY_DISC:
 		p->mass[i] = value * ts_body_volume(sim, p->radius[i]);
 		break;
 	case MASS:
@@ -83,40 +110,104 @@ static void apply(struct tsim *sim, size_t i, int what, double value)
 	}
 }
 
-/* The value for each particle; constants need no table. */
-static enum ts_status evaluate(struct tsim *sim, const struct ts_number *number,
-			       const struct ts_place *where, struct ts_table *table,
-			       double *constant)
-{
-	const struct ts_host *host = sim->host;
-
-	table->rows = 0;
-	if (number->variable && host->is_peratom(sim->host_data, number->variable))
-		return host->peratom(sim->host_data, number->variable, where, table);
-	return ts_number_now(sim, number, where, constant);
-}
-
-static enum ts_status set_one(struct tsim *sim, const struct state *s, const unsigned char *chosen,
-			      int what, const struct ts_place *where, struct ts_table *table)
+static enum ts_status set_number(struct tsim *sim, const struct state *s,
+				 const unsigned char *chosen, int what, const struct ts_place *where,
+				 struct ts_table *table)
 {
 	struct ts_particles *p = sim->particles;
-	double constant = 0;
 
-	TS_TRY(evaluate(sim, &s->value[what], where, table, &constant));
+	if (what == DENSITY_DISC && sim->dimension != 2)
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "set: particles are discs only after `dimension 2`; use density");
+	TS_TRY(ts_assign_values(sim, &s->value[what], where, table));
 	for (size_t i = 0; i < p->n; i++) {
-		double value = table->rows ? table->data[i] : constant;
 		const char *expected;
 
 		if (!chosen[i])
 			continue;
-		expected = problem(p, what, value);
+		expected = problem(p, what, table->data[i]);
 		if (expected)
 			return ts_fail(&sim->error, TS_RANGE, where,
 				       "set: %s of particle %d would be %g, expected %s",
-				       names[what], p->tag[i], value, expected);
-		apply(sim, i, what, value);
+				       names[what], p->tag[i], table->data[i], expected);
+		apply(sim, i, what, table->data[i]);
 	}
 	return TS_OK;
+}
+
+/* The number that stands next in the line after word `*at`, or -1. */
+static int next_number(const struct state *s, size_t *at)
+{
+	int next = -1;
+
+	for (int what = 0; what < NPROPERTIES; what++)
+		if (!s->value[what].null && s->value[what].at > *at &&
+		    (next < 0 || s->value[what].at < s->value[next].at))
+			next = what;
+	if (next >= 0)
+		*at = s->value[next].at;
+	return next;
+}
+
+static enum ts_status set_omega(struct tsim *sim, struct ts_words words,
+				const unsigned char *chosen, size_t *count)
+{
+	struct ts_particles *p = sim->particles;
+	double omega[3];
+
+	for (size_t d = 0; d < 3; d++)
+		if (words.n != 3 || !ts_parse_real(words.word[d].text, &omega[d]))
+			return ts_fail(&sim->error, TS_SYNTAX, &words.word[0].place,
+				       "set: omega takes three numbers");
+	TS_TRY(ts_particles_need(sim, TS_NEED(OMEGA)));
+	for (size_t i = *count = 0; i < p->n; i++) {
+		*count += chosen[i];
+		for (int d = 0; chosen[i] && d < 3; d++)
+			p->omega[i][d] = omega[d];
+	}
+	return TS_OK;
+}
+
+/* The type of the bonds whose partners are both chosen. */
+static enum ts_status set_bond(struct tsim *sim, struct ts_words words, const unsigned char *chosen,
+			       size_t *count)
+{
+	struct ts_bonds *b = sim->bonds;
+	const int32_t *row;
+	int64_t type;
+
+	if (words.n != 1 || !ts_parse_int(words.word[0].text, &type) || type < 1 ||
+	    type > b->ntypes)
+		return ts_fail(&sim->error, TS_RANGE, &words.word[0].place,
+			       "set: bond takes a type of bonds from 1 to %d", b->ntypes);
+	TS_TRY(ts_particles_map(sim, &row));
+	for (size_t k = *count = 0; k < b->n; k++) {
+		int32_t i = row[b->tag[k][0]], j = row[b->tag[k][1]];
+
+		if (i < 0 || j < 0 || !chosen[i] || !chosen[j])
+			continue;
+		b->type[k] = (int32_t)type;
+		++*count;
+	}
+	return TS_OK;
+}
+
+static enum ts_status set_words(struct tsim *sim, const struct state *s, const unsigned char *chosen,
+				int what, size_t *count)
+{
+	switch (what) {
+	case IMAGE:
+		return ts_assign_image(sim, s->words[what], chosen, count);
+	case OMEGA:
+		return set_omega(sim, s->words[what], chosen, count);
+	case PROPERTY:
+		return ts_assign_property(sim, s->words[what], chosen, count);
+	case BOND:
+		return set_bond(sim, s->words[what], chosen, count);
+	default:
+		return ts_assign_type(sim, (enum ts_part)(what - TYPE_FRACTION), s->words[what],
+				      chosen, count);
+	}
 }
 
 static enum ts_status set_all(struct tsim *sim, const struct state *s, const unsigned char *chosen,
@@ -124,15 +215,22 @@ static enum ts_status set_all(struct tsim *sim, const struct state *s, const uns
 {
 	struct ts_table table = { 0 };
 	enum ts_status status = TS_OK;
+	size_t at = 0, changed = 0;
 
-	for (int what = 0; what < NPROPERTIES && status == TS_OK; what++) {
-		if (s->value[what].null)
-			continue;
-		status = set_one(sim, s, chosen, what, where, &table);
+	for (int what; status == TS_OK && (what = next_number(s, &at)) >= 0;) {
+		status = set_number(sim, s, chosen, what, where, &table);
 		if (status == TS_OK)
 			ts_log(&sim->log, "  %zu settings made for %s\n", count, names[what]);
 	}
 	ts_table_release(&table);
+	for (int what = 0; what < NWORDS && status == TS_OK; what++) {
+		if (!s->words[what].n)
+			continue;
+		status = set_words(sim, s, chosen, what, &changed);
+		if (status == TS_OK)
+			ts_log(&sim->log, "  %zu settings made for %s\n", changed,
+			       word_names[what]);
+	}
 	return status;
 }
 
@@ -144,6 +242,9 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	enum ts_status status = TS_OK;
 	size_t count = 0;
 
+	if (s->mode == MOLECULE)
+		return ts_fail(&sim->error, TS_UNKNOWN, where,
+			       "set: particles belong to no molecules in tsim");
 	for (int what = OMEGAX; what <= OMEGAZ; what++)
 		if (!s->value[what].null)
 			TS_TRY(ts_particles_need(sim, TS_NEED(OMEGA)));
@@ -180,11 +281,18 @@ static const struct ts_arg by_region[] = {
 	TS_ARGS_END,
 };
 
+static const struct ts_arg by_molecule[] = {
+	TS_WORD("molecules", struct state, refused, .flags = TS_POSITIONAL,
+		.help = "refused: there are no molecules"),
+	TS_ARGS_END,
+};
+
 static const struct ts_mode modes[] = {
 	[ATOM] = { "atom", "particles with these identities", by_id },
 	[TYPE] = { "type", "particles of these types", by_type },
 	[GROUP] = { "group", "particles of a group", by_group },
 	[REGION] = { "region", "particles whose centers lie in a region", by_region },
+	[MOLECULE] = { "mol", "refused: particles belong to no molecules", by_molecule },
 	{ .name = NULL },
 };
 
@@ -192,11 +300,17 @@ static const struct ts_mode modes[] = {
 	TS_NUMBER(name, struct state, value[what], .flags = TS_OPTIONAL, .unit = unit_,            \
 		  .help = help_)
 
+#define WORDS(name_, what, help_)                                                                  \
+	{ .name = name_, .type = TS_ARG_REST, .flags = TS_OPTIONAL | TS_TO_KEYWORD,                \
+	  .offset = TS_FIELD(struct state, words[what], struct ts_words *), .help = help_ }
+
 static const struct ts_arg args[] = {
 	TS_MODE("style", struct state, mode, modes, .help = "how particles are chosen"),
 	VALUE("type", TO_TYPE, "", "type"),
 	VALUE("diameter", DIAMETER, "length", "diameter; the density stays"),
 	VALUE("density", DENSITY, "mass/volume", "density; the diameter stays"),
+	VALUE("density/disc", DENSITY_DISC, "mass/area",
+	      "density of discs, mass by pi R^2; the diameter stays; needs dimension 2"),
 	VALUE("mass", MASS, "mass", "mass; the diameter stays"),
 	VALUE("x", X, "length", "x of the center"),
 	VALUE("y", Y, "length", "y of the center"),
@@ -207,6 +321,16 @@ static const struct ts_arg args[] = {
 	VALUE("omegax", OMEGAX, "1/time", "x component of the angular velocity"),
 	VALUE("omegay", OMEGAY, "1/time", "y component of the angular velocity"),
 	VALUE("omegaz", OMEGAZ, "1/time", "z component of the angular velocity"),
+	WORDS("omega", OMEGA, "three numbers: the angular velocity"),
+	WORDS("image", IMAGE, "three integers or NULL: image flags; 0 where the box is not periodic"),
+	WORDS("type/fraction", TYPE_FRACTION,
+	      "type, fraction, seed: each gets the type with this probability"),
+	WORDS("type/ratio", TYPE_RATIO,
+	      "type, fraction, seed: exactly this part of them gets the type"),
+	WORDS("type/subset", TYPE_SUBSET, "type, number, seed: so many of them get the type"),
+	WORDS("property/atom", PROPERTY,
+	      "name of a property that a fix keeps, and its numbers or v_names"),
+	WORDS("bond", BOND, "type of bonds: for bonds whose partners are both chosen"),
 	TS_ARGS_END,
 };
 
@@ -216,12 +340,14 @@ const struct ts_command_style ts_command_set = {
 		.name = "set",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Gives particles properties",
-		.doc = "Numbers may be v_name; an atom-style variable gives each particle a value of its own.\n"
-		       "Whatever the order of the keywords, they are applied as: type, diameter, density,\n"
-		       "mass, position, velocity.",
+		.doc = "Numbers may be v_name; an atom-style variable gives each particle a value of its own. They\n"
+		       "are set from left to right: `diameter 2 mass 1` ends with the mass 1, `mass 1 diameter 2` with\n"
+		       "the density that mass 1 gave. The words that take more than one number come last. Random\n"
+		       "choices are keyed by seed and identity.",
 		.example = "set group all diameter 0.005 density 2500\n"
 			   "set type 2 vz -1\n"
-			   "set atom 1*10 diameter v_size",
+			   "set atom 1*10 diameter v_size\n"
+			   "set group bed type/fraction 2 0.3 86028157",
 		.args = args,
 		.state_size = sizeof(struct state),
 	},
