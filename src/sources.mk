@@ -128,14 +128,20 @@ library_sources = \
 	src/neigh/rows.c \
 	src/neigh/rows.h \
 	src/particles/assign.c \
+	src/particles/assign_words.c \
+	src/particles/assign_words.h \
 	src/particles/body.h \
 	src/particles/chosen.h \
 	src/particles/columns.c \
 	src/particles/domain.c \
 	src/particles/domain.h \
+	src/particles/draw.c \
+	src/particles/draw.h \
 	src/particles/exchange.c \
 	src/particles/exchange.h \
 	src/particles/group.c \
+	src/particles/group_dynamic.c \
+	src/particles/group_dynamic.h \
 	src/particles/group_function.c \
 	src/particles/group_spin.c \
 	src/particles/group_spin.h \

@@ -333,8 +333,13 @@ static void too_short(struct trial *t, const struct line *good)
 		struct line bad = *good;
 		bool needed = false;
 
-		for (size_t k = n; k < good->n; k++)
-			needed |= !good->item[k].row || required(good->item[k].row);
+		for (size_t k = n; k < good->n && !needed; k++) {
+			const struct ts_arg *row = good->item[k].row;
+
+			needed = !row || required(row);
+			if (row && row->type == TS_ARG_MODE && !needed)
+				break; /* what follows belongs to it */
+		}
 		bad.n = n;
 		if (needed && !good->rest)
 			refused(t, &bad, "a line that is too short");

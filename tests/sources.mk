@@ -8,6 +8,7 @@ shell_tests = \
 	tests/decks/commands.sh \
 	tests/decks/computes.sh \
 	tests/decks/fixes.sh \
+	tests/decks/groups.sh \
 	tests/decks/inputs.sh \
 	tests/drilling.sh \
 	tests/dry_run.sh \
