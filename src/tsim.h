@@ -233,6 +233,11 @@ struct tsim_view {
 	uint64_t generation;
 };
 TSIM_API int tsim_column_view(struct tsim *sim, const char *name, struct tsim_view *out);
+/* Keeps the memory of a view until tsim_release is called as often, although the simulation may long
+ * use another: a stale view then shows old values and writing to it does nothing. tsim_close ends
+ * all. For bindings to languages whose users keep references. */
+TSIM_API int tsim_hold(struct tsim *sim, void *data);
+TSIM_API void tsim_release(struct tsim *sim, const void *data);
 TSIM_API uint64_t tsim_generation(struct tsim *sim);
 /* Name of the k-th stored column that exists, from 0; NULL: there are no more. */
 TSIM_API const char *tsim_column_name(struct tsim *sim, size_t k);

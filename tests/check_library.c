@@ -450,6 +450,33 @@ START_TEST(views_and_generation)
 }
 END_TEST
 
+/* Memory of a view outlives reordering and `clear` while it is held. */
+START_TEST(held_memory)
+{
+	struct tsim_view x = TSIM_INIT(struct tsim_view), f = TSIM_INIT(struct tsim_view);
+	const double *data;
+	double first;
+	int32_t id = 1;
+
+	ck_assert_int_eq(tsim_column_view(sim, "x", &x), 0);
+	ck_assert_int_eq(tsim_column_view(sim, "f", &f), 0);
+	ck_assert(tsim_hold(sim, x.data) == 0 && tsim_hold(sim, x.data) == 0 &&
+		  tsim_hold(sim, f.data) == 0);
+	data = x.data;
+	first = data[0];
+	deck(sim, "run 300\n");
+	ck_assert_int_eq(tsim_delete(sim, &id, 1), 0);
+	deck(sim, "clear\n%s", packing);
+	DECK_NEAR(data[0], first, 1);
+	tsim_release(sim, x.data);
+	DECK_NEAR(data[0], first, 1);
+	tsim_release(sim, x.data);
+	tsim_release(sim, x.data); /* once too often does no harm */
+	ck_assert_int_eq(tsim_column_view(sim, "x", &x), 0);
+	ck_assert_int_eq(tsim_hold(sim, x.data), 0);
+}
+END_TEST
+
 START_TEST(particles_made)
 {
 	double x[6] = { 0.1, 0.2, 0.3, 0.2, 0.2, 0.9 }, v[6] = { 0, 0, 1, 0, 0, -1 };
@@ -699,6 +726,7 @@ int main(void)
 	tcase_add_test(tests, every_quantity_can_be_read_and_written_back);
 	tcase_add_test(tests, values_are_checked);
 	tcase_add_test(tests, views_and_generation);
+	tcase_add_test(tests, held_memory);
 	tcase_add_test(tests, particles_made);
 	tcase_add_test(tests, groups);
 	tcase_add_test(tests, state);

@@ -115,6 +115,7 @@ void ts_sim_free(struct tsim *sim)
 		return;
 	free_instances(sim);
 	ts_log_close(&sim->log, &sim->error);
+	ts_holds_end(&sim->holds);
 	ts_pool_free(sim->pool);
 	ts_free(sim);
 }

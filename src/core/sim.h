@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "base/hold.h"
 #include "base/log.h"
 #include "base/status.h"
 #include "base/str.h"
@@ -68,6 +69,7 @@ struct tsim {
 			      * move in memory; never goes back, not by `clear` either */
 	const char *restart_on_signal; /* file written when a signal stops the run; "": none,
 					* NULL: tsim.interrupted.restart beside the log */
+	struct ts_holds holds; /* columns that the library has given away */
 	uint64_t fingerprint; /* of all that forces depend on, at the end of the last run */
 
 	unsigned columns;     /* all that live styles need */

@@ -153,6 +153,19 @@ int tsim_scatter(struct tsim *sim, const char *name, const int32_t *id, const do
 	return ts_library_settle(sim, status);
 }
 
+int tsim_hold(struct tsim *sim, void *data)
+{
+	if (!data)
+		return TSIM_OK;
+	return ts_library_settle(sim, ts_hold(&sim->holds, data));
+}
+
+void tsim_release(struct tsim *sim, const void *data)
+{
+	if (data)
+		ts_hold_release(&sim->holds, data);
+}
+
 const char *tsim_column_name(struct tsim *sim, size_t k)
 {
 	const struct ts_particles *p = sim->particles;

@@ -26,7 +26,7 @@ static enum ts_status enlarge(struct tsim *sim, struct ts_column *c, size_t rows
 		return ts_nomem(&sim->error);
 	if (c->data)
 		memcpy(data, c->data, rows * c->width * c->element);
-	ts_free(c->data);
+	ts_hold_free(&sim->holds, c->data);
 	c->data = data;
 	bind(c);
 	sim->generation++;
@@ -208,7 +208,7 @@ enum ts_status ts_particles_reorder(struct tsim *sim, const int32_t *order)
 			return ts_nomem(&sim->error);
 		for (size_t i = 0; i < p->n; i++)
 			memcpy(data + i * row, column_row(c, (size_t)order[i]), row);
-		ts_free(c->data);
+		ts_hold_free(&sim->holds, c->data);
 		c->data = data;
 		bind(c);
 	}

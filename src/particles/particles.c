@@ -34,6 +34,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		p->group[0] = "all";
 		p->lost_policy = TS_LOST_WARN;
 		sim->generation++;
+		p->holds = &sim->holds;
 	}
 	return ts_particles_need(sim, sim->columns);
 }
@@ -43,7 +44,7 @@ static void fini(struct ts_instance *self)
 	struct ts_particles *p = self->state;
 
 	for (size_t k = 0; k < p->ncolumns; k++)
-		ts_free(p->column[k].data);
+		ts_hold_free(p->holds, p->column[k].data);
 	ts_free(p->column);
 	ts_free(p->type_mass);
 	ts_free(p->ghost_owner);

@@ -98,6 +98,7 @@ struct ts_particles {
 	int lost_policy; /* enum ts_lost */
 	bool lost_warned;
 
+	struct ts_holds *holds; /* of the simulation: columns that are looked at from outside */
 	int32_t *map; /* row of tag, made by ts_particles_map */
 	size_t map_capacity;
 	/* Says whom particle i touches; set by who keeps the contacts. */
