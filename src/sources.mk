@@ -7,6 +7,8 @@ library_sources = \
 	src/base/clock.h \
 	src/base/hash.c \
 	src/base/hash.h \
+	src/base/hold.c \
+	src/base/hold.h \
 	src/base/log.c \
 	src/base/log.h \
 	src/base/map.c \

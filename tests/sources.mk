@@ -17,6 +17,7 @@ shell_tests = \
 	tests/kill.sh \
 	tests/layers.sh \
 	tests/manual_current.sh \
+	tests/python.sh \
 	tests/restart.sh \
 	tests/restart_changes.sh \
 	tests/safety.sh \

@@ -1,0 +1,40 @@
+#!/bin/bash
+# The Python module, with NumPy (Debian's python3-numpy) and without; its manual, whose examples are
+# run; its example.
+[ -n "$SHARED" ] || exit 77
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+
+python=
+for candidate in python3 /usr/bin/python3; do
+	"$candidate" -c 'import ctypes' 2>/dev/null || continue
+	python=${python:-$candidate}
+	"$candidate" -c 'import numpy' 2>/dev/null && python=$candidate && break
+done
+[ -n "$python" ] || exit 77
+export TSIM_LIBRARY=$top_builddir/$SHARED PYTHONPATH=$top_srcdir/python PYTHONDONTWRITEBYTECODE=1
+
+# tested WHAT COMMAND...: adds the counts of the last line it prints
+tested() {
+	local what=$1 counts
+	shift
+	"$@" >out 2>&1
+	counts=$(sed -nE '$s/^([0-9]+) passed, ([0-9]+) failed$/\1 \2/p' out)
+	[ -n "$counts" ] || counts="0 1"
+	passed=$((passed + ${counts% *}))
+	failed=$((failed + ${counts#* }))
+	[ "${counts#* }" = 0 ] || { echo "off: $what"; tail -n 40 out; }
+}
+
+tested 'without NumPy' env WITHOUT_NUMPY=1 "$python" "$top_srcdir/tests/python_test.py"
+if "$python" -c 'import numpy' 2>/dev/null; then
+	tested 'with NumPy' "$python" "$top_srcdir/tests/python_test.py"
+	"$python" -m doctest "$top_srcdir/doc/python.md" >out 2>&1
+	report 'the examples of doc/python.md' $? out
+fi
+"$python" "$top_srcdir/examples/library/bounce.py" >out 2>&1
+report 'examples/library/bounce.py' $? out
+TSIM_LIBRARY=/nowhere/libtsim.so "$python" -c 'import tsim' >out 2>&1
+grep -q 'TSIM_LIBRARY' out
+report 'a missing library is told' $? out
+finish
