@@ -38,6 +38,8 @@ library_sources = \
 	src/core/host.h \
 	src/core/known.c \
 	src/core/known.h \
+	src/core/name_list.c \
+	src/core/name_list.h \
 	src/core/pending.c \
 	src/core/pending.h \
 	src/core/plan.c \
@@ -58,6 +60,8 @@ library_sources = \
 	src/core/value.h \
 	src/flow/flow.h \
 	src/geom/box.h \
+	src/geom/pairs.c \
+	src/geom/pairs.h \
 	src/geom/pointhash.c \
 	src/geom/pointhash.h \
 	src/geom/primitive.c \
@@ -107,6 +111,9 @@ library_sources = \
 	src/math/gsl.h \
 	src/math/rng.c \
 	src/math/rng.h \
+	src/math/tally.c \
+	src/math/tally.h \
+	src/math/unionfind.h \
 	src/math/vec3.h \
 	src/neigh/bond_force.c \
 	src/neigh/bond_loop.h \
@@ -114,6 +121,8 @@ library_sources = \
 	src/neigh/bonds.h \
 	src/neigh/cells.c \
 	src/neigh/cells.h \
+	src/neigh/clusters.c \
+	src/neigh/clusters.h \
 	src/neigh/contact_list.c \
 	src/neigh/contact_list.h \
 	src/neigh/gather.c \
@@ -124,6 +133,8 @@ library_sources = \
 	src/neigh/order.h \
 	src/neigh/pair.c \
 	src/neigh/pair.h \
+	src/neigh/pair_columns.c \
+	src/neigh/pair_columns.h \
 	src/neigh/row_history.c \
 	src/neigh/row_history.h \
 	src/neigh/row_loop.h \
@@ -154,6 +165,8 @@ library_sources = \
 	src/particles/particles.c \
 	src/particles/particles.h \
 	src/particles/quantity.c \
+	src/particles/reduce.c \
+	src/particles/reduce.h \
 	src/particles/reference.c \
 	src/particles/reference.h \
 	src/particles/region.c \
@@ -262,20 +275,35 @@ library_sources = \
 	src/styles/command/write_dump.c \
 	src/styles/command/write_restart.c \
 	src/styles/command/write_restart_on_signal.c \
+	src/styles/compute/aggregate_atom.c \
+	src/styles/compute/bond_local.c \
 	src/styles/compute/bonds.c \
+	src/styles/compute/cluster_atom.c \
 	src/styles/compute/com.c \
+	src/styles/compute/contact_atom.c \
 	src/styles/compute/contacts.c \
+	src/styles/compute/coord_atom.c \
+	src/styles/compute/count_type.c \
 	src/styles/compute/displace_atom.c \
 	src/styles/compute/erotate_sphere.c \
 	src/styles/compute/erotate_sphere_atom.c \
+	src/styles/compute/fragment_atom.c \
+	src/styles/compute/group_group.c \
 	src/styles/compute/gyration.c \
 	src/styles/compute/ke.c \
 	src/styles/compute/ke_atom.c \
 	src/styles/compute/leave.c \
 	src/styles/compute/msd.c \
+	src/styles/compute/nbond_atom.c \
+	src/styles/compute/pair_gran_local.c \
+	src/styles/compute/pair_local.c \
 	src/styles/compute/pressure.c \
 	src/styles/compute/property_atom.c \
+	src/styles/compute/property_local.c \
+	src/styles/compute/rdf.c \
 	src/styles/compute/reduce.c \
+	src/styles/compute/reduce_region.c \
+	src/styles/compute/slice.c \
 	src/styles/compute/stress_atom.c \
 	src/styles/compute/temp.c \
 	src/styles/compute/temp_com.c \

@@ -7,6 +7,7 @@ shell_tests = \
 	tests/data_files.sh \
 	tests/decks/commands.sh \
 	tests/decks/computes.sh \
+	tests/decks/contact_computes.sh \
 	tests/decks/fixes.sh \
 	tests/decks/groups.sh \
 	tests/decks/inputs.sh \
@@ -43,6 +44,7 @@ unit_tests = \
 	tests/check_math \
 	tests/check_neigh \
 	tests/check_order \
+	tests/check_pairs \
 	tests/check_particles \
 	tests/check_script \
 	tests/check_styles \
@@ -111,6 +113,10 @@ tests_check_neigh_LDADD = $(tests_ldadd)
 tests_check_order_SOURCES = tests/check_order.c $(tests_common)
 tests_check_order_CFLAGS = $(tests_cflags)
 tests_check_order_LDADD = $(tests_ldadd)
+
+tests_check_pairs_SOURCES = tests/check_pairs.c $(tests_common)
+tests_check_pairs_CFLAGS = $(tests_cflags)
+tests_check_pairs_LDADD = $(tests_ldadd)
 
 tests_check_particles_SOURCES = tests/check_particles.c $(tests_common)
 tests_check_particles_CFLAGS = $(tests_cflags)

@@ -81,20 +81,35 @@ TS_STYLE(command, ts_command_style, ts_command_write_data)
 TS_STYLE(command, ts_command_style, ts_command_write_dump)
 TS_STYLE(command, ts_command_style, ts_command_write_restart)
 TS_STYLE(command, ts_command_style, ts_command_write_restart_on_signal)
+TS_STYLE(compute, ts_style, ts_compute_aggregate_atom)
+TS_STYLE(compute, ts_style, ts_compute_bond_local)
 TS_STYLE(compute, ts_style, ts_compute_bonds)
+TS_STYLE(compute, ts_style, ts_compute_cluster_atom)
 TS_STYLE(compute, ts_style, ts_compute_com)
+TS_STYLE(compute, ts_style, ts_compute_contact_atom)
 TS_STYLE(compute, ts_style, ts_compute_contacts)
+TS_STYLE(compute, ts_style, ts_compute_coord_atom)
+TS_STYLE(compute, ts_style, ts_compute_count_type)
 TS_STYLE(compute, ts_style, ts_compute_displace_atom)
 TS_STYLE(compute, ts_style, ts_compute_erotate_sphere)
 TS_STYLE(compute, ts_style, ts_compute_erotate_sphere_atom)
+TS_STYLE(compute, ts_style, ts_compute_fragment_atom)
+TS_STYLE(compute, ts_style, ts_compute_group_group)
 TS_STYLE(compute, ts_style, ts_compute_gyration)
 TS_STYLE(compute, ts_style, ts_compute_ke)
 TS_STYLE(compute, ts_style, ts_compute_ke_atom)
 TS_STYLE(compute, ts_style, ts_compute_leave)
 TS_STYLE(compute, ts_style, ts_compute_msd)
+TS_STYLE(compute, ts_style, ts_compute_nbond_atom)
+TS_STYLE(compute, ts_style, ts_compute_pair_gran_local)
+TS_STYLE(compute, ts_style, ts_compute_pair_local)
 TS_STYLE(compute, ts_style, ts_compute_pressure)
 TS_STYLE(compute, ts_style, ts_compute_property_atom)
+TS_STYLE(compute, ts_style, ts_compute_property_local)
+TS_STYLE(compute, ts_style, ts_compute_rdf)
 TS_STYLE(compute, ts_style, ts_compute_reduce)
+TS_STYLE(compute, ts_style, ts_compute_reduce_region)
+TS_STYLE(compute, ts_style, ts_compute_slice)
 TS_STYLE(compute, ts_style, ts_compute_stress_atom)
 TS_STYLE(compute, ts_style, ts_compute_temp)
 TS_STYLE(compute, ts_style, ts_compute_temp_com)
@@ -213,20 +228,35 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_command_write_dump.style,
 	&ts_command_write_restart.style,
 	&ts_command_write_restart_on_signal.style,
+	&ts_compute_aggregate_atom,
+	&ts_compute_bond_local,
 	&ts_compute_bonds,
+	&ts_compute_cluster_atom,
 	&ts_compute_com,
+	&ts_compute_contact_atom,
 	&ts_compute_contacts,
+	&ts_compute_coord_atom,
+	&ts_compute_count_type,
 	&ts_compute_displace_atom,
 	&ts_compute_erotate_sphere,
 	&ts_compute_erotate_sphere_atom,
+	&ts_compute_fragment_atom,
+	&ts_compute_group_group,
 	&ts_compute_gyration,
 	&ts_compute_ke,
 	&ts_compute_ke_atom,
 	&ts_compute_leave,
 	&ts_compute_msd,
+	&ts_compute_nbond_atom,
+	&ts_compute_pair_gran_local,
+	&ts_compute_pair_local,
 	&ts_compute_pressure,
 	&ts_compute_property_atom,
+	&ts_compute_property_local,
+	&ts_compute_rdf,
 	&ts_compute_reduce,
+	&ts_compute_reduce_region,
+	&ts_compute_slice,
 	&ts_compute_stress_atom,
 	&ts_compute_temp,
 	&ts_compute_temp_com,

@@ -1,0 +1,41 @@
+/* Compute: which cluster each particle belongs to. */
+#include "neigh/clusters.h"
+
+#include "base/banned.h"
+
+struct state {
+	double cutoff;
+};
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	const struct state *s = self->state;
+
+	return ts_clusters_find(sim, self->group, s->cutoff, false, true, out);
+}
+
+static const struct ts_value values[] = {
+	{ "cluster", "", "smallest id of its cluster; 0 outside the group",
+	  TS_PERATOM, 1, NULL, eval },
+	{ .name = NULL },
+};
+
+static const struct ts_arg args[] = {
+	TS_REAL("cutoff", struct state, cutoff, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+		.unit = "length", .help = "distance of centres within which particles belong together"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(compute, ts_style, ts_compute_cluster_atom)
+const struct ts_style ts_compute_cluster_atom = {
+	.name = "cluster/atom",
+	.kind = TS_KIND_COMPUTE,
+	.summary = "Which cluster each particle belongs to",
+	.doc = "Particles of the group whose centres are nearer than the cutoff belong to one cluster, and so on from "
+	       "one\nto the next; periodic images count. A cluster is known by the smallest id in it; particles "
+	       "outside the\ngroup have 0.",
+	.example = "compute piece all cluster/atom 0.0105",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.values = values,
+};
