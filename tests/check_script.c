@@ -250,6 +250,19 @@ START_TEST(conditions)
 	expect_output("if \"1\" then \"jump SELF out\" \"print wrong\"\nprint wrong\nlabel out\n"
 		      "print right\n",
 		      "right\n");
+	expect_output("if \"yes && !(no || off)\" then \"print a\"\nif \"yes == true\" then \"print b\"\n"
+		      "if \"(1 > 2 |^ 3 == 3) && 'a b' == ' a b'\" then \"print c\" else \"print d\"\n"
+		      "if property_youngsModulus then \"print e\" else \"print f\"\n"
+		      "if \"!property_k && 1\" then \"print g\"\n",
+		      "a\nd\nf\ng\n");
+	expect_output("partition yes 1 print a\npartition no 1 print b\npartition no 2* print c\n"
+		      "partition yes 2*4 print d\npartition yes * print e\n",
+		      "a\nc\ne\n");
+	expect_error("partition yes 0 print a", 1, 15, 1, "expected numbers of partitions");
+	expect_error("partition yes x print a", 1, 15, 1, "expected numbers of partitions");
+	expect_error("partition yes 1 prnit a", 1, 17, 5, "did you mean 'print'");
+	expect_error("if 1 then \"include x\"", 1, 12, 7, "include has no place within an if");
+	expect_error("python f input 1", 1, 1, 6, "runs no Python");
 	expect_error("if \"1\" \"print x\"", 1, 1, 2, "expected");
 	expect_error("if \"1\" than \"print x\"", 1, 8, 4, "expected 'then'");
 	expect_error("if \"1\" then \"print x\" else", 1, 23, 4, "expected a command");
@@ -297,6 +310,18 @@ START_TEST(files)
 		"shell rmdir post\nshell rm inner.in self.in other.in bad.in\n",
 		"");
 	expect_error("shell rm nothing", 1, 10, 7, "failed");
+	expect_error("shell touch program", 1, 7, 5, "only with the option -shell yes");
+	ts_script_allow_programs(sim->host_data, true);
+	expect_output("shell echo written >program\nshell rm program\n", "");
+	ts_script_allow_programs(sim->host_data, false);
+	file = fopen("stdin.in", "w+");
+	fputs("print a\njump SELF\n", file);
+	rewind(file);
+	ck_assert_int_ne(ts_script_stream(sim->host_data, file, "stdin"), TS_OK);
+	ck_assert_ptr_nonnull(strstr(tsim_error(sim), "stdin:2:6: error: a script on standard input"));
+	tsim_error_clear(sim);
+	fclose(file);
+	expect_output("shell rm stdin.in\n", "");
 	expect_error("shell mkdr a", 1, 7, 4, "did you mean 'mkdir'");
 	leave_directory();
 }

@@ -48,6 +48,7 @@ unit_tests = \
 	tests/check_particles \
 	tests/check_script \
 	tests/check_styles \
+	tests/check_unbreakable \
 	tests/check_variables \
 	tests/stability/check_limits
 tests_common = \
@@ -129,6 +130,10 @@ tests_check_script_LDADD = $(tests_ldadd)
 tests_check_styles_SOURCES = tests/check_styles.c $(tests_common)
 tests_check_styles_CFLAGS = $(tests_cflags)
 tests_check_styles_LDADD = $(tests_ldadd)
+
+tests_check_unbreakable_SOURCES = tests/check_unbreakable.c $(tests_common)
+tests_check_unbreakable_CFLAGS = $(tests_cflags)
+tests_check_unbreakable_LDADD = $(tests_ldadd)
 
 tests_check_variables_SOURCES = tests/check_variables.c $(tests_common)
 tests_check_variables_CFLAGS = $(tests_cflags)

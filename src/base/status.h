@@ -6,6 +6,8 @@
 #ifndef TS_BASE_STATUS_H
 #define TS_BASE_STATUS_H
 
+#include <stdarg.h>
+
 #define TS_STATUS_LIST(X)                                                                          \
 	X(OK, "success")                                                                           \
 	X(SYNTAX, "syntax error")                                                                  \
@@ -45,6 +47,9 @@ struct ts_error {
 enum ts_status ts_fail_at(struct ts_error *err, enum ts_status code, const struct ts_place *place,
 			  const char *source, int source_line, const char *format, ...)
 	__attribute__((format(printf, 6, 7)));
+enum ts_status ts_vfail_at(struct ts_error *err, enum ts_status code, const struct ts_place *place,
+			   const char *source, int source_line, const char *format, va_list args)
+	__attribute__((format(printf, 6, 0)));
 
 #define ts_nomem(err) ts_fail(err, TS_NOMEM, NULL, "out of memory")
 

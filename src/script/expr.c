@@ -2,7 +2,6 @@
 
 #include <ctype.h>
 #include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "base/banned.h"
@@ -13,13 +12,12 @@ enum ts_status ts_expr_fail(struct ts_expr *e, enum ts_status code, size_t at, s
 			    const char *format, ...)
 {
 	struct ts_place place = ts_place_inside(e->place, e->length, at, end - at);
-	char text[512];
 	va_list args;
 
 	va_start(args, format);
-	vsnprintf(text, sizeof text, format, args);
+	ts_vfail_at(&e->sim->error, code, &place, __FILE__, __LINE__, format, args);
 	va_end(args);
-	return ts_fail(&e->sim->error, code, &place, "%s", text);
+	return code;
 }
 
 enum ts_status ts_expr_blame(struct ts_expr *e, enum ts_status status, size_t at, size_t end)

@@ -7,6 +7,9 @@
 
 #include "base/banned.h"
 
+/* Some editors put it before UTF-8. */
+static const char byte_order_mark[] = "\xef\xbb\xbf";
+
 static enum ts_status start(struct ts_source *source, struct tsim *sim, const char *name)
 {
 	*source = (struct ts_source){ .name = ts_pool_get(sim->pool, name) };
@@ -134,6 +137,8 @@ static enum ts_status next_row(struct ts_source *source, struct tsim *sim, struc
 		TS_TRY(fetch(source, sim));
 	if (source->at == source->text.length)
 		return TS_OK;
+	if (source->at == 0 && strncmp(source->text.text, byte_order_mark, 3) == 0)
+		source->at = 3;
 	text = source->text.text + source->at;
 	n = strcspn(text, "\n");
 	source->at += n + (text[n] == '\n');
