@@ -87,4 +87,38 @@ grep '^RESULT' out | awk -v want="0.0474541945557831 0.0508178721500008 0.000242
 	  for (k = 1; k <= n; k++) { d = $(k + 1) - w[k]; bad = bad || d * d > 1e-18 * w[k] * w[k] } }
 	END { exit bad || !NR }'
 report 'version 1: same results' $? out
+
+# other versions are refused by their numbers, not misread
+other_version() { # WHAT TEXT
+	printf 'read_restart other\n' >in.read
+	refused "$1" "$2" -in in.read
+}
+LC_ALL=C sed '1s/2/3/' first.restart >other
+other_version 'a newer version' "has version 3 of the format, and this program reads versions 1 to 2"
+LC_ALL=C sed '1s/2/17/' first.restart >other
+other_version 'a much newer version' 'has version 17'
+LC_ALL=C sed '1s/2/1/' first.restart >other
+other_version 'a new file that says it is old' 'damaged: it has two versions'
+
+# streams of random numbers go on
+cat >in.random <<END
+variable from index none
+include $data/in.older
+variable push equal 0.01*random(-1,1,8613)
+variable kick equal 0.01*normal(0,1,77)
+fix push all addforce v_push v_kick 0
+run \${then} upto
+write_restart \${out}.restart
+print "RESULT \$(xcm(all,x):%.17g) \$(xcm(all,y):%.17g) \$(random(0,1,8613):%.17g)"
+END
+random() {
+	local out=$1
+	shift
+	"$TSIM" -in in.random -log none -var out "$out" "$@" 2>err | grep '^RESULT' >"$out.result"
+}
+random whole -var last 0 -var then 600
+random one -var last 0 -var then 233
+random two -var last 233 -var then 600 -var from one.restart
+same 'random streams: results' whole.result two.result
+same 'random streams: files' whole.restart two.restart
 finish

@@ -212,7 +212,7 @@ static bool only_looks(const struct ts_instance *inst)
 	return true;
 }
 
-enum ts_status ts_sim_fingerprint(struct tsim *sim, uint64_t *out)
+static enum ts_status hash_all(struct tsim *sim, uint64_t *out)
 {
 	static const enum ts_kind kinds[] = { TS_KIND_SYSTEM, TS_KIND_PAIR, TS_KIND_BOND,
 					      TS_KIND_FLOW, TS_KIND_FIX };
@@ -231,4 +231,41 @@ enum ts_status ts_sim_fingerprint(struct tsim *sim, uint64_t *out)
 	}
 	*out = ts_hash_value(&hash);
 	return TS_OK;
+}
+
+/* Puts the script back to where it was when the archive was written. */
+static enum ts_status rewind_host(struct tsim *sim, struct ts_archive *written)
+{
+	struct ts_archive *read = ts_archive_new(sim, false);
+	const unsigned char *bytes;
+	enum ts_status status;
+	size_t n;
+
+	if (!read)
+		return ts_nomem(&sim->error);
+	status = ts_archive_bytes(written, &bytes, &n);
+	if (status == TS_OK)
+		status = ts_archive_from(read, bytes, n);
+	if (status == TS_OK)
+		status = sim->host->archive(sim->host_data, read);
+	ts_archive_free(read);
+	return status;
+}
+
+/* Variables are evaluated here, but to look must not change anything: what they draw of random numbers
+ * is put back. */
+enum ts_status ts_sim_fingerprint(struct tsim *sim, uint64_t *out)
+{
+	struct ts_archive *host = sim->host && sim->host->archive ? ts_archive_new(sim, true) : NULL;
+	enum ts_status status = TS_OK;
+
+	if (!host)
+		return sim->host && sim->host->archive ? ts_nomem(&sim->error) : hash_all(sim, out);
+	status = sim->host->archive(sim->host_data, host);
+	if (status == TS_OK)
+		status = hash_all(sim, out);
+	if (status == TS_OK)
+		status = rewind_host(sim, host);
+	ts_archive_free(host);
+	return status;
 }

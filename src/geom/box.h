@@ -29,17 +29,21 @@ static inline double ts_box_length(const struct ts_box *box, int dim)
 	return box->hi[dim] - box->lo[dim];
 }
 
-/* Wraps a coordinate into a periodic box and counts the lengths it had to be moved by. */
-static inline void ts_box_wrap(const struct ts_box *box, int dim, double *x, int32_t *image)
+/* Wraps a coordinate into a periodic box and counts the lengths it had to be moved by. False if these
+ * cannot be counted, as for what is not a number: nothing is done then. */
+static inline bool ts_box_wrap(const struct ts_box *box, int dim, double *x, int32_t *image)
 {
 	double length = ts_box_length(box, dim), turns = floor((*x - box->lo[dim]) / length);
 
 	if (turns == 0)
-		return;
+		return true;
+	if (!(fabs(turns + *image) < INT32_MAX))
+		return false;
 	*x -= turns * length;
 	if (*x < box->lo[dim]) /* rounding */
 		*x = box->lo[dim];
-	*image += (int32_t)turns;
+	*image = (int32_t)(*image + turns);
+	return true;
 }
 
 /* Turns the difference of two positions into the one to the nearest periodic image. */

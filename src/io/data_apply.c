@@ -105,7 +105,7 @@ static void place_atom(struct tsim *sim, const struct ts_data *data, const struc
 		p->v[i][d] = a->v[d];
 		p->image[i][d] = a->image[d];
 		if (ts_box_periodic(box, d))
-			ts_box_wrap(box, d, &p->x[i][d], &p->image[i][d]);
+			(void)ts_box_wrap(box, d, &p->x[i][d], &p->image[i][d]);
 		if (p->omega)
 			p->omega[i][d] = a->omega[d];
 	}

@@ -10,18 +10,24 @@
 #include "core/plan.h"
 #include "io/replace.h"
 #include "io/textfile.h"
+#include "particles/domain.h"
+#include "particles/particles.h"
 
 #include "base/banned.h"
 
+/* Version 2 added the section of the script and the arguments of styles; doc/restart-format.md says
+ * when the version has to grow. Older ones are read. */
 #define MAGIC_STEM "tsim restart "
-#define MAGIC MAGIC_STEM "1\n"
-enum { BYTE_ORDER_MARK = 0x01020304, VERSION = 1, MAGIC_LENGTH = sizeof MAGIC - 1 };
-enum { CLOCK_SECTION = 1000, END_SECTION = 0 };
+#define MAGIC MAGIC_STEM "2\n"
+enum { BYTE_ORDER_MARK = 0x01020304, VERSION = 2, MAGIC_LENGTH = sizeof MAGIC - 1 };
+enum { CLOCK_SECTION = 1000, HOST_SECTION = 1001, END_SECTION = 0 };
 enum { NNAMES = 3, LONGEST_NAME = 4096, LARGEST_RATIO = 1040 /* zlib compresses no better */ };
 
 static const enum ts_kind saved_kinds[] = { TS_KIND_SYSTEM, TS_KIND_PAIR, TS_KIND_BOND,
 					    TS_KIND_FLOW,   TS_KIND_FIX,  TS_KIND_COMPUTE,
 					    TS_KIND_DUMP };
+
+_Static_assert(TS_KIND_FIX == 2 && TS_KIND_FLOW == 8, "files know kinds by these numbers");
 
 struct head {
 	uint32_t kind, name_length[NNAMES];
@@ -103,9 +109,25 @@ static enum ts_status put_section(struct writer *w, uint32_t kind, const char *c
 	return status;
 }
 
+static const char *const no_names[NNAMES] = { "", "", "" };
+
+static enum ts_status put_host(struct writer *w)
+{
+	struct tsim *sim = w->sim;
+	struct ts_archive *archive = ts_archive_new(sim, true);
+	enum ts_status status;
+
+	if (!archive)
+		return ts_nomem(&sim->error);
+	status = sim->host->archive(sim->host_data, archive);
+	if (status == TS_OK)
+		status = put_section(w, HOST_SECTION, no_names, archive);
+	ts_archive_free(archive);
+	return status;
+}
+
 static enum ts_status put_clock(struct writer *w)
 {
-	static const char *const names[] = { "", "", "" };
 	struct tsim *sim = w->sim;
 	struct run_state s = { sim->clock, (int32_t)sim->units, sim->dimension, sim->fingerprint };
 	struct ts_archive *archive = ts_archive_new(sim, true);
@@ -115,7 +137,7 @@ static enum ts_status put_clock(struct writer *w)
 		return ts_nomem(&sim->error);
 	status = archive_run_state(archive, &s);
 	if (status == TS_OK)
-		status = put_section(w, CLOCK_SECTION, names, archive);
+		status = put_section(w, CLOCK_SECTION, no_names, archive);
 	ts_archive_free(archive);
 	return status;
 }
@@ -144,6 +166,8 @@ static enum ts_status put_all(struct writer *w)
 	TS_TRY(put(w, MAGIC, MAGIC_LENGTH));
 	TS_TRY(put(w, mark, sizeof mark));
 	TS_TRY(put_clock(w));
+	if (w->sim->host && w->sim->host->archive)
+		TS_TRY(put_host(w));
 	for (size_t k = 0; k < sizeof saved_kinds / sizeof *saved_kinds; k++) {
 		struct ts_instances *list = &w->sim->instances[saved_kinds[k]];
 
@@ -188,6 +212,7 @@ struct reader {
 	size_t n, at, capacity;
 	struct section *section;
 	size_t nsections, section_capacity;
+	size_t system; /* of the table of systems: the first that has not been restored */
 };
 
 static enum ts_status refuse(struct reader *r, const char *why)
@@ -234,21 +259,29 @@ static bool take(struct reader *r, void *to, size_t n)
 	return true;
 }
 
+static enum ts_status refuse_version(struct reader *r, const char *text)
+{
+	return ts_fail(&r->sim->error, TS_DAMAGED, r->where,
+		       "restart file '%s' has version %.*s of the format, and this program reads "
+		       "versions 1 to %d: it was written by a newer tsim, or is damaged",
+		       r->path, (int)strcspn(text, "\n"), text, VERSION);
+}
+
 static enum ts_status check_start(struct reader *r)
 {
-	char magic[MAGIC_LENGTH];
+	char magic[MAGIC_LENGTH + 1] = "", *version = magic + sizeof MAGIC_STEM - 1;
 	uint32_t mark[2];
 
-	if (!take(r, magic, sizeof magic) || memcmp(magic, MAGIC_STEM, sizeof MAGIC_STEM - 1) != 0)
+	if (!take(r, magic, MAGIC_LENGTH) || memcmp(magic, MAGIC_STEM, sizeof MAGIC_STEM - 1) != 0)
 		return refuse(r, "is not a restart file of tsim");
-	if (memcmp(magic, MAGIC, MAGIC_LENGTH) != 0)
-		return refuse(r, "has another version of the format; this program reads version 1");
+	if (version[0] < '1' || version[0] > '0' + VERSION || version[1] != '\n')
+		return refuse_version(r, version);
 	if (!take(r, mark, sizeof mark))
 		return refuse(r, "is cut off");
 	if (mark[0] != BYTE_ORDER_MARK)
 		return refuse(r, "was written by a machine with another byte order, or is damaged");
-	if (mark[1] != VERSION)
-		return refuse(r, "has another version of the format; this program reads version 1");
+	if (mark[1] != (uint32_t)(version[0] - '0'))
+		return refuse(r, "is damaged: it has two versions of the format");
 	return TS_OK;
 }
 
@@ -335,9 +368,12 @@ static enum ts_status with_archive(struct reader *r, const struct section *s,
 	if (!archive)
 		return ts_nomem(&r->sim->error);
 	status = ts_archive_from(archive, s->plain, (size_t)s->head.plain);
-	if (status == TS_OK)
-		status = clock ? archive_run_state(archive, clock)
-			       : ts_archive_instance(archive, inst, r->sim);
+	if (status == TS_OK && clock)
+		status = archive_run_state(archive, clock);
+	else if (status == TS_OK && inst)
+		status = ts_archive_instance(archive, inst, r->sim);
+	else if (status == TS_OK && r->sim->host && r->sim->host->archive)
+		status = r->sim->host->archive(r->sim->host_data, archive);
 	ts_archive_free(archive);
 	return status;
 }
@@ -370,30 +406,54 @@ static enum ts_status restore_clock(struct reader *r)
 	return TS_OK;
 }
 
+/* Each once, in the order of the table: those behind rely on those before. */
+static enum ts_status restore_system(struct reader *r, const struct section *s)
+{
+	struct ts_instance *inst = ts_sim_find(r->sim, TS_KIND_SYSTEM, s->name[0]);
+
+	if (!inst)
+		return refuse(r, "holds the state of a system this program does not have");
+	while (ts_system_table[r->system] && &ts_system_table[r->system]->style != inst->style)
+		r->system++;
+	if (!ts_system_table[r->system])
+		return refuse(r, "is damaged: its sections are out of order");
+	r->system++;
+	return with_archive(r, s, NULL, inst);
+}
+
 static enum ts_status restore_section(struct reader *r, const struct section *s)
 {
-	struct ts_instance *inst;
-
+	if (s->head.kind == HOST_SECTION)
+		return with_archive(r, s, NULL, NULL);
 	if (s->head.kind == 0 || s->head.kind > TS_NKIND)
 		return refuse(r, "holds the state of an unknown kind of style");
 	if (s->head.kind - 1 != TS_KIND_SYSTEM)
 		return ts_pending_add(r->sim, (enum ts_kind)(s->head.kind - 1), s->name[0],
 				      s->name[1], s->name[2], s->plain, (size_t)s->head.plain);
-	inst = ts_sim_find(r->sim, TS_KIND_SYSTEM, s->name[0]);
-	if (!inst)
-		return refuse(r, "holds the state of a system this program does not have");
-	return with_archive(r, s, NULL, inst);
+	return restore_system(r, s);
 }
 
-static enum ts_status read_all(struct reader *r)
+static enum ts_status restore_all(struct reader *r)
 {
-	TS_TRY(load(r));
-	TS_TRY(check_start(r));
-	TS_TRY(read_sections(r));
 	TS_TRY(restore_clock(r));
 	for (size_t k = 1; k < r->nsections; k++)
 		TS_TRY(restore_section(r, &r->section[k]));
-	return TS_OK;
+	return ts_sim_has_box(r->sim) ? TS_OK : refuse(r, "is damaged: it has no simulation box");
+}
+
+/* A file that holds together may still hold nonsense; nothing is left of it then. */
+static void forget(struct tsim *sim)
+{
+	sim->domain->exists = false;
+	sim->particles->n = 0;
+	ts_pending_free(sim);
+}
+
+static enum ts_status read_file(struct reader *r)
+{
+	TS_TRY(load(r));
+	TS_TRY(check_start(r));
+	return read_sections(r);
 }
 
 enum ts_status ts_restart_read(struct tsim *sim, const char *path, const struct ts_place *where)
@@ -404,7 +464,9 @@ enum ts_status ts_restart_read(struct tsim *sim, const char *path, const struct 
 	if (ts_sim_has_box(sim))
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "there is a box already: read_restart comes before create_box");
-	status = read_all(&r);
+	status = read_file(&r);
+	if (status == TS_OK && (status = restore_all(&r)) != TS_OK)
+		forget(sim);
 	ts_arena_release(&r.arena);
 	ts_free(r.bytes);
 	ts_free(r.section);

@@ -1,6 +1,7 @@
 /* The list of bonds: making, deleting, saving it, and finding the partners after a rebuild. */
 #include "neigh/bonds.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -167,6 +168,19 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 	return ts_bonds_index(sim);
 }
 
+static enum ts_status check_bonds(struct tsim *sim, const struct ts_bonds *b)
+{
+	int32_t most = sim->particles->max_tag;
+
+	for (size_t k = 0; k < b->n; k++)
+		if (b->tag[k][0] < 1 || b->tag[k][0] > most || b->tag[k][1] < 1 ||
+		    b->tag[k][1] > most || b->tag[k][0] == b->tag[k][1] || b->type[k] < 1 ||
+		    b->type[k] > b->ntypes || !isfinite(b->rest[k]))
+			return ts_fail(&sim->error, TS_DAMAGED, NULL,
+				       "bond %zu has an impossible partner or type", k + 1);
+	return TS_OK;
+}
+
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
 	struct ts_bonds *b = self->state;
@@ -187,7 +201,8 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	TS_TRY(ts_archive_fixed(a, "type", TS_SAVED_I32, b->type, b->n));
 	TS_TRY(ts_archive_fixed(a, "rest", TS_SAVED_F64, b->rest, b->n));
 	TS_TRY(ts_archive_fixed(a, "tension", TS_SAVED_F64, b->tension, b->n));
-	return ts_archive_fixed(a, "events", TS_SAVED_U8, b->event, b->nevents * sizeof *b->event);
+	TS_TRY(ts_archive_fixed(a, "events", TS_SAVED_U8, b->event, b->nevents * sizeof *b->event));
+	return ts_archive_writing(a) ? TS_OK : check_bonds(sim, b);
 }
 
 static void fingerprint(const struct ts_instance *self, const struct tsim *sim,

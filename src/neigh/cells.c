@@ -74,11 +74,11 @@ static enum ts_status size_grid(struct tsim *sim, struct ts_level *level, const 
 
 static int cell_index(const struct ts_level *level, int dim, double x)
 {
-	int c = (int)((x - level->lo[dim]) * level->inverse[dim]);
+	double c = (x - level->lo[dim]) * level->inverse[dim];
 
-	if (c < 0)
+	if (!(c > 0))
 		return 0;
-	return c < level->cells[dim] ? c : level->cells[dim] - 1;
+	return c < level->cells[dim] ? (int)c : level->cells[dim] - 1;
 }
 
 static enum ts_status fill_level(struct tsim *sim, struct ts_cells *cells, int l, size_t n)

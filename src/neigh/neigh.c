@@ -235,6 +235,19 @@ static enum ts_status archive_bonded(struct ts_neigh *nb, struct ts_archive *a)
 	return TS_OK;
 }
 
+static bool exclusions_possible(const struct ts_neigh *nb)
+{
+	bool possible = nb->nexclude >= 0 && nb->nexclude <= TS_MAX_EXCLUDE;
+
+	for (int k = 0; possible && k < nb->nexclude; k++) {
+		const struct ts_exclude *e = &nb->exclude[k];
+
+		possible = !e->by_group || (e->a >= 0 && e->a < TS_MAX_GROUPS && e->b >= 0 &&
+					    e->b < TS_MAX_GROUPS);
+	}
+	return possible;
+}
+
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
 	struct ts_neigh *nb = self->state;
@@ -243,6 +256,8 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 
 	TS_TRY(archive_bonded(nb, a));
 	TS_TRY(ts_archive_fixed(a, "exclude", TS_SAVED_I32, nb->exclude, 3 * TS_MAX_EXCLUDE));
+	if (!exclusions_possible(nb))
+		return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible exclusions of neighbors");
 	if (!ts_archive_writing(a) || nb->saved.n)
 		return ts_row_history_archive(a, sim, &nb->saved);
 	TS_TRY(ts_row_history_take(sim, &nb->rows, true, &h));

@@ -73,7 +73,15 @@ enum ts_status ts_particles_add_column(struct tsim *sim, const char *name, size_
 
 	for (*index = 0; *index < p->ncolumns; ++*index)
 		if (ts_streq(p->column[*index].name, name))
+			break;
+	if (*index < p->ncolumns) {
+		if (p->column[*index].width == width)
 			return TS_OK;
+		return ts_fail(&sim->error, TS_STATE, NULL,
+			       "there is a column '%s' of %zu numbers per particle already, this "
+			       "one would have %zu; use another name",
+			       name, p->column[*index].width, width);
+	}
 	if (TS_GROW(p->column, p->column_capacity, p->ncolumns + 1) != TS_OK)
 		return ts_nomem(&sim->error);
 	c = &p->column[p->ncolumns];
@@ -147,7 +155,7 @@ enum ts_status ts_particles_add(struct tsim *sim, size_t n, size_t *first)
 	if (n > (size_t)(INT32_MAX - p->max_tag))
 		return ts_fail(&sim->error, TS_RANGE, NULL, "too many particles");
 	TS_TRY(ts_particles_reserve(sim, p->n + n));
-	for (size_t k = 0; k < p->ncolumns; k++)
+	for (size_t k = 0; k < p->ncolumns && n; k++)
 		if (p->column[k].active)
 			memset(column_row(&p->column[k], p->n), 0,
 			       n * p->column[k].width * p->column[k].element);

@@ -114,8 +114,15 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 {
 	struct ts_domain *d = self->state;
 
-	(void)sim;
-	d->exists |= !ts_archive_writing(a);
+	if (ts_archive_writing(a))
+		return TS_OK;
+	for (int k = 0; k < 3; k++)
+		if (!(d->box.lo[k] < d->box.hi[k]) || !isfinite(d->box.hi[k] - d->box.lo[k]) ||
+		    !(d->first_lo[k] < d->first_hi[k]) ||
+		    d->box.face[k][0] > TS_FACE_MINIMUM || d->box.face[k][1] > TS_FACE_MINIMUM ||
+		    ts_box_periodic(&d->box, k) != (d->box.face[k][1] == TS_FACE_PERIODIC))
+			return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible simulation box");
+	d->exists = true;
 	return TS_OK;
 }
 

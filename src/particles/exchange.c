@@ -9,10 +9,31 @@
 
 #include "base/banned.h"
 
-static void wrap(struct ts_particles *p, const struct ts_box *box, int dim)
+static enum ts_status lost_in_space(struct tsim *sim, size_t i)
 {
+	const struct ts_particles *p = sim->particles;
+	const double *x = p->x[i], *v = p->v[i];
+
+	return ts_fail(&sim->error, TS_PHYSICS, NULL,
+		       "particle %d (type %d) is nowhere: position (%g %g %g), velocity (%g %g %g); a "
+		       "coordinate is not a number, or too far from the box for its images to be counted",
+		       p->tag[i], p->type[i], x[0], x[1], x[2], v[0], v[1], v[2]);
+}
+
+/* Beyond this a distance squared is infinite, and no cell can be found. */
+static const double FARTHEST = 1e150;
+
+static enum ts_status wrap(struct tsim *sim, int dim)
+{
+	struct ts_particles *p = sim->particles;
+	const struct ts_box *box = &sim->domain->box;
+	bool periodic = ts_box_periodic(box, dim);
+
 	for (size_t i = 0; i < p->n; i++)
-		ts_box_wrap(box, dim, &p->x[i][dim], &p->image[i][dim]);
+		if (!(fabs(p->x[i][dim]) < FARTHEST) ||
+		    (periodic && !ts_box_wrap(box, dim, &p->x[i][dim], &p->image[i][dim])))
+			return lost_in_space(sim, i);
+	return TS_OK;
 }
 
 /* Number of the fixed face (2 dim + side) through which x has left, or -1. */
@@ -97,12 +118,9 @@ static enum ts_status drop_lost(struct tsim *sim)
 
 enum ts_status ts_exchange_migrate(struct tsim *sim)
 {
-	struct ts_particles *p = sim->particles;
-
-	p->nghost = 0;
+	sim->particles->nghost = 0;
 	for (int dim = 0; dim < 3; dim++)
-		if (ts_box_periodic(&sim->domain->box, dim))
-			wrap(p, &sim->domain->box, dim);
+		TS_TRY(wrap(sim, dim));
 	TS_TRY(drop_lost(sim));
 	ts_domain_shrink(sim);
 	return TS_OK;

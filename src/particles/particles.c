@@ -82,6 +82,24 @@ static enum ts_status archive_columns(struct tsim *sim, struct ts_particles *p,
 	return TS_OK;
 }
 
+/* What all that follows relies on. */
+static enum ts_status check_particles(struct tsim *sim, const struct ts_particles *p)
+{
+	for (size_t i = 0; i < p->n; i++) {
+		double sum = p->radius[i] + p->mass[i];
+
+		for (int d = 0; d < 3; d++)
+			sum += p->x[i][d] + p->v[i][d];
+		if (p->type[i] < 1 || p->type[i] > p->ntypes || p->tag[i] < 1 ||
+		    p->tag[i] > p->max_tag || !(p->radius[i] > 0) || !(p->mass[i] > 0) ||
+		    !isfinite(sum))
+			return ts_fail(&sim->error, TS_DAMAGED, NULL,
+				       "particle %zu has an impossible identity, type, size or place",
+				       i + 1);
+	}
+	return TS_OK;
+}
+
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
 	struct ts_particles *p = self->state;
@@ -106,7 +124,8 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	}
 	TS_TRY(archive_groups(p, a));
 	TS_TRY(ts_group_archive_dynamic(sim, a));
-	return archive_columns(sim, p, a);
+	TS_TRY(archive_columns(sim, p, a));
+	return ts_archive_writing(a) ? TS_OK : check_particles(sim, p);
 }
 
 static void fingerprint(const struct ts_instance *self, const struct tsim *sim,

@@ -125,13 +125,13 @@ static void pack(struct buffer *out, const struct section *s)
 
 static void make_file(struct buffer *out, const uint8_t *data, size_t size)
 {
-	static const char magic[] = "tsim restart 1\n";
+	static const char magic[] = "tsim restart 2\n";
 	struct section s;
 	size_t at = 0;
 
 	add(out, magic, sizeof magic - 1);
 	add_u32(out, 0x01020304);
-	add_u32(out, 1);
+	add_u32(out, 2);
 	while (take(data, size, &at, &s))
 		pack(out, &s);
 	add_u32(out, 0);

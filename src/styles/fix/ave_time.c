@@ -254,8 +254,9 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim,
 		return TS_OK;
 	s->n = s->result_n;
 	expected = s->ave == WINDOW ? s->n * (size_t)s->window : 0;
-	if (s->rows < 0 || s->n != s->input.n * (size_t)s->rows || s->sum_n != s->n ||
-	    s->total_n != s->n || s->history_n != expected)
+	if (s->samples < 0 || s->samples >= s->repeat || s->averages < 0 || s->rows < 0 ||
+	    s->n != s->input.n * (size_t)s->rows || s->sum_n != s->n || s->total_n != s->n ||
+	    s->history_n != expected)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix ave/time %s: the restart file holds averages of another number "
 			       "of values or another window",
