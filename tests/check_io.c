@@ -8,6 +8,7 @@
 
 #include "core/pending.h"
 #include "core/sim.h"
+#include "particles/domain.h"
 #include "io/format.h"
 #include "io/replace.h"
 #include "io/restart.h"
@@ -270,8 +271,10 @@ static enum ts_status read_fresh(const char *path)
 START_TEST(restart_damaged)
 {
 	char path[128], bad[128];
+	const double lo[3] = { 0 }, hi[3] = { 1, 2.385, 3 };
 	struct ts_str whole;
 
+	ck_assert_int_eq(ts_domain_make(sim, 1, lo, hi), TS_OK);
 	path_in(path, sizeof path, "state");
 	path_in(bad, sizeof bad, "bad");
 	sim->clock.step = 4711;
