@@ -10,6 +10,7 @@
 #include "base/clock.h"
 #include "core/help.h"
 #include "core/sim.h"
+#include "script/manual.h"
 #include "io/restart.h"
 #include "script/script.h"
 #include "tsim.h"
@@ -31,6 +32,7 @@ enum option_id {
 	OPT_EXPLAIN,
 	OPT_HELP,
 	OPT_DOC,
+	OPT_GRAMMAR,
 	OPT_VERSION,
 	NOPTIONS
 };
@@ -49,13 +51,14 @@ static const struct {
 	[OPT_CHECK] = { "check", "", "run nothing: tell all errors and what the script would do", 0 },
 	[OPT_SIGNAL] = { "restart-on-signal", "FILE|none", "where an interrupted run saves its state", 1 },
 	[OPT_EXPLAIN] = { "explain", "", "run nothing: print the plan of each run", 0 },
-	[OPT_HELP] = { "help", "[KIND [STYLE]]", "manual page, e.g. -help fix gravity", 0 },
+	[OPT_HELP] = { "help", "[KIND] [NAME]", "manual page, e.g. -help fix gravity, -help ave/time", 0 },
 	[OPT_DOC] = { "doc", "DIR", "write all manual pages to the directory as Markdown", 1 },
+	[OPT_GRAMMAR] = { "grammar", "vim|vscode", "print the grammar file for that editor", 1 },
 	[OPT_VERSION] = { "version", "", "print the version", 0 },
 };
 
 struct setup {
-	const char *input, *log, *screen, *doc;
+	const char *input, *log, *screen, *doc, *grammar;
 	FILE *screen_file;
 	bool help, version, log_given, check, explain;
 	const char *help_kind, *help_style;
@@ -111,10 +114,13 @@ static void print_usage(void)
 	for (int k = 0; k < NOPTIONS; k++)
 		printf("  -%s %-*s %s\n", options[k].name, 30 - (int)strlen(options[k].name),
 		       options[k].values, options[k].help);
-	puts("\nmanual pages: tsim -help KIND for a list, tsim -help KIND STYLE for one of them; "
-	     "kinds are");
+	puts("\nmanual pages: tsim -help NAME for anything that has a name, tsim -help KIND for a "
+	     "list of its styles,\ntsim -help KIND STYLE for one of them. Kinds are");
 	for (int kind = TS_KIND_COMMAND; kind < TS_NKIND; kind++)
 		printf("  %s\n", ts_kind_name((enum ts_kind)kind));
+	puts("and further pages");
+	for (const struct ts_topic *t = ts_topics; t->name; t++)
+		printf("  %-12s %s\n", t->name, t->summary);
 }
 
 static int print_text(struct ts_str *text)
@@ -126,58 +132,33 @@ static int print_text(struct ts_str *text)
 	return bad ? EXIT_FAILURE : EXIT_SUCCESS;
 }
 
-/* -help NAME where the name is no kind: every style of that name. */
-static int help_by_name(const char *name)
-{
-	struct ts_suggest suggest = ts_suggest_start(name);
-	struct ts_str text = { 0 };
-
-	for (const struct ts_style *const *s = ts_style_table; *s; s++) {
-		ts_suggest_try(&suggest, (*s)->name);
-		if (ts_streq((*s)->name, name)) {
-			ts_str_add(&text, text.length ? "\n\n" : "");
-			ts_help_page(*s, false, &text);
-		}
-	}
-	for (int kind = TS_KIND_COMMAND; kind < TS_NKIND; kind++)
-		ts_suggest_try(&suggest, ts_kind_name((enum ts_kind)kind));
-	if (!text.length)
-		return usage_error("there is no kind or style '%s'%s", name,
-				   ts_suggest_text(&suggest));
-	return print_text(&text);
-}
-
 static int help(const struct setup *setup)
 {
-	struct ts_suggest suggest;
 	struct ts_str text = { 0 };
-	const struct ts_style *style;
-	enum ts_kind kind;
+	int status;
 
 	if (!setup->help_kind) {
 		print_usage();
 		return EXIT_SUCCESS;
 	}
-	if (!setup->help_style) {
-		if (!ts_kind_find(setup->help_kind, &kind))
-			return help_by_name(setup->help_kind);
-		ts_help_list(kind, false, &text);
-		ts_str_addf(&text, "\n'tsim -help %s NAME' shows the page of one of them\n",
-			    ts_kind_name(kind));
+	if (setup->help_style ? ts_manual_find(setup->help_style, setup->help_kind, &text)
+			      : ts_manual_find(setup->help_kind, NULL, &text))
 		return print_text(&text);
-	}
-	if (!ts_kind_find(setup->help_kind, &kind))
-		return usage_error("there is no kind '%s'%s", setup->help_kind, "");
-	style = ts_style_find(kind, setup->help_style);
-	if (!style) {
-		suggest = ts_suggest_start(setup->help_style);
-		for (const struct ts_style *const *s = ts_style_table; *s; s++)
-			if ((*s)->kind == kind)
-				ts_suggest_try(&suggest, (*s)->name);
-		return usage_error("there is no such style: '%s'%s", setup->help_style,
-				   ts_suggest_text(&suggest));
-	}
-	ts_help_page(style, false, &text);
+	status = usage_error("%s%s", ts_str_text(&text), "");
+	ts_str_release(&text);
+	return status;
+}
+
+static int print_grammar(const char *editor)
+{
+	struct ts_str text = { 0 };
+
+	if (ts_streq(editor, "vim"))
+		ts_grammar_vim(&text);
+	else if (ts_streq(editor, "vscode"))
+		ts_grammar_textmate(&text);
+	else
+		return usage_error("expected vim or vscode after -grammar, found '%s'%s", editor, "");
 	return print_text(&text);
 }
 
@@ -211,12 +192,15 @@ static int write_manual(const char *directory)
 		ts_help_page(*s, true, &text);
 		status = write_page(directory, ts_str_text(&name), &text);
 	}
-	ts_str_clear(&text);
-	ts_str_add(&text, "# Commands and styles\n");
-	for (int kind = TS_KIND_COMMAND; kind < TS_NKIND; kind++) {
-		ts_str_addf(&text, "\n## %s\n\n", ts_kind_name((enum ts_kind)kind));
-		ts_help_list((enum ts_kind)kind, true, &text);
+	for (const struct ts_topic *t = ts_topics; t->name && !status; t++) {
+		ts_str_clear(&text);
+		ts_str_clear(&name);
+		ts_str_addf(&name, "%s.md", t->name);
+		t->page(true, &text);
+		status = write_page(directory, ts_str_text(&name), &text);
 	}
+	ts_str_clear(&text);
+	ts_manual_index(&text);
 	if (!status)
 		status = write_page(directory, "index.md", &text);
 	ts_str_release(&text);
@@ -310,6 +294,9 @@ static int apply(struct tsim *sim, struct setup *setup, enum option_id id, char 
 		break;
 	case OPT_DOC:
 		setup->doc = value[0];
+		break;
+	case OPT_GRAMMAR:
+		setup->grammar = value[0];
 		break;
 	case OPT_VERSION:
 		setup->version = true;
@@ -500,6 +487,8 @@ static int act(struct tsim *sim, struct setup *setup, int argc, char **argv)
 	}
 	if (setup->help)
 		return help(setup);
+	if (setup->grammar)
+		return print_grammar(setup->grammar);
 	if (setup->doc)
 		return write_manual(setup->doc);
 	return run(sim, setup);

@@ -192,11 +192,14 @@ library_sources = \
 	src/script/expr_special.c \
 	src/script/expr_step.c \
 	src/script/flow_control.c \
+	src/script/grammar.c \
 	src/script/interpreter.h \
 	src/script/language.c \
 	src/script/language.h \
 	src/script/line.c \
 	src/script/line.h \
+	src/script/manual.c \
+	src/script/manual.h \
 	src/script/number_format.c \
 	src/script/number_format.h \
 	src/script/partition.c \

@@ -55,7 +55,7 @@ expect 'threads' 2 '' "tsim: expected a number from 1 to 1024 after -threads, fo
 $more" -threads 0
 expect 'missing script' 1 "$version" \
 	"error: cannot open script 'none': No such file or directory" -in none -log none
-expect 'unknown page' 2 '' "tsim: there is no such style: 'prin'; did you mean 'print'?
+expect 'unknown page' 2 '' "tsim: there is no command 'prin'; did you mean 'print'?
 $more" -help command prin
 
 echo 'quit 7' | "$TSIM" -log none -screen none

@@ -310,6 +310,23 @@ void ts_help_page(const struct ts_style *style, bool markdown, struct ts_str *ou
 	}
 }
 
+void ts_help_heading(const char *text, bool markdown, struct ts_str *out)
+{
+	heading(text, markdown, out);
+}
+
+void ts_help_item(const char *name, const char *text, bool markdown, struct ts_str *out)
+{
+	size_t n = strlen(name);
+
+	if (markdown)
+		ts_str_addf(out, "- `%s` — %s\n", name, text);
+	else if (n <= 22)
+		ts_str_addf(out, "  %-22s %s\n", name, text);
+	else
+		ts_str_addf(out, "  %s\n  %-22s %s\n", name, "", text);
+}
+
 void ts_help_list(enum ts_kind kind, bool markdown, struct ts_str *out)
 {
 	for (const struct ts_style *const *s = ts_style_table; *s; s++) {

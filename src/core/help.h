@@ -13,6 +13,9 @@ bool ts_kind_find(const char *name, enum ts_kind *out);
 void ts_help_page(const struct ts_style *style, bool markdown, struct ts_str *out);
 /* One line for each style of the kind; as Markdown with links to the pages. */
 void ts_help_list(enum ts_kind kind, bool markdown, struct ts_str *out);
+/* A heading, and one item of a list, for pages that are not of styles. */
+void ts_help_heading(const char *text, bool markdown, struct ts_str *out);
+void ts_help_item(const char *name, const char *text, bool markdown, struct ts_str *out);
 /* "fix_drag_ergun.md" */
 void ts_help_file_name(const struct ts_style *style, struct ts_str *out);
 

@@ -119,6 +119,7 @@ struct ts_system_style {
 	bool (*has_quantity)(const char *name);
 	enum ts_status (*quantity)(struct tsim *sim, const char *name, struct ts_table *out);
 	void (*suggest_quantity)(struct ts_suggest *suggest);
+	const struct ts_quantity *(*quantity_text)(size_t k); /* NULL: there are no more */
 	/* Material properties by name, for `if property_NAME`. */
 	bool (*has_property)(const struct tsim *sim, const char *name);
 };

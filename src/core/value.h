@@ -94,6 +94,9 @@ const struct ts_keyword *ts_keyword_find(const struct tsim *sim, const char *nam
 bool ts_quantity_has(const struct tsim *sim, const char *name);
 enum ts_status ts_quantity_eval(struct tsim *sim, const char *name, struct ts_table *out);
 void ts_quantity_suggest(struct ts_suggest *suggest);
+struct ts_quantity {
+	const char *name, *unit, *help;
+};
 
 /* A function of expressions that needs the simulation: count(group), xcm(group,x) ...; closed by
  * .name NULL. Arguments come as words, since groups and regions are no numbers. */

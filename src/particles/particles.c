@@ -187,4 +187,5 @@ const struct ts_system_style ts_particles_system = {
 	.has_quantity = ts_particles_has_quantity,
 	.quantity = ts_particles_quantity,
 	.suggest_quantity = ts_particles_suggest_quantity,
+	.quantity_text = ts_particles_quantity_text,
 };

@@ -148,6 +148,7 @@ enum ts_assign { TS_ASSIGN_NOT, TS_ASSIGN_MOTION, TS_ASSIGN_FORCE, TS_ASSIGN_PRO
 enum ts_assign ts_particles_assignable(const char *name);
 enum ts_status ts_particles_assign(struct tsim *sim, const char *name, const int32_t *row,
 				   const double *value, size_t n);
+const struct ts_quantity *ts_particles_quantity_text(size_t k);
 /* Name of the k-th quantity that can be read; NULL: there are no more. */
 const char *ts_particles_quantity_name(size_t k);
 

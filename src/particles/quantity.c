@@ -7,7 +7,7 @@
 typedef double quantity_fn(const struct tsim *sim, size_t i);
 
 struct quantity {
-	const char *name;
+	struct ts_quantity text;
 	quantity_fn *value;
 };
 
@@ -68,37 +68,37 @@ static double density(const struct tsim *sim, size_t i)
 }
 
 static const struct quantity quantities[] = {
-	{ "id", id },
-	{ "type", type },
-	{ "radius", radius },
-	{ "diameter", diameter },
-	{ "mass", mass },
-	{ "density", density },
-	{ "x", position_x },
-	{ "y", position_y },
-	{ "z", position_z },
-	{ "vx", velocity_x },
-	{ "vy", velocity_y },
-	{ "vz", velocity_z },
-	{ "fx", force_x },
-	{ "fy", force_y },
-	{ "fz", force_z },
-	{ "omegax", spin_x },
-	{ "omegay", spin_y },
-	{ "omegaz", spin_z },
-	{ "tqx", torque_x },
-	{ "tqy", torque_y },
-	{ "tqz", torque_z },
-	{ "ix", image_x },
-	{ "iy", image_y },
-	{ "iz", image_z },
+	{ { "id", "", "identity, from 1" }, id },
+	{ { "type", "", "type, from 1" }, type },
+	{ { "radius", "length", "radius" }, radius },
+	{ { "diameter", "length", "diameter" }, diameter },
+	{ { "mass", "mass", "mass" }, mass },
+	{ { "density", "density", "mass by volume" }, density },
+	{ { "x", "length", "position" }, position_x },
+	{ { "y", "length", "position" }, position_y },
+	{ { "z", "length", "position" }, position_z },
+	{ { "vx", "velocity", "velocity" }, velocity_x },
+	{ { "vy", "velocity", "velocity" }, velocity_y },
+	{ { "vz", "velocity", "velocity" }, velocity_z },
+	{ { "fx", "force", "force at the last step" }, force_x },
+	{ { "fy", "force", "force at the last step" }, force_y },
+	{ { "fz", "force", "force at the last step" }, force_z },
+	{ { "omegax", "1/time", "angular velocity" }, spin_x },
+	{ { "omegay", "1/time", "angular velocity" }, spin_y },
+	{ { "omegaz", "1/time", "angular velocity" }, spin_z },
+	{ { "tqx", "force*length", "torque at the last step" }, torque_x },
+	{ { "tqy", "force*length", "torque at the last step" }, torque_y },
+	{ { "tqz", "force*length", "torque at the last step" }, torque_z },
+	{ { "ix", "", "how often it has crossed the periodic box" }, image_x },
+	{ { "iy", "", "how often it has crossed the periodic box" }, image_y },
+	{ { "iz", "", "how often it has crossed the periodic box" }, image_z },
 };
 enum { NQUANTITIES = sizeof quantities / sizeof *quantities };
 
 static const struct quantity *find(const char *name)
 {
 	for (int k = 0; k < NQUANTITIES; k++)
-		if (ts_streq(quantities[k].name, name))
+		if (ts_streq(quantities[k].text.name, name))
 			return &quantities[k];
 	return NULL;
 }
@@ -111,12 +111,17 @@ bool ts_particles_has_quantity(const char *name)
 void ts_particles_suggest_quantity(struct ts_suggest *suggest)
 {
 	for (int k = 0; k < NQUANTITIES; k++)
-		ts_suggest_try(suggest, quantities[k].name);
+		ts_suggest_try(suggest, quantities[k].text.name);
 }
 
 const char *ts_particles_quantity_name(size_t k)
 {
-	return k < NQUANTITIES ? quantities[k].name : NULL;
+	return k < NQUANTITIES ? quantities[k].text.name : NULL;
+}
+
+const struct ts_quantity *ts_particles_quantity_text(size_t k)
+{
+	return k < NQUANTITIES ? &quantities[k].text : NULL;
 }
 
 enum ts_status ts_particles_quantity(struct tsim *sim, const char *name, struct ts_table *out)

@@ -1,0 +1,115 @@
+" Vim syntax file for scripts of tsim, made by `tsim -grammar vim`
+if exists("b:current_syntax")
+  finish
+endif
+syn case match
+syn iskeyword @,48-57,_,/,-
+syn sync minlines=50
+
+syn match tsimNumber /\<[-+]\=\d\+\%(\.\d*\)\=\%([eE][-+]\=\d\+\)\=\>/
+syn match tsimNumber /[-+]\=\.\d\+\%([eE][-+]\=\d\+\)\=\>/
+syn match tsimReference /\<[cfv]_[A-Za-z0-9_]\+\%(\[[0-9*]\+\]\)*/
+syn match tsimVariable /\$\%({[^}]*}\|[A-Za-z0-9_]\)/
+syn region tsimFormula matchgroup=tsimVariable start=/\$(/ end=/)/ contains=tsimInner,tsimNumber,tsimReference,tsimVariable,tsimFunction,tsimName
+syn region tsimInner contained start=/(/ end=/)/ transparent contains=tsimInner,tsimNumber,tsimReference,tsimVariable,tsimFunction,tsimName
+syn region tsimString start=/"/ end=/"/ contains=tsimVariable,tsimFormula
+syn region tsimString start=/'/ end=/'/ contains=tsimVariable,tsimFormula
+syn region tsimString start=/"""/ end=/"""/ contains=tsimVariable,tsimFormula
+syn match tsimContinuation /&\s*$/
+syn match tsimComment /#.*$/ contains=tsimTodo,@Spell
+syn keyword tsimTodo contained TODO FIXME NOTE
+
+" keywords and words to choose from
+syn keyword tsimKeyword  all NULL INF EDGE SELF yes no on off then elif else stiffness
+syn keyword tsimKeyword  ultimate damping tilt small large mode single multi vel cutoff
+syn match tsimKeyword /\<group\>/ 
+syn keyword tsimKeyword  brick tiled
+syn match tsimKeyword /\<box\>/ 
+syn match tsimKeyword /\<region\>/ 
+syn keyword tsimKeyword  random overlap maxtry
+syn match tsimKeyword /\<units\>/ 
+syn match tsimKeyword /\<lattice\>/ 
+syn keyword tsimKeyword  many single/bond compress every sort id pad first append
+syn match tsimKeyword /\<label\>/ 
+syn keyword tsimKeyword  flush format float int line none screen
+syn match tsimKeyword /\<log\>/ 
+syn keyword tsimKeyword  both type union subtract intersect
+syn match tsimKeyword /\<variable\>/ 
+syn keyword tsimKeyword  empty
+syn match tsimKeyword /\<clear\>/ 
+syn keyword tsimKeyword  delete sc bcc fcc hcp diamond sq sq2 hex delay check binsize page
+syn keyword tsimKeyword  one exclude bin nsq omp grain shift tail mix geometric arithmetic
+syn keyword tsimKeyword  sixthpower file add offset nocoeff extra/atom/types
+syn keyword tsimKeyword  extra/bond/types extra/bond/per/atom extra/special/per/atom remap
+syn keyword tsimKeyword  time upto pre post unsafe atom diameter density
+syn match tsimKeyword /\<mass\>/ 
+syn keyword tsimKeyword  x y z vx vy vz omegax omegay omegaz lj coul lj/coul angle dihedral
+syn keyword tsimKeyword  lost ignore warn error norm custom si cgs micro index loop world
+syn keyword tsimKeyword  universe uloop string getenv
+syn match tsimKeyword /\<timer\>/ 
+syn keyword tsimKeyword  internal atomfile equal vector
+syn match tsimKeyword /\<set\>/ 
+syn keyword tsimKeyword  create mom ramp zero linear angular sum pair ii ij nofix noinit
+syn keyword tsimKeyword  com average min max ave sumsq avesq update_on_run_end scalar
+syn keyword tsimKeyword  running window start title1 title2 title3 axes xy xz yz xyz scheme
+syn keyword tsimKeyword  explicit exact omega wob spring body clearance chute spherical
+syn keyword tsimKeyword  inertia by_dimension sphere disc title primitive xplane yplane
+syn keyword tsimKeyword  zplane xcylinder ycylinder zcylinder
+syn match tsimKeyword /\<velocity\>/ 
+syn keyword tsimKeyword  viscosity generic restitution side in out
+
+" numbers of the simulation and of particles
+syn keyword tsimName  id type radius diameter
+syn match tsimName /\<mass\>/ 
+syn keyword tsimName  density x y z vx vy vz fx fy fz omegax omegay omegaz tqx tqy tqz
+syn keyword tsimName  ix iy iz numbonds brokenbonds gonebonds step elapsed time dt cpu
+syn keyword tsimName  tpcpu spcpu cpuremain atoms ke erotate fmax fnorm vol lx ly lz xlo
+syn keyword tsimName  xhi ylo yhi zlo zhi PI yes no true false on off
+
+syn match tsimFunction /\<\%(sqrt\|exp\|ln\|log\|abs\|sign\|sin\|cos\|tan\|asin\|acos\|atan\|atan2\|ceil\|floor\|round\|ternary\|random\|normal\|ramp\|vdisplace\|swiggle\|cwiggle\|stagger\|logfreq\|logfreq2\|logfreq3\|stride\|stride2\|sum\|ave\|min\|max\|trap\|slope\|stderr\|sort\|rsort\|next\|is_file\|is_os\|is_defined\|is_active\|is_available\|extract_setting\|count\|mass\|ke\|xcm\|vcm\|fcm\|bound\)\ze(/
+
+" commands, at the start of a line
+syn match tsimCommand /^\s*\%(atom_modify\|atom_style\|balance\|bond_coeff\|bond_style\|boundary\|box\|clear\|comm_modify\|comm_style\|communicate\|compute\|compute_modify\|create_atoms\|create_bonds\|create_box\|delete_atoms\|delete_bonds\|dimension\|dump\|dump_modify\|echo\|fix\|fix_modify\|flow_style\|group\|if\|include\|jump\|label\|lattice\|log\|mass\|neigh_modify\|neighbor\|newton\|next\|package\|pair_coeff\|pair_modify\|pair_style\|print\|processors\|quit\|read_data\|read_restart\|region\|reset_timestep\|restart\|run\|set\|shell\|special_bonds\|thermo\|thermo_log\|thermo_modify\|thermo_style\|timer\|timestep\|uncompute\|undump\|unfix\|units\|variable\|velocity\|write_data\|write_dump\|write_restart\|write_restart_on_signal\)\ze\%(\s\|$\)/
+
+" styles, behind their command, name and group
+syn match tsimHead /^\s*fix\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_fix
+syn keyword tsim_fix contained addforce ave/time bond/breakage drag/stokes drill/bit freeze
+syn keyword tsim_fix contained gravity nve nve/euler nve/sphere nve/symplectic
+syn match tsim_fix /\<print\>/ contained
+syn keyword tsim_fix contained setforce vector viscous wall/gran
+hi def link tsim_fix Type
+syn match tsimHead /^\s*compute\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_compute
+syn keyword tsim_compute contained bonds com contacts displace/atom erotate/sphere
+syn keyword tsim_compute contained erotate/sphere/atom gyration ke ke/atom leave msd pressure
+syn keyword tsim_compute contained property/atom reduce stress/atom temp temp/com vacf
+hi def link tsim_compute Type
+syn match tsimHead /^\s*region\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_region
+syn keyword tsim_region contained block cone cylinder intersect plane sphere union
+hi def link tsim_region Type
+syn match tsimHead /^\s*dump\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_dump
+syn keyword tsim_dump contained custom custom/vtk local local/vtk
+syn match tsim_dump /\<restart\>/ contained
+hi def link tsim_dump Type
+syn match tsimHead /^\s*pair_style\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_pair
+syn keyword tsim_pair contained spring/dashpot
+hi def link tsim_pair Type
+syn match tsimHead /^\s*bond_style\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_bond
+syn keyword tsim_bond contained contact
+hi def link tsim_bond Type
+syn match tsimHead /^\s*flow_style\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_flow
+syn keyword tsim_flow contained uniform
+hi def link tsim_flow Type
+
+hi def link tsimCommand Statement
+hi def link tsimKeyword Identifier
+hi def link tsimName Constant
+hi def link tsimFunction Function
+hi def link tsimNumber Number
+hi def link tsimReference Special
+hi def link tsimVariable PreProc
+hi def link tsimString String
+hi def link tsimContinuation Delimiter
+hi def link tsimComment Comment
+hi def link tsimTodo Todo
+
+let b:current_syntax = "tsim"
