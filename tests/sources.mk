@@ -14,6 +14,7 @@ shell_tests = \
 	tests/drilling.sh \
 	tests/dry_run.sh \
 	tests/fuzz/fuzz.sh \
+	tests/grammar.sh \
 	tests/house.sh \
 	tests/kill.sh \
 	tests/layers.sh \

@@ -200,15 +200,14 @@ void ts_grammar_vim(struct ts_str *out)
 		"syn region tsimString start=/'/ end=/'/ contains=tsimVariable,tsimFormula\n"
 		"syn region tsimString start=/\"\"\"/ end=/\"\"\"/ contains=tsimVariable,tsimFormula\n"
 		"syn match tsimContinuation /&\\s*$/\n"
-		"syn match tsimComment /#.*$/ contains=tsimTodo,@Spell\n"
-		"syn keyword tsimTodo contained TODO FIXME NOTE\n";
+		"syn match tsimComment /#.*$/ contains=@Spell\n";
 	static const char end[] =
 		"\nhi def link tsimCommand Statement\nhi def link tsimKeyword Identifier\n"
 		"hi def link tsimName Constant\nhi def link tsimFunction Function\n"
 		"hi def link tsimNumber Number\nhi def link tsimReference Special\n"
 		"hi def link tsimVariable PreProc\nhi def link tsimString String\n"
 		"hi def link tsimContinuation Delimiter\nhi def link tsimComment Comment\n"
-		"hi def link tsimTodo Todo\n\nlet b:current_syntax = \"tsim\"\n";
+		"\nlet b:current_syntax = \"tsim\"\n";
 	struct word_list list = { 0 };
 
 	ts_str_add(out, start);

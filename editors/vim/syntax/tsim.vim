@@ -16,8 +16,7 @@ syn region tsimString start=/"/ end=/"/ contains=tsimVariable,tsimFormula
 syn region tsimString start=/'/ end=/'/ contains=tsimVariable,tsimFormula
 syn region tsimString start=/"""/ end=/"""/ contains=tsimVariable,tsimFormula
 syn match tsimContinuation /&\s*$/
-syn match tsimComment /#.*$/ contains=tsimTodo,@Spell
-syn keyword tsimTodo contained TODO FIXME NOTE
+syn match tsimComment /#.*$/ contains=@Spell
 
 " keywords and words to choose from
 syn keyword tsimKeyword  all NULL INF EDGE SELF yes no on off then elif else stiffness
@@ -29,34 +28,41 @@ syn match tsimKeyword /\<region\>/
 syn keyword tsimKeyword  random overlap maxtry
 syn match tsimKeyword /\<units\>/ 
 syn match tsimKeyword /\<lattice\>/ 
-syn keyword tsimKeyword  many single/bond compress every sort id pad first append
+syn keyword tsimKeyword  many single/bond porosity fraction count
+syn match tsimKeyword /\<variable\>/ 
+syn keyword tsimKeyword  compress bond mol atom stats any remove special undo every sort id
+syn keyword tsimKeyword  pad first append
 syn match tsimKeyword /\<label\>/ 
 syn keyword tsimKeyword  flush format float int line none screen
 syn match tsimKeyword /\<log\>/ 
-syn keyword tsimKeyword  both type union subtract intersect
-syn match tsimKeyword /\<variable\>/ 
-syn keyword tsimKeyword  empty
+syn keyword tsimKeyword  both type union subtract intersect empty initialize
 syn match tsimKeyword /\<clear\>/ 
-syn keyword tsimKeyword  delete sc bcc fcc hcp diamond sq sq2 hex delay check binsize page
-syn keyword tsimKeyword  one exclude bin nsq omp grain shift tail mix geometric arithmetic
-syn keyword tsimKeyword  sixthpower file add offset nocoeff extra/atom/types
-syn keyword tsimKeyword  extra/bond/types extra/bond/per/atom extra/special/per/atom remap
-syn keyword tsimKeyword  time upto pre post unsafe atom diameter density
+syn keyword tsimKeyword  delete dynamic var static
+syn match tsimKeyword /\<include\>/ 
+syn keyword tsimKeyword  molecule sc bcc fcc hcp diamond sq sq2 hex delay check binsize
+syn keyword tsimKeyword  page one exclude bin nsq omp grain shift tail mix geometric
+syn keyword tsimKeyword  arithmetic sixthpower file universe add offset nocoeff
+syn keyword tsimKeyword  extra/atom/types extra/bond/types extra/bond/per/atom
+syn keyword tsimKeyword  extra/special/per/atom remap time upto pre post unsafe diameter
+syn keyword tsimKeyword  density density/disc
 syn match tsimKeyword /\<mass\>/ 
-syn keyword tsimKeyword  x y z vx vy vz omegax omegay omegaz lj coul lj/coul angle dihedral
-syn keyword tsimKeyword  lost ignore warn error norm custom si cgs micro index loop world
-syn keyword tsimKeyword  universe uloop string getenv
+syn keyword tsimKeyword  x y z vx vy vz omegax omegay omegaz omega image type/fraction
+syn keyword tsimKeyword  type/ratio type/subset property/atom lj coul lj/coul angle
+syn keyword tsimKeyword  dihedral lost ignore warn error norm custom si cgs micro index
+syn keyword tsimKeyword  loop world uloop string getenv
 syn match tsimKeyword /\<timer\>/ 
 syn keyword tsimKeyword  internal atomfile equal vector
 syn match tsimKeyword /\<set\>/ 
 syn keyword tsimKeyword  create mom ramp zero linear angular sum pair ii ij nofix noinit
-syn keyword tsimKeyword  com average min max ave sumsq avesq update_on_run_end scalar
-syn keyword tsimKeyword  running window start title1 title2 title3 axes xy xz yz xyz scheme
-syn keyword tsimKeyword  explicit exact omega wob spring body clearance chute spherical
-syn keyword tsimKeyword  inertia by_dimension sphere disc title primitive xplane yplane
-syn keyword tsimKeyword  zplane xcylinder ycylinder zcylinder
+syn keyword tsimKeyword  kspace com average bond/type radius min max ave sumsq avesq sumabs
+syn keyword tsimKeyword  aveabs minabs maxabs inputs peratom local update_on_run_end
+syn keyword tsimKeyword  replace energy scalar running window start title1 title2 title3
+syn keyword tsimKeyword  axes xy xz yz xyz scheme explicit exact wob spring body clearance
+syn keyword tsimKeyword  chute spherical hard soft continue message path rescale wiggle
+syn keyword tsimKeyword  rotate transrot inertia by_dimension sphere disc title primitive
+syn keyword tsimKeyword  xplane yplane zplane xcylinder ycylinder zcylinder
 syn match tsimKeyword /\<velocity\>/ 
-syn keyword tsimKeyword  viscosity generic restitution side in out
+syn keyword tsimKeyword  xlo xhi ylo yhi zlo zhi viscosity generic restitution side in out
 
 " numbers of the simulation and of particles
 syn keyword tsimName  id type radius diameter
@@ -66,22 +72,26 @@ syn keyword tsimName  ix iy iz numbonds brokenbonds gonebonds step elapsed time 
 syn keyword tsimName  tpcpu spcpu cpuremain atoms ke erotate fmax fnorm vol lx ly lz xlo
 syn keyword tsimName  xhi ylo yhi zlo zhi PI yes no true false on off
 
-syn match tsimFunction /\<\%(sqrt\|exp\|ln\|log\|abs\|sign\|sin\|cos\|tan\|asin\|acos\|atan\|atan2\|ceil\|floor\|round\|ternary\|random\|normal\|ramp\|vdisplace\|swiggle\|cwiggle\|stagger\|logfreq\|logfreq2\|logfreq3\|stride\|stride2\|sum\|ave\|min\|max\|trap\|slope\|stderr\|sort\|rsort\|next\|is_file\|is_os\|is_defined\|is_active\|is_available\|extract_setting\|count\|mass\|ke\|xcm\|vcm\|fcm\|bound\)\ze(/
+syn match tsimFunction /\<\%(sqrt\|exp\|ln\|log\|abs\|sign\|sin\|cos\|tan\|asin\|acos\|atan\|atan2\|ceil\|floor\|round\|ternary\|random\|normal\|ramp\|vdisplace\|swiggle\|cwiggle\|stagger\|logfreq\|logfreq2\|logfreq3\|stride\|stride2\|sum\|ave\|min\|max\|trap\|slope\|stderr\|sort\|rsort\|next\|is_file\|is_os\|is_defined\|is_active\|is_available\|extract_setting\|count\|mass\|ke\|gyration\|xcm\|vcm\|fcm\|angmom\|torque\|inertia\|omega\|bound\|gmask\|rmask\|grmask\)\ze(/
 
 " commands, at the start of a line
-syn match tsimCommand /^\s*\%(atom_modify\|atom_style\|balance\|bond_coeff\|bond_style\|boundary\|box\|clear\|comm_modify\|comm_style\|communicate\|compute\|compute_modify\|create_atoms\|create_bonds\|create_box\|delete_atoms\|delete_bonds\|dimension\|dump\|dump_modify\|echo\|fix\|fix_modify\|flow_style\|group\|if\|include\|jump\|label\|lattice\|log\|mass\|neigh_modify\|neighbor\|newton\|next\|package\|pair_coeff\|pair_modify\|pair_style\|print\|processors\|quit\|read_data\|read_restart\|region\|reset_timestep\|restart\|run\|set\|shell\|special_bonds\|thermo\|thermo_log\|thermo_modify\|thermo_style\|timer\|timestep\|uncompute\|undump\|unfix\|units\|variable\|velocity\|write_data\|write_dump\|write_restart\|write_restart_on_signal\)\ze\%(\s\|$\)/
+syn match tsimCommand /^\s*\%(atom_modify\|atom_style\|balance\|bond_coeff\|bond_style\|boundary\|box\|clear\|comm_modify\|comm_style\|communicate\|compute\|compute_modify\|create_atoms\|create_bonds\|create_box\|delete_atoms\|delete_bonds\|dimension\|dump\|dump_modify\|echo\|fix\|fix_modify\|flow_style\|group\|if\|include\|jump\|label\|lattice\|log\|mass\|modify_timing\|neigh_modify\|neighbor\|newton\|next\|package\|pair_coeff\|pair_modify\|pair_style\|partition\|partitioner_style\|print\|processors\|quit\|read_data\|read_restart\|region\|reset_timestep\|restart\|run\|set\|shell\|special_bonds\|thermo\|thermo_log\|thermo_modify\|thermo_style\|timer\|timestep\|uncompute\|undump\|unfix\|units\|variable\|velocity\|write_data\|write_dump\|write_restart\|write_restart_on_signal\)\ze\%(\s\|$\)/
 
 " styles, behind their command, name and group
 syn match tsimHead /^\s*fix\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_fix
-syn keyword tsim_fix contained addforce ave/time bond/breakage drag/stokes drill/bit freeze
-syn keyword tsim_fix contained gravity nve nve/euler nve/sphere nve/symplectic
+syn keyword tsim_fix contained addforce ave/time aveforce bond/breakage drag/stokes drill/bit
+syn keyword tsim_fix contained enforce2d freeze gravity halt lineforce momentum move nve
+syn keyword tsim_fix contained nve/euler nve/noforce nve/sphere nve/symplectic planeforce
 syn match tsim_fix /\<print\>/ contained
-syn keyword tsim_fix contained setforce vector viscous wall/gran
+syn keyword tsim_fix contained setforce vector viscous wall/gran wall/reflect
 hi def link tsim_fix Type
 syn match tsimHead /^\s*compute\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_compute
-syn keyword tsim_compute contained bonds com contacts displace/atom erotate/sphere
-syn keyword tsim_compute contained erotate/sphere/atom gyration ke ke/atom leave msd pressure
-syn keyword tsim_compute contained property/atom reduce stress/atom temp temp/com vacf
+syn keyword tsim_compute contained aggregate/atom bond/local bonds cluster/atom com contact/atom
+syn keyword tsim_compute contained contacts coord/atom count/type displace/atom erotate/sphere
+syn keyword tsim_compute contained erotate/sphere/atom fragment/atom group/group gyration ke ke/atom
+syn keyword tsim_compute contained leave msd nbond/atom pair/gran/local pair/local pressure
+syn keyword tsim_compute contained property/atom property/local rdf reduce reduce/region slice
+syn keyword tsim_compute contained stress/atom temp temp/com vacf
 hi def link tsim_compute Type
 syn match tsimHead /^\s*region\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_region
 syn keyword tsim_region contained block cone cylinder intersect plane sphere union
@@ -110,6 +120,5 @@ hi def link tsimVariable PreProc
 hi def link tsimString String
 hi def link tsimContinuation Delimiter
 hi def link tsimComment Comment
-hi def link tsimTodo Todo
 
 let b:current_syntax = "tsim"
