@@ -661,6 +661,78 @@ START_TEST(quit_is_told)
 }
 END_TEST
 
+static const char tiny[] = "boundary p f f\nregion b block 0 1 0 1 0 1 units box\n"
+			   "create_box 2 b\npair_style spring/dashpot\n"
+			   "pair_coeff * * stiffness 100 restitution 0.5\nfix m all nve\n"
+			   "compute k all ke\ncompute x all property/atom id x\ntimestep 1e-3\n";
+
+static int do_nothing(struct tsim *s, void *data)
+{
+	(void)s, (void)data;
+	return 0;
+}
+
+/* Every kind of call once; the first code that is not 0. */
+static int use_all(struct tsim *one)
+{
+	double x[9] = { 0.1, 0.1, 0.1, 0.5, 0.5, 0.5, 0.6, 0.5, 0.5 }, value[3];
+	unsigned char member[3] = { 1, 0, 1 };
+	struct tsim_particles p = { .size = sizeof p, .n = 3, .x = x };
+	struct tsim_table t = TSIM_INIT(struct tsim_table);
+	struct tsim_view v = TSIM_INIT(struct tsim_view);
+	int32_t id[3];
+	char text[16];
+	int code;
+
+#define FIRST(call)                                                                                \
+	code = (call);                                                                             \
+	if (code)                                                                                  \
+		return code
+	FIRST(tsim_string(one, tiny));
+	FIRST(tsim_create(one, &p, id));
+	FIRST(tsim_group_set(one, "two", member, 3));
+	FIRST(tsim_scatter(one, "radius", id, (double[3]){ 0.05, 0.06, 0.05 }, 3));
+	FIRST(tsim_on_step(one, TSIM_AFTER_FORCE, do_nothing, NULL));
+	FIRST(tsim_step(one, 2));
+	FIRST(tsim_column_view(one, "v", &v));
+	FIRST(tsim_hold(one, v.data));
+	FIRST(tsim_step(one, 2));
+	FIRST(tsim_variable_number(one, "a", 2.385));
+	FIRST(tsim_variable_set(one, "w", "atom", "x*v_a"));
+	FIRST(tsim_variable_text(one, "a", text, sizeof text, NULL));
+	FIRST(tsim_evaluate(one, "c_x", TSIM_PER_PARTICLE, &t));
+	FIRST(tsim_evaluate(one, "v_w", TSIM_PER_PARTICLE, &t));
+	FIRST(tsim_gather(one, "omegax", NULL, value, 3));
+	FIRST(tsim_column_write(one, "omegax", value, 3));
+	FIRST(tsim_delete(one, id, 1));
+	FIRST(tsim_help("fix", "gravity", 0, text, sizeof text, NULL));
+#undef FIRST
+	return 0;
+}
+
+/* The k-th allocation fails, for all k: a clean error, and nothing stays behind. */
+START_TEST(out_of_memory)
+{
+	long before = ts_alloc_balance();
+	int code = TSIM_NOMEM;
+	long k = 0;
+
+	while (code) {
+		struct tsim *one;
+
+		ts_alloc_fail_at(++k);
+		one = tsim_open();
+		code = one ? use_all(one) : TSIM_NOMEM;
+		ts_alloc_fail_at(0);
+		ck_assert_msg(code == 0 || code == TSIM_NOMEM, "allocation %ld: %s", k,
+			      tsim_error(one));
+		tsim_close(one);
+		ck_assert_int_eq(ts_alloc_balance(), before);
+	}
+	ck_assert_int_gt(k, 100);
+}
+END_TEST
+
 START_TEST(a_thousand_times)
 {
 	long before = ts_alloc_balance();
@@ -733,6 +805,7 @@ int main(void)
 	tcase_add_test(tests, what_there_is);
 	tcase_add_test(tests, options_and_log);
 	tcase_add_test(tests, quit_is_told);
+	tcase_add_test(tests, out_of_memory);
 	tcase_add_test(tests, a_thousand_times);
 	tcase_add_test(tests, two_at_once);
 	suite_add_tcase(suite, tests);

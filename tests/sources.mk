@@ -16,6 +16,7 @@ shell_tests = \
 	tests/fuzz/fuzz.sh \
 	tests/grammar.sh \
 	tests/house.sh \
+	tests/install.sh \
 	tests/kill.sh \
 	tests/layers.sh \
 	tests/manual_current.sh \
