@@ -43,6 +43,7 @@ unit_tests = \
 	tests/check_geom \
 	tests/check_io \
 	tests/check_library \
+	tests/check_library_steps \
 	tests/check_math \
 	tests/check_neigh \
 	tests/check_order \
@@ -58,6 +59,8 @@ tests_common = \
 	tests/cloud.h \
 	tests/deck.c \
 	tests/deck.h \
+	tests/packing.c \
+	tests/packing.h \
 	tests/script_case.c \
 	tests/script_case.h
 
@@ -104,6 +107,10 @@ tests_check_io_LDADD = $(tests_ldadd)
 tests_check_library_SOURCES = tests/check_library.c $(tests_common)
 tests_check_library_CFLAGS = $(tests_cflags)
 tests_check_library_LDADD = $(tests_ldadd)
+
+tests_check_library_steps_SOURCES = tests/check_library_steps.c $(tests_common)
+tests_check_library_steps_CFLAGS = $(tests_cflags)
+tests_check_library_steps_LDADD = $(tests_ldadd)
 
 tests_check_math_SOURCES = tests/check_math.c $(tests_common)
 tests_check_math_CFLAGS = $(tests_cflags)
