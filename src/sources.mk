@@ -316,6 +316,7 @@ library_sources = \
 	src/styles/dump/local.c \
 	src/styles/dump/local_vtk.c \
 	src/styles/dump/restart.c \
+	src/styles/fix/adapt.c \
 	src/styles/fix/addforce.c \
 	src/styles/fix/ave_time.c \
 	src/styles/fix/aveforce.c \
@@ -336,7 +337,9 @@ library_sources = \
 	src/styles/fix/nve_symplectic.c \
 	src/styles/fix/planeforce.c \
 	src/styles/fix/print.c \
+	src/styles/fix/property_atom.c \
 	src/styles/fix/setforce.c \
+	src/styles/fix/store_state.c \
 	src/styles/fix/vector.c \
 	src/styles/fix/viscous.c \
 	src/styles/fix/wall_gran.c \

@@ -174,6 +174,9 @@ enum ts_status ts_args_outputs(struct tsim *sim, const char *what, const struct 
 /* How a row is written in a synopsis: "stiffness K", "[side in|out]", "x y z" ... */
 void ts_arg_synopsis(const struct ts_arg *row, struct ts_str *out);
 
+/* n, *, n*, *m or n*m */
+bool ts_parse_types(const char *text, struct ts_types *out);
+
 /* The number as it is now: evaluates its variable if it has one. */
 enum ts_status ts_number_now(struct tsim *sim, const struct ts_number *number,
 			     const struct ts_place *where, double *out);

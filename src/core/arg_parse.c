@@ -186,7 +186,7 @@ static enum ts_status read_number(struct parse *p, const struct ts_arg *row, str
 }
 
 /* n, *, n*, *m, n*m */
-static bool parse_types(const char *text, struct ts_types *out)
+bool ts_parse_types(const char *text, struct ts_types *out)
 {
 	const char *star = strchr(text, '*');
 	char head[24] = "";
@@ -213,7 +213,7 @@ static enum ts_status read_types(struct parse *p, const struct ts_arg *row, stru
 {
 	const struct ts_word *word = take(p);
 
-	if (!word || !parse_types(word->text, out))
+	if (!word || !ts_parse_types(word->text, out))
 		return refuse(p, row, word, "a type n or a range such as * or 1*3");
 	return TS_OK;
 }

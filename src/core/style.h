@@ -81,6 +81,7 @@ struct ts_style {
 	/* Which of them there are with the arguments given (one value: a vector, several: an array);
 	 * NULL: all. */
 	bool (*gives)(const struct ts_instance *self, const struct ts_value *value);
+	bool boxless; /* a fix that may be made before the box */
 	unsigned columns; /* particle columns it needs: bits of particles/particles.h */
 	ts_hook_fn *init;
 	ts_hook_fn *hook[TS_NSTAGE];
@@ -116,7 +117,7 @@ struct ts_system_style {
 	const struct ts_keyword *keywords;
 	const struct ts_function *functions;
 	/* Per-particle numbers by script name (x, vy, radius ...): one row per local particle. */
-	bool (*has_quantity)(const char *name);
+	bool (*has_quantity)(const struct tsim *sim, const char *name);
 	enum ts_status (*quantity)(struct tsim *sim, const char *name, struct ts_table *out);
 	void (*suggest_quantity)(struct ts_suggest *suggest);
 	const struct ts_quantity *(*quantity_text)(size_t k); /* NULL: there are no more */

@@ -79,23 +79,23 @@ const struct ts_function *ts_function_find(const struct tsim *sim, const char *n
 	return NULL;
 }
 
-static const struct ts_system_style *quantity_owner(const char *name)
+static const struct ts_system_style *quantity_owner(const struct tsim *sim,
+						      const char *name)
 {
 	for (const struct ts_system_style *const *s = ts_system_table; *s; s++)
-		if ((*s)->has_quantity && (*s)->has_quantity(name))
+		if ((*s)->has_quantity && (*s)->has_quantity(sim, name))
 			return *s;
 	return NULL;
 }
 
 bool ts_quantity_has(const struct tsim *sim, const char *name)
 {
-	(void)sim;
-	return quantity_owner(name) != NULL;
+	return quantity_owner(sim, name) != NULL;
 }
 
 enum ts_status ts_quantity_eval(struct tsim *sim, const char *name, struct ts_table *out)
 {
-	const struct ts_system_style *owner = quantity_owner(name);
+	const struct ts_system_style *owner = quantity_owner(sim, name);
 
 	if (!owner)
 		return ts_fail(&sim->error, TS_UNKNOWN, NULL, "unknown per-particle quantity '%s'",

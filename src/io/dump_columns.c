@@ -19,7 +19,7 @@ static bool names_integer(const char *name)
 	for (size_t k = 0; k < sizeof integers / sizeof *integers; k++)
 		if (ts_streq(name, integers[k]))
 			return true;
-	return false;
+	return strncmp(name, "i_", 2) == 0; /* of fix property/atom */
 }
 
 static enum ts_status make_column(struct ts_instance *self, struct tsim *sim,

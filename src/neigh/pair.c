@@ -71,6 +71,57 @@ enum ts_status ts_pair_set(struct tsim *sim, struct ts_types a, struct ts_types 
 	return status;
 }
 
+enum ts_status ts_pair_row(struct tsim *sim, const struct ts_word *style, const struct ts_word *name,
+			   const struct ts_arg **row)
+{
+	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
+	struct ts_suggest suggest = ts_suggest_start(name->text);
+
+	if (!pair || !ts_streq(pair->style->name, style->text))
+		return ts_fail(&sim->error, TS_STATE, &style->place, "pair style '%s' is not in use%s%s",
+			       style->text, pair ? ", it is " : "", pair ? pair->style->name : "");
+	for (*row = pair->style->coeff; *row && (*row)->type != TS_ARG_END; ++*row) {
+		if ((*row)->type != TS_ARG_REAL)
+			continue;
+		if (ts_streq((*row)->name, name->text))
+			return TS_OK;
+		ts_suggest_try(&suggest, (*row)->name);
+	}
+	return ts_fail(&sim->error, TS_UNKNOWN, &name->place, "pair style %s has no number '%s'%s",
+		       style->text, name->text, ts_suggest_text(&suggest));
+}
+
+static double *number_of(const struct tsim *sim, const struct ts_arg *row, int a, int b)
+{
+	const struct ts_pair *pair = ts_sim_only(sim, TS_KIND_PAIR)->state;
+
+	return (double *)(void *)((char *)ts_coeff(&pair->coeffs, entry_of(pair, a, b)) +
+				  row->offset);
+}
+
+double ts_pair_number(const struct tsim *sim, const struct ts_arg *row, int a, int b)
+{
+	return *number_of(sim, row, a, b);
+}
+
+enum ts_status ts_pair_set_number(struct tsim *sim, const struct ts_arg *row, int a, int b,
+				  double value, const struct ts_place *where)
+{
+	struct ts_instance *self = ts_sim_only(sim, TS_KIND_PAIR);
+	const struct ts_pair *pair = self->state;
+	size_t entry[2] = { entry_of(pair, a, b), entry_of(pair, b, a) };
+
+	if (!isfinite(value) || (row->range == TS_POSITIVE && !(value > 0)) ||
+	    (row->range == TS_NOT_NEGATIVE && value < 0))
+		return ts_fail(&sim->error, TS_RANGE, where, "%s of types %d and %d would be %g",
+			       row->name, a, b, value);
+	*number_of(sim, row, a, b) = *number_of(sim, row, b, a) = value;
+	for (int k = 0; k < 2; k++)
+		TS_TRY(ts_pair_style_of(self)->complete(sim, ts_coeff(&pair->coeffs, entry[k]),
+							where));
+	return TS_OK;
+}
+
 static void types_present(const struct ts_particles *p, bool *present)
 {
 	for (size_t i = 0; i < p->n; i++)

@@ -39,6 +39,13 @@ static inline const void *ts_pair_coeff(const struct ts_pair *pair, int a, int b
 /* What pair_coeff does. */
 enum ts_status ts_pair_set(struct tsim *sim, struct ts_types a, struct ts_types b,
 			   struct ts_words words, const struct ts_place *where);
+/* One number of the coefficients, changed while a run goes on. The row of the live pair style with this
+ * name; then its value for two types, read and written. */
+enum ts_status ts_pair_row(struct tsim *sim, const struct ts_word *style, const struct ts_word *name,
+			   const struct ts_arg **row);
+double ts_pair_number(const struct tsim *sim, const struct ts_arg *row, int a, int b);
+enum ts_status ts_pair_set_number(struct tsim *sim, const struct ts_arg *row, int a, int b,
+				  double value, const struct ts_place *where);
 /* Shared by all pair styles: slots of struct ts_style. */
 enum ts_status ts_pair_init(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_pair_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a);

@@ -94,6 +94,24 @@ enum ts_status ts_particles_add_column(struct tsim *sim, const char *name, size_
 	return TS_OK;
 }
 
+enum ts_status ts_particles_column_initial(struct tsim *sim, size_t index, const double *initial)
+{
+	struct ts_column *c = &sim->particles->column[index];
+
+	if (!c->initial)
+		c->initial = ts_alloc(c->width, sizeof *c->initial);
+	if (!c->initial)
+		return ts_nomem(&sim->error);
+	memcpy(c->initial, initial, c->width * sizeof *initial);
+	return TS_OK;
+}
+
+void ts_particles_fill_initial(struct ts_column *column, size_t from, size_t to)
+{
+	for (size_t i = from; column->initial && i < to; i++)
+		memcpy(column_row(column, i), column->initial, column->width * column->element);
+}
+
 /* Gives the numbers of each identity to the particle that has it now. */
 static enum ts_status distribute(struct tsim *sim, const struct ts_column *c, const int32_t *tag,
 				 size_t n, const double *data)
@@ -159,6 +177,8 @@ enum ts_status ts_particles_add(struct tsim *sim, size_t n, size_t *first)
 		if (p->column[k].active)
 			memset(column_row(&p->column[k], p->n), 0,
 			       n * p->column[k].width * p->column[k].element);
+	for (size_t k = TS_NCOLUMN_BUILTIN; k < p->ncolumns; k++)
+		ts_particles_fill_initial(&p->column[k], p->n, p->n + n);
 	*first = p->n;
 	for (size_t i = p->n; i < p->n + n; i++) {
 		p->tag[i] = ++p->max_tag;

@@ -43,8 +43,10 @@ static void fini(struct ts_instance *self)
 {
 	struct ts_particles *p = self->state;
 
-	for (size_t k = 0; k < p->ncolumns; k++)
+	for (size_t k = 0; k < p->ncolumns; k++) {
 		ts_hold_free(p->holds, p->column[k].data);
+		ts_free(p->column[k].initial);
+	}
 	ts_free(p->column);
 	ts_free(p->type_mass);
 	ts_free(p->ghost_owner);
@@ -119,6 +121,8 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 		p->n = p->nghost = 0;
 		TS_TRY(ts_particles_reserve(sim, (size_t)n));
 		p->n = (size_t)n;
+		for (size_t k = TS_NCOLUMN_BUILTIN; k < p->ncolumns; k++)
+			ts_particles_fill_initial(&p->column[k], 0, p->n);
 		sim->generation++;
 		p->ntypes = ntypes;
 	}

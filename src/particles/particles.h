@@ -33,7 +33,8 @@ enum ts_column_flags {
 	TS_COL_SAVED = 2,   /* goes to restart files */
 	TS_COL_BORDER = 4,  /* copied to ghosts when they are made */
 	TS_COL_FORWARD = 8, /* refreshed in ghosts every step */
-	TS_COL_RESULT = 16  /* forces do not depend on it: not in the fingerprint */
+	TS_COL_RESULT = 16, /* forces do not depend on it: not in the fingerprint */
+	TS_COL_NAMED = 32   /* of a style: scripts may read it by its name, NAME or NAME[k] */
 };
 
 #define TS_COLUMN_ENUM(id, name, type, width, flags) TS_COL_##id,
@@ -49,6 +50,7 @@ struct ts_column {
 	bool active;
 	void *data; /* capacity * width elements, cache-line aligned; NULL if not active */
 	void **bound; /* the named pointer below that mirrors data, or NULL */
+	double *initial; /* of new particles, `width` numbers; NULL: 0 */
 };
 
 enum { TS_MAX_GROUPS = 32 };
@@ -120,6 +122,10 @@ enum ts_status ts_particles_need(struct tsim *sim, unsigned columns);
 /* Adds or finds a column of doubles for a style, e.g. "f_heat"; *index into particles->column. */
 enum ts_status ts_particles_add_column(struct tsim *sim, const char *name, size_t width,
 				       unsigned flags, size_t *index);
+/* The numbers that particles made from now on have in it; `width` of them. */
+enum ts_status ts_particles_column_initial(struct tsim *sim, size_t index, const double *initial);
+/* Gives them to rows from..to-1. */
+void ts_particles_fill_initial(struct ts_column *column, size_t from, size_t to);
 
 /* For a style's archive function: the column it has added, by identity, since the style may be defined
  * again only after particles have come and gone. Such columns are not TS_COL_SAVED. */
@@ -138,7 +144,7 @@ void ts_particles_inverse_mass(struct ts_particles *p);
 /* Per-particle quantity by its script name (x, vy, fz, radius, mass, id, type, diameter, density ...):
  * one value for each local particle. */
 enum ts_status ts_particles_quantity(struct tsim *sim, const char *name, struct ts_table *out);
-bool ts_particles_has_quantity(const char *name);
+bool ts_particles_has_quantity(const struct tsim *sim, const char *name);
 void ts_particles_suggest_quantity(struct ts_suggest *suggest);
 
 /* The same, written: the k-th value goes to row[k], or to row k where row is NULL. All values are

@@ -1,5 +1,9 @@
 /* Per-particle numbers by the names scripts use. */
+#include <string.h>
+
 #include "particles/body.h"
+#include "particles/domain.h"
+#include "particles/moments.h"
 #include "particles/particles.h"
 
 #include "base/banned.h"
@@ -36,6 +40,39 @@ VECTOR_QUANTITY(force, f)
 VECTOR_QUANTITY(spin, omega)
 VECTOR_QUANTITY(torque, torque)
 VECTOR_QUANTITY(image, image)
+
+/* xu: not wrapped; xs: from 0 to 1 across the box; xsu: both. */
+static double unwrapped(const struct tsim *sim, size_t i, int k)
+{
+	double x[3];
+
+	ts_unwrapped(sim, i, x);
+	return x[k];
+}
+
+static double scaled(const struct tsim *sim, double x, int k)
+{
+	const struct ts_box *box = &sim->domain->box;
+
+	return (x - box->lo[k]) / ts_box_length(box, k);
+}
+
+#define POSITION_QUANTITY(name, k)                                                                 \
+	static double name##_unwrapped(const struct tsim *sim, size_t i)                           \
+	{                                                                                          \
+		return unwrapped(sim, i, k);                                                       \
+	}                                                                                          \
+	static double name##_scaled(const struct tsim *sim, size_t i)                              \
+	{                                                                                          \
+		return scaled(sim, sim->particles->x[i][k], k);                                    \
+	}                                                                                          \
+	static double name##_scaled_unwrapped(const struct tsim *sim, size_t i)                    \
+	{                                                                                          \
+		return scaled(sim, unwrapped(sim, i, k), k);                                       \
+	}
+POSITION_QUANTITY(x, 0)
+POSITION_QUANTITY(y, 1)
+POSITION_QUANTITY(z, 2)
 
 static double id(const struct tsim *sim, size_t i)
 {
@@ -89,6 +126,15 @@ static const struct quantity quantities[] = {
 	{ { "tqx", "force*length", "torque at the last step" }, torque_x },
 	{ { "tqy", "force*length", "torque at the last step" }, torque_y },
 	{ { "tqz", "force*length", "torque at the last step" }, torque_z },
+	{ { "xu", "length", "position as if it had never been wrapped into the box" }, x_unwrapped },
+	{ { "yu", "length", "position as if it had never been wrapped into the box" }, y_unwrapped },
+	{ { "zu", "length", "position as if it had never been wrapped into the box" }, z_unwrapped },
+	{ { "xs", "", "position from 0 to 1 across the box" }, x_scaled },
+	{ { "ys", "", "position from 0 to 1 across the box" }, y_scaled },
+	{ { "zs", "", "position from 0 to 1 across the box" }, z_scaled },
+	{ { "xsu", "", "position across the box, not wrapped" }, x_scaled_unwrapped },
+	{ { "ysu", "", "position across the box, not wrapped" }, y_scaled_unwrapped },
+	{ { "zsu", "", "position across the box, not wrapped" }, z_scaled_unwrapped },
 	{ { "ix", "", "how often it has crossed the periodic box" }, image_x },
 	{ { "iy", "", "how often it has crossed the periodic box" }, image_y },
 	{ { "iz", "", "how often it has crossed the periodic box" }, image_z },
@@ -103,9 +149,40 @@ static const struct quantity *find(const char *name)
 	return NULL;
 }
 
-bool ts_particles_has_quantity(const char *name)
+/* A column that a style keeps under the name, NAME or NAME[k]; *k counted from 0. */
+static const struct ts_column *find_named(const struct ts_particles *p, const char *name, size_t *k)
 {
-	return find(name) != NULL;
+	size_t n = strcspn(name, "["), digits = strcspn(name + n, "]");
+	char index[16] = "";
+	int64_t column = 1;
+
+	*k = 0;
+	if (name[n]) {
+		if (digits < 2 || digits > sizeof index || !ts_streq(name + n + digits, "]"))
+			return NULL;
+		memcpy(index, name + n + 1, digits - 1);
+		if (!ts_parse_int(index, &column) || column < 1)
+			return NULL;
+	}
+	for (size_t j = TS_NCOLUMN_BUILTIN; j < p->ncolumns; j++) {
+		const struct ts_column *c = &p->column[j];
+
+		if (!(c->flags & TS_COL_NAMED) || strlen(c->name) != n ||
+		    strncmp(c->name, name, n) != 0)
+			continue;
+		if (!name[n])
+			return c->width == 1 ? c : NULL;
+		*k = (size_t)column - 1;
+		return *k < c->width ? c : NULL;
+	}
+	return NULL;
+}
+
+bool ts_particles_has_quantity(const struct tsim *sim, const char *name)
+{
+	size_t k;
+
+	return find(name) || find_named(sim->particles, name, &k);
 }
 
 void ts_particles_suggest_quantity(struct ts_suggest *suggest)
@@ -128,10 +205,17 @@ enum ts_status ts_particles_quantity(struct tsim *sim, const char *name, struct 
 {
 	const struct ts_particles *p = sim->particles;
 	const struct quantity *q = find(name);
+	const struct ts_column *named;
+	size_t k;
 
 	if (ts_table_resize(out, p->n, 1) != TS_OK)
 		return ts_nomem(&sim->error);
-	for (size_t i = 0; i < p->n; i++)
+	for (size_t i = 0; q && i < p->n; i++)
 		out->data[i] = q->value(sim, i);
+	if (q)
+		return TS_OK;
+	named = find_named(p, name, &k);
+	for (size_t i = 0; i < p->n; i++)
+		out->data[i] = ((const double *)named->data)[i * named->width + k];
 	return TS_OK;
 }

@@ -119,6 +119,7 @@ TS_STYLE(dump, ts_style, ts_dump_custom_vtk)
 TS_STYLE(dump, ts_style, ts_dump_local)
 TS_STYLE(dump, ts_style, ts_dump_local_vtk)
 TS_STYLE(dump, ts_style, ts_dump_restart)
+TS_STYLE(fix, ts_style, ts_fix_adapt)
 TS_STYLE(fix, ts_style, ts_fix_addforce)
 TS_STYLE(fix, ts_style, ts_fix_ave_time)
 TS_STYLE(fix, ts_style, ts_fix_aveforce)
@@ -139,7 +140,9 @@ TS_STYLE(fix, ts_style, ts_fix_nve_sphere)
 TS_STYLE(fix, ts_style, ts_fix_nve_symplectic)
 TS_STYLE(fix, ts_style, ts_fix_planeforce)
 TS_STYLE(fix, ts_style, ts_fix_print)
+TS_STYLE(fix, ts_style, ts_fix_property_atom)
 TS_STYLE(fix, ts_style, ts_fix_setforce)
+TS_STYLE(fix, ts_style, ts_fix_store_state)
 TS_STYLE(fix, ts_style, ts_fix_vector)
 TS_STYLE(fix, ts_style, ts_fix_viscous)
 TS_STYLE(fix, ts_style, ts_fix_wall_gran)
@@ -266,6 +269,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_dump_local,
 	&ts_dump_local_vtk,
 	&ts_dump_restart,
+	&ts_fix_adapt,
 	&ts_fix_addforce,
 	&ts_fix_ave_time,
 	&ts_fix_aveforce,
@@ -286,7 +290,9 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_nve_symplectic,
 	&ts_fix_planeforce,
 	&ts_fix_print,
+	&ts_fix_property_atom,
 	&ts_fix_setforce,
+	&ts_fix_store_state,
 	&ts_fix_vector,
 	&ts_fix_viscous,
 	&ts_fix_wall_gran,

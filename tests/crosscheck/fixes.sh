@@ -98,6 +98,9 @@ agrees lineforce 'p p p' 1e-12 '' 'fix n all nve' 'fix g all gravity 0.1 vector 
 agrees planeforce 'p p p' 1e-12 '' 'fix n all nve' 'fix g all gravity 0.1 vector 1 2 3' \
 	'fix a some planeforce 1 1 -0.5'
 agrees nve/noforce 'p p p' 1e-12 '' 'fix g all gravity 0.1 vector 1 2 3' 'fix a all nve/noforce'
+agrees store/state 'p p p' 1e-12 '$(c_r[1]:%.15g) $(c_r[2]:%.15g) $(c_r[3]:%.15g)' 'fix n all nve' \
+	'fix s some store/state 5 xu vy com yes' 'fix s0 all store/state 0 z' \
+	'compute r all reduce sum f_s[1] f_s[2] f_s0' 'thermo_style custom step c_r[1]'
 agrees wall/reflect 'f f f' 1e-12 '' 'fix n all nve' 'variable top equal 0.7-0.1*step*dt' \
 	'fix a all wall/reflect xlo EDGE xhi 0.45 ylo -0.55 yhi EDGE zlo EDGE zhi v_top units box'
 finish

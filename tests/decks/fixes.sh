@@ -103,6 +103,16 @@ exact forces 'fix n all nve/sphere' 'variable w atom 0.01*y' 'fix g all gravity 
 	'fix d light lineforce 1 1 0' 'fix e light planeforce 0 1 1' \
 	'thermo_style custom step f_a f_a[*] f_b[*] f_c[*]'
 
+exact property/atom 'fix n all nve/sphere' 'fix age all property/atom age scalar yes yes no 2.385' \
+	'fix marks all property/atom i_mark d2_spot 2 d_w' 'variable w atom 0.01*f_age*x+d_w' \
+	'fix a light addforce 0.1 0 v_w'
+exact store/state 'fix n all nve/sphere' 'fix s light store/state 7 xu vx fy com yes' \
+	'fix s0 light store/state 0 z' 'variable w atom 0.01*f_s[2]+f_s0' 'fix a light addforce 0.1 0 v_w'
+exact 'adapt' 'fix n all nve/sphere' 'variable size equal 0.078+step*1e-5' \
+	'variable k atom 1.1+0.05*sin(step)' 'variable soft equal 1-step/300' \
+	'fix a light adapt 5 atom diameter v_size' 'fix b all adapt 3 atom density v_k scale yes' \
+	'fix c all adapt 4 pair spring/dashpot stiffness 1 1* v_soft scale yes'
+
 # a quarter turn and three quarters of a period
 script <<'END'
 create_box 1 box
@@ -122,6 +132,64 @@ print "b $(x[2]:%.12g) $(abs(vx[2])<1e-12) $(z[2]+2.385*0.6^2/2:%.12g)"
 END
 says 'rotate: a quarter' 'a 0.5 0.8 -1.57079632679 1 7.85398163397'
 says 'wiggle: three quarters, z falls freely through the face' 'b 0.05 1 1'
+
+# numbers of the user: first values, also of particles that come later
+script <<'END'
+fix age all property/atom age scalar yes no no 2.5
+fix uf all property/atom uf vector yes yes no 1 -2 3
+fix m all property/atom i_mark d2_spot 2 d_w
+create_box 1 box
+create_atoms 1 single 0.7 0.6 0.3 units box
+set group all diameter 0.2 density 2385
+compute p all property/atom x vx
+fix s all store/state 0 xu yu c_p[*]
+velocity all set 0.1 0 0
+create_atoms 1 single 0.1 0.1 0.1 units box
+set group all diameter 0.2 density 2385
+fix n all nve
+variable w atom d_w+f_uf[2]*f_m[3]
+fix t all store/state 2 x vx com yes
+fix f all store/state 2 x vx com yes
+compute a all reduce sum f_age f_uf[*] d_w d2_spot[2] v_w f_s[*]
+timestep 0.01
+run 5
+print "numbers $(c_a[1]) $(c_a[2]) $(c_a[3]) $(c_a[4]) $(c_a[5]) $(c_a[6]) $(c_a[7])"
+print "stored $(c_a[8]:%g) $(c_a[9]:%g) $(c_a[10]:%g) $(c_a[11]:%g)"
+compute b all reduce max f_t[*]
+print "later $(c_b[1]:%.6g) $(c_b[2]:%g)"
+END
+says 'first values' 'numbers 5 2 -4 6 0 0 0'
+says 'stored when made' 'stored 0.7 0.6 0.7 0'
+says 'stored at intervals' 'later 0.704 0.1'
+
+# sizes that change: density, mass and contacts go with them; 2.385 -> 2.585 twice the overlap
+script <<'END'
+create_box 1 box
+create_atoms 1 single 0.3 0.6 0.3 units box
+create_atoms 1 single 0.5 0.6 0.3 units box
+set group all diameter 0.1 density 2385
+pair_style spring/dashpot
+pair_coeff * * stiffness 2385 restitution 1
+fix n all nve
+variable size equal 0.1+0.11*(step>3)
+fix a all adapt 2 atom diameter v_size
+timestep 1e-6
+run 6
+print "grown $(fx[2]/2385:%.6g) $(mass[1]/(PI/6*0.21^3):%.9g)"
+variable soft equal 0.5
+fix b all adapt 1 pair spring/dashpot stiffness 1 1 v_soft scale yes reset yes
+run 1
+print "softer $(fx[2]/2385:%.6f)"
+run 2
+print "softer again $(fx[2]/2385:%.6f)"
+unfix b
+run 0
+print "hard again $(fx[2]/2385:%.6f)"
+END
+says 'new contacts are found' 'grown 0.01 2385'
+says 'pair, scaled' 'softer 0.005000'
+says 'always of the first value' 'softer again 0.005000'
+says 'reset' 'hard again 0.010000'
 
 # what ends a run early
 script <<'END'
@@ -189,4 +257,17 @@ bad 'the axis has no length' 'fix m all move rotate 0 0 0 0 0 0 1'
 bad 'they go with the style `variable`' 'variable s equal step' 'fix m all move linear v_s 0 0'
 bad 'the direction has no length' 'fix l all lineforce 0 0 0'
 bad 'energy takes a variable' 'fix l all addforce 0 0 0 energy 3'
+bad 'expected yes or no' 'fix p all property/atom age scalar maybe no no 1'
+bad 'and one value' 'fix p all property/atom age scalar yes no no 1 2'
+bad "'radius' has a meaning already" 'fix p all property/atom radius scalar yes no no 1'
+bad 'expected mol, q, rmass' 'fix p all property/atom age'
+bad 'number of its columns' 'fix p all property/atom d2_age'
+bad "unknown quantity 'xx'" 'fix s all store/state 0 xx'
+bad "'c_c' is a vector or a single number" 'compute c all reduce max x' 'fix s all store/state 0 c_c'
+bad 'expected diameter, density or mass' 'variable s equal 1' 'fix a all adapt 1 atom charge v_s'
+bad "has no number 'stif'; known: stiffness" 'variable s equal 1' \
+	'fix a all adapt 1 pair spring/dashpot stif 1 1 v_s'
+bad 'it is spring/dashpot' 'variable s equal 1' 'fix a all adapt 1 pair gran stif 1 1 v_s'
+bad 'expected atom or pair' 'variable s equal 1' 'fix a all adapt 1 kspace v_s'
+bad 'is -1 for particle' 'variable s equal -1' 'fix a all adapt 1 atom diameter v_s' 'run 1'
 finish

@@ -14,8 +14,11 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	const struct state *s = state;
 	const struct ts_style *style;
 
-	(void)where;
 	TS_TRY(ts_style_require(sim, TS_KIND_FIX, &s->rest.word[0], &style));
+	if (!style->boxless && !ts_sim_has_box(sim))
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "fix %s needs a simulation box: use create_box or read_restart first",
+			       style->name);
 	return ts_sim_create(sim, TS_KIND_FIX, style, s->id, s->group, ts_words_from(s->rest, 1),
 			     &s->rest.word[0].place, NULL);
 }
@@ -40,6 +43,5 @@ const struct ts_command_style ts_command_fix = {
 		.args = args,
 		.state_size = sizeof(struct state),
 	},
-	.needs_box = true,
 	.run = run,
 };
