@@ -37,7 +37,8 @@ START_TEST(functions)
 	expect_value("asin(0.4)+acos(0.4)", asin(0.4) + acos(0.4));
 	expect_value("atan2(-1,-1)", atan2(-1, -1));
 	expect_value("ceil(2.1)+floor(2.9)+round(2.5)", 8);
-	expect_value("round(-2.5)", -3);
+	expect_value("round(-2.5)", -2);
+	expect_value("round(-2.51)+round(0.49999999999999994)", -3);
 	expect_value("vdisplace(3.5,100)", 3.5);
 	expect_value("stagger(1000,100)", 100);
 	expect_value("logfreq(10,4,10)", 10);

@@ -3,6 +3,7 @@ shell_tests = \
 	tests/command_line.sh \
 	tests/crosscheck/data_files.sh \
 	tests/crosscheck/fixes.sh \
+	tests/crosscheck/language.sh \
 	tests/crosscheck/liggghts.sh \
 	tests/data_files.sh \
 	tests/decks/commands.sh \

@@ -10,6 +10,14 @@ static double sign(double x)
 	return x < 0 ? -1 : 1;
 }
 
+/* Halves go up, also below 0 (LIGGGHTS, LAMMPS). */
+static double nearest(double x)
+{
+	double below = floor(x);
+
+	return x - below >= 0.5 ? below + 1 : below;
+}
+
 static enum ts_status eval_atan2(struct ts_expr *e, const double *arg, double *out)
 {
 	(void)e;
@@ -66,7 +74,7 @@ const struct ts_expr_function ts_math_functions[] = {
 	  .eval = eval_atan2 },
 	ONE("ceil", ceil, "smallest whole number not below x"),
 	ONE("floor", floor, "largest whole number not above x"),
-	ONE("round", round, "nearest whole number, halves away from 0"),
+	ONE("round", nearest, "nearest whole number, halves up: round(-2.5) is -2"),
 	{ .name = "ternary",
 	  .arguments = "x,y,z",
 	  .help = "y if x is not 0, else z",

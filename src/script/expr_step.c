@@ -10,26 +10,25 @@ static const double two_pi = 2 * 3.14159265358979323846;
 /* What a sequence that is over gives: a step that never comes. */
 static const double never = 9e18;
 
-/* Time since the start of the run. */
-static double elapsed(const struct ts_expr *e)
+/* Steps since the start of the run. */
+static double done(const struct ts_expr *e)
 {
-	return (double)(e->sim->clock.step - e->sim->clock.first_step) * e->sim->clock.dt;
+	return (double)(e->sim->clock.step - e->sim->clock.first_step);
 }
 
 static enum ts_status eval_ramp(struct ts_expr *e, const double *arg, double *out)
 {
 	double steps = (double)(e->sim->clock.last_step - e->sim->clock.first_step);
-	double done = (double)(e->sim->clock.step - e->sim->clock.first_step);
 
 	if (!e->sim->running)
 		return ts_fail(&e->sim->error, TS_STATE, NULL, "ramp() has a value only in a run");
-	*out = arg[0] + (arg[1] - arg[0]) * (steps > 0 ? done / steps : 0);
+	*out = arg[0] + (arg[1] - arg[0]) * (steps > 0 ? done(e) / steps : 0);
 	return TS_OK;
 }
 
 static enum ts_status eval_vdisplace(struct ts_expr *e, const double *arg, double *out)
 {
-	*out = arg[0] + arg[1] * elapsed(e);
+	*out = arg[0] + arg[1] * done(e) * e->sim->clock.dt;
 	return TS_OK;
 }
 
@@ -38,7 +37,7 @@ static enum ts_status periodic(struct ts_expr *e, const double *arg, double *pha
 	if (!(arg[2] > 0))
 		return ts_fail(&e->sim->error, TS_RANGE, NULL,
 			       "the period must be positive, found %.6g", arg[2]);
-	*phase = two_pi * elapsed(e) / arg[2];
+	*phase = two_pi / arg[2] * done(e) * e->sim->clock.dt;
 	return TS_OK;
 }
 
@@ -113,15 +112,15 @@ static enum ts_status eval_logfreq(struct ts_expr *e, const double *arg, double 
 /* y steps, evenly spaced, from x to zx, then from zx to zzx ... */
 static enum ts_status eval_logfreq2(struct ts_expr *e, const double *arg, double *out)
 {
-	double step = (double)e->sim->clock.step, a[3], start = 0, width, done;
+	double step = (double)e->sim->clock.step, a[3], start = 0, width, k;
 
 	TS_TRY(decade(e, "logfreq2", arg, a, &start));
 	*out = a[0];
 	if (step < a[0])
 		return TS_OK;
 	width = start * (a[2] - 1);
-	done = floor((step - start) * a[1] / width);
-	*out = start + ceil((done + 1) * width / a[1]);
+	k = floor((step - start) * a[1] / width);
+	*out = start + ceil((k + 1) * width / a[1]);
 	return TS_OK;
 }
 

@@ -1,0 +1,282 @@
+#!/bin/bash
+# The language: the same script through tsim, LIGGGHTS and LAMMPS prints the same lines.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+if ! command -v liggghts >/dev/null && ! command -v lmp >/dev/null; then
+	echo 'skipped: needs liggghts or lmp (apt-get install liggghts lammps)'
+	exit 77
+fi
+export CROSSCHECK=north
+
+# prints PROGRAM SCRIPT FILE [LETTERS]: lines whose first word begins with one of the letters
+prints() {
+	"$1" -log none -in "$2" >screen 2>&1 </dev/null
+	grep -E "^[${4:-R}]([ _]|$)" screen >"$3"
+}
+
+# near WHAT FILE FILE: the same words, numbers to twelve digits
+near() {
+	awk 'NR == FNR { line[NR] = $0; n = NR; next }
+		{ m = split(line[FNR], a); bad += m != NF
+		  for (k = 1; k <= NF; k++) {
+			d = a[k] - $k
+			if (a[k] != $k && !(d * d <= 1e-24 * $k * $k && $k + 0 != 0)) {
+				bad++
+				print a[k], "is not", $k, "in line", FNR
+			}
+		  } }
+		END { exit bad || n != FNR || !n }' "$2" "$3" >difference 2>&1
+	report "$1" $? difference
+}
+
+printf '1.5\n# note\n\nword second\n2.5e3 x\n' >values.txt
+printf 'print "R included"\nvariable inc index 4 5\nprint "R ${inc}"\n' >in.included
+printf 'print "R lost"\nlabel there\nprint "R jumped"\nquit\nprint "R late"\n' >in.jumped
+
+# What all three have in common: lines, quotes, substitution, variables, formulas, loops, conditions, files.
+cat >in.common <<'END'
+# comment that swallows the next line &
+print "R lost"
+print "R one &
+  two"
+print "R plain" # comment "with quote
+print 'R single "inside"'
+variable a index 7 8
+variable long index 2.385
+variable s string "a b"
+print "R $a ${a}${long} ${s} $(1/3)"
+variable eq equal 1/3
+print "R ${eq}"
+variable fz equal ${long}/2
+variable fl equal v_long/2
+variable long delete
+variable long index 10
+print "R ${fz} ${fl}"
+print "R $(-2^2) $(2^3^2) $(2^-1) $(-3%2) $(7%5*2) $(2-3-4) $(84/7/3) $(1+2*3^2)"
+print "R $(1<2==3<4) $(2==2>1) $(!0+3) $(!(2>1)) $(1||0&&0) $(3!=3) $(1e3+1.5e-3) $(.5+5.)"
+print "R $(sqrt(2)) $(exp(1)) $(ln(10)) $(log(1000)) $(abs(-2.5)) $(sin(0.3)) $(cos(0.3)) $(tan(0.3))"
+print "R $(asin(0.3)) $(acos(0.3)) $(atan(0.3)) $(atan2(-1,-2)) $(ceil(2.1)) $(floor(-2.1)) $(round(2.5)) $(round(-2.5)) $(PI)"
+variable big equal 1e20
+variable neg equal -0.0
+variable i equal 123456789012
+print "R ${big} ${neg} ${i} $(1e20) $(0.1) $(123456789) $(1e5) $(1e-7)"
+variable n loop 3
+label top
+variable m loop 2 4
+label inner
+print "R $n $m"
+next m
+jump SELF inner
+next n
+jump SELF top
+print "R end"
+variable p loop 8 10 pad
+variable w loop 4 6
+label again
+print "R $p$w"
+next p w
+jump SELF again
+variable w index fresh
+print "R $w"
+if "$a == 7" then "print 'R yes'" else "print 'R no'"
+if "$a > 7 && 1 < 2" then "print 'R yes'" elif "$a >= 7" "print 'R elif'" else "print 'R no'"
+variable t string drill
+variable e getenv CROSSCHECK
+print "R ${e}"
+variable b1 equal 2
+variable b1 equal v_b1x*1
+variable b1x equal 5
+print "R ${b1}"
+variable t string other
+print "R $t"
+variable uni universe q r
+print "R ${uni}"
+variable ul uloop 2
+print "R ${ul}"
+variable wo world single
+print "R ${wo}"
+shell mkdir sub
+shell mkdir sub
+shell cd sub
+print "R there" file in.inner
+shell cd ..
+label skip
+jump SELF over
+print "R never ${nothing}"
+label over
+variable f file values.txt
+label more
+print "R f $f"
+next f
+jump SELF more
+include in.included
+print "R after"
+variable d equal "2 + 3 * (4 - 1)"
+print "R $d"
+if "(1 < 2) && !(3 < 2)" then "print 'R nested'"
+if 1 then "print 'R one word'"
+if "0" then "print 'R zero'"
+variable str string "with # hash"
+print "R ${str}"
+print "R a	tab  two blanks"
+print 'R $a not here'
+print R_word
+variable q equal 5
+print "R $q$q ${q}x"
+variable v1 equal v_q*2
+variable q equal 6
+print "R ${v1}"
+jump in.jumped there
+print "R never"
+END
+prints "$TSIM" in.common tsim.lines
+[ "$(wc -l <tsim.lines)" = 50 ]
+report 'tsim prints all lines' $? tsim.lines
+for program in liggghts lmp; do
+	command -v $program >/dev/null || continue
+	prints $program in.common $program.lines
+	diff $program.lines tsim.lines >difference
+	report "the same lines from $program" $? difference
+done
+
+# What only LAMMPS has besides.
+cat >in.lammps <<'END'
+print """R three "double" 'single'
+R lines"""
+variable a index abc
+if "$a == abc" then "print 'R same'" else "print 'R differ'"
+if "$a != xyz && (1 < 2 || 0)" then "print 'R words'"
+if "1 |^ 0" then "print 'R xor'"
+if "1 |^ 1" then "print 'R xor'" else "print 'R not xor'"
+variable x equal 22/7
+variable f format x %10.4f
+print "R ${f} $(v_x:%.3f) $(v_x*2:%08.2e) $(1/3:%.4g)"
+variable x2 internal 2.5
+print "R ${x2} $(v_x2*2)"
+variable n loop 3
+label top
+print "R $n"
+next n
+jump SELF top
+variable file file values.txt
+variable i loop 5
+if "$i > 3" then "print 'R a'" elif "$i == 2" "print 'R b'" elif "$i == 1" "print 'R c'" "print 'R d'" else "print 'R e'"
+print "R print" append out.txt screen no
+print 'R $(1+1)'
+variable s string 'single "d" quotes'
+print "R ${s}"
+partition yes 1 print "R partition"
+partition no 1 print "R not"
+END
+# Sequences of steps; in pieces, since LAMMPS limits the calls of a variable.
+cat >in.steps <<'END'
+region box block -1 1 -1 1 -1 1 units box
+create_box 1 box
+variable i index STEPS
+label a
+reset_timestep $i
+print "R $i $(stagger(100,10)) $(logfreq(10,4,10)) $(logfreq2(100,18,10)) $(logfreq2(10,7,3)) $(stride(100,1000,7)) $(stride(0,1000,13)) $(stride2(0,1000,100,140,180,7)) $(stride2(60,1010,50,100,560,9))"
+next i
+jump SELF a
+END
+cat >in.log3 <<'END'
+region box block -1 1 -1 1 -1 1 units box
+create_box 1 box
+variable i index 0 9 10 11 55 99 100 101 144 199 400 430
+label a
+reset_timestep $i
+print "R $i $(logfreq3(10,25,1000)) $(logfreq3(7,9,431))"
+next i
+jump SELF a
+END
+if command -v lmp >/dev/null; then
+	prints lmp in.lammps lmp.lines
+	prints "$TSIM" in.lammps tsim.lines
+	diff lmp.lines tsim.lines >difference
+	report 'the same lines where only LAMMPS has the words' $? difference
+	for steps in '0 1 9 10 11 55 60 99 100 101' '140 144 145 150 174 175 176 179 180 181' \
+		'199 499 500 549 555 556 559 560 546'; do
+		sed "s/STEPS/$steps/" in.steps >in.some
+		prints lmp in.some lmp.lines
+		prints "$TSIM" in.some tsim.lines
+		same "sequences of steps at $steps" lmp.lines tsim.lines
+	done
+	prints lmp in.log3 lmp.lines
+	prints "$TSIM" in.log3 tsim.lines
+	same 'logfreq3' lmp.lines tsim.lines
+fi
+
+# Formulas of particles and groups, and texts that are substituted anew in a run.
+cat >head <<'END'
+atom_style sphere
+atom_modify map array
+units si
+boundary f f f
+region box block -1 1 -1 1 -1 1 units box
+create_box 1 box
+create_atoms 1 single 0.385 0 0.2 units box
+create_atoms 1 single -0.3 0.4 0 units box
+create_atoms 1 single 0.1 -0.7 0.3 units box
+create_atoms 1 single -0.5 0.1 -0.6 units box
+set atom 1 diameter 0.1 density 2385
+set atom 2 diameter 0.12 density 2000
+set atom 3 diameter 0.2 density 2385
+set atom 4 diameter 0.17 density 1385
+velocity all set 1.5 2.385 -3.1 units box
+set atom 2 vx 0.3
+set atom 3 vy -2.3
+set atom 4 vz 4.7
+region half block 0 1 INF INF INF INF units box
+group some id 1 2 4
+print "G $(count(all)) $(count(some,half)) $(mass(some)) $(mass(all,half)) $(ke(some)) $(ke(all,half))"
+print "G $(xcm(some,x)) $(xcm(all,z,half)) $(vcm(all,y)) $(bound(all,ymin)) $(bound(all,ymin,half))"
+print "G $(gyration(all)) $(gyration(some)) $(angmom(all,x)) $(angmom(some,z)) $(vcm(all,x,half))"
+print "G $(inertia(all,xx)) $(inertia(all,xy)) $(inertia(all,yz)) $(inertia(some,zz)) $(inertia(all,xz,half))"
+print "G $(omega(all,x)) $(omega(all,y)) $(omega(some,z)) $(mass(all)*vcm(all,z))"
+print "G $(x[2]+vx[3]*id[4]) $(mass[2]) $(vz[4])"
+variable w atom x*vy+(type==1)-z^2*gmask(some)+rmask(half)*10+grmask(some,half)*100
+variable k equal 3
+print "G $(v_w[1]) $(v_w[2]) $(v_w[3]) $(v_w[4]) $(v_k^2)"
+END
+cat >tail <<'END'
+fix move all nve/sphere
+timestep 1e-5
+variable st equal step
+variable c equal "v_st*2+1"
+fix out all print 2 "P ${st} ${c} $(v_c/2)" screen yes
+thermo_style custom step
+run 4 every 2 "print 'E $(step) ${st}'"
+run 0
+variable r equal ramp(2,5)
+variable d equal vdisplace(1,100)
+variable sw equal swiggle(1,2,0.00007)
+variable cw equal cwiggle(1,2,0.00007)
+variable sg equal stagger(10,3)
+variable lo equal logfreq(1,3,10)
+fix more all print 1 "P ${st} ${r} ${d} ${sw} ${cw} ${sg} ${lo}" screen yes
+run 7
+END
+cat >liggghts.law <<'END'
+neighbor 0.01 bin
+neigh_modify delay 0
+fix a all property/global kn peratomtypepair 1 1
+fix b all property/global kt peratomtypepair 1 1
+fix c all property/global gamman peratomtypepair 1 0
+fix d all property/global gammat peratomtypepair 1 0
+pair_style gran model hooke/stiffness tangential off
+pair_coeff * *
+END
+cat head tail >in.tsim
+prints "$TSIM" in.tsim tsim.lines GPE
+if command -v liggghts >/dev/null; then
+	{ printf 'newton off\ncommunicate single vel yes\n' && cat head liggghts.law tail; } >in.liggghts
+	prints liggghts in.liggghts liggghts.lines GPE
+	near 'groups, particles and texts of a run as in LIGGGHTS' liggghts.lines tsim.lines
+fi
+if command -v lmp >/dev/null; then
+	cp head in.lammps
+	prints lmp in.lammps lmp.lines G
+	grep '^G' tsim.lines >tsim.groups
+	near 'groups and particles as in LAMMPS' lmp.lines tsim.groups
+fi
+finish
