@@ -171,6 +171,10 @@ library_sources = \
 	src/particles/reference.h \
 	src/particles/region.c \
 	src/particles/region.h \
+	src/particles/region_set.c \
+	src/particles/region_set.h \
+	src/particles/sites.c \
+	src/particles/sites.h \
 	src/particles/tally.c \
 	src/particles/tally.h \
 	src/particles/temperature.c \
@@ -349,9 +353,12 @@ library_sources = \
 	src/styles/region/block.c \
 	src/styles/region/cone.c \
 	src/styles/region/cylinder.c \
+	src/styles/region/ellipsoid.c \
 	src/styles/region/intersect.c \
 	src/styles/region/plane.c \
+	src/styles/region/prism.c \
 	src/styles/region/sphere.c \
 	src/styles/region/union.c \
+	src/styles/region/wedge.c \
 	src/styles/style_table.c \
 	src/systems.c

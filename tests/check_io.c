@@ -274,7 +274,7 @@ START_TEST(restart_damaged)
 	const double lo[3] = { 0 }, hi[3] = { 1, 2.385, 3 };
 	struct ts_str whole;
 
-	ck_assert_int_eq(ts_domain_make(sim, 1, lo, hi), TS_OK);
+	ck_assert_int_eq(ts_domain_make(sim, 1, lo, hi, NULL), TS_OK);
 	path_in(path, sizeof path, "state");
 	path_in(bad, sizeof bad, "bad");
 	sim->clock.step = 4711;

@@ -30,6 +30,15 @@ forbid '\<(malloc|calloc|realloc|free)\(' 'memory comes from base/alloc.h' <<LIS
 $(find src -name '*.[ch]' ! -path 'src/base/alloc.*')
 LIST
 
+# A moving region is where it was when it was last asked, so who asks brings it up to date.
+for file in $(grep -lE '\<ts_(region_contains|region_bounds|chosen)\(' src/*/*.c src/*/*/*.c); do
+	case $file in src/particles/region.c | src/particles/sites.c | src/styles/region/*) continue ;; esac
+	if ! grep -q 'ts_region_update(' "$file"; then
+		echo "$file: asks a region about points without ts_region_update"
+		status=1
+	fi
+done
+
 for file in $(sources); do
 	lines=$(wc -l <"$file")
 	if [ "$lines" -gt 800 ]; then

@@ -37,6 +37,24 @@ refused() {
 	report "$what" $? err
 }
 
+# prints SCRIPT LINES...: the script runs and prints each of the lines
+prints() {
+	local script=$1 ok=0 line
+	shift
+	printf '%s\n' "$script" >in.script
+	"$TSIM" -in in.script -log none >out 2>&1 </dev/null || ok=1
+	for line in "$@"; do
+		grep -qF -- "$line" out || { ok=1; echo "missing: $line" >>out; }
+	done
+	report "$script" $ok out
+}
+
+# rejects SCRIPT TEXT: the script fails with a message that has the text
+rejects() {
+	printf '%s\n' "$1" >in.script
+	refused "rejects: $1" "$2" -in in.script
+}
+
 finish() {
 	echo "$passed passed, $failed failed"
 	[ "$failed" = 0 ] && [ "$passed" -gt 0 ]

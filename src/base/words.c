@@ -20,6 +20,22 @@ enum ts_status ts_words_copy(struct ts_arena *arena, struct ts_words from, struc
 	return TS_OK;
 }
 
+enum ts_status ts_words_append(struct ts_arena *arena, struct ts_words from, struct ts_words *to)
+{
+	struct ts_word *word = ts_arena_alloc(arena, to->n + from.n, sizeof *word);
+	struct ts_words added;
+
+	if (!word)
+		return TS_NOMEM;
+	TS_TRY(ts_words_copy(arena, from, &added));
+	for (size_t k = 0; k < to->n; k++)
+		word[k] = to->word[k];
+	for (size_t k = 0; k < from.n; k++)
+		word[to->n + k] = added.word[k];
+	*to = (struct ts_words){ word, to->n + from.n };
+	return TS_OK;
+}
+
 static size_t next_word(const char *line, size_t at, size_t *length)
 {
 	at += strspn(line + at, " \t\r\n");

@@ -29,6 +29,9 @@ static inline struct ts_words ts_words_from(struct ts_words all, size_t k)
 /* Copies texts and slice into the arena. */
 enum ts_status ts_words_copy(struct ts_arena *arena, struct ts_words from, struct ts_words *to);
 
+/* The same, behind the words that *to has already. */
+enum ts_status ts_words_append(struct ts_arena *arena, struct ts_words from, struct ts_words *to);
+
 /* Cuts a line of a data file at blanks; `#` starts a comment. Memory comes from the arena; file and
  * text in the places are kept as given. */
 enum ts_status ts_words_split(struct ts_arena *arena, const char *line, const struct ts_place *place,

@@ -9,6 +9,7 @@
 #ifndef TS_CORE_ARG_H
 #define TS_CORE_ARG_H
 
+#include <float.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
@@ -30,7 +31,7 @@ enum ts_arg_type {
 	TS_ARG_WORD,   /* any word; copied                                    -> const char* */
 	TS_ARG_ENUM,   /* one of the choices                                  -> int (index) */
 	TS_ARG_VEC3,   /* three reals                                         -> double[3]   */
-	TS_ARG_COORD,  /* a real, INF or EDGE (EDGE = INF here)               -> double      */
+	TS_ARG_COORD,  /* a real, INF (infinity) or EDGE (TS_EDGE); < 0 in rows "...lo" -> double */
 	TS_ARG_NUMBER, /* a real, v_name, or NULL where TS_NULLABLE           -> struct ts_number */
 	TS_ARG_TYPES,  /* particle types: n, *, n*, *m, n*m                   -> struct ts_types  */
 	TS_ARG_GROUP,  /* an existing group                                   -> int (bit number) */
@@ -53,6 +54,9 @@ struct ts_types {
 	int lo, hi;
 };
 
+/* A coordinate written as EDGE: the face of the box, for who knows the box. */
+#define TS_EDGE DBL_MAX
+
 enum ts_range { TS_ANY, TS_POSITIVE, TS_NOT_NEGATIVE, TS_FRACTION /* 0..1 */, TS_WITHIN /* lo..hi */ };
 
 enum ts_arg_flags {
@@ -61,7 +65,8 @@ enum ts_arg_flags {
 	TS_NULLABLE = 4,
 	TS_TO_KEYWORD = 8, /* TS_ARG_REST: ends before the first word that is a keyword of the table */
 	TS_STATEFUL = 16,  /* state saved in a restart file has a meaning only with the same value */
-	TS_WRITES = 32 /* TS_ARG_WORD: a file that will be written */
+	TS_WRITES = 32,    /* TS_ARG_WORD: a file that will be written */
+	TS_REPEAT = 64     /* a TS_ARG_REST keyword that may be given again, and then adds words */
 };
 
 struct ts_mode;
@@ -143,6 +148,10 @@ struct ts_mode {
 /* A keyword that takes all words after it. */
 #define TS_REST_KEYWORD(name_, T, f, ...)                                                          \
 	{ .name = (name_), .type = TS_ARG_REST, .flags = TS_OPTIONAL,                              \
+	  .offset = TS_FIELD(T, f, struct ts_words *), __VA_ARGS__ }
+/* A keyword that takes the words up to the next keyword, none or more of them; `flags_` adds TS_REPEAT. */
+#define TS_SOME_KEYWORD(name_, T, f, flags_, ...)                                                  \
+	{ .name = (name_), .type = TS_ARG_REST, .flags = TS_OPTIONAL | TS_TO_KEYWORD | (flags_),   \
 	  .offset = TS_FIELD(T, f, struct ts_words *), __VA_ARGS__ }
 #define TS_ARGS_END                                                                                \
 	{ .type = TS_ARG_END }

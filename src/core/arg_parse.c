@@ -145,7 +145,8 @@ static enum ts_status read_coord(struct parse *p, const struct ts_arg *row, doub
 	bool low = ts_ends_with(row->name, "lo");
 
 	if (word && (ts_streq(word->text, "INF") || ts_streq(word->text, "EDGE"))) {
-		*out = low ? -INFINITY : INFINITY;
+		*out = ts_streq(word->text, "INF") ? INFINITY : TS_EDGE;
+		*out = low ? -*out : *out;
 		return TS_OK;
 	}
 	if (!word || !ts_parse_real(word->text, out))
@@ -266,7 +267,9 @@ static enum ts_status read_rest(struct parse *p, const struct ts_arg *row, struc
 	if (!rest.n && !(row->flags & TS_OPTIONAL))
 		return refuse(p, row, NULL, row->help);
 	p->next += rest.n;
-	if (ts_words_copy(p->arena, rest, out) != TS_OK)
+	if (!(row->flags & TS_REPEAT))
+		out->n = 0;
+	if (ts_words_append(p->arena, rest, out) != TS_OK)
 		return ts_nomem(&p->sim->error);
 	return TS_OK;
 }
@@ -407,7 +410,7 @@ static enum ts_status read_keywords(struct parse *p, const struct ts_arg *rows,
 			row = find_keyword(common, word->text);
 		if (!row)
 			return unknown_keyword(p, rows, common, word);
-		if (given_before(p, word->text))
+		if (!(row->flags & TS_REPEAT) && given_before(p, word->text))
 			return ts_fail(&p->sim->error, TS_SYNTAX, &word->place,
 				       "%s: keyword '%s' is given twice", p->what, word->text);
 		p->is_keyword[p->next - 1] = true;

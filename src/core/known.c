@@ -8,6 +8,7 @@
 #define SPH "smoothed-particle hydrodynamics is not built; the fluid is solved on a grid (flow_style)"
 #define COUPLING "there is no other program to couple to: the fluid is solved by tsim (flow_style)"
 #define SHAPES "grains are spheres; other shapes are made of bonded spheres (bond_style)"
+#define MESH "regions made of meshes are not built"
 #define CHEMISTRY "chemical reactions are not built"
 #define ACCELERATORS "all styles use threads by themselves; see -threads"
 
@@ -48,6 +49,9 @@ const struct ts_known ts_known_table[] = {
 	{ TS_KIND_PAIR, "lj/*", MOLECULAR },
 	{ TS_KIND_PAIR, "sph/*", SPH },
 	{ TS_KIND_BOND, "fene*", MOLECULAR },
+	{ TS_KIND_REGION, "mesh", MESH },
+	{ TS_KIND_REGION, "mesh/*", MESH },
+	{ TS_KIND_REGION, "grid", "there are no grids of computes and fixes" },
 	{ TS_KIND_COMPUTE, "erotate/superquadric", SHAPES },
 	{ TS_KIND_COMPUTE, "erotate/asphere", SHAPES },
 	{ .name = NULL },

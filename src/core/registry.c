@@ -30,10 +30,26 @@ static size_t length_without_accelerator(const char *name)
 	return n;
 }
 
+/* Names that other programs have for the same thing. */
+static const char *usual_name(enum ts_kind kind, const char *name)
+{
+	static const struct {
+		enum ts_kind kind;
+		const char *other, *usual;
+	} names[] = { { TS_KIND_COMMAND, "create_particles", "create_atoms" } };
+
+	for (size_t k = 0; k < sizeof names / sizeof *names; k++)
+		if (names[k].kind == kind && ts_streq(names[k].other, name))
+			return names[k].usual;
+	return name;
+}
+
 const struct ts_style *ts_style_find(enum ts_kind kind, const char *name)
 {
-	size_t n = length_without_accelerator(name);
+	size_t n;
 
+	name = usual_name(kind, name);
+	n = length_without_accelerator(name);
 	for (const struct ts_style *const *s = ts_style_table; *s; s++)
 		if ((*s)->kind == kind && same_name((*s)->name, name, n))
 			return *s;

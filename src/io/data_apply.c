@@ -157,9 +157,9 @@ enum ts_status ts_data_apply(struct tsim *sim, const struct ts_data *data,
 	unite(data, o->shift, &wanted);
 	TS_TRY(check_atoms(sim, data, &wanted.box, ntypes, o));
 	if (new)
-		TS_TRY(ts_domain_make(sim, ntypes, wanted.box.lo, wanted.box.hi));
-	*domain = wanted;
-	domain->exists = true;
+		TS_TRY(ts_domain_make(sim, ntypes, wanted.box.lo, wanted.box.hi, NULL));
+	else
+		*domain = wanted;
 	for (int64_t t = 1; data->mass && t <= data->ntypes; t++)
 		if (t + o->type_offset >= 1 && t + o->type_offset <= ntypes)
 			p->type_mass[t + o->type_offset] = data->mass[t];

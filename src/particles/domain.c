@@ -1,9 +1,11 @@
 #include "particles/domain.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "core/plan.h"
 #include "particles/particles.h"
+#include "particles/region.h"
 
 #include "base/banned.h"
 
@@ -20,31 +22,17 @@ bool ts_sim_has_box(const struct tsim *sim)
 	return sim->domain->exists;
 }
 
-enum ts_status ts_domain_make(struct tsim *sim, int ntypes, const double lo[3], const double hi[3])
-{
-	struct ts_domain *domain = sim->domain;
-	struct ts_particles *p = sim->particles;
-	double *type_mass = ts_alloc((size_t)ntypes + 1, sizeof *type_mass);
-
-	if (!type_mass)
-		return ts_nomem(&sim->error);
-	ts_free(p->type_mass);
-	p->type_mass = type_mass;
-	p->ntypes = ntypes;
-	for (int d = 0; d < 3; d++) {
-		domain->box.lo[d] = domain->first_lo[d] = lo[d];
-		domain->box.hi[d] = domain->first_hi[d] = hi[d];
-	}
-	domain->exists = true;
-	return TS_OK;
-}
-
 /* A moving face stays this part of the first box length outside the outermost centre. */
 static const double SHRINK_MARGIN = 1e-4;
 
+static double margin_of(const struct ts_domain *d, int dim)
+{
+	return SHRINK_MARGIN * (d->first_hi[dim] - d->first_lo[dim]);
+}
+
 static void shrink_dimension(struct ts_domain *d, const struct ts_particles *p, int dim)
 {
-	double margin = SHRINK_MARGIN * (d->first_hi[dim] - d->first_lo[dim]);
+	double margin = margin_of(d, dim);
 	double lo = INFINITY, hi = -INFINITY;
 
 	for (size_t i = 0; i < p->n; i++) {
@@ -69,16 +57,115 @@ void ts_domain_shrink(struct tsim *sim)
 		shrink_dimension(sim->domain, sim->particles, dim);
 }
 
+/* "p", "f", "fs": one letter for both faces of a dimension, or one for each. */
+static enum ts_status read_faces(struct tsim *sim, const char *text, char dim,
+				 const struct ts_place *where, enum ts_face face[2])
+{
+	static const char letters[] = "pfsm"; /* in the order of enum ts_face */
+	size_t n = strlen(text);
+
+	for (size_t side = 0; side < 2; side++) {
+		const char *letter = n == 1 || n == 2 ? strchr(letters, text[n == 2 ? side : 0]) : NULL;
+
+		if (!letter)
+			return ts_fail(&sim->error, TS_SYNTAX, where,
+				       "boundary: %c is '%s', expected p, f, s or m, or two of f, s, m",
+				       dim, text);
+		face[side] = (enum ts_face)(letter - letters);
+	}
+	if ((face[0] == TS_FACE_PERIODIC) != (face[1] == TS_FACE_PERIODIC))
+		return ts_fail(&sim->error, TS_SYNTAX, where,
+			       "boundary: %c is '%s', but both faces must be periodic or none", dim,
+			       text);
+	return TS_OK;
+}
+
+enum ts_status ts_domain_read_faces(struct tsim *sim, const char *const text[3],
+				    const struct ts_place *where, enum ts_face face[3][2])
+{
+	for (int d = 0; d < 3; d++)
+		TS_TRY(read_faces(sim, text[d], (char)('x' + d), where, face[d]));
+	return TS_OK;
+}
+
+static enum ts_status check_plane(struct tsim *sim, const double lo[3], const double hi[3],
+				  const struct ts_place *where)
+{
+	if (sim->dimension == 3)
+		return TS_OK;
+	if (!ts_box_periodic(&sim->domain->box, 2))
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "dimension 2 needs a box that is periodic in z: boundary x y p");
+	if (lo[2] < 0 && hi[2] > 0)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_RANGE, where,
+		       "the box reaches from z = %g to %g; with dimension 2 it must contain the plane "
+		       "z = 0", lo[2], hi[2]);
+}
+
+enum ts_status ts_domain_set_box(struct tsim *sim, const double lo[3], const double hi[3],
+				 const struct ts_place *where)
+{
+	struct ts_domain *d = sim->domain;
+
+	for (int k = 0; k < 3; k++)
+		if (!isfinite(lo[k]) || !isfinite(hi[k]) || !(lo[k] < hi[k]))
+			return ts_fail(&sim->error, TS_RANGE, where,
+				       "the box would reach from %c = %g to %g", 'x' + k, lo[k],
+				       hi[k]);
+	TS_TRY(check_plane(sim, lo, hi, where));
+	for (int k = 0; k < 3; k++) {
+		d->first_lo[k] = lo[k];
+		d->first_hi[k] = hi[k];
+		d->box.lo[k] = lo[k];
+		d->box.hi[k] = hi[k];
+		if (d->box.face[k][0] == TS_FACE_SHRINK)
+			d->box.lo[k] -= margin_of(d, k);
+		if (d->box.face[k][1] == TS_FACE_SHRINK)
+			d->box.hi[k] += margin_of(d, k);
+	}
+	d->exists = true;
+	return TS_OK;
+}
+
+enum ts_status ts_domain_make(struct tsim *sim, int ntypes, const double lo[3], const double hi[3],
+			      const struct ts_place *where)
+{
+	struct ts_particles *p = sim->particles;
+	double *type_mass = ts_alloc((size_t)ntypes + 1, sizeof *type_mass);
+	enum ts_status status;
+
+	if (!type_mass)
+		return ts_nomem(&sim->error);
+	status = ts_domain_set_box(sim, lo, hi, where);
+	if (status != TS_OK) {
+		ts_free(type_mass);
+		return status;
+	}
+	ts_free(p->type_mass);
+	p->type_mass = type_mass;
+	p->ntypes = ntypes;
+	return TS_OK;
+}
+
+double ts_domain_scale(const struct tsim *sim, int units, int dim)
+{
+	return units == 0 ? sim->domain->lattice.spacing[dim] : 1;
+}
+
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_domain *d = self->state;
 
 	(void)sim;
-	if (d->lattice <= 0) {
-		d->lattice = 1;
-		d->lattice_style = -1;
-	}
+	if (!(d->lattice.constant > 0))
+		ts_lattice_clear(&d->lattice);
 	return TS_OK;
+}
+
+static void fini(struct ts_instance *self)
+{
+	ts_lattice_release(&((struct ts_domain *)self->state)->lattice);
 }
 
 static void fingerprint(const struct ts_instance *self, const struct tsim *sim,
@@ -114,6 +201,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 {
 	struct ts_domain *d = self->state;
 
+	TS_TRY(ts_lattice_archive(&d->lattice, sim, a));
 	if (ts_archive_writing(a))
 		return TS_OK;
 	for (int k = 0; k < 3; k++)
@@ -132,8 +220,6 @@ static const struct ts_saved saved[] = {
 	TS_SAVE_I32(struct ts_domain, box.face),
 	TS_SAVE_F64(struct ts_domain, first_lo),
 	TS_SAVE_F64(struct ts_domain, first_hi),
-	TS_SAVE_F64(struct ts_domain, lattice),
-	TS_SAVE_I32(struct ts_domain, lattice_style),
 	TS_SAVED_ROWS_END,
 };
 
@@ -146,6 +232,8 @@ const struct ts_system_style ts_domain_system = {
 		   .archive = archive,
 		   .fingerprint = fingerprint,
 		   .init = init,
-		   .plan = plan },
+		   .plan = plan,
+		   .fini = fini },
 	.slot = offsetof(struct tsim, domain),
+	.functions = ts_region_functions,
 };

@@ -1,25 +1,37 @@
-/* The box of a simulation, its boundary conditions, lattice and periodic wrapping. */
+/* The box of a simulation, its boundary conditions and its lattice. */
 #ifndef TS_PARTICLES_DOMAIN_H
 #define TS_PARTICLES_DOMAIN_H
 
 #include "core/sim.h"
 #include "geom/box.h"
+#include "particles/lattice.h"
 
 struct ts_domain {
 	struct ts_box box;
-	double first_lo[3], first_hi[3]; /* as created: the least box of `m` faces */
+	double first_lo[3], first_hi[3]; /* as created or changed: the least box of `m` faces */
 	bool exists;                     /* after create_box or read_restart */
-	double lattice;                  /* lattice constant, 1 without `lattice` command */
-	int lattice_style;               /* index into the styles of the lattice command, -1: none */
+	struct ts_lattice lattice;       /* of constant 1 without `lattice` command */
 };
 
 /* Refuses commands that need a box before there is one. */
 enum ts_status ts_domain_require(struct tsim *sim, const struct ts_place *where);
-/* Makes the box with room for so many types of particles. */
-enum ts_status ts_domain_make(struct tsim *sim, int ntypes, const double lo[3], const double hi[3]);
+
+/* The faces that three words of the boundary command mean: p, f, s, m, or two letters. */
+enum ts_status ts_domain_read_faces(struct tsim *sim, const char *const text[3],
+				    const struct ts_place *where, enum ts_face face[3][2]);
+
+/* Makes lo to hi the box, the least one of `m` faces as well; `s` faces start a margin outside. Refused
+ * where it has no volume, or does not fit `dimension 2`. */
+enum ts_status ts_domain_set_box(struct tsim *sim, const double lo[3], const double hi[3],
+				 const struct ts_place *where);
+/* The same, with room for so many types of particles; `where` may be NULL. */
+enum ts_status ts_domain_make(struct tsim *sim, int ntypes, const double lo[3], const double hi[3],
+			      const struct ts_place *where);
 /* Fits `s` and `m` faces to the particles. */
 void ts_domain_shrink(struct tsim *sim);
 
+/* A length along a dimension given with `units lattice|box` (0|1) times this is one of the simulation. */
+double ts_domain_scale(const struct tsim *sim, int units, int dim);
 
 extern const struct ts_system_style ts_domain_system;
 

@@ -9,7 +9,7 @@
 
 #include "base/banned.h"
 
-static const struct ts_instance *region_of(struct tsim *sim, int bit)
+static struct ts_instance *region_of(struct tsim *sim, int bit)
 {
 	return ts_sim_find(sim, TS_KIND_REGION, sim->particles->dynamic[bit].region);
 }
@@ -49,12 +49,13 @@ enum ts_status ts_group_choose(struct tsim *sim, int bit)
 {
 	struct ts_particles *p = sim->particles;
 	const struct ts_dynamic_group *g = &p->dynamic[bit];
-	const struct ts_instance *region;
+	struct ts_instance *region;
 	struct ts_table value = { 0 };
 	enum ts_status status = TS_OK;
 
 	TS_TRY(check(sim, bit));
 	region = g->region ? region_of(sim, bit) : NULL;
+	TS_TRY(ts_region_update(region, sim));
 	if (g->variable)
 		status = ts_group_variable(sim, g->variable, NULL, &value);
 	for (size_t i = 0; status == TS_OK && i < p->n; i++) {

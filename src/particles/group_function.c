@@ -42,6 +42,7 @@ static enum ts_status choose_region(struct chosen *c, const struct ts_word *name
 	struct ts_instance *region = NULL;
 
 	TS_TRY(ts_sim_require(c->sim, TS_KIND_REGION, name, &region));
+	TS_TRY(ts_region_update(region, c->sim));
 	c->region = region;
 	return TS_OK;
 }

@@ -122,6 +122,7 @@ static enum ts_status reduce_one(struct ts_instance *self, size_t k, double *out
 	enum ts_tally_mode mode = (enum ts_tally_mode)r->mode;
 	struct ts_tally tally = ts_tally_start();
 
+	TS_TRY(ts_region_update(r->region, r->sim));
 	if (r->instead[k] >= 0)
 		return replaced(self, k, out);
 	TS_TRY(ts_ref_input_eval(r->sim, input, &r->each));

@@ -1,5 +1,8 @@
-/* Regions: sets of points a script can name. A region style describes its shape; `side out` and
- * lattice units are the same for all. */
+/* Regions: sets of points a script can name. A region style describes its shape where it was defined;
+ * side, units, motion and open faces are the same for all.
+ *
+ * Regions may move, or change their size, by variables: whoever asks about points calls
+ * ts_region_update first, once for a loop over particles. A test looks for it. */
 #ifndef TS_PARTICLES_REGION_H
 #define TS_PARTICLES_REGION_H
 
@@ -7,15 +10,36 @@
 
 /* First member of every region's state. */
 struct ts_region {
-	int side;    /* 0 in, 1 out */
-	int units;   /* 0 lattice, 1 box */
-	double scale; /* factor for lengths: set by ts_region_init */
+	int side;  /* 0 in, 1 out */
+	int units; /* 0 lattice, 1 box */
+	struct ts_words move_words, rotate_words, open_words;
+
+	/* as it was defined; set by ts_region_init */
+	bool defined;
+	double scale[3];   /* factor for lengths */
+	double edge[2][3]; /* faces of the box: low, high; NaN before there is one */
+	struct ts_number move[3], angle;
+	double pivot[3], axis[3]; /* of the rotation; |axis| = 1 */
+	unsigned open;            /* bit k: face k + 1 is open, for walls made of the region */
+
+	/* as of the last ts_region_update: a point y of the shape stands at
+	 * turn (y - pivot) + pivot + shift */
+	bool moves;
+	double shift[3], turn[3][3];
 };
 #define TS_REGION_ARGS(T)                                                                          \
 	TS_ENUM("side", T, region.side, ts_region_sides, .fallback = "in",                         \
 		.help = "which side belongs to the region"),                                       \
 	TS_ENUM("units", T, region.units, ts_region_units, .fallback = "lattice",                  \
-		.help = "whether lengths are given in lattice spacings or as they are")
+		.help = "whether lengths are given in lattice spacings or as they are"),           \
+	TS_SOME_KEYWORD("move", T, region.move_words, 0,                                           \
+			.help = "v_x v_y v_z: displacement by equal-style variables, or NULL"),    \
+	TS_SOME_KEYWORD("rotate", T, region.rotate_words, 0,                                       \
+			.help = "v_theta Px Py Pz Rx Ry Rz: turned by the angle theta (radians) "  \
+				"about the axis R through P"),                                     \
+	TS_SOME_KEYWORD("open", T, region.open_words, TS_REPEAT,                                   \
+			.help = "number of a face, from 1, without wall where the region is "      \
+				"used as one; may be repeated")
 extern const char *const ts_region_sides[], *const ts_region_units[];
 
 struct ts_region_style {
@@ -24,21 +48,33 @@ struct ts_region_style {
 	bool (*contains)(const struct ts_instance *self, const double x[3]);
 	/* Box around the shape; ±INFINITY where it has no end. */
 	void (*bounds)(const struct ts_instance *self, double lo[3], double hi[3]);
+	/* Exact volume of the shape; NULL: not known. */
+	double (*volume)(const struct ts_instance *self);
+	int faces; /* how many faces can be open */
+	/* Evaluates variables of the shape. NULL: nothing to do. */
+	ts_hook_fn *update;
 };
 
-/* State of the regions that combine others. */
-struct ts_region_set {
-	struct ts_region region;
-	int64_t n;
-	struct ts_words names;
-	struct ts_instance **member;
-};
-extern const struct ts_arg ts_region_set_args[];
-enum ts_status ts_region_set_init(struct ts_instance *self, struct tsim *sim);
-
+/* Brings a region, or NULL, up to the present: motion and variable sizes. */
+enum ts_status ts_region_update(struct ts_instance *region, struct tsim *sim);
 bool ts_region_contains(const struct ts_instance *region, const double x[3]);
 void ts_region_bounds(const struct ts_instance *region, double lo[3], double hi[3]);
-/* Sets region.scale from the lattice; call first in a region's init. */
-void ts_region_init(struct ts_instance *self, struct tsim *sim);
+/* NaN where it is not known, infinite outside of a shape. */
+double ts_region_volume(const struct ts_instance *region);
+
+/* For region styles. Call first in init: the first time it fixes scale, edges and motion. */
+enum ts_status ts_region_init(struct ts_instance *self, struct tsim *sim);
+/* A coordinate given by a TS_COORD row, in simulation units: EDGE becomes the face of the box. */
+enum ts_status ts_region_coord(struct ts_instance *self, struct tsim *sim, double given, int dim,
+			       double *out);
+/* The value of a length that may be a variable, times the scale of a dimension. */
+enum ts_status ts_region_length(struct ts_instance *self, struct tsim *sim,
+				const struct ts_number *given, int dim, double *out);
+
+#define TS_REGION_PI 3.14159265358979323846
+extern const char *const ts_region_axes[];
+
+/* Expression functions over regions: volume(region). */
+extern const struct ts_function ts_region_functions[];
 
 #endif

@@ -152,10 +152,13 @@ TS_STYLE(pair, ts_pair_style, ts_pair_spring_dashpot)
 TS_STYLE(region, ts_region_style, ts_region_block)
 TS_STYLE(region, ts_region_style, ts_region_cone)
 TS_STYLE(region, ts_region_style, ts_region_cylinder)
+TS_STYLE(region, ts_region_style, ts_region_ellipsoid)
 TS_STYLE(region, ts_region_style, ts_region_intersect)
 TS_STYLE(region, ts_region_style, ts_region_plane)
+TS_STYLE(region, ts_region_style, ts_region_prism)
 TS_STYLE(region, ts_region_style, ts_region_sphere)
 TS_STYLE(region, ts_region_style, ts_region_union)
+TS_STYLE(region, ts_region_style, ts_region_wedge)
 
 const struct ts_style *const ts_style_table[] = {
 	&ts_bond_contact.style,
@@ -302,9 +305,12 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_region_block.style,
 	&ts_region_cone.style,
 	&ts_region_cylinder.style,
+	&ts_region_ellipsoid.style,
 	&ts_region_intersect.style,
 	&ts_region_plane.style,
+	&ts_region_prism.style,
 	&ts_region_sphere.style,
 	&ts_region_union.style,
+	&ts_region_wedge.style,
 	NULL,
 };

@@ -62,7 +62,7 @@ boundary f f f
 lattice bcc 0.5
 $box
 region low block INF INF INF INF INF 0.3 units box
-create_atoms 2 region low" 'Created 13 atoms'
+create_atoms 2 region low" 'Created 8 atoms'
 good 'region lengths in lattice units' "units si
 lattice none 0.5
 region box block 0 2 0 2 0 2
@@ -135,7 +135,7 @@ bad 'region a block 0 1 0 1 0 1
 region b union 1 a
 region a delete' 'in use by region b'
 bad 'region a block INF 1 0 1 0 1
-create_box 1 a' 'no box can be made'
+create_box 1 a' 'the box would reach from x = -inf'
 bad "$ball
 set atom 1 diameter -1" 'expected a number > 0'
 bad "$ball

@@ -6,13 +6,13 @@
 #include "geom/pointhash.h"
 #include "math/rng.h"
 #include "particles/domain.h"
-#include "particles/lattice.h"
 #include "particles/particles.h"
 #include "particles/region.h"
+#include "particles/sites.h"
 
 #include "base/banned.h"
 
-enum { BOX, REGION, SINGLE, RANDOM };
+enum { BOX, REGION, SINGLE, RANDOM, MESH };
 
 struct state {
 	int64_t type;
@@ -21,107 +21,39 @@ struct state {
 	double x[3];
 	int64_t count, seed, most_tries;
 	double distance; /* NaN: none asked for */
+	struct ts_words basis, ratio, subset, set, mesh, molecule, rotate;
+	const char *variable; /* NULL: none */
+	bool remap;
 };
 
-/* Positions before they become particles. */
-struct positions {
-	double (*x)[3];
-	size_t n, capacity;
-};
-
-static enum ts_status add(struct tsim *sim, struct positions *to, const double x[3])
+/* Reads the words of a keyword, of a repeated one from the k-th on. */
+static enum ts_status read_part(struct tsim *sim, const char *what, const struct ts_arg *rows,
+				struct ts_words words, size_t k, size_t n,
+				const struct ts_place *where, struct ts_arena *arena, void *out)
 {
-	if (TS_GROW(to->x, to->capacity, to->n + 1) != TS_OK)
-		return ts_nomem(&sim->error);
-	for (int d = 0; d < 3; d++)
-		to->x[to->n][d] = x[d];
-	to->n++;
-	return TS_OK;
+	struct ts_words part = ts_words_from(words, k);
+
+	if (part.n > n)
+		part.n = n;
+	return ts_args_parse(sim, what, rows, part, where, arena, out);
 }
 
-/* In the box; the upper periodic face is the lower one again. */
-static bool in_box(const struct ts_box *box, const double x[3])
-{
-	for (int d = 0; d < 3; d++) {
-		double slack = ts_box_periodic(box, d) ? 1e-12 * ts_box_length(box, d) : 0;
+/* ---- positions */
 
-		if (x[d] < box->lo[d] || x[d] > box->hi[d] ||
-		    (slack > 0 && x[d] >= box->hi[d] - slack))
-			return false;
-	}
-	return true;
-}
-
-/* Box around what can be filled. */
-static void limits(const struct tsim *sim, const struct state *s, double lo[3], double hi[3])
-{
-	const struct ts_box *box = &sim->domain->box;
-	double a[3] = { -INFINITY, -INFINITY, -INFINITY }, b[3] = { INFINITY, INFINITY, INFINITY };
-
-	if (s->region)
-		ts_region_bounds(s->region, a, b);
-	for (int d = 0; d < 3; d++) {
-		lo[d] = fmax(box->lo[d], a[d]);
-		hi[d] = fmin(box->hi[d], b[d]);
-	}
-}
-
-static enum ts_status fill_cell(struct tsim *sim, const struct state *s, const struct ts_lattice *l,
-				const long cell[3], struct positions *to)
-{
-	for (int b = 0; b < l->nbasis; b++) {
-		double x[3];
-
-		for (int d = 0; d < 3; d++)
-			x[d] = ((double)cell[d] + l->basis[b][d]) * l->cell[d] *
-			       sim->domain->lattice;
-		if (in_box(&sim->domain->box, x) &&
-		    (!s->region || ts_region_contains(s->region, x)))
-			TS_TRY(add(sim, to, x));
-	}
-	return TS_OK;
-}
-
-static enum ts_status on_lattice(struct tsim *sim, const struct state *s, struct positions *to,
-				 const struct ts_place *where)
-{
-	const struct ts_lattice *l = ts_lattice_get(sim->domain->lattice_style);
-	double lo[3], hi[3], cells = 1;
-	long first[3], last[3], c[3];
-
-	if (!l)
-		return ts_fail(&sim->error, TS_STATE, where,
-			       "create_atoms needs lattice points: use the lattice command first");
-	limits(sim, s, lo, hi);
-	for (int d = 0; d < 3; d++) {
-		double edge = l->cell[d] * sim->domain->lattice;
-		double a = floor(lo[d] / edge) - 1, b = ceil(hi[d] / edge) + 1;
-
-		if (d >= l->dimension)
-			a = b = 0;
-		cells *= fmax(0, b - a + 1);
-		if (cells > 1e9 || fabs(a) > 1e15 || fabs(b) > 1e15)
-			return ts_fail(&sim->error, TS_RANGE, where,
-				       "create_atoms: the lattice has more than 1e9 cells here");
-		first[d] = (long)a;
-		last[d] = (long)b;
-	}
-	for (c[2] = first[2]; c[2] <= last[2]; c[2]++)
-		for (c[1] = first[1]; c[1] <= last[1]; c[1]++)
-			for (c[0] = first[0]; c[0] <= last[0]; c[0]++)
-				TS_TRY(fill_cell(sim, s, l, c, to));
-	return TS_OK;
-}
-
-static enum ts_status single(struct tsim *sim, const struct state *s, struct positions *to,
+static enum ts_status single(struct tsim *sim, const struct state *s, struct ts_sites *to,
 			     const struct ts_place *where)
 {
-	double scale = s->units == 0 ? sim->domain->lattice : 1, x[3];
+	const struct ts_box *box = &sim->domain->box;
+	double x[3];
+	int32_t turns = 0;
 
-	for (int d = 0; d < 3; d++)
-		x[d] = scale * s->x[d];
-	if (in_box(&sim->domain->box, x))
-		return add(sim, to, x);
+	for (int d = 0; d < 3; d++) {
+		x[d] = ts_domain_scale(sim, s->units, d) * s->x[d];
+		if (s->remap && ts_box_periodic(box, d))
+			ts_box_wrap(box, d, &x[d], &turns);
+	}
+	if (ts_sites_in_box(sim, x))
+		return ts_sites_add(sim, to, x, (int)s->type);
 	ts_warn(&sim->log, where, "(%g %g %g) lies outside the box: no particle is created", x[0],
 		x[1], x[2]);
 	return TS_OK;
@@ -140,31 +72,31 @@ static enum ts_status add_existing(struct tsim *sim, struct ts_pointhash *hash)
 /* One position uniform in the region; the k-th particle has a random stream of its own, so what is
  * drawn for it depends on the seed and k only. False: all tries failed. */
 static enum ts_status place_one(struct tsim *sim, const struct state *s, struct ts_pointhash *hash,
-				struct ts_rng rng, struct positions *to, bool *placed)
+				struct ts_rng rng, struct ts_sites *to, bool *placed)
 {
 	const struct ts_box *box = &sim->domain->box;
 	double lo[3], hi[3], x[3];
 
-	limits(sim, s, lo, hi);
+	ts_sites_limits(sim, s->region, lo, hi);
 	*placed = false;
 	for (int64_t try = 0; try < s->most_tries; try++) {
 		for (int d = 0; d < 3; d++)
 			x[d] = lo[d] + (hi[d] - lo[d]) * ts_rng_uniform(&rng);
 		if (sim->dimension == 2)
 			x[2] = 0;
-		if (!in_box(box, x) || (s->region && !ts_region_contains(s->region, x)))
+		if (!ts_sites_in_box(sim, x) || (s->region && !ts_region_contains(s->region, x)))
 			continue;
 		if (hash->cell > 0 && ts_pointhash_near_periodic(hash, box, x, s->distance))
 			continue;
 		if (hash->cell > 0 && ts_pointhash_add(hash, x) != TS_OK)
 			return ts_nomem(&sim->error);
 		*placed = true;
-		return add(sim, to, x);
+		return ts_sites_add(sim, to, x, (int)s->type);
 	}
 	return TS_OK;
 }
 
-static enum ts_status at_random(struct tsim *sim, const struct state *s, struct positions *to,
+static enum ts_status at_random(struct tsim *sim, const struct state *s, struct ts_sites *to,
 				const struct ts_place *where)
 {
 	struct ts_pointhash hash = { 0 };
@@ -191,17 +123,173 @@ static enum ts_status at_random(struct tsim *sim, const struct state *s, struct 
 	return status;
 }
 
-static enum ts_status make(struct tsim *sim, const struct state *s, const struct positions *from)
+/* ---- on a lattice: types by the point of the cell, a share of the points, points by a formula */
+
+struct basis_type {
+	int64_t point, type;
+};
+
+static const struct ts_arg basis_rows[] = {
+	TS_INT("M", struct basis_type, point, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+	       .help = "number of a point of the unit cell"),
+	TS_INT("itype", struct basis_type, type, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+	       .help = "type of the particles there"),
+	TS_ARGS_END,
+};
+
+static enum ts_status read_basis(struct tsim *sim, const struct state *s,
+				 const struct ts_place *where, struct ts_arena *arena, int *type)
+{
+	size_t nbasis = sim->domain->lattice.nbasis;
+
+	for (size_t k = 0; k < nbasis; k++)
+		type[k] = (int)s->type;
+	for (size_t k = 0; k < s->basis.n; k += 2) {
+		struct basis_type b = { 0 };
+
+		TS_TRY(read_part(sim, "create_atoms: basis", basis_rows, s->basis, k, 2, where,
+				 arena, &b));
+		if (b.point > (int64_t)nbasis || b.type > sim->particles->ntypes)
+			return ts_fail(&sim->error, TS_RANGE, &s->basis.word[k].place,
+				       "create_atoms: basis %lld %lld: the unit cell has %zu points, "
+				       "and types go from 1 to %d",
+				       (long long)b.point, (long long)b.type, nbasis,
+				       sim->particles->ntypes);
+		type[b.point - 1] = (int)b.type;
+	}
+	return TS_OK;
+}
+
+struct share {
+	double ratio;
+	int64_t count, seed;
+};
+
+static const struct ts_arg ratio_rows[] = {
+	TS_REAL("fraction", struct share, ratio, .flags = TS_POSITIONAL, .range = TS_FRACTION,
+		.help = "share of the points that is filled"),
+	TS_INT("seed", struct share, seed, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+	       .help = "seed of the random choice"),
+	TS_ARGS_END,
+};
+
+static const struct ts_arg subset_rows[] = {
+	TS_INT("count", struct share, count, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
+	       .help = "number of points that are filled"),
+	TS_INT("seed", struct share, seed, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+	       .help = "seed of the random choice"),
+	TS_ARGS_END,
+};
+
+static enum ts_status choose(struct tsim *sim, const struct state *s, struct ts_sites *sites,
+			     const struct ts_place *where, struct ts_arena *arena)
+{
+	struct share share = { 0 };
+
+	if (s->ratio.n && s->subset.n)
+		return ts_fail(&sim->error, TS_SYNTAX, where,
+			       "create_atoms: ratio and subset exclude each other");
+	if (s->ratio.n) {
+		TS_TRY(read_part(sim, "create_atoms: ratio", ratio_rows, s->ratio, 0, s->ratio.n,
+				 where, arena, &share));
+		share.count = (int64_t)(share.ratio * (double)sites->n);
+	} else if (s->subset.n) {
+		TS_TRY(read_part(sim, "create_atoms: subset", subset_rows, s->subset, 0,
+				 s->subset.n, where, arena, &share));
+		if ((size_t)share.count > sites->n)
+			return ts_fail(&sim->error, TS_RANGE, &s->subset.word[0].place,
+				       "create_atoms: subset asks for %lld of %zu lattice points",
+				       (long long)share.count, sites->n);
+	} else {
+		return TS_OK;
+	}
+	return ts_sites_choose(sim, sites, (size_t)share.count, (uint64_t)share.seed);
+}
+
+struct setting {
+	int dim;
+	const char *name;
+};
+
+static const struct ts_arg setting_rows[] = {
+	TS_ENUM("dim", struct setting, dim, ts_region_axes, .flags = TS_POSITIONAL,
+		.help = "coordinate"),
+	TS_WORD("name", struct setting, name, .flags = TS_POSITIONAL,
+		.help = "internal-style variable that gets it"),
+	TS_ARGS_END,
+};
+
+/* Keeps the sites for which the variable is not zero. */
+static enum ts_status filter(struct tsim *sim, const struct state *s, struct ts_sites *sites,
+			     const struct ts_place *where, struct ts_arena *arena)
+{
+	const char *name[3] = { NULL, NULL, NULL };
+	size_t kept = 0;
+
+	if (!s->variable && s->set.n)
+		return ts_fail(&sim->error, TS_SYNTAX, where,
+			       "create_atoms: set x|y|z is of use together with var only");
+	for (size_t k = 0; k < s->set.n; k += 2) {
+		struct setting one = { 0 };
+
+		TS_TRY(read_part(sim, "create_atoms: set", setting_rows, s->set, k, 2, where, arena,
+				 &one));
+		name[one.dim] = one.name;
+	}
+	for (size_t k = 0; k < sites->n && s->variable; k++) {
+		double wanted;
+
+		for (int d = 0; d < 3; d++)
+			if (name[d])
+				TS_TRY(sim->host->set(sim->host_data, name[d], where,
+						      sites->site[k].x[d]));
+		TS_TRY(sim->host->scalar(sim->host_data, s->variable, where, &wanted));
+		if (wanted != 0)
+			sites->site[kept++] = sites->site[k];
+	}
+	if (s->variable)
+		sites->n = kept;
+	return TS_OK;
+}
+
+static enum ts_status on_lattice(struct tsim *sim, const struct state *s, struct ts_sites *to,
+				 const struct ts_place *where)
+{
+	struct ts_arena arena = { 0 };
+	int *type = ts_arena_alloc(&arena, sim->domain->lattice.nbasis + 1, sizeof *type);
+	enum ts_status status = type ? TS_OK : ts_nomem(&sim->error);
+
+	if (!sim->domain->lattice.nbasis)
+		status = ts_fail(
+			&sim->error, TS_STATE, where,
+			"create_atoms needs lattice points: use the lattice command first");
+	if (status == TS_OK)
+		status = read_basis(sim, s, where, &arena, type);
+	if (status == TS_OK)
+		status = ts_sites_on_lattice(sim, s->region, type, where, to);
+	if (status == TS_OK)
+		status = filter(sim, s, to, where, &arena);
+	if (status == TS_OK)
+		status = choose(sim, s, to, where, &arena);
+	ts_arena_release(&arena);
+	return status;
+}
+
+/* ---- particles */
+
+static enum ts_status make(struct tsim *sim, const struct ts_sites *from)
 {
 	struct ts_particles *p = sim->particles;
-	double mass = p->type_mass[s->type];
 	size_t first;
 
 	TS_TRY(ts_particles_add(sim, from->n, &first));
 	for (size_t k = 0; k < from->n; k++) {
+		const struct ts_site *site = &from->site[k];
+		double mass = p->type_mass[site->type];
+
 		for (int d = 0; d < 3; d++)
-			p->x[first + k][d] = from->x[k][d];
-		p->type[first + k] = (int32_t)s->type;
+			p->x[first + k][d] = site->x[d];
+		p->type[first + k] = (int32_t)site->type;
 		if (mass > 0)
 			p->mass[first + k] = mass;
 		p->imass[first + k] = 1 / p->mass[first + k];
@@ -210,16 +298,35 @@ static enum ts_status make(struct tsim *sim, const struct state *s, const struct
 	return TS_OK;
 }
 
-static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+static enum ts_status refuse(struct tsim *sim, const struct state *s, const struct ts_place *where)
 {
-	const struct state *s = state;
-	struct positions to = { 0 };
-	enum ts_status status;
+	bool lattice = s->mode == BOX || s->mode == REGION;
 
 	if (s->type > sim->particles->ntypes)
 		return ts_fail(&sim->error, TS_RANGE, where,
 			       "create_atoms: there is no type %lld, types go from 1 to %d",
 			       (long long)s->type, sim->particles->ntypes);
+	if (s->mode == MESH)
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "create_atoms mesh is known, but not built");
+	if (s->molecule.n || s->rotate.n)
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "create_atoms: molecules are not built; make particles and bond them "
+			       "with create_bonds");
+	if (!lattice && (s->basis.n || s->ratio.n || s->subset.n))
+		return ts_fail(&sim->error, TS_SYNTAX, where,
+			       "create_atoms: basis, ratio and subset are for box and region");
+	return TS_OK;
+}
+
+static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	const struct state *s = state;
+	struct ts_sites to = { 0 };
+	enum ts_status status;
+
+	TS_TRY(refuse(sim, s, where));
+	TS_TRY(ts_region_update(s->region, sim));
 	if (s->mode == SINGLE)
 		status = single(sim, s, &to, where);
 	else if (s->mode == RANDOM)
@@ -227,8 +334,8 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	else
 		status = on_lattice(sim, s, &to, where);
 	if (status == TS_OK)
-		status = make(sim, s, &to);
-	ts_free(to.x);
+		status = make(sim, &to);
+	ts_sites_release(&to);
 	return status;
 }
 
@@ -241,6 +348,8 @@ static const struct ts_arg region_args[] = {
 static const struct ts_arg single_args[] = {
 	TS_VEC3("position", struct state, x, .flags = TS_POSITIONAL, .unit = "length",
 		.help = "the center"),
+	TS_BOOL("remap", struct state, remap, .fallback = "no",
+		.help = "wrap a position outside a periodic box into it"),
 	TS_ARGS_END,
 };
 
@@ -258,11 +367,17 @@ static const struct ts_arg random_args[] = {
 	TS_ARGS_END,
 };
 
+static const struct ts_arg mesh_args[] = {
+	TS_REST("file", struct state, mesh, .help = "known, but not built"),
+	TS_ARGS_END,
+};
+
 static const struct ts_mode modes[] = {
 	[BOX] = { "box", "on all lattice points in the box", NULL },
 	[REGION] = { "region", "on all lattice points in a region", region_args },
 	[SINGLE] = { "single", "one particle", single_args },
 	[RANDOM] = { "random", "at random positions", random_args },
+	[MESH] = { "mesh", "on a surface: known, but not built", mesh_args },
 	{ .name = NULL },
 };
 
@@ -272,6 +387,20 @@ static const struct ts_arg args[] = {
 	TS_MODE("style", struct state, mode, modes, .help = "where they stand"),
 	TS_ENUM("units", struct state, units, ts_region_units, .fallback = "lattice",
 		.help = "whether the position of a single one is in lattice spacings or as it is"),
+	TS_SOME_KEYWORD("basis", struct state, basis, TS_REPEAT,
+			.help = "M itype: particles on point M of the unit cell have this type; may be "
+				"repeated"),
+	TS_SOME_KEYWORD("ratio", struct state, ratio, 0,
+			.help = "fraction seed: only this share of the lattice points, at random"),
+	TS_SOME_KEYWORD("subset", struct state, subset, 0,
+			.help = "count seed: only so many of the lattice points, at random"),
+	TS_WORD("var", struct state, variable, .flags = TS_OPTIONAL,
+		.help = "equal-style variable; lattice points where it is 0 stay empty"),
+	TS_SOME_KEYWORD("set", struct state, set, TS_REPEAT,
+			.help = "x|y|z name: internal-style variable that gets the coordinate before "
+				"var is evaluated; may be repeated"),
+	TS_SOME_KEYWORD("mol", struct state, molecule, 0, .help = "known, but not built"),
+	TS_SOME_KEYWORD("rotate", struct state, rotate, 0, .help = "of molecules: not built"),
 	TS_ARGS_END,
 };
 
@@ -282,10 +411,18 @@ const struct ts_command_style ts_command_create_atoms = {
 		.kind = TS_KIND_COMMAND,
 		.summary = "Makes particles",
 		.doc = "New particles are at rest, with diameter 1 and density 1 or the mass given by the mass\n"
-		       "command; use set to change them. random draws the tries for its k-th particle from a\n"
-		       "random stream of its own, keyed by seed and k, and with overlap rejects positions that\n"
-		       "are too near to a particle. That fills space up to about a third.",
+		       "command; use set to change them. Their identities go on from the largest there is, on\n"
+		       "a lattice in the order z, y, x of unit cells, then of the points in the cell.\n"
+		       "create_particles is another name of the command.\n\n"
+		       "Positions lie in the box if lo <= x < hi. Across a periodic face lattice points nearer\n"
+		       "to the upper face than 2e-6 lengths are left out, for they are those of the lower one.\n\n"
+		       "var and set choose lattice points by a formula: `variable v equal \"v_xx^2+v_yy^2<4\"`\n"
+		       "with internal-style variables xx and yy and `var v set x xx set y yy`.\n\n"
+		       "random draws the tries for its k-th particle from a random stream of its own, keyed by\n"
+		       "seed and k, and with overlap rejects positions that are too near to a particle. That\n"
+		       "fills space up to about a third.",
 		.example = "create_atoms 1 box\n"
+			   "create_atoms 1 region bed basis 2 3 ratio 0.5 7919\n"
 			   "create_atoms 1 single 0.5 0.5 0.9 units box\n"
 			   "create_atoms 1 random 3000 86028157 bed overlap 0.011 maxtry 5000",
 		.args = args,

@@ -137,6 +137,7 @@ static enum ts_status mark(struct tsim *sim, const struct state *s, unsigned cha
 	struct ts_pointhash hash;
 	enum ts_status status;
 
+	TS_TRY(ts_region_update(s->region, sim));
 	if (s->mode == POROSITY || s->mode == RANDOM)
 		return mark_random(sim, s, flag, where);
 	if (s->mode == VARIABLE)
@@ -162,6 +163,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	unsigned char *flag;
 	enum ts_status status;
 
+	TS_TRY(ts_region_update(s->region, sim));
 	if (s->mode == POROSITY)
 		TS_TRY(read_porosity(sim, s));
 	if (s->mode == RANDOM && s->part == FRACTION && s->amount > 1)

@@ -32,8 +32,11 @@ const struct ts_command_style ts_command_dimension = {
 		.name = "dimension",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Sets the number of dimensions",
-		.doc = "In two dimensions particles are still spheres; keep them in the plane z = 0 with\n"
-		       "initial velocities and forces that have no z component.",
+		.doc = "In two dimensions particles are discs in the plane z = 0: mass is density times\n"
+		       "pi r^2, and fix nve/sphere turns them as discs unless told otherwise. The box must be\n"
+		       "periodic in z and contain the plane; thermo keyword vol is its area. Forces and\n"
+		       "velocities out of the plane are the script's to avoid (fix enforce2d takes them away); a\n"
+		       "run warns where a particle is out of the plane or moves out of it.",
 		.example = "dimension 2",
 		.args = args,
 		.state_size = sizeof(struct state),

@@ -233,6 +233,7 @@ static enum ts_status fill(struct tsim *sim, const struct state *s, int bit,
 	case ID:
 		return add_numbers(sim, s->rest, p->tag, bit);
 	case REGION:
+		TS_TRY(ts_region_update(s->region, sim));
 		for (size_t i = 0; i < p->n; i++)
 			if (ts_region_contains(s->region, p->x[i]))
 				add(p, i, bit);

@@ -245,6 +245,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	if (s->mode == MOLECULE)
 		return ts_fail(&sim->error, TS_UNKNOWN, where,
 			       "set: particles belong to no molecules in tsim");
+	TS_TRY(ts_region_update(s->region, sim));
 	for (int what = OMEGAX; what <= OMEGAZ; what++)
 		if (!s->value[what].null)
 			TS_TRY(ts_particles_need(sim, TS_NEED(OMEGA)));

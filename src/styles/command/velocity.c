@@ -26,9 +26,9 @@ struct state {
 };
 
 /* Lengths of `units lattice` are lattice spacings. */
-static double scale_of(const struct tsim *sim, const struct state *s)
+static double scale_of(const struct tsim *sim, const struct state *s, int dim)
 {
-	return s->units == 0 ? sim->domain->lattice : 1;
+	return ts_domain_scale(sim, s->units, dim);
 }
 
 static double group_sum(const struct ts_particles *p, int group, int dim)
@@ -58,12 +58,11 @@ static enum ts_status set(struct tsim *sim, const struct state *s, const struct 
 {
 	struct ts_particles *p = sim->particles;
 	struct ts_table table = { 0 };
-	double scale = scale_of(sim, s);
 	enum ts_status status = TS_OK;
 
 	for (int d = 0; d < 3 && status == TS_OK; d++) {
 		const char *variable = s->value[d].variable;
-		double constant = 0;
+		double constant = 0, scale = scale_of(sim, s, d);
 		bool each = variable && sim->host->is_peratom(sim->host_data, variable);
 
 		if (s->value[d].null)
@@ -116,13 +115,13 @@ static enum ts_status create(struct tsim *sim, const struct state *s)
 static enum ts_status ramp(struct tsim *sim, const struct state *s, const struct ts_place *where)
 {
 	struct ts_particles *p = sim->particles;
-	double scale = scale_of(sim, s);
+	double scale = scale_of(sim, s, s->component), along = scale_of(sim, s, s->dim);
 
 	if (s->x[0] == s->x[1])
 		return ts_fail(&sim->error, TS_RANGE, where, "velocity ramp: both ends lie at %g",
 			       s->x[0]);
 	for (size_t i = 0; i < p->n; i++) {
-		double at = (p->x[i][s->dim] / scale - s->x[0]) / (s->x[1] - s->x[0]);
+		double at = (p->x[i][s->dim] / along - s->x[0]) / (s->x[1] - s->x[0]);
 
 		at = fmin(1, fmax(0, at));
 		if (ts_in_group(p, i, s->group))

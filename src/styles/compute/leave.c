@@ -33,6 +33,7 @@ static enum ts_status look(struct ts_instance *self, struct tsim *sim)
 	const struct ts_particles *p = sim->particles;
 	double *flag = p->column[s->column].data;
 
+	TS_TRY(ts_region_update(s->region, sim));
 	s->inside = 0;
 	for (size_t i = 0; i < p->n; i++) {
 		bool inside = ts_in_group(p, i, self->group) &&

@@ -58,6 +58,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 
 	if (sim->clock.step % s->every != 0)
 		return TS_OK;
+	TS_TRY(ts_region_update(s->region, sim));
 	TS_TRY(ts_tally_start(sim, &s->before));
 	TS_TRY(evaluate(self, sim));
 #pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)

@@ -33,9 +33,11 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	struct ts_particles *p = sim->particles;
-	size_t n = sum(self, p, s->before);
 	double mean[3], added;
+	size_t n;
 
+	TS_TRY(ts_region_update(s->region, sim));
+	n = sum(self, p, s->before);
 	for (int k = 0; k < 3; k++) {
 		if (s->f[k].null)
 			continue;

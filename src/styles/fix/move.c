@@ -28,9 +28,9 @@ struct moment {
 	double t, sine, cosine, omega;
 };
 
-static double scale_of(const struct state *s, const struct tsim *sim)
+static double scale_of(const struct state *s, const struct tsim *sim, int dim)
 {
-	return s->units == 0 ? sim->domain->lattice : 1;
+	return ts_domain_scale(sim, s->units, dim);
 }
 
 static struct moment moment_of(const struct state *s, const struct tsim *sim)
@@ -47,18 +47,20 @@ static struct moment moment_of(const struct state *s, const struct tsim *sim)
 static void turn(const struct state *s, const struct tsim *sim, const struct moment *m,
 		 const double x0[3], double x[3], double v[3])
 {
-	double scale = scale_of(s, sim), a[3], b[3], along;
+	double point[3], a[3], b[3], along;
 
-	for (int k = 0; k < 3; k++)
-		a[k] = x0[k] - scale * s->point[k];
+	for (int k = 0; k < 3; k++) {
+		point[k] = scale_of(s, sim, k) * s->point[k];
+		a[k] = x0[k] - point[k];
+	}
 	along = ts_dot(a, s->unit);
 	for (int k = 0; k < 3; k++)
 		a[k] -= along * s->unit[k];
 	ts_cross(s->unit, a, b);
 	for (int k = 0; k < 3; k++) {
-		double drift = s->mode == TRANSROT ? scale * s->drift[k] : 0;
+		double drift = s->mode == TRANSROT ? scale_of(s, sim, k) * s->drift[k] : 0;
 
-		x[k] = scale * s->point[k] + along * s->unit[k] + m->cosine * a[k] + m->sine * b[k] +
+		x[k] = point[k] + along * s->unit[k] + m->cosine * a[k] + m->sine * b[k] +
 		       drift * m->t;
 		v[k] = m->omega * (m->cosine * b[k] - m->sine * a[k]) + drift;
 	}
@@ -69,10 +71,12 @@ static void start_of(const struct ts_instance *self, const struct tsim *sim, siz
 {
 	const struct state *s = self->state;
 	struct moment m = moment_of(s, sim);
-	double scale = scale_of(s, sim), v[3];
+	double v[3];
 
 	ts_unwrapped(sim, i, x);
 	for (int k = 0; k < 3; k++) {
+		double scale = scale_of(s, sim, k);
+
 		if (s->mode == LINEAR && !s->velocity[k].null)
 			x[k] -= scale * s->velocity[k].value * m.t;
 		if (s->mode == WIGGLE && !s->amplitude[k].null)
@@ -158,7 +162,7 @@ static void kick(const struct state *s, const struct tsim *sim, size_t i)
 static void move_component(const struct state *s, const struct tsim *sim, const struct moment *m,
 			   size_t i, int k, double start, double *x, double *v)
 {
-	double scale = scale_of(s, sim);
+	double scale = scale_of(s, sim, k);
 
 	if (s->mode == LINEAR && !s->velocity[k].null) {
 		*v = scale * s->velocity[k].value;

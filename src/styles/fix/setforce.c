@@ -18,6 +18,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	struct setforce *s = self->state;
 	struct ts_particles *p = sim->particles;
 
+	TS_TRY(ts_region_update(s->region, sim));
 	TS_TRY(ts_tally_start(sim, &s->before));
 	for (int k = 0; k < 3; k++)
 		if (!s->f[k].null)

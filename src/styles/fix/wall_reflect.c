@@ -71,7 +71,7 @@ static enum ts_status position(struct ts_instance *self, struct tsim *sim, int k
 		return TS_OK;
 	}
 	TS_TRY(ts_number_now(sim, &s->at[k], &self->where, at));
-	*at *= s->units == 0 ? sim->domain->lattice : 1;
+	*at *= ts_domain_scale(sim, s->units, k / 2);
 	return TS_OK;
 }
 

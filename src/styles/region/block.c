@@ -13,10 +13,10 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct block *b = self->state;
 
-	ts_region_init(self, sim);
+	TS_TRY(ts_region_init(self, sim));
 	for (int d = 0; d < 3; d++) {
-		b->lo[d] = b->region.scale * b->given[2 * d];
-		b->hi[d] = b->region.scale * b->given[2 * d + 1];
+		TS_TRY(ts_region_coord(self, sim, b->given[2 * d], d, &b->lo[d]));
+		TS_TRY(ts_region_coord(self, sim, b->given[2 * d + 1], d, &b->hi[d]));
 		if (b->lo[d] > b->hi[d])
 			return ts_fail(&sim->error, TS_RANGE, &self->where,
 				       "region block: %clo = %g is above %chi = %g", 'x' + d,
@@ -45,19 +45,26 @@ static void bounds(const struct ts_instance *self, double lo[3], double hi[3])
 	}
 }
 
+static double volume(const struct ts_instance *self)
+{
+	const struct block *b = self->state;
+
+	return (b->hi[0] - b->lo[0]) * (b->hi[1] - b->lo[1]) * (b->hi[2] - b->lo[2]);
+}
+
 static const struct ts_arg args[] = {
 	TS_COORD("xlo", struct block, given[0], .flags = TS_POSITIONAL, .unit = "length",
-		 .help = "least x, or INF"),
+		 .help = "least x, INF or EDGE"),
 	TS_COORD("xhi", struct block, given[1], .flags = TS_POSITIONAL, .unit = "length",
-		 .help = "largest x, or INF"),
+		 .help = "largest x, INF or EDGE"),
 	TS_COORD("ylo", struct block, given[2], .flags = TS_POSITIONAL, .unit = "length",
-		 .help = "least y, or INF"),
+		 .help = "least y, INF or EDGE"),
 	TS_COORD("yhi", struct block, given[3], .flags = TS_POSITIONAL, .unit = "length",
-		 .help = "largest y, or INF"),
+		 .help = "largest y, INF or EDGE"),
 	TS_COORD("zlo", struct block, given[4], .flags = TS_POSITIONAL, .unit = "length",
-		 .help = "least z, or INF"),
+		 .help = "least z, INF or EDGE"),
 	TS_COORD("zhi", struct block, given[5], .flags = TS_POSITIONAL, .unit = "length",
-		 .help = "largest z, or INF"),
+		 .help = "largest z, INF or EDGE"),
 	TS_REGION_ARGS(struct block),
 	TS_ARGS_END,
 };
@@ -68,8 +75,9 @@ const struct ts_region_style ts_region_block = {
 		.name = "block",
 		.kind = TS_KIND_REGION,
 		.summary = "A cuboid along the axes",
-		.doc = "All points with xlo <= x <= xhi, ylo <= y <= yhi and zlo <= z <= zhi. INF or EDGE\n"
-		       "leaves a side open.",
+		.doc = "All points with xlo <= x <= xhi, ylo <= y <= yhi and zlo <= z <= zhi. INF is\n"
+		       "infinitely far; EDGE is the face of the box where it is when the region is defined.\n"
+		       "Faces 1 to 6 are xlo xhi ylo yhi zlo zhi.",
 		.example = "region bed block 0 1 0 1 0 0.5 units box\n"
 			   "region top block INF INF INF INF 0.4 INF units box",
 		.args = args,
@@ -78,4 +86,6 @@ const struct ts_region_style ts_region_block = {
 	},
 	.contains = contains,
 	.bounds = bounds,
+	.volume = volume,
+	.faces = 6,
 };

@@ -5,27 +5,38 @@
 
 struct cylinder {
 	struct ts_region region;
-	int axis, c[2]; /* the axis and the other two dimensions, ascending */
-	double given_center[2], given_radius, given_lo, given_hi;
+	int axis, c[2];             /* the axis and the other two dimensions, ascending */
+	struct ts_number given[3];  /* center, radius */
+	double given_lo, given_hi;
 	double center[2], radius, lo, hi;
 };
+
+static enum ts_status update(struct ts_instance *self, struct tsim *sim)
+{
+	struct cylinder *z = self->state;
+
+	for (int k = 0; k < 2; k++)
+		TS_TRY(ts_region_length(self, sim, &z->given[k], z->c[k], &z->center[k]));
+	TS_TRY(ts_region_length(self, sim, &z->given[2], z->c[0], &z->radius));
+	if (z->radius >= 0)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_RANGE, &self->where,
+		       "region cylinder: the radius is %g, expected a number >= 0", z->radius);
+}
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct cylinder *z = self->state;
 
-	ts_region_init(self, sim);
+	TS_TRY(ts_region_init(self, sim));
 	z->c[0] = z->axis == 0 ? 1 : 0;
 	z->c[1] = z->axis == 2 ? 1 : 2;
-	z->center[0] = z->region.scale * z->given_center[0];
-	z->center[1] = z->region.scale * z->given_center[1];
-	z->radius = z->region.scale * z->given_radius;
-	z->lo = z->region.scale * z->given_lo;
-	z->hi = z->region.scale * z->given_hi;
+	TS_TRY(ts_region_coord(self, sim, z->given_lo, z->axis, &z->lo));
+	TS_TRY(ts_region_coord(self, sim, z->given_hi, z->axis, &z->hi));
 	if (z->lo > z->hi)
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
 			       "region cylinder: lo = %g is above hi = %g", z->lo, z->hi);
-	return TS_OK;
+	return update(self, sim);
 }
 
 static bool contains(const struct ts_instance *self, const double x[3])
@@ -48,21 +59,26 @@ static void bounds(const struct ts_instance *self, double lo[3], double hi[3])
 	hi[z->axis] = z->hi;
 }
 
-static const char *const axes[] = { "x", "y", "z", NULL };
+static double volume(const struct ts_instance *self)
+{
+	const struct cylinder *z = self->state;
+
+	return TS_REGION_PI * z->radius * z->radius * (z->hi - z->lo);
+}
 
 static const struct ts_arg args[] = {
-	TS_ENUM("axis", struct cylinder, axis, axes, .flags = TS_POSITIONAL,
+	TS_ENUM("axis", struct cylinder, axis, ts_region_axes, .flags = TS_POSITIONAL,
 		.help = "direction of the axis"),
-	TS_REAL("c1", struct cylinder, given_center[0], .flags = TS_POSITIONAL, .unit = "length",
-		.help = "center in the first of the other dimensions"),
-	TS_REAL("c2", struct cylinder, given_center[1], .flags = TS_POSITIONAL, .unit = "length",
-		.help = "center in the second of the other dimensions"),
-	TS_REAL("radius", struct cylinder, given_radius, .flags = TS_POSITIONAL, .unit = "length",
-		.range = TS_NOT_NEGATIVE, .help = "radius"),
+	TS_NUMBER("c1", struct cylinder, given[0], .flags = TS_POSITIONAL, .unit = "length",
+		  .help = "center in the first of the other dimensions"),
+	TS_NUMBER("c2", struct cylinder, given[1], .flags = TS_POSITIONAL, .unit = "length",
+		  .help = "center in the second of the other dimensions"),
+	TS_NUMBER("radius", struct cylinder, given[2], .flags = TS_POSITIONAL, .unit = "length",
+		  .range = TS_NOT_NEGATIVE, .help = "radius"),
 	TS_COORD("lo", struct cylinder, given_lo, .flags = TS_POSITIONAL, .unit = "length",
-		 .help = "lower end along the axis, or INF"),
+		 .help = "lower end along the axis, INF or EDGE"),
 	TS_COORD("hi", struct cylinder, given_hi, .flags = TS_POSITIONAL, .unit = "length",
-		 .help = "upper end along the axis, or INF"),
+		 .help = "upper end along the axis, INF or EDGE"),
 	TS_REGION_ARGS(struct cylinder),
 	TS_ARGS_END,
 };
@@ -75,7 +91,9 @@ const struct ts_region_style ts_region_cylinder = {
 		.summary = "A cylinder along an axis",
 		.doc = "All points within the radius of the axis, between lo and hi. The center is given\n"
 		       "in the other two dimensions, in the order x y z: (y, z) for axis x, (x, z) for\n"
-		       "axis y, (x, y) for axis z.",
+		       "axis y, (x, y) for axis z. Center and radius may be variables. In lattice units the\n"
+		       "radius counts spacings of the first of these dimensions. Faces 1 to 3 are the lower\n"
+		       "end, the upper end and the curved side.",
 		.example = "region hole cylinder z 0 0 0.25 0 1 units box\n"
 			   "region outside cylinder z 0 0 0.25 INF INF side out units box",
 		.args = args,
@@ -84,4 +102,7 @@ const struct ts_region_style ts_region_cylinder = {
 	},
 	.contains = contains,
 	.bounds = bounds,
+	.volume = volume,
+	.update = update,
+	.faces = 3,
 };

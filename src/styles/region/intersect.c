@@ -1,5 +1,5 @@
 /* Region: the intersection of other regions. */
-#include "particles/region.h"
+#include "particles/region_set.h"
 
 #include <math.h>
 
@@ -44,4 +44,5 @@ const struct ts_region_style ts_region_intersect = {
 	},
 	.contains = contains,
 	.bounds = bounds,
+	.update = ts_region_set_update,
 };

@@ -14,14 +14,18 @@ struct plane {
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct plane *p = self->state;
-	double length = ts_norm(p->given_normal);
+	double length;
 
-	if (length == 0)
+	TS_TRY(ts_region_init(self, sim));
+	for (int d = 0; d < 3; d++) {
+		p->point[d] = p->region.scale[d] * p->given_point[d];
+		p->normal[d] = p->region.scale[d] * p->given_normal[d];
+	}
+	length = ts_norm(p->normal);
+	if (!(length > 0))
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
 			       "region plane: the normal is zero, expected a direction");
-	ts_region_init(self, sim);
-	ts_scale(p->region.scale, p->given_point, p->point);
-	ts_scale(1 / length, p->given_normal, p->normal);
+	ts_scale(1 / length, p->normal, p->normal);
 	return TS_OK;
 }
 
@@ -67,4 +71,5 @@ const struct ts_region_style ts_region_plane = {
 	},
 	.contains = contains,
 	.bounds = bounds,
+	.faces = 1,
 };

@@ -7,18 +7,27 @@
 
 struct ball {
 	struct ts_region region;
-	double given_center[3], given_radius;
+	struct ts_number given[4]; /* center, radius */
 	double center[3], radius;
 };
 
-static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+static enum ts_status update(struct ts_instance *self, struct tsim *sim)
 {
 	struct ball *b = self->state;
 
-	ts_region_init(self, sim);
-	ts_scale(b->region.scale, b->given_center, b->center);
-	b->radius = b->region.scale * b->given_radius;
-	return TS_OK;
+	for (int d = 0; d < 3; d++)
+		TS_TRY(ts_region_length(self, sim, &b->given[d], d, &b->center[d]));
+	TS_TRY(ts_region_length(self, sim, &b->given[3], 0, &b->radius));
+	if (b->radius >= 0)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_RANGE, &self->where,
+		       "region sphere: the radius is %g, expected a number >= 0", b->radius);
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	TS_TRY(ts_region_init(self, sim));
+	return update(self, sim);
 }
 
 static bool contains(const struct ts_instance *self, const double x[3])
@@ -38,11 +47,22 @@ static void bounds(const struct ts_instance *self, double lo[3], double hi[3])
 	}
 }
 
+static double volume(const struct ts_instance *self)
+{
+	double r = ((const struct ball *)self->state)->radius;
+
+	return 4 * TS_REGION_PI / 3 * r * r * r;
+}
+
 static const struct ts_arg args[] = {
-	TS_VEC3("center", struct ball, given_center, .flags = TS_POSITIONAL, .unit = "length",
-		.help = "center of the ball"),
-	TS_REAL("radius", struct ball, given_radius, .flags = TS_POSITIONAL, .unit = "length",
-		.range = TS_NOT_NEGATIVE, .help = "radius of the ball"),
+	TS_NUMBER("x", struct ball, given[0], .flags = TS_POSITIONAL, .unit = "length",
+		  .help = "x of the center"),
+	TS_NUMBER("y", struct ball, given[1], .flags = TS_POSITIONAL, .unit = "length",
+		  .help = "y of the center"),
+	TS_NUMBER("z", struct ball, given[2], .flags = TS_POSITIONAL, .unit = "length",
+		  .help = "z of the center"),
+	TS_NUMBER("radius", struct ball, given[3], .flags = TS_POSITIONAL, .unit = "length",
+		  .range = TS_NOT_NEGATIVE, .help = "radius of the ball"),
 	TS_REGION_ARGS(struct ball),
 	TS_ARGS_END,
 };
@@ -53,7 +73,7 @@ const struct ts_region_style ts_region_sphere = {
 		.name = "sphere",
 		.kind = TS_KIND_REGION,
 		.summary = "A ball",
-		.doc = "All points x with |x - center| <= radius.",
+		.doc = "All points x with |x - center| <= radius. Center and radius may be variables.",
 		.example = "region drop sphere 0 0 0.5 0.1 units box",
 		.args = args,
 		.state_size = sizeof(struct ball),
@@ -61,4 +81,7 @@ const struct ts_region_style ts_region_sphere = {
 	},
 	.contains = contains,
 	.bounds = bounds,
+	.volume = volume,
+	.update = update,
+	.faces = 1,
 };
