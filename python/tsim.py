@@ -30,7 +30,7 @@ except ImportError:
     numpy = None
 
 __all__ = ["Simulation", "TsimError", "Stopped", "StaleView", "Box", "Clock", "Output", "Argument",
-           "version", "kinds", "styles", "help", "arguments"]
+           "version", "check", "kinds", "styles", "help", "arguments"]
 
 
 # ---- the library
@@ -53,7 +53,7 @@ _StepFunction = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p)
 class _Options(_Structure):
     _fields_ = [("size", ctypes.c_size_t), ("threads", ctypes.c_int), ("explain", ctypes.c_int),
                 ("screen", ctypes.c_void_p), ("log", ctypes.c_char_p), ("on_log", _LogFunction),
-                ("on_log_data", ctypes.c_void_p)]
+                ("on_log_data", ctypes.c_void_p), ("check", ctypes.c_int)]
 
 
 class _ErrorPlace(_Structure):
@@ -110,6 +110,7 @@ def _declare(lib):
             ("error", text, sim), ("error_where", None, sim, p(_ErrorPlace)),
             ("error_clear", None, sim), ("log", number, sim, text),
             ("text", number, sim, text, text), ("file", number, sim, text),
+            ("check_report", number, sim, p(ctypes.c_int), text, size, _c_size_p),
             ("has_quit", number, sim, p(ctypes.c_int)), ("stop", None, sim),
             ("step", number, sim, ctypes.c_int64),
             ("on_step", number, sim, number, _StepFunction, ctypes.c_void_p),
@@ -412,14 +413,15 @@ class Simulation:
     image, radius, mass, tag, type, mask (see view); its variables: sim.variables["name"].
     """
 
-    def __init__(self, threads=0, log=None, screen=False, on_log=None, explain=False):
+    def __init__(self, threads=0, log=None, screen=False, on_log=None, explain=False,
+                 _check=False):
         self._owner = None
         self._failure = None   # what a Python function raised inside a C call
         self._calls = {}
         if on_log is None and screen:
             on_log = _print
         self._on_log = _LogFunction(self._logger(on_log)) if on_log else _LogFunction()
-        options = _Options(threads=threads, explain=bool(explain), on_log=self._on_log,
+        options = _Options(threads=threads, explain=bool(explain), check=_check, on_log=self._on_log,
                            log=_bytes(log) if log is not None else None)
         pointer = ctypes.c_void_p()
         status = _lib.tsim_open_with(ctypes.byref(options), ctypes.byref(pointer))
@@ -510,9 +512,10 @@ class Simulation:
         n = int(n)
         while True:
             piece = min(n, 1000)
+            before = self.clock.step
             self._check(_lib.tsim_step(self._pointer, piece))
             n -= piece
-            if n <= 0:
+            if n <= 0 or self.clock.step < before + piece:  # fix halt
                 return
 
     def stop(self):
@@ -843,6 +846,32 @@ class _Variables:
 def version():
     """Version of the library."""
     return _text(_lib.tsim_version())
+
+
+def check(script, name=None, variables=()):
+    """Reads a script without running it: (number of errors, text of all of them and of what the
+    script would do). script: a path; or, with a name for messages, a text. variables: pairs or a
+    dictionary, as the option -var.
+    """
+    sim = Simulation(_check=True)
+    try:
+        for key, value in dict(variables).items():
+            sim.variables.preset(key, value)
+        if name is None:
+            sim.file(script)
+        else:
+            sim.commands(script, name)
+        errors, length = ctypes.c_int(), ctypes.c_size_t()
+        room = 1 << 16
+        while True:
+            out = ctypes.create_string_buffer(room)
+            sim._check(_lib.tsim_check_report(sim._pointer, ctypes.byref(errors), out, room,
+                                              ctypes.byref(length)))
+            if length.value < room:
+                return errors.value, _text(out.value)
+            room = length.value + 1
+    finally:
+        sim.close()
 
 
 def kinds():

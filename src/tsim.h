@@ -5,8 +5,8 @@
  *           fputs(tsim_error(sim), stderr);
  *   tsim_close(sim);
  *
- * Errors. Functions of type int return 0 on success, else a code of enum tsim_status; the simulation
- * then holds the message and its place. The first error stays until tsim_error_clear.
+ * Errors. Functions of type int return 0 on success, else a code of enum tsim_status; the
+ * simulation then holds the message and its place. The first error stays until tsim_error_clear.
  * Memory. Arrays belong to the caller. Texts and tables that are returned belong to the simulation;
  * how long they last is said at each. Structures that may grow begin with their size, which the
  * caller sets: TSIM_INIT does it.
@@ -50,8 +50,8 @@ enum tsim_status {
 /* The error as the command line prints it: place, message, the script line and a mark below the
  * culprit. "" if there was none. Valid until the next call. sim may be NULL: out of memory. */
 TSIM_API const char *tsim_error(struct tsim *sim);
-/* Its parts. The texts are valid until tsim_error_clear; file and text are "" and the numbers 0 where
- * no place is known. Counted from 1; column 0: the whole line. */
+/* Its parts. The texts are valid until tsim_error_clear; file and text are "" and the numbers 0
+ * where no place is known. Counted from 1; column 0: the whole line. */
 struct tsim_error_place {
 	size_t size;
 	int status;
@@ -71,8 +71,8 @@ TSIM_API struct tsim *tsim_open(void);
 /* Ends it and closes its files. sim may be NULL. Not from inside a function of tsim_on_step. */
 TSIM_API void tsim_close(struct tsim *sim);
 
-/* What is said while a simulation runs. text: what would go to the screen, in pieces that need not
- * be lines; or a warning, or a line of progress, each without line end. */
+/* What is said while a simulation runs. text: what would go to the screen, in pieces that need
+ * not be lines; or a warning, or a line of progress, each without line end. */
 enum tsim_log_level { TSIM_LOG_TEXT, TSIM_LOG_WARNING, TSIM_LOG_PROGRESS };
 typedef void tsim_log_fn(void *data, enum tsim_log_level level, const char *text);
 
@@ -85,9 +85,10 @@ struct tsim_options {
 	const char *log;  /* path of the log file; NULL: none */
 	tsim_log_fn *on_log;
 	void *on_log_data;
+	int check; /* run nothing: scripts are only read, errors gathered for tsim_check_report */
 };
-/* The same with options. When it fails *out is NULL (out of memory), or a simulation that tells why
- * and still has to be closed. */
+/* The same with options. When it fails *out is NULL (out of memory), or a simulation that tells
+ * why and still has to be closed. */
 TSIM_API int tsim_open_with(const struct tsim_options *options, struct tsim **out);
 
 /* Where output goes; NULL: nowhere, which is so at the start. The stream stays the caller's. */
@@ -98,39 +99,45 @@ TSIM_API void tsim_on_log(struct tsim *sim, tsim_log_fn *fn, void *data);
 
 /* ---- scripts ---- */
 
-/* Runs one script line, a text of several, a file, or a stream to its end. tsim_text says how the
- * text is called in messages. Ends a run of tsim_step. */
+/* Runs one script line, a text of several, a file, or a stream to its end. tsim_text says how
+ * the text is called in messages. Ends a run of tsim_step. */
 TSIM_API int tsim_line(struct tsim *sim, const char *line);
 TSIM_API int tsim_string(struct tsim *sim, const char *text);
 TSIM_API int tsim_text(struct tsim *sim, const char *text, const char *name);
 TSIM_API int tsim_file(struct tsim *sim, const char *path);
 TSIM_API int tsim_stream(struct tsim *sim, FILE *stream, const char *name);
+/* Of a simulation opened with `check`, after its scripts: how many errors they have, and all of
+ * them with places, then what the scripts would do, cut to fit `room` characters; *length: of
+ * the whole (may be NULL). */
+TSIM_API int tsim_check_report(struct tsim *sim, int *errors, char *out, size_t room,
+			       size_t *length);
 /* Whether the script said `quit` (no more lines are run then), and with which status. */
 TSIM_API int tsim_has_quit(struct tsim *sim, int *status);
-/* Lets a simulation that runs stop after its present step, with TSIM_STOPPED. May be called from a
- * signal handler and from another thread. */
+/* Lets a simulation that runs stop after its present step, with TSIM_STOPPED. May be called
+ * from a signal handler and from another thread. */
 TSIM_API void tsim_stop(struct tsim *sim);
 
 /* ---- stepping, and taking part in a step ---- */
 
-/* n more steps. Successive calls are one run: the same bits as `run` of their sum, without set-up
- * in between. If something that forces depend on has changed since the last call (a column, a
- * variable, particles ...), the next call begins a new run, which computes forces anew. A script
- * line ends the run. The table of the log has no row at the end of a call, only those of `thermo`. */
+/* n more steps. Successive calls are one run: the same bits as `run` of their sum, without
+ * set-up in between. If something that forces depend on has changed since the last call (a
+ * column, a variable, particles ...), the next call begins a new run, which computes forces
+ * anew. A script line ends the run. The table of the log has no row at the end of a call, only
+ * those of `thermo`. `fix halt` makes a call shorter: see tsim_clock. */
 TSIM_API int tsim_step(struct tsim *sim, int64_t n);
 
 enum tsim_stage {
-	TSIM_BEFORE_FORCE, /* positions of the new step, velocities of the half step; forces are 0 */
-	TSIM_AFTER_FORCE,  /* after all fixes have added theirs; what is added to f acts in this step */
+	TSIM_BEFORE_FORCE, /* positions of the new step, velocities of the half step; f is 0 */
+	TSIM_AFTER_FORCE,  /* after all fixes; what is added to f acts in this step */
 	TSIM_END_OF_STEP   /* velocities of the full step; before dumps and the table of the log */
 };
 enum { TSIM_STAGES = 3 };
-/* Lets fn take part in all later steps, of `run` and of tsim_step; functions of a stage act in the
- * order in which they were given. BEFORE_FORCE and AFTER_FORCE come once more when a run begins and
- * computes forces. fn may read all, write forces (BEFORE_FORCE, AFTER_FORCE) or positions,
- * velocities and forces (END_OF_STEP), set variables and call tsim_stop; script lines, particles
- * created or deleted and tsim_close are refused there. It returns 0, or a code of its own, which
- * ends the run with TSIM_STOPPED. A C++ exception may not leave it. */
+/* Lets fn take part in all later steps, of `run` and of tsim_step; functions of a stage act in
+ * the order in which they were given. BEFORE_FORCE and AFTER_FORCE come once more when a run
+ * begins and computes forces. fn may read all, write forces (BEFORE_FORCE, AFTER_FORCE) or
+ * positions, velocities and forces (END_OF_STEP), set variables and call tsim_stop; script
+ * lines, particles created or deleted and tsim_close are refused there. It returns 0, or a code
+ * of its own, which ends the run with TSIM_STOPPED. A C++ exception may not leave it. */
 typedef int tsim_step_fn(struct tsim *sim, void *data);
 TSIM_API int tsim_on_step(struct tsim *sim, enum tsim_stage stage, tsim_step_fn *fn, void *data);
 /* Undoes one tsim_on_step with the same arguments; TSIM_UNKNOWN if there was none. */
@@ -158,15 +165,16 @@ struct tsim_table {
 /* Evaluates it now. */
 TSIM_API int tsim_evaluate(struct tsim *sim, const char *name, enum tsim_shape shape,
 			   struct tsim_table *out);
-/* The same, copied into the caller's array; rows and columns must be what comes out (TSIM_RANGE). */
+/* The same, copied into the caller's array; rows and columns must be what comes out
+ * (TSIM_RANGE). */
 TSIM_API int tsim_read(struct tsim *sim, const char *name, enum tsim_shape shape, double *out,
 		       size_t rows, size_t columns);
 /* How large it is now; evaluates it too. */
 TSIM_API int tsim_extent(struct tsim *sim, const char *name, enum tsim_shape shape, size_t *rows,
 			 size_t *columns);
 
-/* An output of a compute or fix ("c_ID", "f_ID"), the k-th from 0; TSIM_UNKNOWN: there is none. The
- * texts live as long as the program. columns 0: not known before it is evaluated; the first
+/* An output of a compute or fix ("c_ID", "f_ID"), the k-th from 0; TSIM_UNKNOWN: there is none.
+ * The texts live as long as the program. columns 0: not known before it is evaluated; the first
  * output of a shape is the one that is read. */
 struct tsim_output {
 	size_t size;
@@ -179,17 +187,17 @@ TSIM_API int tsim_output(struct tsim *sim, const char *name, size_t k, struct ts
 
 /* ---- variables ---- */
 
-/* Sets an index variable, which wins over the script's own `variable NAME index ...`, as the option
- * -var does. */
+/* Sets an index variable, which wins over the script's own `variable NAME index ...`, as the
+ * option -var does. */
 TSIM_API int tsim_variable(struct tsim *sim, const char *name, const char *value);
 /* As `variable NAME STYLE VALUE`, replacing one of that name: index, string, equal, atom ... */
 TSIM_API int tsim_variable_set(struct tsim *sim, const char *name, const char *style,
 			       const char *value);
-/* Gives the variable a number, exactly; makes one of style equal if there is none. Cheap enough for
- * every step. */
+/* Gives the variable a number, exactly; makes one of style equal if there is none. Cheap enough
+ * for every step. */
 TSIM_API int tsim_variable_number(struct tsim *sim, const char *name, double value);
-/* What ${NAME} stands for, cut to fit `room` characters; *length: of the whole, without the 0 at its
- * end (may be NULL). Numbers: tsim_value "v_NAME". */
+/* What ${NAME} stands for, cut to fit `room` characters; *length: of the whole, without the 0
+ * at its end (may be NULL). Numbers: tsim_value "v_NAME". */
 TSIM_API int tsim_variable_text(struct tsim *sim, const char *name, char *out, size_t room,
 				size_t *length);
 /* Name of the k-th variable from 0; NULL: there are no more. */
@@ -199,28 +207,30 @@ TSIM_API const char *tsim_variable_name(struct tsim *sim, size_t k);
 
 TSIM_API size_t tsim_count(struct tsim *sim);
 
-/* A quantity by its script name, one number for each particle, in the order of the particles at this
- * moment; n must be the number tsim_count gives. Read: all of tsim_quantity_name. Written: type, x y
- * z, vx vy vz, omegax .., ix iy iz, radius, diameter, mass, density between runs; fx fy fz, tqx ..
- * in functions of tsim_on_step (between runs forces are computed anew). A radius keeps the density,
- * a density and a mass the radius. Values are checked before the first is written. */
+/* A quantity by its script name, one number for each particle, in the order of the particles at
+ * this moment; n must be the number tsim_count gives. Read: all of tsim_quantity_name. Written:
+ * type, x y z, vx vy vz, omegax .., ix iy iz, radius, diameter, mass, density between runs; fx
+ * fy fz, tqx .. in functions of tsim_on_step (between runs forces are computed anew); NAME or
+ * NAME[k] of fix property/atom like x. A radius keeps the density, a density and a mass the
+ * radius. Values are checked before the first is written. */
 TSIM_API int tsim_column_read(struct tsim *sim, const char *name, double *out, size_t n);
 TSIM_API int tsim_column_write(struct tsim *sim, const char *name, const double *in, size_t n);
 /* The same for the particles with these identities, in this order; id NULL: all by ascending
  * identity (n = tsim_count). */
-TSIM_API int tsim_gather(struct tsim *sim, const char *name, const int32_t *id, double *out, size_t n);
+TSIM_API int tsim_gather(struct tsim *sim, const char *name, const int32_t *id, double *out,
+			 size_t n);
 TSIM_API int tsim_scatter(struct tsim *sim, const char *name, const int32_t *id, const double *in,
 			  size_t n);
 /* Name of the k-th quantity from 0; NULL: there are no more. */
 TSIM_API const char *tsim_quantity_name(size_t k);
 
-/* A stored column without copying: x, v, f, omega, torque, image (3 numbers for each particle), tag
- * (identity), type, mask (groups), radius, mass, and columns of styles. `data` points to count * width
- * elements and is valid while tsim_generation gives `generation`: adding, deleting and reordering
- * particles, which steps do too, ends it. Written through are x, v, omega between runs and at
- * END_OF_STEP, f and torque at any stage of a step, the others not at all (tsim_column_write,
- * tsim_group_set). Once a writable view was given, each tsim_step compares all columns with those of
- * the last to see changes. */
+/* A stored column without copying: x, v, f, omega, torque, image (3 numbers for each particle),
+ * tag (identity), type, mask (groups), radius, mass, and columns of styles. `data` points to
+ * count * width elements and is valid while tsim_generation gives `generation`: adding,
+ * deleting and reordering particles, which steps do too, ends it. Written through are x, v,
+ * omega between runs and at END_OF_STEP, f and torque at any stage of a step, the others not at
+ * all (tsim_column_write, tsim_group_set). Once a writable view was given, each tsim_step
+ * compares all columns with those of the last to see changes. */
 enum tsim_type { TSIM_F64 = 1, TSIM_I32 = 3, TSIM_U32 = 4 };
 struct tsim_view {
 	size_t size;
@@ -233,9 +243,9 @@ struct tsim_view {
 	uint64_t generation;
 };
 TSIM_API int tsim_column_view(struct tsim *sim, const char *name, struct tsim_view *out);
-/* Keeps the memory of a view until tsim_release is called as often, although the simulation may long
- * use another: a stale view then shows old values and writing to it does nothing. tsim_close ends
- * all. For bindings to languages whose users keep references. */
+/* Keeps the memory of a view until tsim_release is called as often, although the simulation may
+ * long use another: a stale view then shows old values and writing to it does nothing.
+ * tsim_close ends all. For bindings to languages whose users keep references. */
 TSIM_API int tsim_hold(struct tsim *sim, void *data);
 TSIM_API void tsim_release(struct tsim *sim, const void *data);
 TSIM_API uint64_t tsim_generation(struct tsim *sim);
@@ -252,8 +262,8 @@ struct tsim_particles {
 	const double *radius;  /* 0.5 */
 	const double *density; /* from the type's `mass`, else 1 */
 };
-/* Needs a box; positions must lie in it, periodic ones are wrapped. Nothing is made if one value is
- * wrong. id: n identities of the new particles, or NULL. Ends a run of tsim_step. */
+/* Needs a box; positions must lie in it, periodic ones are wrapped. Nothing is made if one
+ * value is wrong. id: n identities of the new particles, or NULL. Ends a run of tsim_step. */
 TSIM_API int tsim_create(struct tsim *sim, const struct tsim_particles *particles, int32_t *id);
 /* Deletes the particles with these identities; TSIM_UNKNOWN and nothing done if one is missing. */
 TSIM_API int tsim_delete(struct tsim *sim, const int32_t *id, size_t n);
@@ -267,7 +277,8 @@ TSIM_API const char *tsim_group_name(struct tsim *sim, int bit);
 /* member[i] becomes 1 where particle i, in the order of memory, is in the group, else 0. */
 TSIM_API int tsim_group_get(struct tsim *sim, const char *name, unsigned char *member, size_t n);
 /* Makes the group if there is none of the name. */
-TSIM_API int tsim_group_set(struct tsim *sim, const char *name, const unsigned char *member, size_t n);
+TSIM_API int tsim_group_set(struct tsim *sim, const char *name, const unsigned char *member,
+			    size_t n);
 
 /* ---- the state of the simulation ---- */
 
@@ -289,8 +300,8 @@ TSIM_API int tsim_setting(struct tsim *sim, const char *name, double *out);
 /* The k-th setting from 0, and what it is (help may be NULL); NULL: there are no more. */
 TSIM_API const char *tsim_setting_name(size_t k, const char **help);
 
-/* The k-th of the live instances of a kind (fix, compute, region, dump, pair, bond, flow), in script
- * order: its id, and its style (may be NULL). NULL: there are no more, or no such kind. */
+/* The k-th of the live instances of a kind (fix, compute, region, dump, pair, bond, flow), in
+ * script order: its id, and its style (may be NULL). NULL: there are no more, or no such kind. */
 TSIM_API const char *tsim_live(struct tsim *sim, const char *kind, size_t k, const char **style);
 
 /* ---- what there is: no simulation needed; texts live as long as the program ---- */
@@ -301,13 +312,14 @@ TSIM_API const char *tsim_version(void);
 TSIM_API const char *tsim_kind(size_t k);
 /* The k-th style of a kind, by name, and its summary (may be NULL); NULL: there are no more. */
 TSIM_API const char *tsim_style(const char *kind, size_t k, const char **summary);
-/* The manual page, as plain text or as Markdown, cut to fit `room` characters; *length: of the whole
- * (may be NULL). TSIM_UNKNOWN: there is no such style; the text then says which one may be meant. */
+/* The manual page, as plain text or as Markdown, cut to fit `room` characters; *length: of the
+ * whole (may be NULL). TSIM_UNKNOWN: there is no such style; the text then says which one may
+ * be meant. */
 TSIM_API int tsim_help(const char *kind, const char *style, int markdown, char *out, size_t room,
 		       size_t *length);
 
-/* The k-th argument of a style. Arguments of a mode (`create_atoms 1 random ...`) follow the argument
- * that chooses it and name it. */
+/* The k-th argument of a style. Arguments of a mode (`create_atoms 1 random ...`) follow the
+ * argument that chooses it and name it. */
 struct tsim_argument {
 	size_t size;
 	const char *name, *help;
@@ -320,7 +332,8 @@ struct tsim_argument {
 	int positive;
 	const char *const *choices; /* of a word, closed by NULL; or NULL */
 };
-TSIM_API int tsim_argument(const char *kind, const char *style, size_t k, struct tsim_argument *out);
+TSIM_API int tsim_argument(const char *kind, const char *style, size_t k,
+			   struct tsim_argument *out);
 
 /* A structure whose size is set: struct tsim_view view = TSIM_INIT(struct tsim_view); */
 #ifdef __cplusplus

@@ -1,3 +1,4 @@
+/* The search for points that are near, against all pairs. */
 #include <check.h>
 #include <math.h>
 #include <stdlib.h>

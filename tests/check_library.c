@@ -52,6 +52,15 @@ START_TEST(tables)
 	deck(sim, "variable w atom x*2\n");
 	ck_assert_int_eq(tsim_evaluate(sim, "v_w", TSIM_PER_PARTICLE, &t), 0);
 	DECK_NEAR(t.data[5], 2 * x[5], 0);
+	deck(sim, "fix two all vector 5 c_k c_nc\nrun 10\n");
+	ck_assert_int_eq(tsim_evaluate(sim, "f_two", TSIM_ARRAY, &t), 0);
+	ck_assert(t.rows == 3 && t.columns == 2);
+	DECK_NEAR(t.data[4], deck_value(sim, "c_k"), 0);
+	ck_assert_int_eq(tsim_evaluate(sim, "f_two[2]", TSIM_VECTOR, &t), 0);
+	ck_assert(t.rows == 3 && t.columns == 1);
+	DECK_NEAR(t.data[2], deck_value(sim, "c_nc"), 0);
+	ck_assert_int_eq(tsim_output(sim, "f_two", 0, &o), 0);
+	ck_assert_int_eq(o.shape, TSIM_ARRAY);
 	/* refusals */
 	ck_assert_int_eq(tsim_read(sim, "c_x", TSIM_PER_PARTICLE, copy, n, 2), TSIM_RANGE);
 	ck_assert_ptr_nonnull(strstr(tsim_error(sim), "and 3 columns, the array"));
@@ -125,6 +134,26 @@ START_TEST(every_quantity_can_be_read_and_written_back)
 	ck_assert_uint_ge(written, 17);
 	free(value);
 	free(again);
+}
+END_TEST
+
+START_TEST(columns_of_the_script)
+{
+	const double two = 2.385, bad = NAN;
+	struct tsim_view v = TSIM_INIT(struct tsim_view);
+	int32_t id = 9;
+	double back = 0;
+
+	deck(sim, "fix p all property/atom d_heat d2_pair 2\n");
+	ck_assert_msg(!tsim_scatter(sim, "d2_pair[2]", &id, &two, 1), "%s", tsim_error(sim));
+	ck_assert_int_eq(tsim_scatter(sim, "d_heat", &id, &two, 1), 0);
+	ck_assert_int_eq(tsim_gather(sim, "d2_pair[2]", &id, &back, 1), 0);
+	DECK_NEAR(back, two, 0);
+	ck_assert_int_eq(tsim_column_view(sim, "d2_pair", &v), 0);
+	ck_assert(v.width == 2 && v.writable);
+	ck_assert_int_eq(tsim_scatter(sim, "d2_pair[3]", &id, &two, 1), TSIM_UNKNOWN);
+	tsim_error_clear(sim);
+	ck_assert_int_eq(tsim_scatter(sim, "d_heat", &id, &bad, 1), TSIM_RANGE);
 }
 END_TEST
 
@@ -391,6 +420,26 @@ START_TEST(options_and_log)
 }
 END_TEST
 
+START_TEST(check_runs_nothing)
+{
+	struct tsim_options options = { .size = sizeof options, .check = 1 };
+	struct tsim *other;
+	char report[4096];
+	size_t length;
+	int errors;
+
+	ck_assert_int_eq(tsim_open_with(&options, &other), 0);
+	ck_assert_int_eq(tsim_text(other, "units sj\nprnt 1\nunits si\n", "s"), 0);
+	ck_assert_int_eq(tsim_check_report(other, &errors, report, sizeof report, &length), 0);
+	ck_assert_int_eq(errors, 2);
+	ck_assert(strlen(report) == length);
+	ck_assert_ptr_nonnull(strstr(report, "s:1:7: error"));
+	ck_assert_ptr_nonnull(strstr(report, "s:2:1: error"));
+	tsim_close(other);
+	ck_assert_int_eq(tsim_check_report(sim, &errors, report, sizeof report, NULL), TSIM_STATE);
+}
+END_TEST
+
 START_TEST(quit_is_told)
 {
 	int status = 0;
@@ -503,6 +552,7 @@ int main(void)
 	tcase_add_test(tests, tables);
 	tcase_add_test(tests, variables);
 	tcase_add_test(tests, every_quantity_can_be_read_and_written_back);
+	tcase_add_test(tests, columns_of_the_script);
 	tcase_add_test(tests, values_are_checked);
 	tcase_add_test(tests, views_and_generation);
 	tcase_add_test(tests, held_memory);
@@ -511,6 +561,7 @@ int main(void)
 	tcase_add_test(tests, state);
 	tcase_add_test(tests, what_there_is);
 	tcase_add_test(tests, options_and_log);
+	tcase_add_test(tests, check_runs_nothing);
 	tcase_add_test(tests, quit_is_told);
 	tcase_add_test(tests, out_of_memory);
 	tcase_add_test(tests, a_thousand_times);

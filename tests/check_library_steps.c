@@ -225,6 +225,17 @@ START_TEST(forbidden_inside_a_step)
 }
 END_TEST
 
+START_TEST(halt_makes_a_call_shorter)
+{
+	deck(sim, "variable now equal step\nfix end all halt 10 v_now >= 25 error soft\n");
+	ck_assert_int_eq(tsim_step(sim, 20), 0);
+	ck_assert_int_eq(tsim_step(sim, 20), 0);
+	DECK_NEAR(deck_value(sim, "step"), 30, 0);
+	ck_assert_int_eq(tsim_step(sim, 20), 0);
+	DECK_NEAR(deck_value(sim, "step"), 30, 0);
+}
+END_TEST
+
 START_TEST(steps_refused)
 {
 	struct tsim *empty = tsim_open();
@@ -281,6 +292,7 @@ int main(void)
 	tcase_add_test(tests, stop_and_go_on);
 	tcase_add_test(tests, forbidden_inside_a_step);
 	tcase_add_test(tests, steps_refused);
+	tcase_add_test(tests, halt_makes_a_call_shorter);
 	tcase_add_test(tests, two_at_once);
 	suite_add_tcase(suite, tests);
 	return deck_main(suite);

@@ -1,3 +1,4 @@
+/* Random numbers, exact sums, vectors. */
 #include <check.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* Lines, words, variables, formulas, flow of scripts. */
 #include "math/fit.h"
 #include "script_case.h"
 

@@ -47,6 +47,27 @@ for file in $(sources); do
 	fi
 done
 
+# Functions begin and end with a brace in the first column.
+long=$(awk '/^\{$/ { start = FNR } /^\}$/ && FNR - start > 60 {
+		print FILENAME ":" start ": a function of " FNR - start + 1 " lines, at most 60" }' \
+	$(sources | grep -v '^src/tsim\.h$'))
+if [ -n "$long" ]; then
+	echo "$long"
+	status=1
+fi
+
+# Every header says what it is for; so does a source without a header, unless it is a style.
+for file in $(find src tests -name '*.[ch]' ! -path 'src/styles/*'); do
+	case $(head -n 1 "$file") in
+	'/*'*) continue ;;
+	esac
+	case $file in
+	*.c) [ -f "${file%c}h" ] && continue ;;
+	esac
+	echo "$file: begins without a comment that says what it is for"
+	status=1
+done
+
 for file in $(find src -name '*.c'); do
 	last=$(sed -n 's/^#include //p' "$file" | tail -n 1)
 	if [ "$last" != '"base/banned.h"' ]; then

@@ -5,7 +5,7 @@
 
 #include "deck.h"
 
-/* Contacts, friction of the air, periodic images, many rebuilds. */
+/* Contacts, a wall, periodic images, many rebuilds. */
 const char packing[] = "units si\n"
 		       "boundary p f f\n"
 		       "region box block 0 0.385 0 0.4 0 1 units box\n"

@@ -2,6 +2,8 @@
 # The Python module, with NumPy (Debian's python3-numpy) and without; its manual, whose examples are
 # run; its example.
 [ -n "$SHARED" ] || exit 77
+# a sanitizer wants to be loaded before Python
+nm -D "$top_builddir/$SHARED" 2>/dev/null | grep -q __asan_init && exit 77
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
 

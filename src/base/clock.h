@@ -1,3 +1,4 @@
+/* Wall time. */
 #ifndef TS_BASE_CLOCK_H
 #define TS_BASE_CLOCK_H
 

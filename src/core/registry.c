@@ -1,3 +1,4 @@
+/* The only look-up of styles by name. */
 #include <string.h>
 
 #include "core/known.h"

@@ -58,17 +58,22 @@ static enum ts_status begin(struct ts_stepping *stepping, struct tsim *sim, int6
 static enum ts_status go(struct ts_stepping *stepping, struct tsim *sim, int64_t n)
 {
 	bool on = false;
+	int64_t last;
 
+	if (sim->halted)
+		return TS_OK;
 	TS_TRY(unchanged(stepping, sim, &on));
 	if (!on) {
 		TS_TRY(ts_stepping_end(stepping, sim));
 		TS_TRY(begin(stepping, sim, n));
 	}
-	sim->clock.last_step = sim->clock.step + n;
+	last = sim->clock.goal = sim->clock.last_step = sim->clock.step + n;
 	if (sim->explain)
 		return TS_OK;
 	stepping->watched = false;
 	TS_TRY(ts_plan_steps(&stepping->plan, sim));
+	if (sim->clock.step < last && !sim->stop) /* fix halt */
+		return ts_stepping_end(stepping, sim);
 	if (stepping->always)
 		TS_TRY(ts_stepping_watch(stepping, sim));
 	return ts_plan_stopped(sim);

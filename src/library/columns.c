@@ -86,7 +86,7 @@ static enum ts_status get(struct tsim *sim, const char *name, const int32_t *row
 /* Inside a step ghosts carry copies of positions and velocities, and contacts hang on radii. */
 static enum ts_status may_write(struct tsim *sim, const char *name)
 {
-	enum ts_assign kind = ts_particles_assignable(name);
+	enum ts_assign kind = ts_particles_assignable(sim, name);
 	int stage = sim->library->stage;
 
 	if (kind == TS_ASSIGN_FORCE && stage < 0)
@@ -207,7 +207,7 @@ static bool is_writable(const struct tsim *sim, const struct ts_column *c)
 	const struct ts_particles *p = sim->particles;
 	int stage = sim->library->stage;
 
-	if (data == &p->x || data == &p->v || data == &p->omega)
+	if (c->flags & TS_COL_NAMED || data == &p->x || data == &p->v || data == &p->omega)
 		return stage < 0 || stage == TSIM_END_OF_STEP;
 	return (data == &p->f || data == &p->torque) && stage >= 0;
 }

@@ -79,6 +79,9 @@ int tsim_open_with(const struct tsim_options *options, struct tsim **out)
 	(*out)->explain = o.explain != 0;
 	tsim_screen(*out, o.screen);
 	tsim_on_log(*out, o.on_log, o.on_log_data);
+	(*out)->log.quiet = o.check && !o.explain;
+	if (o.check)
+		TS_TRY(ts_script_check((*out)->host_data));
 	return o.log ? tsim_log(*out, o.log) : TSIM_OK;
 }
 

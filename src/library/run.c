@@ -52,6 +52,27 @@ int tsim_stream(struct tsim *sim, FILE *stream, const char *name)
 	return ts_library_settle(sim, status);
 }
 
+int tsim_check_report(struct tsim *sim, int *errors, char *out, size_t room, size_t *length)
+{
+	struct ts_str text = { 0 }, report = { 0 };
+	enum ts_status status;
+
+	*errors = 0;
+	if (sim->check)
+		status = ts_script_check_report(sim->host_data, &text, &report, errors);
+	else
+		status = ts_fail(&sim->error, TS_STATE, NULL,
+				 "the simulation was not opened with the option check");
+	ts_str_add(&text, ts_str_text(&report));
+	if (status == TS_OK && (text.failed || report.failed))
+		status = ts_nomem(&sim->error);
+	if (status == TS_OK)
+		ts_library_copy(ts_str_text(&text), out, room, length);
+	ts_str_release(&text);
+	ts_str_release(&report);
+	return ts_library_settle(sim, status);
+}
+
 int tsim_has_quit(struct tsim *sim, int *status)
 {
 	int ignored;

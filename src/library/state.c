@@ -102,6 +102,11 @@ static double running(const struct tsim *sim)
 	return sim->running;
 }
 
+static double halted(const struct tsim *sim)
+{
+	return sim->halted;
+}
+
 static double warnings(const struct tsim *sim)
 {
 	return sim->log.warnings;
@@ -114,6 +119,7 @@ static const struct {
 	{ "box_exist", "1 after create_box or read_restart", box_exists },
 	{ "dimension", "2 or 3", dimension },
 	{ "dt", "time step", dt },
+	{ "halted", "1 after fix halt: later runs do nothing", halted },
 	{ "nghost", "periodic images kept now", ghosts },
 	{ "ngroups", "groups that exist, all among them", groups },
 	{ "nlocal", "particles", particles },

@@ -12,6 +12,7 @@
 SAME(SCALAR);
 SAME(VECTOR);
 SAME(LOCAL);
+SAME(ARRAY);
 _Static_assert((int)TSIM_PER_PARTICLE == (int)TS_PERATOM, "shapes agree");
 
 int tsim_value(struct tsim *sim, const char *formula, double *out)
@@ -113,8 +114,9 @@ int tsim_output(struct tsim *sim, const char *name, size_t k, struct tsim_output
 
 	if (status != TS_OK)
 		return ts_library_settle(sim, status);
-	for (value = ref.inst ? ref.inst->style->values : NULL; value && value->name && k; value++)
-		k--;
+	for (value = ref.inst ? ref.inst->style->values : NULL; value && value->name; value++)
+		if (ts_value_given(ref.inst, value) && k-- == 0)
+			break;
 	if (!value || !value->name)
 		return (int)ts_fail(&sim->error, TS_UNKNOWN, NULL, "%s has no more outputs", name);
 	full = (struct tsim_output){ .name = value->name,

@@ -1,3 +1,4 @@
+/* GSL as this program uses it: errors come back as codes. */
 #ifndef TS_MATH_GSL_H
 #define TS_MATH_GSL_H
 

@@ -76,11 +76,15 @@ static const struct target *find(const char *name)
 	return NULL;
 }
 
-enum ts_assign ts_particles_assignable(const char *name)
+enum ts_assign ts_particles_assignable(const struct tsim *sim, const char *name)
 {
 	const struct target *target = find(name);
+	size_t k;
 
-	return target ? target->kind : TS_ASSIGN_NOT;
+	if (target)
+		return target->kind;
+	return ts_particles_named_column(sim->particles, name, &k) ? TS_ASSIGN_MOTION
+								    : TS_ASSIGN_NOT;
 }
 
 /* What was expected instead of the value; NULL: it is good. */
@@ -122,12 +126,29 @@ static enum ts_status unknown(struct tsim *sim, const char *name)
 		       name, ts_suggest_text(&suggest));
 }
 
+/* Columns of styles. */
+static enum ts_status assign_named(struct tsim *sim, const struct ts_column *c, size_t component,
+				   const int32_t *row, const double *value, size_t n)
+{
+	for (size_t k = 0; k < n; k++)
+		if (!isfinite(value[k]))
+			return ts_fail(&sim->error, TS_RANGE, NULL,
+				       "value %zu for '%s' is not finite", k, c->name);
+	for (size_t k = 0; k < n; k++)
+		((double *)c->data)[(row ? (size_t)row[k] : k) * c->width + component] = value[k];
+	return TS_OK;
+}
+
 enum ts_status ts_particles_assign(struct tsim *sim, const char *name, const int32_t *row,
 				   const double *value, size_t n)
 {
 	struct ts_particles *p = sim->particles;
 	const struct target *target = find(name);
+	size_t component;
+	const struct ts_column *named = ts_particles_named_column(p, name, &component);
 
+	if (named && !target)
+		return assign_named(sim, named, component, row, value, n);
 	if (!target)
 		return unknown(sim, name);
 	for (size_t k = 0; k < n; k++) {

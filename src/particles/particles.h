@@ -147,11 +147,15 @@ enum ts_status ts_particles_quantity(struct tsim *sim, const char *name, struct 
 bool ts_particles_has_quantity(const struct tsim *sim, const char *name);
 void ts_particles_suggest_quantity(struct ts_suggest *suggest);
 
+/* A column that a style keeps under the name, NAME or NAME[k]; *k counted from 0. NULL: none. */
+const struct ts_column *ts_particles_named_column(const struct ts_particles *p, const char *name,
+						  size_t *k);
+
 /* The same, written: the k-th value goes to row[k], or to row k where row is NULL. All values are
  * checked before the first is written. A radius keeps the density, a density the radius, a mass
  * the radius. */
 enum ts_assign { TS_ASSIGN_NOT, TS_ASSIGN_MOTION, TS_ASSIGN_FORCE, TS_ASSIGN_PROPERTY };
-enum ts_assign ts_particles_assignable(const char *name);
+enum ts_assign ts_particles_assignable(const struct tsim *sim, const char *name);
 enum ts_status ts_particles_assign(struct tsim *sim, const char *name, const int32_t *row,
 				   const double *value, size_t n);
 const struct ts_quantity *ts_particles_quantity_text(size_t k);

@@ -149,8 +149,8 @@ static const struct quantity *find(const char *name)
 	return NULL;
 }
 
-/* A column that a style keeps under the name, NAME or NAME[k]; *k counted from 0. */
-static const struct ts_column *find_named(const struct ts_particles *p, const char *name, size_t *k)
+const struct ts_column *ts_particles_named_column(const struct ts_particles *p, const char *name,
+						  size_t *k)
 {
 	size_t n = strcspn(name, "["), digits = strcspn(name + n, "]");
 	char index[16] = "";
@@ -182,7 +182,7 @@ bool ts_particles_has_quantity(const struct tsim *sim, const char *name)
 {
 	size_t k;
 
-	return find(name) || find_named(sim->particles, name, &k);
+	return find(name) || ts_particles_named_column(sim->particles, name, &k);
 }
 
 void ts_particles_suggest_quantity(struct ts_suggest *suggest)
@@ -214,7 +214,7 @@ enum ts_status ts_particles_quantity(struct tsim *sim, const char *name, struct 
 		out->data[i] = q->value(sim, i);
 	if (q)
 		return TS_OK;
-	named = find_named(p, name, &k);
+	named = ts_particles_named_column(p, name, &k);
 	for (size_t i = 0; i < p->n; i++)
 		out->data[i] = ((const double *)named->data)[i * named->width + k];
 	return TS_OK;

@@ -1,3 +1,4 @@
+/* The error as the user sees it. */
 #include <string.h>
 
 #include "script/script.h"

@@ -1,3 +1,4 @@
+/* Operators of formulas: finding them, applying them to numbers and to columns. */
 #include <math.h>
 #include <string.h>
 

@@ -1,3 +1,4 @@
+/* Replaces ${name}, $x and $(formula) in lines and texts. */
 #include "script/interpreter.h"
 #include "script/number_format.h"
 

@@ -1,3 +1,4 @@
+/* Command variable: defines one. */
 #include "script/interpreter.h"
 
 #include "base/banned.h"
