@@ -93,8 +93,14 @@ library_sources = \
 	src/io/thermo_keywords.c \
 	src/io/vtk.c \
 	src/io/vtk.h \
-	src/law/contact.h \
+	src/law/cohesion.h \
+	src/law/granular.h \
+	src/law/granular_force.h \
+	src/law/normal.h \
+	src/law/rolling.h \
 	src/law/spring_dashpot.h \
+	src/law/tangential.h \
+	src/law/touch.h \
 	src/library/columns.c \
 	src/library/library.h \
 	src/library/life.c \
@@ -127,6 +133,8 @@ library_sources = \
 	src/neigh/contact_list.h \
 	src/neigh/gather.c \
 	src/neigh/gather.h \
+	src/neigh/materials.c \
+	src/neigh/materials.h \
 	src/neigh/neigh.c \
 	src/neigh/neigh.h \
 	src/neigh/order.c \
@@ -140,6 +148,8 @@ library_sources = \
 	src/neigh/row_loop.h \
 	src/neigh/rows.c \
 	src/neigh/rows.h \
+	src/neigh/wall_contacts.c \
+	src/neigh/wall_contacts.h \
 	src/particles/assign.c \
 	src/particles/assign_words.c \
 	src/particles/assign_words.h \
@@ -164,6 +174,8 @@ library_sources = \
 	src/particles/moments.h \
 	src/particles/particles.c \
 	src/particles/particles.h \
+	src/particles/property.c \
+	src/particles/property.h \
 	src/particles/quantity.c \
 	src/particles/reduce.c \
 	src/particles/reduce.h \
@@ -342,6 +354,7 @@ library_sources = \
 	src/styles/fix/planeforce.c \
 	src/styles/fix/print.c \
 	src/styles/fix/property_atom.c \
+	src/styles/fix/property_global.c \
 	src/styles/fix/setforce.c \
 	src/styles/fix/store_state.c \
 	src/styles/fix/vector.c \
@@ -349,6 +362,7 @@ library_sources = \
 	src/styles/fix/wall_gran.c \
 	src/styles/fix/wall_reflect.c \
 	src/styles/flow/uniform.c \
+	src/styles/pair/gran.c \
 	src/styles/pair/spring_dashpot.c \
 	src/styles/region/block.c \
 	src/styles/region/cone.c \

@@ -3,6 +3,7 @@ shell_tests = \
 	tests/command_line.sh \
 	tests/crosscheck/data_files.sh \
 	tests/crosscheck/fixes.sh \
+	tests/crosscheck/granular.sh \
 	tests/crosscheck/language.sh \
 	tests/crosscheck/liggghts.sh \
 	tests/data_files.sh \
@@ -17,6 +18,7 @@ shell_tests = \
 	tests/dry_run.sh \
 	tests/fuzz/fuzz.sh \
 	tests/grammar.sh \
+	tests/granular.sh \
 	tests/house.sh \
 	tests/install.sh \
 	tests/kill.sh \
@@ -44,6 +46,7 @@ unit_tests = \
 	tests/check_args \
 	tests/check_geom \
 	tests/check_io \
+	tests/check_law \
 	tests/check_library \
 	tests/check_library_steps \
 	tests/check_math \
@@ -105,6 +108,10 @@ tests_check_geom_LDADD = $(tests_ldadd)
 tests_check_io_SOURCES = tests/check_io.c $(tests_common)
 tests_check_io_CFLAGS = $(tests_cflags)
 tests_check_io_LDADD = $(tests_ldadd)
+
+tests_check_law_SOURCES = tests/check_law.c $(tests_common)
+tests_check_law_CFLAGS = $(tests_cflags)
+tests_check_law_LDADD = $(tests_ldadd)
 
 tests_check_library_SOURCES = tests/check_library.c $(tests_common)
 tests_check_library_CFLAGS = $(tests_cflags)

@@ -6,23 +6,23 @@
  *
  *   beta = -2 ln e sqrt(m* k / (pi^2 + ln^2 e))
  *
- * which is exact for this law when the contact ends at zero overlap: the contact is half a period of
- * a damped oscillator with omega0^2 = k/m*, gamma = beta/(2 m*), lasting pi/sqrt(omega0^2 - gamma^2).
- * Source: any text on the damped oscillator; as a contact law Cundall & Strack, Geotechnique 29 (1979)
- * 47. */
+ * which is exact for this law when the contact ends at zero overlap: the contact is half a period
+ * of a damped oscillator with omega0^2 = k/m*, gamma = beta/(2 m*), lasting pi/sqrt(omega0^2 -
+ * gamma^2). Source: any text on the damped oscillator; as a contact law Cundall & Strack,
+ * Geotechnique 29 (1979) 47. */
 #ifndef TS_LAW_SPRING_DASHPOT_H
 #define TS_LAW_SPRING_DASHPOT_H
 
 #include <math.h>
 #include <stdbool.h>
 
-#include "law/contact.h"
+#include "law/granular.h"
 
 struct ts_spring_dashpot {
-	double stiffness;   /* k, force/length */
-	double damping;     /* beta, force/velocity; NaN if given by restitution */
-	double restitution; /* e; NaN if given by damping */
-	double constant, factor; /* beta = constant + factor sqrt(m*), one of them 0 */
+	double stiffness;	     /* k, force/length */
+	double damping;		     /* beta, force/velocity; NaN if given by restitution */
+	double restitution;	     /* e; NaN if given by damping */
+	struct ts_granular_pair law; /* kn; gamman or gamman_root */
 };
 
 static inline void ts_spring_dashpot_complete(struct ts_spring_dashpot *c)
@@ -30,34 +30,26 @@ static inline void ts_spring_dashpot_complete(struct ts_spring_dashpot *c)
 	const double pi = 3.14159265358979323846;
 	double log_e = log(c->restitution);
 
-	c->factor = 0;
-	c->constant = c->damping;
+	c->law = (struct ts_granular_pair){ .kn = c->stiffness };
 	if (isnan(c->restitution))
-		return;
-	c->constant = 0;
-	c->factor = -2 * log_e * sqrt(c->stiffness / (pi * pi + log_e * log_e));
+		c->law.gamman = c->damping;
+	else
+		c->law.gamman_root = -2 * log_e * sqrt(c->stiffness / (pi * pi + log_e * log_e));
 }
 
-static inline double ts_spring_dashpot_beta(const struct ts_spring_dashpot *c, double mass)
+static inline double ts_spring_dashpot_beta(const struct ts_granular_pair *c, double mass)
 {
-	return c->factor != 0 ? c->factor * sqrt(mass) : c->constant;
+	return c->gamman_root != 0 ? c->gamman_root * sqrt(mass) : c->gamman;
 }
 
-static inline double ts_spring_dashpot_force(const struct ts_spring_dashpot *c,
-					     const struct ts_contact *contact)
-{
-	return c->stiffness * contact->overlap -
-	       ts_spring_dashpot_beta(c, contact->mass) * contact->vn;
-}
-
-/* The largest stable step of leapfrog-like schemes (velocity Verlet and symplectic Euler, the damping
- * force taken at the half step): |z| <= 1 for z^2 - (2 - w^2 h^2 - 2 g h) z + 1 - 2 g h = 0, that is
- * h = 2 (sqrt(w^2 + g^2) - g) / w^2. Explicit Euler, z^2 - (2 - 2 g h) z + 1 - 2 g h + w^2 h^2, is stable
- * for h < 2 g / w^2 = beta / k only. */
-static inline double ts_spring_dashpot_limit(const struct ts_spring_dashpot *c, double mass,
+/* The largest stable step of leapfrog-like schemes (velocity Verlet and symplectic Euler, the
+ * damping force taken at the half step): |z| <= 1 for z^2 - (2 - w^2 h^2 - 2 g h) z + 1 - 2 g h =
+ * 0, that is h = 2 (sqrt(w^2 + g^2) - g) / w^2. Explicit Euler, z^2 - (2 - 2 g h) z + 1 - 2 g h +
+ * w^2 h^2, is stable for h < 2 g / w^2 = beta / k only. */
+static inline double ts_spring_dashpot_limit(const struct ts_granular_pair *c, double mass,
 					     bool explicit_euler)
 {
-	double w2 = c->stiffness / mass, g = ts_spring_dashpot_beta(c, mass) / (2 * mass);
+	double w2 = c->kn / mass, g = ts_spring_dashpot_beta(c, mass) / (2 * mass);
 
 	return explicit_euler ? 2 * g / w2 : 2 * (sqrt(w2 + g * g) - g) / w2;
 }

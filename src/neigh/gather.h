@@ -1,8 +1,9 @@
-/* Gather lists: for each local particle, the rows of a pair list (contacts, bonds) it has a part in.
+/* Gather lists: for each local particle, the rows of a pair list (contacts, bonds) it has a part
+ * in.
  *
- * Forces are computed over pairs, without write conflicts; then each particle adds up its own in the
- * order of its partners' keys (identities). So sums depend neither on threads nor on the order of
- * pairs or particles in memory. */
+ * Forces are computed over pairs, without write conflicts; then each particle adds up its own in
+ * the order of its partners' keys (identities). So sums depend neither on threads nor on the order
+ * of pairs or particles in memory. */
 #ifndef TS_NEIGH_GATHER_H
 #define TS_NEIGH_GATHER_H
 

@@ -12,7 +12,7 @@ static size_t entry_of(const struct ts_pair *pair, int a, int b)
 	return (size_t)(a * (pair->ntypes + 1) + b);
 }
 
-static enum ts_status prepare(struct tsim *sim, struct ts_instance *self)
+enum ts_status ts_pair_prepare(struct tsim *sim, struct ts_instance *self)
 {
 	const struct ts_pair_style *style = ts_pair_style_of(self);
 	struct ts_pair *pair = self->state;
@@ -21,10 +21,12 @@ static enum ts_status prepare(struct tsim *sim, struct ts_instance *self)
 	pair->coeffs.rows = style->style.coeff;
 	pair->coeffs.size = style->coeff_size;
 	pair->ntypes = sim->particles->ntypes;
+	pair->law_offset = style->law_offset;
 	return ts_coeffs_resize(sim, &pair->coeffs, n * n);
 }
 
-static enum ts_status limit_types(struct tsim *sim, struct ts_types *t, const struct ts_place *where)
+static enum ts_status limit_types(struct tsim *sim, struct ts_types *t,
+				  const struct ts_place *where)
 {
 	int most = sim->particles->ntypes;
 
@@ -46,9 +48,10 @@ enum ts_status ts_pair_set(struct tsim *sim, struct ts_types a, struct ts_types 
 	void *entry;
 
 	if (!self)
-		return ts_fail(&sim->error, TS_STATE, where, "pair_coeff needs a pair_style before it");
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "pair_coeff needs a pair_style before it");
 	pair = self->state;
-	TS_TRY(prepare(sim, self));
+	TS_TRY(ts_pair_prepare(sim, self));
 	TS_TRY(limit_types(sim, &a, where));
 	TS_TRY(limit_types(sim, &b, where));
 	entry = ts_alloc(1, pair->coeffs.size ? pair->coeffs.size : 1);
@@ -153,13 +156,17 @@ static enum ts_status check_given(struct tsim *sim, struct ts_instance *self)
 
 enum ts_status ts_pair_init(struct ts_instance *self, struct tsim *sim)
 {
-	const struct ts_pair_style *style = ts_pair_style_of(self);
+	struct ts_pair *pair = self->state;
 
 	if (!sim->particles->ntypes)
 		return TS_OK;
-	TS_TRY(prepare(sim, self));
-	TS_TRY(ts_rows_set_history(sim, &sim->neigh->rows, style->history_width,
-				   style->history_sign));
+	TS_TRY(ts_pair_prepare(sim, self));
+	ts_granular_memory_signs(&pair->model, pair->memory_sign);
+	TS_TRY(ts_rows_set_history(sim, &sim->neigh->rows, (size_t)ts_granular_memory(&pair->model),
+				   pair->memory_sign));
+	TS_TRY(ts_rows_set_torques(sim, &sim->neigh->rows, ts_granular_turns(&pair->model)));
+	if (ts_granular_turns(&pair->model))
+		TS_TRY(ts_particles_need(sim, TS_NEED(OMEGA) | TS_NEED(TORQUE)));
 	return check_given(sim, self);
 }
 
@@ -167,7 +174,7 @@ enum ts_status ts_pair_archive(struct ts_instance *self, struct tsim *sim, struc
 {
 	struct ts_pair *pair = self->state;
 
-	TS_TRY(prepare(sim, self));
+	TS_TRY(ts_pair_prepare(sim, self));
 	TS_TRY(ts_coeffs_archive(a, sim, &pair->coeffs));
 	for (size_t k = 0; !ts_archive_writing(a) && k < pair->coeffs.n; k++)
 		if (pair->coeffs.given[k])
@@ -184,7 +191,8 @@ void ts_pair_fingerprint(const struct ts_instance *self, const struct tsim *sim,
 	ts_coeffs_fingerprint(&pair->coeffs, sim, hash);
 }
 
-/* The two largest inverse masses of each type, frozen particles having 0; -1 where there is none. */
+/* The two largest inverse masses of each type, frozen particles having 0; -1 where there is none.
+ */
 static double (*largest_inverse_masses(const struct ts_particles *p))[2]
 {
 	double(*most)[2] = ts_alloc((size_t)p->ntypes + 1, sizeof *most);
@@ -213,11 +221,11 @@ enum ts_status ts_pair_plan(struct ts_instance *self, struct tsim *sim,
 			double one = most[a][0], other = most[b][a == b], mass = 1 / (one + other);
 
 			/* no such pair, or both are held */
-			if (one < 0 || other < 0 || one + other == 0)
+			if (!style->limit || one < 0 || other < 0 || one + other == 0)
 				continue;
 			status = ts_report_limit(
 				report,
-				style->limit(ts_pair_coeff(pair, a, b), mass, sim->explicit_euler),
+				style->limit(ts_pair_law(pair, a, b), mass, sim->explicit_euler),
 				!sim->explicit_euler, &self->where,
 				"a contact of types %d and %d (m* = %.4g)%s", a, b, mass,
 				sim->explicit_euler ? " under fix nve/euler" : "");

@@ -3,7 +3,7 @@
 #define TS_NEIGH_PAIR_H
 
 #include "core/coeff.h"
-#include "law/contact.h"
+#include "law/granular_force.h"
 #include "neigh/neigh.h"
 #include "particles/particles.h"
 
@@ -12,18 +12,19 @@ struct ts_pair_style {
 	size_t coeff_size; /* bytes that the rows style.coeff fill, the arguments of pair_coeff */
 	/* Checks an entry and derives constants; the words have been parsed. */
 	enum ts_status (*complete)(struct tsim *sim, void *coeff, const struct ts_place *where);
-	/* The law, for one contact: used by walls, outputs and tests. */
-	ts_contact_law *law;
-	/* Largest stable step of a contact of this effective mass. */
-	double (*limit)(const void *coeff, double mass, bool explicit_euler);
-	size_t history_width;
-	const signed char *history_sign;
+	/* Where in an entry the constants of the law are. */
+	size_t law_offset;
+	/* Largest stable step of a contact of this effective mass; NULL: not known. */
+	double (*limit)(const struct ts_granular_pair *law, double mass, bool explicit_euler);
 };
 
 /* First member of every pair style's state. */
 struct ts_pair {
 	struct ts_coeffs coeffs; /* entry of types a, b: a * (ntypes + 1) + b, types from 1 */
 	int ntypes;
+	size_t law_offset;		/* in an entry */
+	struct ts_granular_model model; /* the law: used by rows, walls, outputs and tests */
+	signed char memory_sign[TS_GRANULAR_MEMORY + 1];
 };
 
 static inline const struct ts_pair_style *ts_pair_style_of(const struct ts_instance *inst)
@@ -31,9 +32,11 @@ static inline const struct ts_pair_style *ts_pair_style_of(const struct ts_insta
 	return (const struct ts_pair_style *)inst->style;
 }
 
-static inline const void *ts_pair_coeff(const struct ts_pair *pair, int a, int b)
+static inline const struct ts_granular_pair *ts_pair_law(const struct ts_pair *pair, int a, int b)
 {
-	return ts_coeff(&pair->coeffs, (size_t)(a * (pair->ntypes + 1) + b));
+	const char *entry = ts_coeff(&pair->coeffs, (size_t)(a * (pair->ntypes + 1) + b));
+
+	return (const struct ts_granular_pair *)(entry + pair->law_offset);
 }
 
 /* What pair_coeff does. */
@@ -46,6 +49,8 @@ enum ts_status ts_pair_row(struct tsim *sim, const struct ts_word *style, const 
 double ts_pair_number(const struct tsim *sim, const struct ts_arg *row, int a, int b);
 enum ts_status ts_pair_set_number(struct tsim *sim, const struct ts_arg *row, int a, int b,
 				  double value, const struct ts_place *where);
+/* Makes room for the coefficients of all types. */
+enum ts_status ts_pair_prepare(struct tsim *sim, struct ts_instance *self);
 /* Shared by all pair styles: slots of struct ts_style. */
 enum ts_status ts_pair_init(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_pair_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a);

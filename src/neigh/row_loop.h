@@ -1,19 +1,21 @@
 /* The loop over contact rows, written once. A pair style makes a share function that calls
- * ts_row_share with its law: as a constant function the law is inlined, through the style's pointer
- * the same loop is the generic instance. Both give the same bits. */
+ * ts_row_share with a constant model: the compiler keeps only what that model has. With the model
+ * of the style's state the same loop is the generic instance. Both give the same bits. */
 #ifndef TS_NEIGH_ROW_LOOP_H
 #define TS_NEIGH_ROW_LOOP_H
 
 #include <math.h>
 
 #include "base/parallel.h"
+#include "law/granular_force.h"
 #include "neigh/pair.h"
 
 struct ts_row_task {
 	const struct ts_particles *p;
 	struct ts_rows *rows;
 	const struct ts_pair *pair;
-	ts_contact_law *law; /* of the generic instance */
+	double dt;
+	bool advance; /* contacts remember: false in the set-up of a run */
 };
 
 /* Rows are looked at in blocks: first which of them touch, then the forces of those. Whether a row
@@ -34,8 +36,11 @@ ts_row_distance2(const struct ts_particles *p, size_t i, size_t j, double d[3])
 static inline void ts_row_part(struct ts_rows *rows, size_t r)
 {
 	rows->touching[r] = 0;
-	for (int k = 0; k < 3; k++)
+	for (int k = 0; k < 3; k++) {
 		rows->force[r][k] = 0;
+		if (rows->turn)
+			rows->turn[r][k] = rows->roll[r][k] = 0;
+	}
 	for (size_t k = 0; k < rows->history_width; k++)
 		rows->history[r * rows->history_width + k] = 0;
 }
@@ -61,23 +66,58 @@ static inline __attribute__((always_inline)) size_t ts_row_find(const struct ts_
 	return n;
 }
 
-static inline __attribute__((always_inline)) void
-ts_row_contact(const struct ts_particles *p, size_t i, size_t j, struct ts_contact *c)
+/* What the laws need to know of the partners, as far as the model has laws that ask. */
+static inline __attribute__((always_inline)) void ts_row_touch(const struct ts_particles *p,
+							       size_t i, size_t j,
+							       const struct ts_granular_model *m,
+							       struct ts_touch *t)
 {
 	const double *vi = p->v[i], *vj = p->v[j];
-	double d[3], distance = sqrt(ts_row_distance2(p, i, j, d));
+	double d[3], v[3], distance = sqrt(ts_row_distance2(p, i, j, d));
 	/* coincident centres: no direction, no force */
 	double inverse = distance > 0 ? 1 / distance : 0;
 
-	for (int k = 0; k < 3; k++)
-		c->n[k] = d[k] * inverse;
-	c->overlap = p->radius[i] + p->radius[j] - distance;
-	c->vn = (vi[0] - vj[0]) * c->n[0] + (vi[1] - vj[1]) * c->n[1] + (vi[2] - vj[2]) * c->n[2];
-	c->mass = 1 / (p->imass[i] + p->imass[j]);
+	t->wall = false;
+	t->distance = distance;
+	t->radius[0] = p->radius[i];
+	t->radius[1] = p->radius[j];
+	t->overlap = t->radius[0] + t->radius[1] - distance;
+	t->r_eff = t->radius[0] * t->radius[1] / (t->radius[0] + t->radius[1]);
+	t->m_eff = 1 / (p->imass[i] + p->imass[j]);
+	t->mass[0] = p->mass[i];
+	t->mass[1] = p->mass[j];
+	for (int k = 0; k < 3; k++) {
+		t->n[k] = d[k] * inverse;
+		v[k] = vi[k] - vj[k];
+	}
+	t->arm[0] = t->radius[0] - 0.5 * t->overlap;
+	t->arm[1] = t->radius[1] - 0.5 * t->overlap;
+	if (ts_granular_turns(m))
+		ts_touch_motion(t, v, p->omega[i], p->omega[j]);
+	else
+		t->vn = ts_dot(v, t->n);
 }
 
-static inline __attribute__((always_inline)) void
-ts_row_share(const struct ts_row_task *task, size_t from, size_t to, ts_contact_law *law)
+static inline __attribute__((always_inline)) void ts_row_store(struct ts_rows *rows, size_t r,
+							       const struct ts_granular_model *m,
+							       const struct ts_touch *t,
+							       const struct ts_granular_force *f)
+{
+	rows->touching[r] = 1;
+	for (int k = 0; k < 3; k++)
+		rows->force[r][k] = f->force[k];
+	if (!ts_granular_turns(m))
+		return;
+	rows->half[r] = 0.5 * t->overlap;
+	for (int k = 0; k < 3; k++) {
+		rows->turn[r][k] = f->turn[k];
+		rows->roll[r][k] = f->roll[k];
+	}
+}
+
+static inline __attribute__((always_inline)) void ts_row_share(const struct ts_row_task *task,
+							       size_t from, size_t to,
+							       const struct ts_granular_model *m)
 {
 	/* copies, so that the compiler knows that the stores below leave the pointers alone */
 	const struct ts_particles p = *task->p;
@@ -92,28 +132,28 @@ ts_row_share(const struct ts_row_task *task, size_t from, size_t to, ts_contact_
 
 		for (size_t k = 0; k < n; k++) {
 			size_t r = list[k], i = (size_t)rows.i[r], j = (size_t)rows.j[r];
-			struct ts_contact c;
-			double fn;
+			struct ts_granular_force f;
+			struct ts_touch t;
 
-			ts_row_contact(&p, i, j, &c);
-			fn = law(ts_pair_coeff(&pair, p.type[i], p.type[j]), &c,
-				 width ? rows.history + r * width : NULL);
-			for (int d = 0; d < 3; d++)
-				rows.force[r][d] = fn * c.n[d];
-			rows.touching[r] = 1;
+			ts_row_touch(&p, i, j, m, &t);
+			ts_granular_contact(m, ts_pair_law(&pair, p.type[i], p.type[j]), &t,
+					    task->dt, task->advance,
+					    width ? rows.history + r * width : NULL, &f);
+			ts_row_store(&rows, r, m, &t, &f);
 		}
 	}
 }
 
 /* Forces of all rows by the shares, then the sum of each particle. */
-static inline void ts_row_loop(struct tsim *sim, const struct ts_pair *pair, ts_contact_law *law,
-			       ts_share_fn *share)
+static inline void ts_row_loop(struct tsim *sim, const struct ts_pair *pair, ts_share_fn *share)
 {
 	struct ts_rows *rows = &sim->neigh->rows;
-	struct ts_row_task task = { sim->particles, rows, pair, law };
+	struct ts_row_task task = { sim->particles, rows, pair, sim->clock.dt, !sim->in_setup };
 
 	ts_parallel(ts_team(sim, rows->n), rows->n, share, &task);
 	ts_gather_forces(sim, &rows->gather, (const double(*)[3])rows->force);
+	if (rows->turn)
+		ts_rows_gather_torques(sim, rows);
 }
 
 #endif

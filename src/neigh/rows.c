@@ -155,6 +155,11 @@ static enum ts_status reserve(struct ts_rows *rows, size_t n)
 	GROW_COLUMN(winding);
 	GROW_COLUMN(force);
 	GROW_COLUMN(touching);
+	if (rows->turn) {
+		GROW_COLUMN(turn);
+		GROW_COLUMN(roll);
+		GROW_COLUMN(half);
+	}
 #undef GROW_COLUMN
 	if (rows->history_width)
 		TS_TRY(ts_grow((void **)&rows->history, &hcap, capacity * width,
@@ -183,6 +188,11 @@ static void fill_rows(struct ts_rows *rows, const struct ts_particles *p, const 
 	}
 	if (r)
 		memset(rows->force, 0, r * sizeof *rows->force);
+	if (r && rows->turn) {
+		memset(rows->turn, 0, r * sizeof *rows->turn);
+		memset(rows->roll, 0, r * sizeof *rows->roll);
+		memset(rows->half, 0, r * sizeof *rows->half);
+	}
 	if (r && rows->history_width)
 		memset(rows->history, 0, r * rows->history_width * sizeof *rows->history);
 }
@@ -269,6 +279,67 @@ enum ts_status ts_rows_build(struct tsim *sim, struct ts_rows *rows, double skin
 	return status;
 }
 
+struct torques {
+	const struct ts_rows *rows;
+	struct ts_particles *p;
+};
+
+static void torque_share(void *context, size_t from, size_t to)
+{
+	static const double signs[] = { 1, -1 };
+	const struct torques *t = context;
+	const struct ts_rows *rows = t->rows;
+	const struct ts_gather *g = &rows->gather;
+
+	for (size_t i = from; i < to; i++) {
+		double total[3] = { 0 };
+
+		for (size_t k = g->first[i]; k < g->first[i + 1]; k++) {
+			uint32_t r = g->entry[k] >> 1;
+			double sign = signs[g->entry[k] & 1], arm = t->p->radius[i] - rows->half[r];
+
+			for (int d = 0; d < 3; d++)
+				total[d] += arm * rows->turn[r][d] + sign * rows->roll[r][d];
+		}
+		for (int d = 0; d < 3; d++)
+			t->p->torque[i][d] += total[d];
+	}
+}
+
+void ts_rows_gather_torques(struct tsim *sim, const struct ts_rows *rows)
+{
+	struct torques t = { rows, sim->particles };
+
+	ts_parallel(ts_team(sim, sim->particles->n), sim->particles->n, torque_share, &t);
+}
+
+static void free_torques(struct ts_rows *rows)
+{
+	ts_free(rows->turn);
+	ts_free(rows->roll);
+	ts_free(rows->half);
+	rows->turn = rows->roll = NULL;
+	rows->half = NULL;
+}
+
+enum ts_status ts_rows_set_torques(struct tsim *sim, struct ts_rows *rows, bool wanted)
+{
+	size_t n = rows->capacity ? rows->capacity : 1;
+
+	if (wanted == (rows->turn != NULL))
+		return TS_OK;
+	free_torques(rows);
+	if (!wanted)
+		return TS_OK;
+	rows->turn = ts_alloc_aligned(n, sizeof *rows->turn);
+	rows->roll = ts_alloc_aligned(n, sizeof *rows->roll);
+	rows->half = ts_alloc_aligned(n, sizeof *rows->half);
+	if (rows->turn && rows->roll && rows->half)
+		return TS_OK;
+	free_torques(rows);
+	return ts_nomem(&sim->error);
+}
+
 void ts_rows_release(struct ts_rows *rows)
 {
 	ts_free(rows->i);
@@ -279,6 +350,7 @@ void ts_rows_release(struct ts_rows *rows)
 	ts_free(rows->winding);
 	ts_free(rows->force);
 	ts_free(rows->touching);
+	free_torques(rows);
 	ts_free(rows->history);
 	ts_gather_release(&rows->gather);
 	*rows = (struct ts_rows){ 0 };

@@ -24,6 +24,9 @@ struct ts_rows {
 	uint8_t *image;	    /* which image of j: 13 = itself; see ts_image_code */
 	int32_t *winding;   /* which image, in a way that wrapping does not change; ts_winding */
 	double (*force)[3]; /* on i; j gets the opposite. Zero where not touching */
+	/* torques, NULL where contacts turn nobody: on either partner (radius - half) turn, and
+	 * roll on i, its opposite on j */
+	double (*turn)[3], (*roll)[3], *half;
 	uint8_t *touching;
 	double *history; /* history_width numbers per row; zero where never touched */
 	size_t history_width;
@@ -51,6 +54,11 @@ typedef bool ts_excluded_fn(const struct tsim *sim, size_t i, size_t j);
 enum ts_status ts_rows_build(struct tsim *sim, struct ts_rows *rows, double skin,
 			     ts_excluded_fn *excluded);
 
+/* Adds the torques of the rows to the particles' torque column. */
+void ts_rows_gather_torques(struct tsim *sim, const struct ts_rows *rows);
+
+/* Makes columns of torques, or frees them. */
+enum ts_status ts_rows_set_torques(struct tsim *sim, struct ts_rows *rows, bool wanted);
 enum ts_status ts_rows_set_history(struct tsim *sim, struct ts_rows *rows, size_t width,
 				   const signed char *sign);
 void ts_rows_release(struct ts_rows *rows);

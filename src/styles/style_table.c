@@ -141,6 +141,7 @@ TS_STYLE(fix, ts_style, ts_fix_nve_symplectic)
 TS_STYLE(fix, ts_style, ts_fix_planeforce)
 TS_STYLE(fix, ts_style, ts_fix_print)
 TS_STYLE(fix, ts_style, ts_fix_property_atom)
+TS_STYLE(fix, ts_style, ts_fix_property_global)
 TS_STYLE(fix, ts_style, ts_fix_setforce)
 TS_STYLE(fix, ts_style, ts_fix_store_state)
 TS_STYLE(fix, ts_style, ts_fix_vector)
@@ -148,6 +149,7 @@ TS_STYLE(fix, ts_style, ts_fix_viscous)
 TS_STYLE(fix, ts_style, ts_fix_wall_gran)
 TS_STYLE(fix, ts_style, ts_fix_wall_reflect)
 TS_STYLE(flow, ts_flow_style, ts_flow_uniform)
+TS_STYLE(pair, ts_pair_style, ts_pair_gran)
 TS_STYLE(pair, ts_pair_style, ts_pair_spring_dashpot)
 TS_STYLE(region, ts_region_style, ts_region_block)
 TS_STYLE(region, ts_region_style, ts_region_cone)
@@ -294,6 +296,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_planeforce,
 	&ts_fix_print,
 	&ts_fix_property_atom,
+	&ts_fix_property_global,
 	&ts_fix_setforce,
 	&ts_fix_store_state,
 	&ts_fix_vector,
@@ -301,6 +304,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_wall_gran,
 	&ts_fix_wall_reflect,
 	&ts_flow_uniform.style,
+	&ts_pair_gran.style,
 	&ts_pair_spring_dashpot.style,
 	&ts_region_block.style,
 	&ts_region_cone.style,

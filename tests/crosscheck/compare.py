@@ -8,7 +8,8 @@ a vector, that of its three components together). With SPREAD the means of the l
 by that fraction: of the height, of the kinetic energy. Prints the largest deviations."""
 import sys
 
-VECTORS = {'x': 'xyz', 'v': ('vx', 'vy', 'vz'), 'f': ('fx', 'fy', 'fz')}
+VECTORS = {'x': 'xyz', 'v': ('vx', 'vy', 'vz'), 'f': ('fx', 'fy', 'fz'),
+           'omega': ('omegax', 'omegay', 'omegaz'), 'torque': ('tqx', 'tqy', 'tqz')}
 
 
 def frames(name):
@@ -49,17 +50,20 @@ def main():
         if step > until:
             continue
         for vector, names in VECTORS.items():
+            if names[0] not in a:
+                scale.pop(vector, None)
+                continue
             for name in names:
                 scale[vector] = max([scale[vector]] + [abs(u) for u in a[name]])
                 most[vector] = max([most[vector]] +
                                    [abs(u - w) for u, w in zip(a[name], b[name])])
     for vector, largest in scale.items():
-        if largest == 0:
+        if largest == 0 and vector in 'xvf':
             problems.append(f'{vector} is 0 everywhere: nothing is compared')
         elif most[vector] > tolerance * largest:
             problems.append(f'{vector} deviates')
     print(f'{count} frames,', ', '.join(
-        f'{vector} {most[vector] / (scale[vector] or 1):.1e}' for vector in VECTORS))
+        f'{vector} {most[vector] / (scale[vector] or 1):.1e}' for vector in scale))
     if count < 2:
         problems.append('no frames')
     if spread is not None:

@@ -44,7 +44,7 @@ static double stiffness(const void *coeff)
 static double limit(const void *coeff, double mass, bool explicit_euler)
 {
 	const struct coeff *c = coeff;
-	const struct ts_spring_dashpot same = { .stiffness = c->stiffness, .constant = c->damping };
+	const struct ts_granular_pair same = { .kn = c->stiffness, .gamman = c->damping };
 
 	return ts_spring_dashpot_limit(&same, mass, explicit_euler);
 }

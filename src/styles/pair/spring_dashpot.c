@@ -25,38 +25,35 @@ static enum ts_status complete(struct tsim *sim, void *coeff, const struct ts_pl
 	return TS_OK;
 }
 
-static double law(const void *coeff, const struct ts_contact *contact, double *history)
-{
-	(void)history;
-	return ts_spring_dashpot_force(coeff, contact);
-}
-
-static double limit(const void *coeff, double mass, bool explicit_euler)
-{
-	return ts_spring_dashpot_limit(coeff, mass, explicit_euler);
-}
+static const struct ts_granular_model spring = { .normal = TS_NORMAL_SPRING };
 
 static void specialised(void *task, size_t from, size_t to)
 {
-	ts_row_share(task, from, to, law);
+	ts_row_share(task, from, to, &spring);
 }
 
 static void generic(void *task, size_t from, size_t to)
 {
-	ts_row_share(task, from, to, ((const struct ts_row_task *)task)->law);
+	ts_row_share(task, from, to, &((const struct ts_row_task *)task)->pair->model);
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	((struct spring_dashpot *)self->state)->pair.model = spring;
+	return ts_pair_init(self, sim);
 }
 
 static enum ts_status force(struct ts_instance *self, struct tsim *sim)
 {
 	const struct spring_dashpot *s = self->state;
 
-	ts_row_loop(sim, &s->pair, law, s->generic ? generic : specialised);
+	ts_row_loop(sim, &s->pair, s->generic ? generic : specialised);
 	return TS_OK;
 }
 
 static const struct ts_arg args[] = {
 	TS_FLAG("generic", struct spring_dashpot, generic,
-		.help = "call the law through its pointer, to compare with the specialised loop"),
+		.help = "the loop for any contact law, to compare with the specialised one"),
 	TS_ARGS_END,
 };
 
@@ -98,12 +95,12 @@ const struct ts_pair_style ts_pair_spring_dashpot = {
 		   .state_size = sizeof(struct spring_dashpot),
 		   .archive = ts_pair_archive,
 		   .fingerprint = ts_pair_fingerprint,
-		   .init = ts_pair_init,
+		   .init = init,
 		   .hook = { [TS_STAGE_FORCE] = force },
 		   .plan = ts_pair_plan,
 		   .fini = ts_pair_fini },
 	.coeff_size = sizeof(struct ts_spring_dashpot),
 	.complete = complete,
-	.law = law,
-	.limit = limit,
+	.law_offset = offsetof(struct ts_spring_dashpot, law),
+	.limit = ts_spring_dashpot_limit,
 };

@@ -1,0 +1,37 @@
+/* Cohesion: a pull -k A along n, k the energy density of cohesion, A an area of contact.
+ *
+ * sjkr    A = the circle in which the spheres cut each other,
+ *         -pi/4 (r-Ri-Rj)(r+Ri-Rj)(r-Ri+Rj)(r+Ri+Rj)/r^2; at a wall pi (R^2 - r^2)
+ * sjkr2   A = 2 pi delta 2R*; at a wall 2 pi delta R: LIGGGHTS' value, half the limit of an
+ * infinitely large partner */
+#ifndef TS_LAW_COHESION_H
+#define TS_LAW_COHESION_H
+
+#include "law/normal.h"
+
+/* The circle in which two overlapping spheres cut each other, or a sphere and a plane. */
+static inline double ts_lens_area(const struct ts_touch *t)
+{
+	double r = t->distance, ri = t->radius[0], rj = t->radius[1];
+
+	if (t->wall)
+		return TS_PI * (ri * ri - r * r);
+	return -TS_PI / 4 * (r - ri - rj) * (r + ri - rj) * (r - ri + rj) * (r + ri + rj) / (r * r);
+}
+
+/* The force to be added to F_n. */
+static inline double ts_cohesion_force(const struct ts_granular_model *m,
+				       const struct ts_granular_pair *c, const struct ts_touch *t)
+{
+	switch (m->cohesion) {
+	case TS_COHESION_SJKR:
+		return -c->cohesion * ts_lens_area(t);
+	case TS_COHESION_SJKR2:
+		return -c->cohesion * 2 * TS_PI * t->overlap *
+		       (t->wall ? t->radius[0] : 2 * t->r_eff);
+	default:
+		return 0;
+	}
+}
+
+#endif

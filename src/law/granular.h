@@ -1,0 +1,56 @@
+/* The contact model of granular materials: which laws it is made of, and their constants for a pair
+ * of materials. The laws themselves: law/normal.h, cohesion.h, tangential.h, rolling.h;
+ * law/granular_force.h puts them together in the order normal, cohesion, tangential, rolling. */
+#ifndef TS_LAW_GRANULAR_H
+#define TS_LAW_GRANULAR_H
+
+#include <stdbool.h>
+
+enum ts_normal_law {
+	TS_NORMAL_OFF,
+	TS_NORMAL_SPRING,
+	TS_NORMAL_HOOKE,
+	TS_NORMAL_HERTZ,
+	TS_NORMAL_HOOKE_STIFFNESS,
+	TS_NORMAL_HERTZ_STIFFNESS,
+	TS_NORMAL_HOOKE_HYSTERESIS,
+	TS_NNORMAL
+};
+enum ts_tangential_law { TS_TANGENTIAL_OFF, TS_TANGENTIAL_HISTORY, TS_TANGENTIAL_NO_HISTORY };
+enum ts_rolling_law {
+	TS_ROLLING_OFF,
+	TS_ROLLING_CDT,
+	TS_ROLLING_EPSD,
+	TS_ROLLING_EPSD2,
+	TS_ROLLING_EPSD3
+};
+enum ts_cohesion_law { TS_COHESION_OFF, TS_COHESION_SJKR, TS_COHESION_SJKR2 };
+
+struct ts_granular_model {
+	int normal, tangential, rolling, cohesion;
+	bool no_tension;	       /* limitForce: F_n >= 0 */
+	bool no_tangential_damping;    /* tangential_damping off */
+	bool absolute_damping;	       /* of the stiffness laws: gamma is not multiplied by m* */
+	bool tangential_stiffness_2_7; /* ktToKnUser: k_t = 2/7 k_n */
+	bool viscous;		       /* hooke: restitution by the Stokes number */
+	bool reduce;  /* tangential_reduce: cohesion lowers the limit of friction */
+	bool torsion; /* torsionTorque: rolling friction resists spinning too */
+	bool plane;   /* two dimensions: discs roll */
+};
+
+/* Constants of a pair of materials; each law uses its own few. */
+struct ts_granular_pair {
+	double young, shear;	       /* Y*, G* */
+	double log_restitution;	       /* ln e */
+	double damping;		       /* beta = ln e / sqrt(ln^2 e + pi^2), <= 0 */
+	double velocity;	       /* characteristic velocity V */
+	double kn, kt, gamman, gammat; /* as given by the user */
+	double gamman_root;	       /* spring: gamma_n += gamman_root sqrt(m*) */
+	double friction;	       /* mu */
+	double rolling_friction, rolling_viscosity, rolling_stiffness; /* mu_r, eta_r */
+	double cohesion;					       /* energy density */
+	double viscosity, critical_stokes, largest_restitution;	       /* of the fluid between */
+	double unloading, adhesion, plasticity;			       /* k2max/k1, kc/k1, phi */
+};
+
+#endif

@@ -1,0 +1,71 @@
+/* The whole contact: normal, cohesion, tangential, rolling, in this order. With a constant model
+ * the compiler keeps only what the model has. */
+#ifndef TS_LAW_GRANULAR_FORCE_H
+#define TS_LAW_GRANULAR_FORCE_H
+
+#include "law/cohesion.h"
+#include "law/rolling.h"
+#include "law/tangential.h"
+
+/* What acts on i; on j: -force, arm_j * turn, -roll. */
+struct ts_granular_force {
+	double force[3];
+	double turn[3]; /* -n x F_t: times the arm of a partner its torque by the tangential force
+			 */
+	double roll[3]; /* torque of rolling friction on i */
+	double normal;	/* F_n, with cohesion */
+};
+
+static inline bool ts_granular_turns(const struct ts_granular_model *m)
+{
+	return m->tangential != TS_TANGENTIAL_OFF || m->rolling != TS_ROLLING_OFF;
+}
+
+/* The memory of a contact: where each law keeps its part, and how many numbers in all. */
+static inline int ts_granular_rolling_at(const struct ts_granular_model *m)
+{
+	return m->tangential == TS_TANGENTIAL_HISTORY ? 3 : 0;
+}
+
+static inline int ts_granular_depth_at(const struct ts_granular_model *m)
+{
+	return ts_granular_rolling_at(m) + (m->rolling > TS_ROLLING_CDT ? 3 : 0);
+}
+
+/* What changes sign when i and j change places: all but the depth of hysteresis. */
+static inline void ts_granular_memory_signs(const struct ts_granular_model *m, signed char sign[])
+{
+	for (int k = 0; k <= ts_granular_depth_at(m); k++)
+		sign[k] = k < ts_granular_depth_at(m) ? -1 : 1;
+}
+
+enum { TS_GRANULAR_MEMORY = 7 }; /* at most */
+static inline int ts_granular_memory(const struct ts_granular_model *m)
+{
+	return ts_granular_depth_at(m) + (m->normal == TS_NORMAL_HOOKE_HYSTERESIS);
+}
+
+/* `dt`: the time step; `advance`: false in the set-up of a run, when memory stands still. */
+static inline __attribute__((always_inline)) void
+ts_granular_contact(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+		    const struct ts_touch *t, double dt, bool advance, double *memory,
+		    struct ts_granular_force *out)
+{
+	struct ts_normal n;
+	double tangential[3], roll[3], pull;
+
+	ts_normal_force(m, c, t, advance, memory + ts_granular_depth_at(m), &n);
+	pull = ts_cohesion_force(m, c, t);
+	out->normal = n.force + pull;
+	if (m->reduce)
+		n.limit += pull;
+	ts_tangential_force(m, c, t, &n, advance ? dt : 0, memory, tangential);
+	ts_rolling_torque(m, c, t, &n, dt, advance, memory + ts_granular_rolling_at(m), roll);
+	ts_cross(tangential, t->n, out->turn);
+	for (int k = 0; k < 3; k++) {
+		out->force[k] = out->normal * t->n[k] + tangential[k];
+		out->roll[k] = -roll[k];
+	}
+}
+
+#endif

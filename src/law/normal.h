@@ -1,0 +1,154 @@
+/* Normal laws of contact: F_n = k_n delta - gamma_n v_n along n, > 0 repelling.
+ *
+ * hertz   s = sqrt(R* delta), S_n = 2 Y* s, S_t = 8 G* s; k_n = 4/3 Y* s, k_t = S_t,
+ *         gamma = -2 sqrt(5/6) beta sqrt(S m*)
+ *         (H. Hertz, J. reine angew. Math. 92 (1881) 156; damping: Y. Tsuji, T. Tanaka, T. Ishida,
+ *         Powder Technol. 71 (1992) 239)
+ * hooke   k_n = 16/15 sqrt(R*) Y* (15 m* V^2 / (16 sqrt(R*) Y*))^(1/5), k_t = k_n,
+ *         gamma = sqrt(4 m* k_n / (1 + (pi / ln e)^2)): the linear spring whose largest overlap at
+ * the impact velocity V is that of hertz spring  k_n and gamma_n as given, or gamma_n for a
+ * restitution (law/spring_dashpot.h); no tangential part hooke/stiffness, hertz/stiffness   the
+ * user's k and gamma, the latter times sqrt(R* delta) hooke/hysteresis   loading k_1 (hooke's k_n),
+ * unloading k_2 up to k_2max, adhesion k_c (O. R. Walton, R. L. Braun, J. Rheol. 30 (1986) 949; S.
+ * Luding, Granul. Matter 10 (2008) 235) */
+#ifndef TS_LAW_NORMAL_H
+#define TS_LAW_NORMAL_H
+
+#include <math.h>
+
+#include "law/granular.h"
+#include "law/touch.h"
+
+struct ts_normal {
+	double kn, kt, gamman, gammat;
+	double force; /* F_n: elastic and damping part */
+	double limit; /* what friction is limited by */
+};
+
+#define TS_PI 3.14159265358979323846
+#define TS_SQRT_5_6 0.91287092917527685576
+
+static inline void ts_normal_hertz(const struct ts_granular_pair *c, const struct ts_touch *t,
+				   struct ts_normal *f)
+{
+	double s = sqrt(t->r_eff * t->overlap), sn = 2 * c->young * s, st = 8 * c->shear * s;
+
+	f->kn = 4.0 / 3.0 * c->young * s;
+	f->kt = st;
+	f->gamman = -2 * TS_SQRT_5_6 * c->damping * sqrt(sn * t->m_eff);
+	f->gammat = -2 * TS_SQRT_5_6 * c->damping * sqrt(st * t->m_eff);
+}
+
+static inline double ts_hooke_stiffness(const struct ts_granular_pair *c, const struct ts_touch *t)
+{
+	double a = sqrt(t->r_eff) * c->young;
+
+	return 16.0 / 15.0 * a * pow(15.0 / 16.0 * t->m_eff * c->velocity * c->velocity / a, 0.2);
+}
+
+static inline double ts_hooke_damping(double kn, double mass, double log_restitution)
+{
+	double l2 = log_restitution * log_restitution;
+
+	return sqrt(4 * mass * kn * l2 / (l2 + TS_PI * TS_PI));
+}
+
+/* Between wet grains the restitution falls with the Stokes number: ln e = ln e_max + St_c / St
+ * (J. A. Simeonov, J. Calantoni, Granul. Matter 14 (2012) 1). */
+static inline double ts_viscous_log_restitution(const struct ts_granular_pair *c,
+						const struct ts_touch *t)
+{
+	double stokes = t->m_eff * t->vn / (6 * TS_PI * c->viscosity * t->r_eff * t->r_eff);
+
+	return log(c->largest_restitution) + c->critical_stokes / stokes;
+}
+
+static inline void ts_normal_hooke(const struct ts_granular_model *m,
+				   const struct ts_granular_pair *c, const struct ts_touch *t,
+				   struct ts_normal *f)
+{
+	double log_e = m->viscous ? ts_viscous_log_restitution(c, t) : c->log_restitution;
+
+	f->kn = ts_hooke_stiffness(c, t);
+	f->kt = m->tangential_stiffness_2_7 ? 0.285714286 * f->kn : f->kn;
+	f->gamman = f->gammat = ts_hooke_damping(f->kn, t->m_eff, log_e);
+}
+
+static inline void ts_normal_given(const struct ts_granular_model *m,
+				   const struct ts_granular_pair *c, const struct ts_touch *t,
+				   double factor, struct ts_normal *f)
+{
+	double damping = m->absolute_damping ? 1 : factor * t->m_eff;
+
+	f->kn = factor * c->kn;
+	f->kt = factor * c->kt;
+	f->gamman = damping * c->gamman;
+	f->gammat = damping * c->gammat;
+}
+
+/* The elastic force of hooke/hysteresis. *deepest: the largest overlap so far; it changes only when
+ * `advance` is set. */
+static inline double ts_hysteretic_force(const struct ts_granular_pair *c, const struct ts_touch *t,
+					 double k1, bool advance, double *deepest)
+{
+	double k2max = c->unloading * k1, kc = c->adhesion * k1, delta = t->overlap;
+	double softening = k2max / (k2max - k1), most = fmax(*deepest, delta), k2, force;
+	double depth = softening * c->plasticity * 2 * t->r_eff; /* where k_2 is k_2max */
+
+	if (most >= depth) {
+		k2 = k2max;
+		force = k2 * (delta - depth) + k1 * depth;
+	} else {
+		k2 = k1 + (k2max - k1) * most / depth;
+		force = fmin(k2 * (delta - most) + k1 * most, k1 * delta);
+	}
+	if (force < -kc * delta) { /* along the branch of adhesion the memory fades */
+		force = -kc * delta;
+		most = 0.5 *
+		       (delta + sqrt(delta * delta + 4 * (k1 + kc) * delta * depth / (k2max - k1)));
+	}
+	if (advance)
+		*deepest = most;
+	return force;
+}
+
+static inline void ts_normal_force(const struct ts_granular_model *m,
+				   const struct ts_granular_pair *c, const struct ts_touch *t,
+				   bool advance, double *deepest, struct ts_normal *f)
+{
+	double elastic;
+
+	switch (m->normal) {
+	case TS_NORMAL_SPRING:
+		*f = (struct ts_normal){ .kn = c->kn, .gamman = c->gamman };
+		if (c->gamman_root != 0)
+			f->gamman = c->gamman_root * sqrt(t->m_eff);
+		break;
+	case TS_NORMAL_HERTZ:
+		ts_normal_hertz(c, t, f);
+		break;
+	case TS_NORMAL_HOOKE:
+	case TS_NORMAL_HOOKE_HYSTERESIS:
+		ts_normal_hooke(m, c, t, f);
+		break;
+	case TS_NORMAL_HOOKE_STIFFNESS:
+		ts_normal_given(m, c, t, 1, f);
+		break;
+	case TS_NORMAL_HERTZ_STIFFNESS:
+		ts_normal_given(m, c, t, sqrt(t->r_eff * t->overlap), f);
+		break;
+	default:
+		*f = (struct ts_normal){ 0 };
+	}
+	if (m->no_tangential_damping)
+		f->gammat = 0;
+	elastic = f->kn * t->overlap;
+	if (m->normal == TS_NORMAL_HOOKE_HYSTERESIS)
+		elastic = ts_hysteretic_force(c, t, f->kn, advance, deepest);
+	f->force = elastic - f->gamman * t->vn;
+	if (m->no_tension)
+		f->force = fmax(f->force, 0);
+	f->limit = f->force;
+}
+
+#endif

@@ -1,0 +1,91 @@
+/* Rolling friction: a torque -T_r on i and +T_r on j against the relative rotation w_r.
+ *
+ * cdt     T_r = mu_r k_n delta R* w_r / |w_r|
+ * epsd    a spring along the rolled angle, M += k_r w_r h, k_r = 2.25 k_n mu_r^2 R*^2, at most
+ *         mu_r |F_n| R*; below that with a dashpot 2 eta_r sqrt(I k_r) w_r
+ * epsd2   k_r = k_t R*^2, no dashpot
+ * epsd3   k_r = given factor times k_n mu_r^2 R*^2
+ *         (J. Ai, J.-F. Chen, J. M. Rotter, J. Y. Ooi, Powder Technol. 206 (2011) 269; K. Iwashita,
+ *         M. Oda, J. Eng. Mech. 124 (1998) 285)
+ *
+ * The part of w_r along n, a spin, is left out unless the model has torsion. */
+#ifndef TS_LAW_ROLLING_H
+#define TS_LAW_ROLLING_H
+
+#include "law/normal.h"
+
+/* Friction of constant torque follows the elastic force k_n delta, and projects the torque after it
+ * has been made from the whole of |w_r|. */
+static inline void ts_rolling_constant(const struct ts_granular_model *m,
+				       const struct ts_granular_pair *c, const struct ts_touch *t,
+				       const struct ts_normal *n, double torque[3])
+{
+	double speed = ts_norm(t->roll);
+
+	torque[0] = torque[1] = torque[2] = 0;
+	if (speed > 0)
+		ts_scale(c->rolling_friction * n->kn * t->overlap * t->r_eff / speed, t->roll,
+			 torque);
+	if (!m->torsion)
+		ts_project(t->n, torque);
+}
+
+static inline double ts_rolling_stiffness(const struct ts_granular_model *m,
+					  const struct ts_granular_pair *c,
+					  const struct ts_touch *t, const struct ts_normal *n)
+{
+	double r2 = t->r_eff * t->r_eff, mu2 = c->rolling_friction * c->rolling_friction;
+
+	if (m->rolling == TS_ROLLING_EPSD2)
+		return n->kt * r2;
+	return (m->rolling == TS_ROLLING_EPSD3 ? c->rolling_stiffness : 2.25) * n->kn * mu2 * r2;
+}
+
+/* Of the rolling pair about the contact point. */
+static inline double ts_rolling_inertia(const struct ts_granular_model *m, const struct ts_touch *t)
+{
+	double factor = m->plane ? 1.5 : 1.4;
+	double a = t->mass[0] * t->radius[0] * t->radius[0];
+	double b = t->mass[1] * t->radius[1] * t->radius[1];
+
+	return t->wall ? factor * t->mass[0] * t->r_eff * t->r_eff : factor * a * b / (a + b);
+}
+
+/* The spring is advanced in set-up too, as LIGGGHTS does, but kept only in steps. */
+static inline void ts_rolling_spring(const struct ts_granular_model *m,
+				     const struct ts_granular_pair *c, const struct ts_touch *t,
+				     const struct ts_normal *n, double dt, bool advance,
+				     double stored[3], double torque[3])
+{
+	double k = ts_rolling_stiffness(m, c, t, n), length, dashpot = 0;
+	double limit = fabs(n->limit) * t->r_eff * c->rolling_friction;
+	double roll[3] = { t->roll[0], t->roll[1], t->roll[2] };
+
+	if (!m->torsion)
+		ts_project(t->n, roll);
+	for (int d = 0; d < 3; d++)
+		torque[d] = stored[d] + k * dt * roll[d];
+	length = ts_norm(torque);
+	if (length > limit)
+		ts_scale(limit / length, torque, torque);
+	else if (m->rolling != TS_ROLLING_EPSD2)
+		dashpot = 2 * c->rolling_viscosity * sqrt(ts_rolling_inertia(m, t) * k);
+	for (int d = 0; d < 3 && advance; d++)
+		stored[d] = torque[d];
+	ts_axpy(dashpot, roll, torque);
+}
+
+static inline void ts_rolling_torque(const struct ts_granular_model *m,
+				     const struct ts_granular_pair *c, const struct ts_touch *t,
+				     const struct ts_normal *n, double dt, bool advance,
+				     double *stored, double torque[3])
+{
+	if (m->rolling == TS_ROLLING_OFF)
+		torque[0] = torque[1] = torque[2] = 0;
+	else if (m->rolling == TS_ROLLING_CDT)
+		ts_rolling_constant(m, c, t, n, torque);
+	else
+		ts_rolling_spring(m, c, t, n, dt, advance, stored, torque);
+}
+
+#endif

@@ -1,0 +1,61 @@
+/* Tangential laws of contact.
+ *
+ * history      a spring along the slip since the first touch, xi: F_t = -k_t xi - gamma_t v_t, but
+ * at the limit mu |F_n| the spring alone, shortened to it, without damping (P. A. Cundall, O. D. L.
+ * Strack, Geotechnique 29 (1979) 47) no_history   F_t = -min(gamma_t, mu |F_n| / |v_t|) v_t
+ *
+ * xi is advanced by v_t h in each step and projected onto the plane of contact. */
+#ifndef TS_LAW_TANGENTIAL_H
+#define TS_LAW_TANGENTIAL_H
+
+#include "law/normal.h"
+
+static inline void ts_tangential_history(const struct ts_granular_pair *c, const struct ts_touch *t,
+					 const struct ts_normal *n, double step, double xi[3],
+					 double force[3])
+{
+	double limit = c->friction * fabs(n->limit), length, spring;
+
+	ts_axpy(step, t->slip, xi);
+	if (step > 0)
+		ts_project(t->n, xi);
+	length = ts_norm(xi);
+	spring = n->kt * length;
+	if (spring > limit) {
+		double share = limit / spring;
+
+		ts_scale(-n->kt * share, xi, force);
+		if (step > 0)
+			ts_scale(share, xi, xi);
+		return;
+	}
+	for (int k = 0; k < 3; k++)
+		force[k] = -n->kt * xi[k] - n->gammat * t->slip[k];
+}
+
+static inline void ts_tangential_no_history(const struct ts_granular_pair *c,
+					    const struct ts_touch *t, const struct ts_normal *n,
+					    double force[3])
+{
+	double limit = c->friction * fabs(n->limit), speed = ts_norm(t->slip), gamma = n->gammat;
+
+	if (gamma * speed > limit)
+		gamma = limit / speed;
+	ts_scale(-gamma, t->slip, force);
+}
+
+/* The force on i. `step`: by how much time the memory advances, 0 in set-up. */
+static inline void ts_tangential_force(const struct ts_granular_model *m,
+				       const struct ts_granular_pair *c, const struct ts_touch *t,
+				       const struct ts_normal *n, double step, double *xi,
+				       double force[3])
+{
+	if (m->tangential == TS_TANGENTIAL_HISTORY)
+		ts_tangential_history(c, t, n, step, xi, force);
+	else if (m->tangential == TS_TANGENTIAL_NO_HISTORY)
+		ts_tangential_no_history(c, t, n, force);
+	else
+		force[0] = force[1] = force[2] = 0;
+}
+
+#endif

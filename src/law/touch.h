@@ -1,0 +1,50 @@
+/* Two touching bodies, as contact laws see them: numbers in, forces and torques out. The same laws
+ * serve pairs, walls, meshes, tests and outputs.
+ *
+ * A wall is a partner of infinite radius and mass: R* = R_i, m* = m_i, and only the particle's own
+ * lever arm turns it. All vectors are seen from i; j gets the opposite force. */
+#ifndef TS_LAW_TOUCH_H
+#define TS_LAW_TOUCH_H
+
+#include <stdbool.h>
+
+#include "math/vec3.h"
+
+struct ts_touch {
+	double n[3];	     /* unit vector from j to i */
+	double distance;     /* of the centres; to a wall: of centre and surface */
+	double overlap;	     /* delta > 0 */
+	double radius[2];    /* of i and j; [1] = 0 for a wall */
+	double mass[2];	     /* of i and j; [1] = 0 for a wall */
+	double r_eff, m_eff; /* R*, m* */
+	double arm[2];	     /* from the centres to the contact point: R - delta/2 */
+	double vn;	     /* (v_i - v_j).n, < 0 while approaching */
+	double slip[3];	     /* tangential velocity of i relative to j at the contact point */
+	double roll[3];	     /* relative rotation that rolling friction resists */
+	bool wall;
+};
+
+/* Removes the part along n. */
+static inline void ts_project(const double n[3], double v[3])
+{
+	ts_axpy(-ts_dot(v, n), n, v);
+}
+
+/* Velocities at the contact: slip = v_t + n x (arm_i w_i + arm_j w_j). `v` is v_i - v_j. n, arm and
+ * wall are set. */
+static inline void ts_touch_motion(struct ts_touch *t, const double v[3], const double wi[3],
+				   const double wj[3])
+{
+	double turn[3], lift[3];
+
+	t->vn = ts_dot(v, t->n);
+	for (int k = 0; k < 3; k++) {
+		t->slip[k] = v[k] - t->vn * t->n[k];
+		turn[k] = t->arm[0] * wi[k] + t->arm[1] * wj[k];
+		t->roll[k] = t->wall ? turn[k] / t->distance : wi[k] - wj[k];
+	}
+	ts_cross(t->n, turn, lift);
+	ts_add(t->slip, lift, t->slip);
+}
+
+#endif

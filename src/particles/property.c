@@ -1,0 +1,67 @@
+#include "particles/property.h"
+
+#include "base/banned.h"
+
+const struct ts_property *ts_property_find(const struct tsim *sim, const char *name,
+					   const struct ts_instance **by)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+
+	for (size_t k = fixes->n; k-- > 0;) { /* the last one given */
+		const struct ts_property *p = fixes->item[k]->state;
+
+		if (!ts_streq(fixes->item[k]->style->name, "property/global") ||
+		    !ts_streq(p->name, name))
+			continue;
+		if (by)
+			*by = fixes->item[k];
+		return p;
+	}
+	return NULL;
+}
+
+static enum ts_status missing(struct tsim *sim, const char *name, const char *kind, const char *who,
+			      const struct ts_place *where)
+{
+	struct ts_suggest suggest = ts_suggest_start(name);
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+
+	for (size_t k = 0; k < fixes->n; k++)
+		if (ts_streq(fixes->item[k]->style->name, "property/global"))
+			ts_suggest_try(&suggest,
+				       ((const struct ts_property *)fixes->item[k]->state)->name);
+	return ts_fail(&sim->error, TS_STATE, where,
+		       "%s needs `fix ID all property/global %s %s ...`%s", who, name, kind,
+		       ts_suggest_text(&suggest));
+}
+
+enum ts_status ts_property_value(struct tsim *sim, const char *name, int a, int b, const char *who,
+				 const struct ts_place *where, double *out)
+{
+	const struct ts_instance *by;
+	const struct ts_property *p = ts_property_find(sim, name, &by);
+	size_t row = (size_t)(a > 0 ? a - 1 : 0), column = (size_t)(b > 0 ? b - 1 : 0);
+
+	if (!p)
+		return missing(sim, name,
+			       b   ? "peratomtypepair N"
+			       : a ? "peratomtype"
+				   : "scalar",
+			       who, where);
+	if (p->kind == TS_PROPERTY_SCALAR) {
+		*out = p->value[0];
+		return TS_OK;
+	}
+	if ((p->kind >= TS_PROPERTY_PAIR) != (b > 0))
+		return ts_fail(&sim->error, TS_STATE, &by->where,
+			       "%s: %s is given %s, but %s needs it for each %s", by->id, name,
+			       p->kind >= TS_PROPERTY_PAIR ? "per pair of types" : "per type", who,
+			       b > 0 ? "pair of types (peratomtypepair)" : "type (peratomtype)");
+	if (row >= p->n / p->columns || column >= p->columns)
+		return ts_fail(
+			&sim->error, TS_RANGE, &by->where,
+			"property/global %s has values for %zu types, but there is a type %d", name,
+			p->kind >= TS_PROPERTY_PAIR ? p->columns : p->n, a > b ? a : b);
+	*out = p->value[row * p->columns + column];
+	return TS_OK;
+}

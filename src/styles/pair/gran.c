@@ -1,0 +1,184 @@
+#include "neigh/materials.h"
+#include "neigh/pair.h"
+#include "neigh/row_loop.h"
+
+#include "base/banned.h"
+
+struct gran {
+	struct ts_pair pair;
+	struct ts_granular_words words;
+	bool generic;
+};
+
+/* The models that most scenes have get loops of their own. */
+static const struct ts_granular_model hertz_history = { .normal = TS_NORMAL_HERTZ,
+							.tangential = TS_TANGENTIAL_HISTORY };
+static const struct ts_granular_model hooke_history = { .normal = TS_NORMAL_HOOKE,
+							.tangential = TS_TANGENTIAL_HISTORY };
+
+static void share_hertz_history(void *task, size_t from, size_t to)
+{
+	ts_row_share(task, from, to, &hertz_history);
+}
+
+static void share_hooke_history(void *task, size_t from, size_t to)
+{
+	ts_row_share(task, from, to, &hooke_history);
+}
+
+static void share_generic(void *task, size_t from, size_t to)
+{
+	ts_row_share(task, from, to, &((const struct ts_row_task *)task)->pair->model);
+}
+
+static bool same_model(const struct ts_granular_model *a, const struct ts_granular_model *b)
+{
+	return a->normal == b->normal && a->tangential == b->tangential &&
+	       a->rolling == b->rolling && a->cohesion == b->cohesion &&
+	       a->no_tension == b->no_tension &&
+	       a->no_tangential_damping == b->no_tangential_damping &&
+	       a->absolute_damping == b->absolute_damping &&
+	       a->tangential_stiffness_2_7 == b->tangential_stiffness_2_7 &&
+	       a->viscous == b->viscous && a->reduce == b->reduce && a->torsion == b->torsion;
+}
+
+static ts_share_fn *share_of(const struct gran *g)
+{
+	static const struct {
+		const struct ts_granular_model *model;
+		ts_share_fn *share;
+	} fast[] = {
+		{ &hertz_history, share_hertz_history },
+		{ &hooke_history, share_hooke_history },
+	};
+
+	for (size_t k = 0; k < sizeof fast / sizeof *fast && !g->generic; k++)
+		if (same_model(&g->pair.model, fast[k].model))
+			return fast[k].share;
+	return share_generic;
+}
+
+/* All pairs of types that particles have. */
+static enum ts_status make_table(struct ts_instance *self, struct tsim *sim)
+{
+	struct gran *g = self->state;
+	const struct ts_particles *p = sim->particles;
+	int most = 0;
+
+	for (size_t i = 0; i < p->n; i++)
+		most = p->type[i] > most ? p->type[i] : most;
+	for (int a = 1; a <= most; a++) {
+		for (int b = 1; b <= most; b++) {
+			size_t k = (size_t)(a * (g->pair.ntypes + 1) + b);
+
+			TS_TRY(ts_granular_material(sim, &g->pair.model, a, b, "pair_style gran",
+						    &self->where, ts_coeff(&g->pair.coeffs, k)));
+			g->pair.coeffs.given[k] = true;
+		}
+	}
+	return TS_OK;
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct gran *g = self->state;
+
+	g->pair.model = ts_granular_model_of(sim, &g->words);
+	if (!sim->particles->ntypes)
+		return TS_OK;
+	TS_TRY(ts_pair_prepare(sim, self));
+	TS_TRY(make_table(self, sim));
+	return ts_pair_init(self, sim);
+}
+
+static enum ts_status force(struct ts_instance *self, struct tsim *sim)
+{
+	const struct gran *g = self->state;
+
+	ts_row_loop(sim, &g->pair, share_of(g));
+	return TS_OK;
+}
+
+static enum ts_status complete(struct tsim *sim, void *coeff, const struct ts_place *where)
+{
+	(void)sim, (void)coeff, (void)where;
+	return TS_OK;
+}
+
+static const struct ts_arg args[] = {
+	TS_GRANULAR_ARGS(struct gran, words),
+	TS_FLAG("generic", struct gran, generic,
+		.help = "the loop for any model, to compare with specialised ones"),
+	TS_ARGS_END,
+};
+
+static const struct ts_arg coeff[] = { TS_ARGS_END };
+
+static const char gran_doc[] =
+	"A contact is composed of laws that act in the order normal, cohesion, tangential, "
+	"rolling. With "
+	"delta the overlap, n the normal towards i, R* = R_i R_j/(R_i+R_j), m* alike, v_n the "
+	"normal "
+	"velocity (negative while approaching) and v_t the slip at the contact point, the force on "
+	"i is "
+	"F_n n + F_t with F_n = k_n delta - gamma_n v_n. Frozen partners are infinitely heavy.\n\n"
+	"`hertz`: k_n = 4/3 Y* sqrt(R* delta), k_t = 8 G* sqrt(R* delta), gamma = -2 sqrt(5/6) "
+	"beta "
+	"sqrt(S m*) with S_n = 2 Y* sqrt(R* delta), S_t = k_t, beta = ln e/sqrt(ln^2 e + pi^2). "
+	"`hooke`: "
+	"k_n = k_t = 16/15 sqrt(R*) Y* (15 m* V^2/(16 sqrt(R*) Y*))^(1/5), gamma = sqrt(4 m* "
+	"k_n/(1 + "
+	"(pi/ln e)^2)). `hooke/stiffness` and `hertz/stiffness`: k and m* gamma as given, the "
+	"latter times "
+	"sqrt(R* delta). `hooke/hysteresis`: loading with hooke's k_n, unloading steeper, adhesion "
+	"at the "
+	"end. Y* and G*: 1/Y* = sum (1-nu^2)/Y, 1/G* = sum 2(2-nu)(1+nu)/Y over the partners.\n\n"
+	"`tangential history`: F_t = -k_t xi - gamma_t v_t, xi the slip since the first touch in "
+	"the plane "
+	"of contact; beyond mu |F_n| the spring alone, shortened to it. `no_history`: F_t = "
+	"-min(gamma_t, mu "
+	"|F_n|/|v_t|) v_t. `rolling_friction cdt`: torque mu_r k_n delta R* against the relative "
+	"rotation; "
+	"`epsd`, `epsd2`, `epsd3`: a spring and dashpot of rolling, limited to mu_r |F_n| R*. "
+	"`cohesion "
+	"sjkr`: a pull k A, A the area in which the spheres cut each other; `sjkr2`: A = 4 pi "
+	"delta R*.\n\n"
+	"The constants come from fix property/global: youngsModulus, poissonsRatio (per type); "
+	"coefficientRestitution, coefficientFriction, coefficientRollingFriction, "
+	"coefficientRollingViscousDamping (epsd, epsd3), coeffRollingStiffness (epsd3), "
+	"cohesionEnergyDensity, kn, kt, gamman, gammat (the stiffness laws; gamman_abs, gammat_abs "
+	"with "
+	"absolute_damping), coefficientMaxElasticStiffness, coefficientAdhesionStiffness, "
+	"coefficientPlasticityDepth (hysteresis), FluidViscosity, CriticalStokes, "
+	"MaximumRestitution "
+	"(viscous), all per pair of types; characteristicVelocity (hooke), one number.\n\n"
+	"Formulae, order and defaults are those of LIGGGHTS 3.8, and results agree with it to "
+	"round-off as "
+	"long as a pair that parts has met a rebuild of neighbours before it meets again: LIGGGHTS "
+	"keeps "
+	"the tangential spring of a lost contact until then, here it ends with the contact.";
+
+TS_STYLE(pair, ts_pair_style, ts_pair_gran)
+const struct ts_pair_style ts_pair_gran = {
+	.style = { .name = "gran",
+		   .kind = TS_KIND_PAIR,
+		   .summary = "contact laws of granular materials",
+		   .doc = gran_doc,
+		   .cite = "P. A. Cundall, O. D. L. Strack, Geotechnique 29 (1979) 47; Y. Tsuji, "
+			   "T. Tanaka, "
+			   "T. Ishida, Powder Technol. 71 (1992) 239; J. Ai, J.-F. Chen, J. M. "
+			   "Rotter, "
+			   "J. Y. Ooi, Powder Technol. 206 (2011) 269",
+		   .example = "pair_style gran model hertz tangential history\n"
+			      "pair_coeff * *",
+		   .args = args,
+		   .coeff = coeff,
+		   .state_size = sizeof(struct gran),
+		   .fingerprint = ts_pair_fingerprint,
+		   .init = init,
+		   .hook = { [TS_STAGE_FORCE] = force },
+		   .plan = ts_pair_plan,
+		   .fini = ts_pair_fini },
+	.coeff_size = sizeof(struct ts_granular_pair),
+	.complete = complete,
+};
