@@ -10,16 +10,14 @@
 
 static struct tsim *sim;
 
-static void open_packing(void)
+static void open_sim(void)
 {
-	sim = deck_open("%s", packing);
+	sim = packing_open();
 }
 
 static void close_sim(void)
 {
-	tsim_close(sim);
-	sim = NULL;
-	ck_assert_int_eq(ts_alloc_balance(), 0);
+	packing_close(sim);
 }
 
 /* ---- numbers */
@@ -547,7 +545,7 @@ int main(void)
 	Suite *suite = suite_create("library");
 	TCase *tests = tcase_create("all");
 
-	tcase_add_checked_fixture(tests, open_packing, close_sim);
+	tcase_add_checked_fixture(tests, open_sim, close_sim);
 	tcase_set_timeout(tests, 120);
 	tcase_add_test(tests, tables);
 	tcase_add_test(tests, variables);

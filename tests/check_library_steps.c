@@ -6,20 +6,20 @@
 #include "deck.h"
 #include "packing.h"
 
-#include "base/alloc.h"
+#include "core/sim.h"
+#include "math/rng.h"
+#include "neigh/neigh.h"
 
 static struct tsim *sim;
 
-static void open_packing(void)
+static void open_sim(void)
 {
-	sim = deck_open("%s", packing);
+	sim = packing_open();
 }
 
 static void close_sim(void)
 {
-	tsim_close(sim);
-	sim = NULL;
-	ck_assert_int_eq(ts_alloc_balance(), 0);
+	packing_close(sim);
 }
 
 START_TEST(pieces_are_one_run)
@@ -40,6 +40,15 @@ START_TEST(pieces_are_one_run)
 	/* averages and histories too: 61 samples, none twice */
 	DECK_NEAR(deck_value(sim, "f_trace[61]"), deck_value(whole, "f_trace[61]"), 0);
 	tsim_close(whole);
+}
+END_TEST
+
+/* Pieces do not build the contacts anew, as runs do. */
+START_TEST(pieces_are_cheap)
+{
+	for (int k = 0; k < 100; k++)
+		ck_assert_int_eq(tsim_step(sim, 1), 0);
+	ck_assert_int_le(sim->neigh->builds, 20);
 }
 END_TEST
 
@@ -252,6 +261,61 @@ START_TEST(steps_refused)
 }
 END_TEST
 
+/* The k-th thing a program may do, the same for the same numbers. */
+static void act(struct tsim *s, struct ts_rng *rng)
+{
+	size_t n = tsim_count(s);
+	int32_t chosen;
+	double *tags = calloc(n, sizeof *tags), value = ts_rng_uniform(rng) - 0.5;
+	double x[3] = { 0.38 * ts_rng_uniform(rng), 0.1 + 0.2 * ts_rng_uniform(rng), 0.8 };
+	struct tsim_particles one = { .size = sizeof one, .n = 1, .x = x };
+	struct tsim_view v = TSIM_INIT(struct tsim_view);
+	int what = (int)(10 * ts_rng_uniform(rng)), bad = 0;
+
+	bad |= tsim_gather(s, "id", NULL, tags, n);
+	chosen = (int32_t)tags[(size_t)((double)n * ts_rng_uniform(rng))];
+	if (what < 4)
+		bad |= tsim_step(s, 1 + what * what * 5);
+	else if (what == 4)
+		bad |= tsim_line(s, "run 7");
+	else if (what == 5)
+		bad |= tsim_scatter(s, "vx", &chosen, &value, 1);
+	else if (what == 6)
+		bad |= tsim_delete(s, &chosen, 1);
+	else if (what == 7)
+		bad |= tsim_create(s, &one, &chosen) ||
+		       tsim_scatter(s, "radius", &chosen, (double[1]){ 0.02385 }, 1) ||
+		       tsim_scatter(s, "density", &chosen, (double[1]){ 2000 }, 1);
+	else if (what == 8)
+		bad |= tsim_value(s, "c_nix", &value) == 0;
+	else if (!tsim_column_view(s, "v", &v))
+		for (size_t i = 0; i < v.count; i++)
+			((double(*)[3])v.data)[i][1] *= 0.9;
+	ck_assert_msg(!bad, "%s", tsim_error(s));
+	tsim_error_clear(s);
+	free(tags);
+}
+
+/* Any order of calls, with one thread and with two: the same bits. */
+START_TEST(whatever_is_done)
+{
+	for (uint64_t seed = 1; seed <= 6; seed++) {
+		struct tsim *one = packing_open(), *two = packing_open();
+		struct ts_rng rng[2] = { ts_rng_start(2385, seed), ts_rng_start(2385, seed) };
+
+		two->threads = 2;
+		two->grain = 1;
+		for (int k = 0; k < 60; k++) {
+			act(one, &rng[0]);
+			act(two, &rng[1]);
+		}
+		packing_same(one, two);
+		tsim_close(one);
+		tsim_close(two);
+	}
+}
+END_TEST
+
 static void *run_alone(void *data)
 {
 	struct tsim *one = tsim_open();
@@ -283,9 +347,10 @@ int main(void)
 	Suite *suite = suite_create("library steps");
 	TCase *tests = tcase_create("all");
 
-	tcase_add_checked_fixture(tests, open_packing, close_sim);
+	tcase_add_checked_fixture(tests, open_sim, close_sim);
 	tcase_set_timeout(tests, 120);
 	tcase_add_test(tests, pieces_are_one_run);
+	tcase_add_test(tests, pieces_are_cheap);
 	tcase_add_test(tests, a_change_between_pieces_is_seen);
 	tcase_add_test(tests, forces_from_outside);
 	tcase_add_test(tests, a_function_ends_the_run);
@@ -293,6 +358,7 @@ int main(void)
 	tcase_add_test(tests, forbidden_inside_a_step);
 	tcase_add_test(tests, steps_refused);
 	tcase_add_test(tests, halt_makes_a_call_shorter);
+	tcase_add_test(tests, whatever_is_done);
 	tcase_add_test(tests, two_at_once);
 	suite_add_tcase(suite, tests);
 	return deck_main(suite);

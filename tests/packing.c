@@ -5,6 +5,8 @@
 
 #include "deck.h"
 
+#include "base/alloc.h"
+
 /* Contacts, a wall, periodic images, many rebuilds. */
 const char packing[] = "units si\n"
 		       "boundary p f f\n"
@@ -27,6 +29,17 @@ const char packing[] = "units si\n"
 		       "fix trace all vector 10 c_k\n"
 		       "thermo 50\n"
 		       "timestep 2e-4\n";
+
+struct tsim *packing_open(void)
+{
+	return deck_open("%s", packing);
+}
+
+void packing_close(struct tsim *sim)
+{
+	tsim_close(sim);
+	ck_assert_int_eq(ts_alloc_balance(), 0);
+}
 
 void packing_same(struct tsim *a, struct tsim *b)
 {

@@ -6,6 +6,9 @@
 
 extern const char packing[];
 
+struct tsim *packing_open(void);
+/* Nothing may stay allocated. */
+void packing_close(struct tsim *sim);
 /* The test fails unless both have the same positions, velocities and forces, to the bit. */
 void packing_same(struct tsim *a, struct tsim *b);
 

@@ -18,6 +18,10 @@ static enum ts_status check_position(struct tsim *sim, size_t k, const double x[
 		if (!isfinite(x[d]))
 			return ts_fail(&sim->error, TS_RANGE, NULL,
 				       "particle %zu of the new: coordinate %d is not finite", k, d);
+		if (d == 2 && sim->dimension == 2 && !(x[2] == 0))
+			return ts_fail(&sim->error, TS_RANGE, NULL,
+				       "particle %zu of the new: z is %g, in two dimensions it is 0", k,
+				       x[2]);
 		if (box->face[d][0] == TS_FACE_FIXED && !(x[d] >= box->lo[d] && x[d] <= box->hi[d]))
 			return ts_fail(&sim->error, TS_RANGE, NULL,
 				       "particle %zu of the new lies outside the box: (%g %g %g)", k,
