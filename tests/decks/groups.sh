@@ -193,6 +193,29 @@ delete_bonds all" '1 settings made for bond' '3 bonds of 2 types' 'Deleted 0 bon
 	'Deleted 1 bonds, total bonds = 2' 'Deleted 1 bonds, total bonds = 1' 'Deleted 1 bonds, total bonds = 0'
 reject 'undo' "$cube
 delete_bonds all undo" 'nothing to undo'
+expect 'random velocities without momentum and angular momentum' "$cube
+variable k equal 1.380649e-23
+velocity all create \$(2.385/v_k) 4928459 rot yes dist gaussian
+variable l equal abs(angmom(all,x))+abs(angmom(all,y))+abs(angmom(all,z))
+variable p equal abs(vcm(all,x))+abs(vcm(all,y))+abs(vcm(all,z))
+variable t equal abs(2*ke(all)/21/2.385-1)
+print \"zero \$(floor(1e10*v_l/mass(all))) \$(floor(1e10*v_p)) \$(floor(1e10*v_t))\"
+velocity all scale \$(0.385/v_k)
+print \"scaled \$(floor(1e10*abs(2*ke(all)/21/0.385-1)))\"
+velocity all create 0 1 sum yes
+print \"kept \$(floor(1e10*abs(2*ke(all)/21/0.385-1)))\"" 'zero 0 0 0' 'scaled 0' 'kept 0'
+expect 'a rigid turn is taken away, and spins' "$cube
+variable vx atom -2.385*y
+variable vy atom 2.385*x
+set group all vx v_vx vy v_vy omegaz 3
+velocity all zero linear
+velocity all zero angular
+compute e all erotate/sphere
+print \"rest \$(floor(1e12*ke(all))) spinning \$(floor(c_e))\"
+velocity all zero angularIndividual
+print \"still \$(c_e)\"" 'rest 0 spinning' 'still 0'
+reject 'at rest' "$cube
+velocity all scale 3" 'the group is at rest'
 reject 'counted steps' "$cube
 fix t all ave/time 1 10 10 c_none
 reset_timestep 5" 'c_none'

@@ -1,17 +1,21 @@
 /* Command velocity: gives particles velocities. */
-#include "core/units.h"
+#include "core/sim.h"
 
 #include <math.h>
 
-#include "math/exactsum.h"
 #include "math/rng.h"
+#include "math/vec3.h"
 #include "particles/domain.h"
+#include "particles/group_spin.h"
+#include "particles/moments.h"
 #include "particles/particles.h"
 #include "particles/region.h"
+#include "particles/temperature.h"
 
 #include "base/banned.h"
 
-enum { SET, CREATE, RAMP, ZERO };
+enum { SET, CREATE, SCALE, RAMP, ZERO };
+enum { LINEAR, ANGULAR, EACH };
 
 struct state {
 	int group, mode;
@@ -19,7 +23,8 @@ struct state {
 	bool sum;
 	double temperature;
 	int64_t seed;
-	bool momentum;
+	bool momentum, rotation;
+	int gaussian, loop;
 	int component, dim; /* of ramp */
 	double v[2], x[2];
 	int zero, units;
@@ -31,27 +36,62 @@ static double scale_of(const struct tsim *sim, const struct state *s, int dim)
 	return ts_domain_scale(sim, s->units, dim);
 }
 
-static double group_sum(const struct ts_particles *p, int group, int dim)
+static void zero_momentum(struct tsim *sim, int group)
 {
-	struct ts_exactsum sum = ts_exactsum_start();
+	struct ts_particles *p = sim->particles;
+	double v[3];
 
+	ts_group_velocity(sim, group, v);
 	for (size_t i = 0; i < p->n; i++)
-		if (ts_in_group(p, i, group))
-			ts_exactsum_add(&sum, dim < 3 ? p->mass[i] * p->v[i][dim] : p->mass[i]);
-	return ts_exactsum_value(&sum);
+		for (int d = 0; ts_in_group(p, i, group) && d < 3; d++)
+			p->v[i][d] -= v[d];
 }
 
-static void zero_momentum(struct ts_particles *p, int group)
+/* The velocities of the rigid turn that has the group's angular momentum are taken away. */
+static void zero_rotation(struct tsim *sim, int group)
 {
-	double mass = group_sum(p, group, 3);
+	struct ts_particles *p = sim->particles;
+	double centre[3], omega[3];
 
-	for (int d = 0; d < 3 && mass > 0; d++) {
-		double v = group_sum(p, group, d) / mass;
+	ts_group_spin(sim, group, centre, omega);
+	for (size_t i = 0; i < p->n; i++) {
+		double arm[3], turn[3];
 
-		for (size_t i = 0; i < p->n; i++)
-			if (ts_in_group(p, i, group))
-				p->v[i][d] -= v;
+		if (!ts_in_group(p, i, group))
+			continue;
+		ts_unwrapped(sim, i, arm);
+		ts_sub(arm, centre, arm);
+		ts_cross(omega, arm, turn);
+		ts_sub(p->v[i], turn, p->v[i]);
 	}
+}
+
+static double temperature(const struct tsim *sim, int group, double *count)
+{
+	double tensor[7];
+
+	ts_kinetic_tensor(sim, group, NULL, tensor);
+	*count = tensor[6];
+	if (tensor[6] == 1) /* one particle has all its degrees of freedom */
+		tensor[6] = 2;
+	return ts_temperature(sim, tensor);
+}
+
+static enum ts_status rescale(struct tsim *sim, const struct state *s, const struct ts_place *where)
+{
+	struct ts_particles *p = sim->particles;
+	double count, now = temperature(sim, s->group, &count), factor;
+
+	if (count == 0)
+		return TS_OK;
+	if (!(now > 0) && s->temperature > 0)
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "velocity: the group is at rest, so no factor gives it a temperature");
+	factor = now > 0 ? sqrt(s->temperature / now) : 0;
+	for (size_t i = 0; i < p->n; i++)
+		for (int d = 0; ts_in_group(p, i, s->group) && d < 3; d++)
+			p->v[i][d] *= factor;
+	return TS_OK;
 }
 
 static enum ts_status set(struct tsim *sim, const struct state *s, const struct ts_place *where)
@@ -78,38 +118,49 @@ static enum ts_status set(struct tsim *sim, const struct state *s, const struct 
 	return status;
 }
 
-/* Maxwell's distribution; the numbers belong to the identities of the particles. Then the momentum
- * is taken away and the temperature, (sum m v^2) / (dof k), made exact. */
-static enum ts_status create(struct tsim *sim, const struct state *s)
+/* Before the temperature is made exact: components of unit variance by the root of the mass. */
+static void draw(struct tsim *sim, const struct state *s)
 {
 	struct ts_particles *p = sim->particles;
-	struct ts_exactsum energy = ts_exactsum_start();
-	double kt = ts_boltzmann(sim) * s->temperature, factor, dof;
-	size_t count = 0;
 
 	for (size_t i = 0; i < p->n; i++) {
 		struct ts_rng rng = ts_rng_start((uint64_t)s->seed, (uint64_t)p->tag[i]);
 
 		if (!ts_in_group(p, i, s->group))
 			continue;
-		count++;
-		for (int d = 0; d < sim->dimension; d++)
-			p->v[i][d] = sqrt(kt / p->mass[i]) * ts_rng_normal(&rng);
+		for (int d = 0; d < 3; d++) {
+			double u = s->gaussian ? ts_rng_normal(&rng)
+					       : sqrt(12) * (ts_rng_uniform(&rng) - 0.5);
+
+			p->v[i][d] = d < sim->dimension ? u / sqrt(p->mass[i]) : 0;
+		}
 	}
-	dof = (double)sim->dimension * ((double)count - (s->momentum ? 1 : 0));
-	if (s->momentum)
-		zero_momentum(p, s->group);
+}
+
+/* The numbers belong to the identities of the particles. With `sum` the old velocities come back on
+ * top. */
+static enum ts_status create(struct tsim *sim, const struct state *s, const struct ts_place *where)
+{
+	struct ts_particles *p = sim->particles;
+	double(*old)[3] = ts_alloc(p->n, sizeof *old);
+	enum ts_status status;
+
+	if (!old)
+		return ts_nomem(&sim->error);
 	for (size_t i = 0; i < p->n; i++)
 		for (int d = 0; d < 3; d++)
-			if (ts_in_group(p, i, s->group))
-				ts_exactsum_add(&energy, p->mass[i] * p->v[i][d] * p->v[i][d]);
-	factor = ts_exactsum_value(&energy);
-	factor = factor > 0 ? sqrt(dof * kt / factor) : 0;
-	for (size_t i = 0; i < p->n; i++)
-		for (int d = 0; d < 3; d++)
-			if (ts_in_group(p, i, s->group))
-				p->v[i][d] *= factor;
-	return TS_OK;
+			old[i][d] = p->v[i][d];
+	draw(sim, s);
+	if (s->momentum && ts_group_count(sim, s->group) > 1)
+		zero_momentum(sim, s->group);
+	if (s->rotation)
+		zero_rotation(sim, s->group);
+	status = rescale(sim, s, where);
+	for (size_t i = 0; s->sum && status == TS_OK && i < p->n; i++)
+		for (int d = 0; ts_in_group(p, i, s->group) && d < 3; d++)
+			p->v[i][d] += old[i][d];
+	ts_free(old);
+	return status;
 }
 
 static enum ts_status ramp(struct tsim *sim, const struct state *s, const struct ts_place *where)
@@ -140,18 +191,22 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	case SET:
 		return set(sim, s, where);
 	case CREATE:
-		return create(sim, s);
+		return create(sim, s, where);
+	case SCALE:
+		return rescale(sim, s, where);
 	case RAMP:
 		return ramp(sim, s, where);
 	default:
-		if (s->zero == 0)
-			zero_momentum(p, s->group);
-		for (size_t i = 0; s->zero == 1 && p->omega && i < p->n; i++)
-			for (int d = 0; d < 3; d++)
-				if (ts_in_group(p, i, s->group))
-					p->omega[i][d] = 0;
-		return TS_OK;
+		break;
 	}
+	if (s->zero == LINEAR)
+		zero_momentum(sim, s->group);
+	else if (s->zero == ANGULAR)
+		zero_rotation(sim, s->group);
+	for (size_t i = 0; s->zero == EACH && p->omega && i < p->n; i++)
+		for (int d = 0; ts_in_group(p, i, s->group) && d < 3; d++)
+			p->omega[i][d] = 0;
+	return TS_OK;
 }
 
 #define COMPONENT(name, d)                                                                         \
@@ -164,14 +219,29 @@ static const struct ts_arg set_args[] = {
 	TS_ARGS_END,
 };
 
+static const char *const distributions[] = { "uniform", "gaussian", NULL };
+static const char *const loops[] = { "all", "local", "geom", NULL };
 static const struct ts_arg create_args[] = {
 	TS_REAL("temperature", struct state, temperature, .flags = TS_POSITIONAL,
 		.range = TS_NOT_NEGATIVE, .unit = "temperature",
 		.help = "temperature of the translation"),
 	TS_INT("seed", struct state, seed, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
 	       .help = "seed of the random numbers"),
+	TS_ENUM("dist", struct state, gaussian, distributions, .fallback = "uniform",
+		.help = "distribution of each component"),
 	TS_BOOL("mom", struct state, momentum, .fallback = "yes",
 		.help = "take away the momentum of the group"),
+	TS_BOOL("rot", struct state, rotation, .fallback = "no",
+		.help = "take away the angular momentum of the group"),
+	TS_ENUM("loop", struct state, loop, loops, .fallback = "all",
+		.help = "no effect: the numbers belong to the identities"),
+	TS_ARGS_END,
+};
+
+static const struct ts_arg scale_args[] = {
+	TS_REAL("temperature", struct state, temperature, .flags = TS_POSITIONAL,
+		.range = TS_NOT_NEGATIVE, .unit = "temperature",
+		.help = "temperature of the translation"),
 	TS_ARGS_END,
 };
 
@@ -193,16 +263,18 @@ static const struct ts_arg ramp_args[] = {
 	TS_ARGS_END,
 };
 
-static const char *const zeros[] = { "linear", "angular", NULL };
+static const char *const zeros[] = { "linear", "angular", "angularIndividual", NULL };
 static const struct ts_arg zero_args[] = {
 	TS_ENUM("what", struct state, zero, zeros, .flags = TS_POSITIONAL,
-		.help = "linear: the momentum of the group; angular: the spin of each particle"),
+		.help = "linear: the momentum of the group; angular: its angular momentum; "
+			"angularIndividual: the spin of each particle"),
 	TS_ARGS_END,
 };
 
 static const struct ts_mode modes[] = {
 	[SET] = { "set", "the same velocity for all, or one from a variable", set_args },
 	[CREATE] = { "create", "random velocities of a temperature", create_args },
+	[SCALE] = { "scale", "one factor for all that gives a temperature", scale_args },
 	[RAMP] = { "ramp", "a component that changes linearly in space", ramp_args },
 	[ZERO] = { "zero", "take away momentum or spin", zero_args },
 	{ .name = NULL },
@@ -213,7 +285,7 @@ static const struct ts_arg args[] = {
 		 .help = "particles that are changed"),
 	TS_MODE("style", struct state, mode, modes, .help = "which velocities they get"),
 	TS_BOOL("sum", struct state, sum, .fallback = "no",
-		.help = "add to the velocities they have (set and ramp)"),
+		.help = "add to the velocities they have (not scale and zero)"),
 	TS_ENUM("units", struct state, units, ts_region_units, .fallback = "lattice",
 		.help = "whether set and ramp count lengths in lattice spacings or as they are"),
 	TS_ARGS_END,
@@ -225,12 +297,13 @@ const struct ts_command_style ts_command_velocity = {
 		.name = "velocity",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Gives particles velocities",
-		.doc = "create draws each component from a normal distribution of variance k T / m, keyed by\n"
-		       "seed and identity, takes away the momentum and scales to the exact temperature\n"
-		       "sum m v^2 / (dof k). ramp interpolates linearly between the ends and is constant beyond\n"
-		       "them.",
+		.doc = "create draws each component with the variance 1/m, keyed by seed and identity, takes away the\n"
+		       "momentum, and scales to the exact temperature T = sum m v^2 / (D (N - 1) k), D dimensions, N\n"
+		       "particles. ramp interpolates linearly between the ends and is constant beyond them. zero\n"
+		       "angular takes away the turn as a rigid body, omega x (x - x_cm), that has the angular momentum\n"
+		       "of the group.",
 		.example = "velocity all set 0 0 -1.5\n"
-			   "velocity gas create 300 86028157\n"
+			   "velocity gas create 300 86028157 dist gaussian\n"
 			   "velocity all ramp vx 0 1 z 0 0.1\n"
 			   "velocity all zero linear",
 		.args = args,
