@@ -143,6 +143,7 @@ library_sources = \
 	src/neigh/pair.h \
 	src/neigh/pair_columns.c \
 	src/neigh/pair_columns.h \
+	src/neigh/pressure.c \
 	src/neigh/row_history.c \
 	src/neigh/row_history.h \
 	src/neigh/row_loop.h \

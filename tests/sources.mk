@@ -33,6 +33,7 @@ shell_tests = \
 	tests/stability/refusal.sh \
 	tests/styles_current.sh \
 	tests/symbols.sh \
+	tests/thermo.sh \
 	tests/threads.sh \
 	tests/vtk.sh
 unit_tests = \

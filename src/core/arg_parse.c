@@ -260,8 +260,8 @@ static enum ts_status read_rest(struct parse *p, const struct ts_arg *row, struc
 {
 	struct ts_words rest = ts_words_from(p->words, p->next);
 
-	if (row->flags & TS_TO_KEYWORD)
-		for (size_t k = 0; k < rest.n; k++)
+	if (row->flags & TS_TO_KEYWORD) /* a repeated one has one word at least, whatever it is */
+		for (size_t k = row->flags & TS_REPEAT ? 1 : 0; k < rest.n; k++)
 			if (find_keyword(common, rest.word[k].text))
 				rest.n = k;
 	if (!rest.n && !(row->flags & TS_OPTIONAL))

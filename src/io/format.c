@@ -35,6 +35,103 @@ bool ts_format_check(const char *format, bool integer, char out[TS_FORMAT_SIZE])
 	return wrote > 0 && wrote < TS_FORMAT_SIZE;
 }
 
+static enum ts_status refuse(struct ts_error *err, const struct ts_word *word, bool integer)
+{
+	return ts_fail(err, TS_SYNTAX, &word->place,
+		       "'%s' is no format for one %s, expected for instance %s", word->text,
+		       integer ? "integer" : "number", integer ? "%8d" : "%14.8g");
+}
+
+static enum ts_status set_kind(struct ts_error *err, const struct ts_word *word, bool integer,
+			       char out[TS_FORMAT_SIZE])
+{
+	char checked[TS_FORMAT_SIZE];
+
+	if (!ts_format_check(word->text, integer, checked) || strlen(word->text) >= TS_FORMAT_SIZE)
+		return refuse(err, word, integer);
+	snprintf(out, TS_FORMAT_SIZE, "%s", word->text);
+	return TS_OK;
+}
+
+static enum ts_status set_line(struct ts_formats *f, struct ts_error *err, struct ts_arena *arena,
+			       const struct ts_word *word, size_t columns)
+{
+	if (ts_words_split(arena, word->text, &word->place, &f->line) != TS_OK)
+		return ts_nomem(err);
+	for (size_t k = 0; k < f->line.n; k++) /* the line stands in quotes: its place is theirs */
+		((struct ts_word *)f->line.word)[k].place = word->place;
+	if (f->line.n == columns)
+		return TS_OK;
+	return ts_fail(err, TS_SYNTAX, &word->place,
+		       "format line has %zu formats, but there are %zu columns", f->line.n, columns);
+}
+
+static enum ts_status set_column(struct ts_formats *f, struct ts_error *err, struct ts_arena *arena,
+				 struct ts_words pair, size_t columns)
+{
+	struct ts_word *all = ts_arena_alloc(arena, f->column.n + 2, sizeof *all);
+	int64_t k;
+
+	if (!ts_parse_int(pair.word[0].text, &k) || k < 1 || (size_t)k > columns)
+		return ts_fail(err, TS_SYNTAX, &pair.word[0].place,
+			       "format is '%s', expected float, int, line, none or the number of a "
+			       "column from 1 to %zu",
+			       pair.word[0].text, columns);
+	if (!all || ts_words_copy(arena, pair, &pair) != TS_OK)
+		return ts_nomem(err);
+	for (size_t n = 0; n < f->column.n; n++)
+		all[n] = f->column.word[n];
+	all[f->column.n] = pair.word[0];
+	all[f->column.n + 1] = pair.word[1];
+	f->column = (struct ts_words){ all, f->column.n + 2 };
+	return TS_OK;
+}
+
+enum ts_status ts_formats_change(struct ts_formats *f, struct ts_error *err, struct ts_arena *arena,
+				 const char *what, struct ts_words words, size_t columns)
+{
+	while (words.n) {
+		const char *kind = words.word[0].text;
+
+		if (ts_streq(kind, "none")) {
+			*f = (struct ts_formats){ 0 };
+			words = ts_words_from(words, 1);
+			continue;
+		}
+		if (words.n < 2)
+			return ts_fail(err, TS_SYNTAX, &words.word[0].place,
+				       "%s: format %s lacks its text", what, kind);
+		if (ts_streq(kind, "float"))
+			TS_TRY(set_kind(err, &words.word[1], false, f->real));
+		else if (ts_streq(kind, "int"))
+			TS_TRY(set_kind(err, &words.word[1], true, f->whole));
+		else if (ts_streq(kind, "line"))
+			TS_TRY(set_line(f, err, arena, &words.word[1], columns));
+		else
+			TS_TRY(set_column(f, err, arena, (struct ts_words){ words.word, 2 },
+					  columns));
+		words = ts_words_from(words, 2);
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_formats_choose(const struct ts_formats *f, struct ts_error *err, size_t k,
+				 bool integer, const char *fallback, char out[TS_FORMAT_SIZE])
+{
+	const char *kind = integer ? f->whole : f->real;
+	const struct ts_word *word = k < f->line.n && !*kind ? &f->line.word[k] : NULL;
+
+	for (size_t n = 0; n < f->column.n; n += 2) {
+		int64_t column;
+
+		if (ts_parse_int(f->column.word[n].text, &column) && column == (int64_t)k + 1)
+			word = &f->column.word[n + 1]; /* the last one counts */
+	}
+	if (!word)
+		return ts_format_check(*kind ? kind : fallback, integer, out) ? TS_OK : TS_SYNTAX;
+	return ts_format_check(word->text, integer, out) ? TS_OK : refuse(err, word, integer);
+}
+
 #pragma GCC diagnostic ignored "-Wformat-nonliteral"
 void ts_format_add(struct ts_str *out, const char *format, bool integer, double value)
 {

@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-#include "base/str.h"
+#include "base/words.h"
 
 enum { TS_FORMAT_SIZE = 32 };
 
@@ -13,5 +13,21 @@ enum { TS_FORMAT_SIZE = 32 };
 bool ts_format_check(const char *format, bool integer, char out[TS_FORMAT_SIZE]);
 /* Adds the number; `format` comes from ts_format_check. */
 void ts_format_add(struct ts_str *out, const char *format, bool integer, double value);
+
+/* What the words `format` of thermo_modify and dump_modify say. Zero-initialise. */
+struct ts_formats {
+	char real[TS_FORMAT_SIZE], whole[TS_FORMAT_SIZE]; /* as given; "" : not */
+	struct ts_words line;				  /* one for each column */
+	struct ts_words column;				  /* pairs: number from 1, format */
+};
+/* Words in pairs: float F, int F, line "F F ...", N F; or none, which forgets all. They are kept in the
+ * arena. Earlier ones stay where they are not replaced. */
+enum ts_status ts_formats_change(struct ts_formats *formats, struct ts_error *err,
+				 struct ts_arena *arena, const char *what, struct ts_words words,
+				 size_t columns);
+/* The format of column k of n, counted from 0: the one for the column, for the kind, of the line, or
+ * the fallback. */
+enum ts_status ts_formats_choose(const struct ts_formats *formats, struct ts_error *err, size_t k,
+				 bool integer, const char *fallback, char out[TS_FORMAT_SIZE]);
 
 #endif

@@ -9,25 +9,28 @@
 #include "base/banned.h"
 
 /* "Step", "KinEng"; of c_ID, f_ID, v_NAME the first eight characters after the prefix. */
-static const char *make_title(struct ts_thermo *t, const char *name)
+static const char *make_title(struct tsim *sim, const char *name)
 {
+	const struct ts_keyword *keyword = ts_keyword_find(sim, name);
 	char title[9];
 
-	for (const struct ts_keyword *k = ts_thermo_keywords; k->name; k++)
-		if (ts_streq(k->name, name))
-			return k->title;
+	if (keyword)
+		return keyword->title;
 	if (name[0] && name[1] == '_')
 		name += 2;
 	snprintf(title, sizeof title, "%s", name);
-	return ts_arena_strdup(&t->arena, title);
+	return ts_arena_strdup(&sim->thermo->arena, title);
 }
 
-enum ts_status ts_thermo_columns(struct tsim *sim, struct ts_words names)
+enum ts_status ts_thermo_columns(struct tsim *sim, struct ts_words names, bool multi)
 {
 	struct ts_thermo *t = sim->thermo;
 	struct ts_words copy;
 
 	t->n = 0;
+	t->multi = multi;
+	t->norm = t->norm_default;
+	t->formats = (struct ts_formats){ 0 };
 	ts_arena_release(&t->arena);
 	TS_TRY(ts_refs_expand(sim, &t->arena, names, TS_WANT(SCALAR), &copy));
 	t->column = ts_arena_alloc(&t->arena, copy.n, sizeof *t->column);
@@ -35,7 +38,7 @@ enum ts_status ts_thermo_columns(struct tsim *sim, struct ts_words names)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < copy.n; k++) {
 		t->column[k] = (struct ts_thermo_column){
-			.title = make_title(t, copy.word[k].text),
+			.title = make_title(sim, copy.word[k].text),
 			.input = { .name = copy.word[k].text, .where = copy.word[k].place },
 		};
 		if (!t->column[k].title)
@@ -45,16 +48,32 @@ enum ts_status ts_thermo_columns(struct tsim *sim, struct ts_words names)
 	return TS_OK;
 }
 
-enum ts_status ts_thermo_format(struct tsim *sim, bool integer, const char *format,
-				const struct ts_place *where)
+static bool is_integer(const struct ts_thermo_column *c)
+{
+	return c->input.ref.kind == TS_REF_KEYWORD && c->input.ref.keyword->integer;
+}
+
+static enum ts_status set_formats(struct ts_thermo *t, struct tsim *sim)
+{
+	for (size_t k = 0; k < t->n; k++) {
+		struct ts_thermo_column *c = &t->column[k];
+		const struct ts_keyword *keyword = ts_keyword_find(sim, c->input.name);
+		bool integer = keyword && keyword->integer;
+		const char *fallback = t->multi ? (integer ? "%14d" : "%14.4f")
+						: (integer ? "%8d" : "%14.8g");
+
+		TS_TRY(ts_formats_choose(&t->formats, &sim->error, k, integer, fallback,
+					 c->format));
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_thermo_format(struct tsim *sim, struct ts_words words)
 {
 	struct ts_thermo *t = sim->thermo;
 
-	if (ts_format_check(format, integer, integer ? t->int_format : t->float_format))
-		return TS_OK;
-	return ts_fail(&sim->error, TS_SYNTAX, where,
-		       "'%s' is no format for one %s, expected for instance %s", format,
-		       integer ? "integer" : "number", integer ? "%8d" : "%14.8g");
+	TS_TRY(ts_formats_change(&t->formats, &sim->error, &t->arena, "thermo_modify", words, t->n));
+	return set_formats(t, sim);
 }
 
 static enum ts_status resolve(struct ts_thermo *t, struct tsim *sim)
@@ -62,7 +81,7 @@ static enum ts_status resolve(struct ts_thermo *t, struct tsim *sim)
 	for (size_t k = 0; k < t->n; k++)
 		TS_TRY(ts_pardon(sim, ts_ref_input_resolve(sim, "thermo_style", TS_WANT(SCALAR),
 							   &t->column[k].input)));
-	return TS_OK;
+	return set_formats(t, sim);
 }
 
 /* Else they are resolved at the first row. */
@@ -74,16 +93,13 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 }
 
 /* The columns of `one`, LIGGGHTS' default. */
-static enum ts_status set_defaults(struct ts_thermo *t, struct tsim *sim)
+static enum ts_status set_defaults(struct tsim *sim)
 {
 	const struct ts_word one[] = {
 		{ .text = "step" }, { .text = "atoms" }, { .text = "ke" }, { .text = "cpu" }
 	};
 
-	TS_TRY(ts_thermo_format(sim, false, "%14.8g", NULL));
-	TS_TRY(ts_thermo_format(sim, true, "%8d", NULL));
-	(void)t;
-	return ts_thermo_columns(sim, (struct ts_words){ one, 4 });
+	return ts_thermo_columns(sim, (struct ts_words){ one, 4 }, false);
 }
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -91,13 +107,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct ts_thermo *t = self->state;
 
 	if (!t->n)
-		return set_defaults(t, sim);
+		return set_defaults(sim);
 	return sim->running ? resolve(t, sim) : TS_OK;
-}
-
-static bool is_integer(const struct ts_thermo_column *c)
-{
-	return c->input.ref.kind == TS_REF_KEYWORD && c->input.ref.keyword->integer;
 }
 
 static enum ts_status emit(struct ts_thermo *t, struct tsim *sim)
@@ -121,21 +132,70 @@ static enum ts_status header(struct ts_thermo *t, struct tsim *sim)
 	return emit(t, sim);
 }
 
+/* "Step     =              0 Atoms    =              2 ", three to a line. */
+static void add_named(struct ts_thermo *t, size_t k, double value)
+{
+	struct ts_thermo_column *c = &t->column[k];
+
+	if (k % 3 == 0)
+		ts_str_add(&t->line, "\n");
+	ts_str_addf(&t->line, "%-8s = ", c->title);
+	ts_format_add(&t->line, c->format, is_integer(c), value);
+	ts_str_add(&t->line, " ");
+}
+
 static enum ts_status row(struct ts_thermo *t, struct tsim *sim)
 {
+	double cpu = sim->clock.step > sim->clock.first_step ? ts_clock() - sim->clock.wall_start : 0;
+
 	ts_str_clear(&t->line);
+	if (t->multi)
+		ts_str_addf(&t->line,
+			    "---------------- Step %8" PRId64 " ----- CPU = %11.4f (sec) "
+			    "----------------",
+			    sim->clock.step, cpu);
 	for (size_t k = 0; k < t->n; k++) {
 		struct ts_thermo_column *c = &t->column[k];
-		bool integer = is_integer(c);
 		double value;
 
 		TS_TRY(ts_ref_input_scalar(sim, &c->input, &value));
-		ts_format_add(&t->line, integer ? t->int_format : t->float_format, integer, value);
+		if (t->multi) {
+			add_named(t, k, value);
+			continue;
+		}
+		ts_format_add(&t->line, c->format, is_integer(c), value);
 		ts_str_add(&t->line, " ");
 	}
 	t->last_row_time = ts_clock() - sim->clock.wall_start;
 	t->last_row_step = sim->clock.step;
 	return emit(t, sim);
+}
+
+/* The variable says the step of the row after this one. */
+static enum ts_status ask_next(struct ts_thermo *t, struct tsim *sim)
+{
+	double next;
+
+	TS_TRY(sim->host->scalar(sim->host_data, t->variable, NULL, &next));
+	if (!(next > (double)sim->clock.step) || next > 9e15)
+		return ts_fail(&sim->error, TS_RANGE, NULL,
+			       "thermo v_%s: the step of the next row would be %g, but step %" PRId64
+			       " is reached already",
+			       t->variable, next, sim->clock.step);
+	t->next = (int64_t)next;
+	return TS_OK;
+}
+
+static enum ts_status is_due(struct ts_thermo *t, struct tsim *sim, bool *due)
+{
+	const struct ts_clock *c = &sim->clock;
+
+	*due = c->step == c->first_step || (c->step == c->last_step && !sim->in_pieces) || sim->stop ||
+	       (!t->variable && t->every && c->step % t->every == 0) ||
+	       (t->variable && c->step == t->next);
+	if (t->variable && (c->step == c->first_step || c->step == t->next))
+		return ask_next(t, sim);
+	return TS_OK;
 }
 
 static void progress(struct ts_thermo *t, struct tsim *sim)
@@ -159,15 +219,17 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_thermo *t = self->state;
 	const struct ts_clock *c = &sim->clock;
-	bool first = c->step == c->first_step;
+	bool first = c->step == c->first_step, due;
 
 	if (first) {
 		t->last_row_step = c->step;
 		t->last_row_time = t->progress_due = 0;
 		TS_TRY(resolve(t, sim));
-		TS_TRY(header(t, sim));
+		if (!t->multi)
+			TS_TRY(header(t, sim));
 	}
-	if (first || (c->step == c->last_step && !sim->in_pieces) || sim->stop || (t->every && c->step % t->every == 0))
+	TS_TRY(is_due(t, sim, &due));
+	if (due)
 		TS_TRY(row(t, sim));
 	if (sim->log.progress || sim->log.sink)
 		progress(t, sim);

@@ -8,6 +8,7 @@
 #include "particles/body.h"
 #include "particles/domain.h"
 #include "particles/particles.h"
+#include "particles/temperature.h"
 
 #include "base/banned.h"
 
@@ -79,6 +80,13 @@ static enum ts_status atoms(struct tsim *sim, double *out)
 	return TS_OK;
 }
 
+/* thermo_modify norm yes */
+static void normalise(const struct tsim *sim, double *out)
+{
+	if (sim->thermo->norm && sim->particles->n)
+		*out /= (double)sim->particles->n;
+}
+
 /* sum m v^2 / 2, without rounding in the sum. */
 static enum ts_status ke(struct tsim *sim, double *out)
 {
@@ -89,6 +97,7 @@ static enum ts_status ke(struct tsim *sim, double *out)
 		for (int d = 0; d < 3; d++)
 			ts_exactsum_add(&sum, 0.5 * p->mass[i] * p->v[i][d] * p->v[i][d]);
 	*out = ts_exactsum_value(&sum);
+	normalise(sim, out);
 	return TS_OK;
 }
 
@@ -103,8 +112,42 @@ static enum ts_status erotate(struct tsim *sim, double *out)
 			ts_exactsum_add(&sum, 0.5 * ts_inertia(sim, i) * p->omega[i][d] *
 						      p->omega[i][d]);
 	*out = ts_exactsum_value(&sum);
+	normalise(sim, out);
 	return TS_OK;
 }
+
+static enum ts_status temp(struct tsim *sim, double *out)
+{
+	double tensor[7];
+
+	ts_kinetic_tensor(sim, 0, NULL, tensor);
+	*out = ts_temperature(sim, tensor);
+	return TS_OK;
+}
+
+static enum ts_status zero(struct tsim *sim, double *out)
+{
+	(void)sim;
+	*out = 0;
+	return TS_OK;
+}
+
+static enum ts_status right_angle(struct tsim *sim, double *out)
+{
+	(void)sim;
+	*out = 90;
+	return TS_OK;
+}
+
+#define LATTICE_SPACING(d, name)                                                                   \
+	static enum ts_status name(struct tsim *sim, double *out)                                  \
+	{                                                                                          \
+		*out = sim->domain->lattice.spacing[d];                                            \
+		return TS_OK;                                                                      \
+	}
+LATTICE_SPACING(0, xlat)
+LATTICE_SPACING(1, ylat)
+LATTICE_SPACING(2, zlat)
 
 static enum ts_status fmax_now(struct tsim *sim, double *out)
 {
@@ -170,6 +213,8 @@ BOX_NUMBERS(2, zlo, zhi, lz)
 const struct ts_keyword ts_thermo_keywords[] = {
 	{ "step", "Step", "", "step counter", 1, step },
 	{ "elapsed", "Elapsed", "", "steps since the start of the run", 1, elapsed },
+	{ "elaplong", "Elaplong", "", "steps since the start of the run", 1, elapsed },
+	{ "part", "Part", "", "number of the partition: 0", 1, zero },
 	{ "time", "Time", "time", "simulated time", 0, time_now },
 	{ "dt", "Dt", "time", "time step", 0, dt },
 	{ "cpu", "CPU", "s", "wall time since the start of the run", 0, cpu },
@@ -179,6 +224,7 @@ const struct ts_keyword ts_thermo_keywords[] = {
 	{ "atoms", "Atoms", "", "number of particles", 1, atoms },
 	{ "ke", "KinEng", "energy", "kinetic energy of translation", 0, ke },
 	{ "erotate", "RotEng", "energy", "kinetic energy of rotation", 0, erotate },
+	{ "temp", "Temp", "temperature", "sum m v^2 / (D (N - 1) k)", 0, temp },
 	{ "fmax", "Fmax", "force", "largest component of a force on a particle", 0, fmax_now },
 	{ "fnorm", "Fnorm", "force", "length of the vector of all forces", 0, fnorm },
 	{ "vol", "Volume", "volume", "volume of the box", 0, vol },
@@ -192,5 +238,17 @@ const struct ts_keyword ts_thermo_keywords[] = {
 	{ "yhi", "Yhi", "length", "upper y of the box", 0, yhi },
 	{ "zlo", "Zlo", "length", "lower z of the box", 0, zlo },
 	{ "zhi", "Zhi", "length", "upper z of the box", 0, zhi },
+	{ "xy", "Xy", "length", "tilt of the box: 0", 0, zero },
+	{ "xz", "Xz", "length", "tilt of the box: 0", 0, zero },
+	{ "yz", "Yz", "length", "tilt of the box: 0", 0, zero },
+	{ "xlat", "Xlat", "length", "lattice spacing", 0, xlat },
+	{ "ylat", "Ylat", "length", "lattice spacing", 0, ylat },
+	{ "zlat", "Zlat", "length", "lattice spacing", 0, zlat },
+	{ "cella", "Cella", "length", "length of the box along x", 0, lx },
+	{ "cellb", "Cellb", "length", "length of the box along y", 0, ly },
+	{ "cellc", "Cellc", "length", "length of the box along z", 0, lz },
+	{ "cellalpha", "CellAlpha", "degrees", "angle of the box: 90", 0, right_angle },
+	{ "cellbeta", "CellBeta", "degrees", "angle of the box: 90", 0, right_angle },
+	{ "cellgamma", "CellGamma", "degrees", "angle of the box: 90", 0, right_angle },
 	{ .name = NULL },
 };

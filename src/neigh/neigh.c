@@ -335,4 +335,5 @@ const struct ts_system_style ts_neigh_system = {
 		   .plan = plan,
 		   .fini = fini },
 	.slot = offsetof(struct tsim, neigh),
+	.keywords = ts_neigh_keywords,
 };

@@ -32,6 +32,8 @@ struct ts_neigh {
  * largest). */
 double ts_neigh_skin(const struct tsim *sim);
 
+/* Pressure and counts of searches for the table of the log: neigh/pressure.c. */
+extern const struct ts_keyword ts_neigh_keywords[];
 extern const struct ts_system_style ts_neigh_system;
 
 #endif

@@ -1,13 +1,13 @@
-/* Command thermo_modify: formats of the table in the log; what a lost particle means. */
-#include "core/sim.h"
+/* Command thermo_modify: how the table in the log is written; what a lost particle means. */
 #include "io/thermo.h"
 #include "particles/particles.h"
 
 #include "base/banned.h"
 
 struct state {
-	int lost, norm, flush, line, format_kind;
-	const char *format;
+	int lost, lost_bond, norm, flush, line, warn;
+	const char *temperature, *pressure;
+	struct ts_words format;
 };
 
 /* in the order of enum ts_lost */
@@ -18,42 +18,44 @@ static const char *const lines[] = { "one", "multi", NULL };
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct state *s = state;
+	struct ts_words none = { NULL, 0 };
 
 	if (s->lost >= 0)
 		sim->particles->lost_policy = s->lost;
-	if (s->line == 1)
-		ts_warn(&sim->log, where, "thermo_modify line multi: rows are written on one line");
-	if (s->format)
-		return ts_thermo_format(sim, s->format_kind == 1, s->format, where);
-	return TS_OK;
+	if (s->norm >= 0)
+		sim->thermo->norm = s->norm;
+	if (s->line >= 0)
+		sim->thermo->multi = s->line;
+	if (s->temperature || s->pressure)
+		ts_warn(&sim->log, where,
+			"thermo_modify: temp and press are those of all particles; print c_%s instead",
+			s->temperature ? s->temperature : s->pressure);
+	return ts_thermo_format(sim, s->format.n ? s->format : none);
 }
-
-static const struct ts_arg format_row[] = {
-	TS_WORD("text", struct state, format, .flags = TS_POSITIONAL, .help = "a C format"),
-	TS_ARGS_END,
-};
-
-static const struct ts_mode formats[] = {
-	{ "float", "columns of real numbers, for instance %20.15g", format_row },
-	{ "int", "columns of integers, for instance %10d", format_row },
-	{ .name = NULL },
-};
 
 static const struct ts_arg args[] = {
 	TS_ENUM("lost", struct state, lost, policies, .flags = TS_OPTIONAL,
 		.help = "when a particle leaves the box through a fixed face"),
+	TS_ENUM("lost/bond", struct state, lost_bond, policies, .flags = TS_OPTIONAL,
+		.help = "no effect: bonds go with their partners"),
 	TS_ENUM("norm", struct state, norm, answers, .flags = TS_OPTIONAL,
-		.help = "no effect: quantities are never divided by the number of particles"),
+		.help = "whether ke and erotate are divided by the number of particles"),
 	TS_ENUM("flush", struct state, flush, answers, .flags = TS_OPTIONAL,
 		.help = "no effect: every row is handed to the system at once"),
 	TS_ENUM("line", struct state, line, lines, .flags = TS_OPTIONAL,
-		.help = "rows are always written on one line"),
+		.help = "one line for a row, or a block of named numbers"),
+	TS_ENUM("warn", struct state, warn, policies, .flags = TS_OPTIONAL,
+		.help = "no effect: a warning is said once"),
+	TS_WORD("temp", struct state, temperature, .flags = TS_OPTIONAL,
+		.help = "no effect: temp is the temperature of all particles"),
+	TS_WORD("press", struct state, pressure, .flags = TS_OPTIONAL,
+		.help = "no effect: press is the pressure of all particles"),
 	{ .name = "format",
-	  .type = TS_ARG_MODE,
-	  .flags = TS_OPTIONAL,
-	  .offset = TS_FIELD(struct state, format_kind, int *),
-	  .modes = formats,
-	  .help = "how numbers are written" },
+	  .type = TS_ARG_REST,
+	  .flags = TS_OPTIONAL | TS_TO_KEYWORD | TS_REPEAT,
+	  .offset = TS_FIELD(struct state, format, struct ts_words *),
+	  .help = "how numbers are written: float F, int F, the number of a column and F, line \"F F ...\" "
+		  "with one for each column, or none: the defaults again; F is a C format such as %20.15g" },
 	TS_ARGS_END,
 };
 
@@ -62,10 +64,12 @@ const struct ts_command_style ts_command_thermo_modify = {
 	.style = {
 		.name = "thermo_modify",
 		.kind = TS_KIND_COMMAND,
-		.summary = "Formats of the table in the log; what to do about lost particles",
-		.doc = "Defaults: format float %14.8g, format int %8d.",
+		.summary = "How the table in the log is written; what to do about lost particles",
+		.doc = "Defaults: format float %14.8g, format int %8d, in blocks %14.4f and %14d; norm yes after the\n"
+		       "command `units lj`, else no. thermo_style brings the defaults back, but for lost. A format of a\n"
+		       "column goes before those of a kind, and those before the line's.",
 		.example = "thermo_modify lost warn norm no\n"
-			   "thermo_modify format float %20.15g",
+			   "thermo_modify format float %20.15g format 3 %10.4f",
 		.args = args,
 		.state_size = sizeof(struct state),
 	},

@@ -9,7 +9,7 @@ struct state {
 	struct ts_words columns;
 };
 
-enum { ONE, CUSTOM };
+enum { ONE, MULTI, CUSTOM };
 
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
 {
@@ -18,10 +18,10 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	struct ts_word word[4];
 
 	if (s->style == CUSTOM)
-		return ts_thermo_columns(sim, s->columns);
+		return ts_thermo_columns(sim, s->columns, false);
 	for (size_t k = 0; k < 4; k++)
 		word[k] = (struct ts_word){ .text = one[k], .place = *where };
-	return ts_thermo_columns(sim, (struct ts_words){ word, 4 });
+	return ts_thermo_columns(sim, (struct ts_words){ word, 4 }, s->style == MULTI);
 }
 
 static const struct ts_arg custom[] = {
@@ -32,6 +32,7 @@ static const struct ts_arg custom[] = {
 
 static const struct ts_mode styles[] = {
 	[ONE] = { "one", "step atoms ke cpu", NULL },
+	[MULTI] = { "multi", "the same in blocks of named numbers", NULL },
 	[CUSTOM] = { "custom", "columns of your choice", custom },
 	{ .name = NULL },
 };

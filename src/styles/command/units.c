@@ -1,6 +1,7 @@
 /* Command units: the system of units and the default time step. */
 #include "core/sim.h"
 
+#include "io/thermo.h"
 #include "particles/domain.h"
 
 #include "base/banned.h"
@@ -21,6 +22,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "units must come before the simulation box is created");
 	sim->units = (enum ts_units)s->units;
+	sim->thermo->norm = sim->thermo->norm_default = s->units == TS_UNITS_LJ;
 	ts_sim_set_dt(sim, dt[s->units]);
 	return TS_OK;
 }

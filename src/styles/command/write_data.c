@@ -124,7 +124,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 }
 
 static const struct ts_arg args[] = {
-	TS_WORD("file", struct write_data, file, .flags = TS_POSITIONAL,
+	TS_WORD("file", struct write_data, file, .flags = TS_POSITIONAL | TS_WRITES,
 		.help = "name of the file; `*` stands for the step; compressed if it ends in .gz"),
 	TS_ENUM("pair", struct write_data, pairs, pair_choices, .fallback = "ij",
 		.help = "coefficients of equal types only, or of all pairs of types"),

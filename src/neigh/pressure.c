@@ -1,0 +1,80 @@
+/* What the neighbour search and the contacts give to the table of the log. */
+#include "neigh/contact_list.h"
+#include "particles/temperature.h"
+
+#include "base/banned.h"
+
+static void virial(const struct tsim *sim, size_t i, void *context, double *term)
+{
+	ts_virial_of(sim, i, context, term);
+}
+
+/* As compute pressure with all its parts. */
+static enum ts_status tensor(struct tsim *sim, double out[6])
+{
+	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
+	struct ts_virial_parts parts = { .kinetic = true, .pair = true, .bond = true };
+	double kinetic[7], volume = 1;
+
+	if (pair)
+		TS_TRY(ts_contacts_require(sim, pair));
+	ts_group_sum(sim, 0, 6, virial, &parts, out);
+	ts_kinetic_tensor(sim, 0, NULL, kinetic);
+	for (int d = 0; d < sim->dimension; d++)
+		volume *= ts_box_length(&sim->domain->box, d);
+	for (int k = 0; k < 6; k++)
+		out[k] = volume > 0 ? (out[k] + kinetic[k]) / volume : 0;
+	return TS_OK;
+}
+
+static enum ts_status press(struct tsim *sim, double *out)
+{
+	double t[6];
+
+	TS_TRY(tensor(sim, t));
+	*out = (t[0] + t[1] + (sim->dimension == 3 ? t[2] : 0)) / sim->dimension;
+	return TS_OK;
+}
+
+#define COMPONENT(name, k)                                                                         \
+	static enum ts_status name(struct tsim *sim, double *out)                                  \
+	{                                                                                          \
+		double t[6];                                                                       \
+                                                                                                   \
+		TS_TRY(tensor(sim, t));                                                            \
+		*out = t[k];                                                                       \
+		return TS_OK;                                                                      \
+	}
+COMPONENT(pxx, 0)
+COMPONENT(pyy, 1)
+COMPONENT(pzz, 2)
+COMPONENT(pxy, 3)
+COMPONENT(pxz, 4)
+COMPONENT(pyz, 5)
+
+static enum ts_status nbuild(struct tsim *sim, double *out)
+{
+	*out = (double)sim->neigh->builds;
+	return TS_OK;
+}
+
+/* Rows are built anew exactly when a particle has moved half the skin: no contact is ever missed. */
+static enum ts_status ndanger(struct tsim *sim, double *out)
+{
+	(void)sim;
+	*out = 0;
+	return TS_OK;
+}
+
+const struct ts_keyword ts_neigh_keywords[] = {
+	{ "press", "Press", "pressure", "pressure of all particles, see compute pressure", 0, press },
+	{ "pxx", "Pxx", "pressure", "its tensor, xx", 0, pxx },
+	{ "pyy", "Pyy", "pressure", "its tensor, yy", 0, pyy },
+	{ "pzz", "Pzz", "pressure", "its tensor, zz", 0, pzz },
+	{ "pxy", "Pxy", "pressure", "its tensor, xy", 0, pxy },
+	{ "pxz", "Pxz", "pressure", "its tensor, xz", 0, pxz },
+	{ "pyz", "Pyz", "pressure", "its tensor, yz", 0, pyz },
+	{ "nbuild", "Nbuild", "", "how often neighbours were searched in this run", 1, nbuild },
+	{ "ndanger", "Ndanger", "", "searches that came too late: 0", 1, ndanger },
+	{ .name = NULL },
+};
