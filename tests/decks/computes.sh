@@ -122,6 +122,7 @@ thermo 1000
 run 1000
 print \"is half \$(c_m[1]) \$(0.1^2*(4/9))\""
 agree 'temperature' "units lj
+thermo_modify norm no
 boundary p p p
 region box block 0 9 0 9 0 9
 create_box 1 box
