@@ -8,7 +8,7 @@ top_srcdir=$(cd "${top_srcdir:-$(dirname "$0")/../..}" && pwd)
 here=$top_srcdir/tests/fuzz
 folder=${FUZZ_FOLDER:-$top_builddir/fuzzing}
 TSIM=${TSIM:-$top_builddir/tsim}
-targets=(${*:-script expression restart})
+targets=(${*:-script expression restart data})
 sanitize=address,undefined,float-cast-overflow  # null + 0 is no fault: pointer-overflow is left out below
 clang=${CLANG:-clang}
 
@@ -35,6 +35,11 @@ seeds() {
 	case $1 in
 	script) set -- "$1" "$top_srcdir"/{tests/decks,examples/*}/in.* "$top_srcdir"/doc/styles/*.md ;;
 	expression) set -- "$1" "$top_srcdir"/{tests/decks,examples/*}/in.* ;;
+	data)
+		printf 'read_restart %s\nwrite_data data.seed\n' "$top_srcdir/tests/data/version1.restart" |
+			"$TSIM" -log none -screen none
+		set -- data data.seed "$top_srcdir"/tests/data/data.*
+		;;
 	restart) set -- "$1" "$top_srcdir"/tests/data/*.restart ;;
 	esac
 	python3 "$here/make_seeds.py" "$1" "seeds.$1" "${@:2}"

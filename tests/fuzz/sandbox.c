@@ -5,8 +5,10 @@
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <sys/time.h>
+#include <unistd.h>
 #include <zlib.h>
 
 #include "core/sim.h"
@@ -101,15 +103,20 @@ static FILE *pretend_open(const char *path, const char *mode)
 	return NULL;
 }
 
-static gzFile pretend_gzopen(const char *mode)
+static gzFile pretend_gzopen(const char *path, const char *mode)
 {
+	int memory;
+
 	if (mode[0] != 'r')
 		return __real_gzopen("/dev/null", "wb");
-	return deny_pointer(NULL);
+	memory = strcmp(path, "input") == 0 ? memfd_create("input", 0) : -1;
+	if (memory < 0 || write(memory, box.input, box.n) < 0 || lseek(memory, 0, SEEK_SET) < 0)
+		return deny_pointer(NULL);
+	return gzdopen(memory, "rb");
 }
 
 WRAPPED(FILE *, fopen, (const char *path, const char *mode), (path, mode), pretend_open(path, mode))
-WRAPPED(gzFile, gzopen, (const char *path, const char *mode), (path, mode), pretend_gzopen(mode))
+WRAPPED(gzFile, gzopen, (const char *path, const char *mode), (path, mode), pretend_gzopen(path, mode))
 WRAPPED(int, mkdir, (const char *path, mode_t mode), (path, mode), 0)
 WRAPPED(int, rmdir, (const char *path), (path), 0)
 WRAPPED(int, unlink, (const char *path), (path), 0)
