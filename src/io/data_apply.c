@@ -1,5 +1,7 @@
 /* Data files: from what was read into the simulation. */
 #include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
 
 #include "io/data.h"
 #include "particles/body.h"
@@ -10,15 +12,17 @@
 
 /* Everything that can be refused is, before anything changes. */
 static enum ts_status refuse(struct tsim *sim, const struct ts_data *data, int line,
-			     const char *format, double a, double b)
+			     const char *format, ...) __attribute__((format(printf, 4, 5)));
+static enum ts_status refuse(struct tsim *sim, const struct ts_data *data, int line,
+			     const char *format, ...)
 {
 	struct ts_place place = { .file = data->file, .line = line };
 	char text[200];
+	va_list args;
 
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wformat-nonliteral"
-	snprintf(text, sizeof text, format, a, b);
-#pragma GCC diagnostic pop
+	va_start(args, format);
+	vsnprintf(text, sizeof text, format, args);
+	va_end(args);
 	return ts_fail(&sim->error, TS_RANGE, &place, "%s", text);
 }
 
@@ -32,11 +36,9 @@ static enum ts_status check_position(struct tsim *sim, const struct ts_data *dat
 		if ((box->face[d][0] == TS_FACE_FIXED && x < box->lo[d]) ||
 		    (box->face[d][1] == TS_FACE_FIXED && x > box->hi[d]))
 			return refuse(sim, data, a->line,
-				      d == 0   ? "x = %g lies outside the box, whose face is fixed%.0s"
-				      : d == 1 ? "y = %g lies outside the box, whose face is fixed%.0s"
-					       : "z = %g lies outside the box, whose face is fixed%.0s",
-				      x, 0);
-		if (fabs(x - box->lo[d]) > 1e9 * ts_box_length(box, d))
+				      "%c = %g lies outside the box, whose face is fixed", "xyz"[d],
+				      x);
+		if (!(fabs(x - box->lo[d]) <= 1e9 * ts_box_length(box, d)))
 			return refuse(sim, data, a->line,
 				      "a coordinate of %g is too far from the box, which is %g long", x,
 				      ts_box_length(box, d));
@@ -58,20 +60,19 @@ static enum ts_status check_atoms(struct tsim *sim, const struct ts_data *data,
 		int64_t tag = a->tag + o->tag_offset, type = a->type + o->type_offset;
 
 		if (tag < 1 || tag > INT32_MAX - 1)
-			return refuse(sim, data, a->line, "id %.0f with its offset is %.0f",
-				      a->tag, (double)tag);
+			return refuse(sim, data, a->line, "id %d with its offset is %lld",
+				      (int)a->tag, (long long)tag);
 		if (type < 1 || type > ntypes)
 			return refuse(sim, data, a->line,
-				      "type %.0f with its offset is more than the %.0f there are",
-				      a->type, ntypes);
+				      "type %d with its offset is not one of the %d there are",
+				      (int)a->type, ntypes);
 		if (row && tag <= p->max_tag && row[tag] >= 0)
 			return refuse(sim, data, a->line,
-				      "there is a particle %.0f already%.0s: use `add append`",
-				      (double)tag, 0);
+				      "there is a particle %lld already: use `add append`",
+				      (long long)tag);
 		if (!data->layout.sized && !(data->mass && data->mass[a->type] > 0))
 			return refuse(sim, data, a->line,
-				      "type %.0f has no mass: a section Masses is needed%.0s",
-				      a->type, 0);
+				      "type %d has no mass: a section Masses is needed", (int)a->type);
 		TS_TRY(check_position(sim, data, box, a, o->shift));
 	}
 	return TS_OK;

@@ -7,9 +7,10 @@ top_builddir=$PWD
 top_srcdir=$(cd "${top_srcdir:-$(dirname "$0")/../..}" && pwd)
 here=$top_srcdir/tests/fuzz
 folder=${FUZZ_FOLDER:-$top_builddir/fuzzing}
-TSIM=${TSIM:-$top_builddir/tsim}
+export top_srcdir TSIM=${TSIM:-$top_builddir/tsim}
 targets=(${*:-script expression restart data})
-sanitize=address,undefined,float-cast-overflow  # null + 0 is no fault: pointer-overflow is left out below
+# adding 0 to a null pointer is no fault: pointer-overflow is left out below
+sanitize=address,undefined,float-cast-overflow
 clang=${CLANG:-clang}
 
 mkdir -p "$folder" && cd "$folder" || exit 99
@@ -22,7 +23,7 @@ fi
 # the library once more, instrumented; make builds what has changed
 flags="-O1 -g -fno-omit-frame-pointer -fsanitize=$sanitize -fno-sanitize-recover=all -fno-sanitize=pointer-overflow"
 if ! [ -f Makefile ]; then
-	CC="${CCACHE_DIR:+ccache }$clang" CFLAGS="$flags -fsanitize=fuzzer-no-link" \
+	CC=$clang CFLAGS="$flags -fsanitize=fuzzer-no-link" \
 		"$top_srcdir/configure" -q --disable-openmp >configure.out 2>&1 ||
 		{ cat configure.out; exit 1; }
 fi
@@ -31,26 +32,12 @@ make -s -j"${FUZZ_JOBS:-2}" libtsim.a >make.out 2>&1 || { tail -20 make.out; exi
 # words of the language, from the tables
 cat "$top_srcdir"/doc/styles/*.md | grep -oE '[a-z][a-z_/0-9]+' | sort -u | sed 's/.*/"&"/' >words
 
-seeds() {
-	case $1 in
-	script) set -- "$1" "$top_srcdir"/{tests/decks,examples/*}/in.* "$top_srcdir"/doc/styles/*.md ;;
-	expression) set -- "$1" "$top_srcdir"/{tests/decks,examples/*}/in.* ;;
-	data)
-		printf 'read_restart %s\nwrite_data data.seed\n' "$top_srcdir/tests/data/version1.restart" |
-			"$TSIM" -log none -screen none
-		set -- data data.seed "$top_srcdir"/tests/data/data.*
-		;;
-	restart) set -- "$1" "$top_srcdir"/tests/data/*.restart ;;
-	esac
-	python3 "$here/make_seeds.py" "$1" "seeds.$1" "${@:2}"
-}
-
+"$here/seeds.sh" "${targets[@]}"
 failed=0
 for target in "${targets[@]}"; do
 	$clang $flags -fsanitize=fuzzer -D_GNU_SOURCE -I"$top_srcdir/src" "$here/fuzz_$target.c" \
 		"$here/sandbox.c" libtsim.a -lgsl -lgslcblas -lz -lm @"$here/wrap.ld" \
 		-o "fuzz_$target" || exit 1
-	seeds "$target"
 	mkdir -p "corpus.$target" "found.$target" "empty.$target"
 	(
 		cd "empty.$target" || exit 99
@@ -58,7 +45,7 @@ for target in "${targets[@]}"; do
 			"../fuzz_$target" -dict=../words -artifact_prefix="../found.$target/" -timeout=20 \
 			-rss_limit_mb=2048 -max_len=8192 -print_final_stats=1 -use_value_profile=1 \
 			-max_total_time=$((${FUZZ_SECONDS:-60} / ${#targets[@]})) "../corpus.$target" \
-			"../seeds.$target" $(ls -d "$here/corpus/$target" 2>/dev/null) >"../log.$target" 2>&1
+			"../seeds.$target" "$here/corpus/$target" >"../log.$target" 2>&1
 	)
 	status=$?
 	echo "$target: $(sed -n 's/^stat::number_of_executed_units: *//p' "log.$target") executions," \

@@ -95,6 +95,8 @@ gzFile __real_gzopen(const char *path, const char *mode);
 
 static FILE *pretend_open(const char *path, const char *mode)
 {
+	if (strncmp(path, "../found.", 9) == 0) /* what libFuzzer has found */
+		return __real_fopen(path, mode);
 	if (mode[0] != 'r')
 		return __real_fopen("/dev/null", "w");
 	if (strcmp(path, "input") == 0 && box.n)

@@ -1,6 +1,8 @@
 /* Command neigh_modify: which pairs never touch. */
 #include "core/sim.h"
 
+#include <string.h>
+
 #include "core/group.h"
 #include "neigh/neigh.h"
 #include "particles/particles.h"
@@ -44,11 +46,14 @@ static enum ts_status add_pair(struct tsim *sim, struct ts_words words)
 	if (words.n < 3 || !(pair.by_group || ts_streq(words.word[0].text, "type")))
 		return ts_fail(&sim->error, TS_SYNTAX, &words.word[0].place,
 			       "neigh_modify exclude: expected type m n, group a b or none");
+	TS_TRY((pair.by_group ? read_group : read_type)(sim, &words.word[1], &pair.a));
+	TS_TRY((pair.by_group ? read_group : read_type)(sim, &words.word[2], &pair.b));
+	for (int k = 0; k < neigh->nexclude; k++) /* said again, as after read_restart */
+		if (memcmp(&neigh->exclude[k], &pair, sizeof pair) == 0)
+			return TS_OK;
 	if (neigh->nexclude == TS_MAX_EXCLUDE)
 		return ts_fail(&sim->error, TS_RANGE, &words.word[0].place,
 			       "neigh_modify exclude: there can be %d pairs", TS_MAX_EXCLUDE);
-	TS_TRY((pair.by_group ? read_group : read_type)(sim, &words.word[1], &pair.a));
-	TS_TRY((pair.by_group ? read_group : read_type)(sim, &words.word[2], &pair.b));
 	neigh->exclude[neigh->nexclude++] = pair;
 	return TS_OK;
 }

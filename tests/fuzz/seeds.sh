@@ -1,0 +1,16 @@
+#!/bin/bash
+# seeds.sh TARGET...: makes folders seeds.TARGET here, from decks, examples, manual pages and data files.
+decks=("$top_srcdir"/tests/{decks,data}/in.* "$top_srcdir"/examples/*/in.*)
+for target in "$@"; do
+	case $target in
+	script) files=("${decks[@]}" "$top_srcdir"/doc/styles/*.md) ;;
+	expression) files=("${decks[@]}") ;;
+	restart) files=("$top_srcdir"/tests/data/*.restart) ;;
+	data)
+		printf 'read_restart %s\nwrite_data data.seed\n' "$top_srcdir/tests/data/version1.restart" |
+			"$TSIM" -log none -screen none
+		files=(data.seed "$top_srcdir"/tests/data/data.*)
+		;;
+	esac
+	python3 "$top_srcdir/tests/fuzz/make_seeds.py" "$target" "seeds.$target" "${files[@]}"
+done

@@ -1,0 +1,107 @@
+#!/bin/bash
+# Every deck whole is the same deck cut at random steps and continued from a restart file: what it writes,
+# its tables and its final state, byte for byte; the second part on two threads. SEED repeats a test;
+# CUTS (3) is how often each deck is cut.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+command -v python3 >/dev/null || exit 77
+seed=${SEED:-$(od -An -tu4 -N 4 /dev/urandom | tr -d ' ')}
+echo "SEED=$seed"
+RANDOM=$((seed % 32768))
+export OMP_WAIT_POLICY=passive
+
+# part FOLDER THREADS: runs its deck there
+part() {
+	printf 'package omp %s grain 1\ninclude deck\n' "$2" >"$1/in"
+	(cd "$1" && "$TSIM" -in in -log log -screen none "${options[@]}" 2>err)
+	report "$name: $1" $? "$1/err"
+}
+
+# What a file holds: without the titles that each part writes.
+content() {
+	case $1 in
+	*.gz) gunzip -c "$1" ;;
+	*) grep -v '^#' "$1" ;;
+	esac
+}
+
+compare() { # STEP
+	local file
+	for file in whole/*; do
+		file=${file#whole/}
+		case $file in
+		in | deck | err | log | *.restart | *.pvd) continue ;;
+		esac
+		for side in whole one two; do
+			[ -e $side/$file ] && content $side/$file
+		done >/dev/null
+		content "whole/$file" >expected
+		for side in one two; do
+			[ ! -e "$side/$file" ] || content "$side/$file"
+		done >found
+		[ -s expected ] && same "$name: $file" expected found
+	done
+	same "$name: the state at the end" whole/end.restart two/end.restart
+	rows whole/log | grep -vE "^ +$1 " >expected
+	rows one/log two/log | grep -vE "^ +$1 " >found
+	same "$name: tables" expected found
+}
+
+# cut DECK OPTIONS...: the deck once whole and CUTS times in two
+cut() {
+	local deck=$1 lengths run steps
+	name=$(basename "$deck")
+	shift
+	options=("$@")
+	rm -rf whole && mkdir whole
+	python3 "$top_srcdir/tests/split_deck.py" "$deck" 0 0 whole/deck none
+	part whole 1
+	mapfile -t lengths < <(sed -n 's/^Loop time of .* for \([0-9]*\) steps .*/\1/p' whole/log)
+	for ((k = 0; k < ${CUTS:-3}; k++)); do
+		run=$((RANDOM % ${#lengths[@]}))
+		steps=$((RANDOM % (${lengths[run]} + 1)))
+		rm -rf one two && mkdir one two
+		python3 "$top_srcdir/tests/split_deck.py" "$deck" $((run + 1)) $steps one/deck two/deck
+		part one 1
+		cp one/cut.restart two
+		part two 2
+		compare "$(sed -n 's/^ *\([0-9]*\) .*/\1/p' one/log | tail -n 1)"
+		[ $failed = 0 ] || { echo "$name: cut after $steps steps of run $((run + 1))"; finish; }
+	done
+}
+
+# the drilling example: a small rock is made, drilling it is cut
+mkdir drilling && cp "$top_srcdir"/examples/drilling/in.* drilling
+small=(-var depth 500 -var T 12 -var land 2 -var vtk no -var out .)
+(cd drilling && "$TSIM" -in in.drilling "${small[@]}" -var T 0 -log none -screen none 2>err)
+report 'a rock' $? drilling/err
+rock=$work/drilling/rock.1.restart
+{
+	sed '/^if "${rock}/,$d' drilling/in.drilling
+	echo "read_restart $rock"
+	cat drilling/in.contact
+	sed '/^label/,$d' drilling/in.drill
+} >in.begin
+# what the example takes from the rock as it is at the start, it cannot take from a rock half drilled
+cat >in.rock <<'END'
+read_restart ${rock}
+print "$(bound(rock,zmax):%.17g) $(numbonds) $(count(rock))"
+END
+read -r surface bonds grains < <("$TSIM" -in in.rock -var rock "$rock" -log none | tail -n 1)
+sed "s/\$(bound(rock,zmax))/$surface/; s/equal \$(numbonds)/equal $bonds/
+	s/equal \$(count(rock))/equal $grains/" in.begin >in.drilling
+cut in.drilling "${small[@]}"
+
+for deck in "$top_srcdir"/tests/decks/in.* "$top_srcdir"/tests/data/in.*; do
+	cut "$deck" -var out out -var last 700
+done
+
+# each style that remembers something is in one of the decks
+for file in $(grep -lE '\.(saved|archive) = ' "$top_srcdir"/src/styles/{fix,compute,dump}/*.c); do
+	style=$(sed -n '/^TS_STYLE/,$s/.*\.name = "\([^"]*\)",.*/\1/p' "$file" | head -n 1)
+	[ "$style" = restart ] && continue
+	kind=$(basename "$(dirname "$file")")
+	grep -hE "^$kind[[:space:]]" "$top_srcdir"/tests/decks/in.* | awk '{ print $4, $3 }' | grep -qw "$style"
+	report "$kind $style is in a deck of tests/decks" $?
+done
+finish
