@@ -64,7 +64,7 @@ static enum ts_status check_atoms(struct tsim *sim, const struct ts_data *data,
 				      (int)a->tag, (long long)tag);
 		if (type < 1 || type > ntypes)
 			return refuse(sim, data, a->line,
-				      "type %d with its offset is not one of the %d there are",
+				      "type %d with its offset is more than the %d there are",
 				      (int)a->type, ntypes);
 		if (row && tag <= p->max_tag && row[tag] >= 0)
 			return refuse(sim, data, a->line,
