@@ -147,9 +147,11 @@ static int modes_of(const struct ts_arg *rows)
 
 struct trial {
 	const struct ts_style *style;
+	const struct ts_arg *rows; /* its arguments or its coefficients */
 	struct tsim *sim;
 	size_t refused;
 };
+enum { MOST_STATE = 1 << 16 };
 
 static const char *text_of(const struct line *line)
 {
@@ -166,15 +168,16 @@ static enum ts_status parse(struct trial *t, const struct line *line)
 {
 	struct ts_place where = { "script", text_of(line), 7, 1, 1 };
 	struct ts_arena arena = { 0 };
-	void *state = ts_alloc_aligned(1, t->style->state_size + 1);
+	void *state = ts_alloc_aligned(1, MOST_STATE);
 	struct ts_words words;
 	enum ts_status status;
 
 	ck_assert_ptr_nonnull(state);
+	ck_assert_uint_lt(t->style->state_size, MOST_STATE);
 	tsim_error_clear(t->sim);
 	status = ts_words_split(&arena, where.text, &where, &words);
 	if (status == TS_OK)
-		status = ts_args_parse(t->sim, t->style->name, t->style->args, words, &where,
+		status = ts_args_parse(t->sim, t->style->name, t->rows, words, &where,
 				       &arena, state);
 	ts_arena_release(&arena);
 	ts_free(state);
@@ -189,6 +192,8 @@ static const char *script_line(const struct trial *t, const struct line *line)
 					       "thermo_log", "next",  "label",	       NULL };
 	static char text[5000];
 
+	if (t->rows != t->style->args)
+		return NULL;
 	for (int k = 0; t->style->kind == TS_KIND_COMMAND && not_run[k]; k++)
 		if (ts_streq(not_run[k], t->style->name))
 			return NULL;
@@ -215,6 +220,28 @@ static void accepted(struct trial *t, const struct line *line)
 		      t->style->name, text_of(line), tsim_error(t->sim));
 }
 
+enum { NOBODY = MOST_ITEMS };
+static size_t blamed = NOBODY;
+
+/* The mark must stand under the very word, and the message must show it. */
+static void check_blame(const struct trial *t, const struct line *line)
+{
+	const struct ts_error *error = &t->sim->error;
+	int column = 2;
+
+	if (blamed == NOBODY)
+		return;
+	for (size_t k = 0; k < blamed; k++)
+		column += (int)strlen(line->item[k].text) + 1;
+	ck_assert_msg(error->place.column == column &&
+			      error->place.length == (int)strlen(line->item[blamed].text),
+		      "%s: column %d, expected %d:%s: %s", t->style->name, error->place.column,
+		      column, text_of(line), error->message);
+	ck_assert_msg(strstr(error->message, line->item[blamed].text) != NULL,
+		      "the message does not show '%s': %s", line->item[blamed].text,
+		      error->message);
+}
+
 static void refused(struct trial *t, const struct line *line, const char *what)
 {
 	enum ts_status status = parse(t, line);
@@ -226,6 +253,10 @@ static void refused(struct trial *t, const struct line *line, const char *what)
 		      "%s: %s: no message:%s", t->style->name, what, text_of(line));
 	ck_assert_msg(t->sim->error.place.line == 7, "%s: %s: no place: %s", t->style->name, what,
 		      t->sim->error.message);
+	ck_assert_msg(strncmp(t->sim->error.message, t->style->name, strlen(t->style->name)) == 0 ||
+			      t->sim->error.status == TS_UNKNOWN,
+		      "the message does not say what it is about: %s", t->sim->error.message);
+	check_blame(t, line);
 	t->refused++;
 	script = script_line(t, line);
 	if (!script)
@@ -250,7 +281,9 @@ static void with_word(struct trial *t, const struct line *good, size_t k, const 
 	va_start(args, format);
 	vsnprintf(bad.item[k].text, sizeof bad.item[k].text, format, args);
 	va_end(args);
+	blamed = k;
 	refused(t, &bad, what);
+	blamed = NOBODY;
 }
 
 static void out_of_range(struct trial *t, const struct line *good, size_t k)
@@ -281,11 +314,34 @@ static void out_of_range(struct trial *t, const struct line *good, size_t k)
 static void wrong_number(struct trial *t, const struct line *good, size_t k)
 {
 	static const char *const words[] = {
-		"1.5x", "x", "--1", "1e", "1e999", "nan", "1,5", "0x"
+		"1.5x", "x", "--1", "1e", "1e999", "-1e999", "nan", "NaN",
+		"inf", "-inf", "1,5", "0x", "1.5.5"
 	};
 
 	for (size_t w = 0; w < DECK_LENGTH(words); w++)
 		with_word(t, good, k, "no number", "%s", words[w]);
+}
+
+/* Outputs are looked up when the style is made, not when its line is read. */
+static void unknown_output(struct trial *t, const struct line *good, size_t k)
+{
+	static const char *const names[] = { "c_nothing", "f_nothing", "v_nothing", "nothing",
+					     "c_k[x]", "c_" };
+	struct line bad = *good;
+
+	for (size_t w = 0; w < DECK_LENGTH(names); w++) {
+		const char *script;
+
+		snprintf(bad.item[k].text, sizeof bad.item[k].text, "%s", names[w]);
+		script = script_line(t, &bad);
+		if (!script)
+			return;
+		tsim_error_clear(t->sim);
+		ck_assert_msg(tsim_line(t->sim, script), "a script can say: %s", script);
+		ck_assert_msg(t->sim->error.place.line == 1, "no place: %s", t->sim->error.message);
+		t->refused++;
+	}
+	tsim_error_clear(t->sim);
 }
 
 static void wrong_value(struct trial *t, const struct line *good, size_t k)
@@ -294,6 +350,7 @@ static void wrong_value(struct trial *t, const struct line *good, size_t k)
 	case TS_ARG_INT:
 		with_word(t, good, k, "no whole number", "1.5");
 		with_word(t, good, k, "too large a number", "99999999999999999999");
+		with_word(t, good, k, "too small a number", "-9223372036854775809");
 		/* fallthrough */
 	case TS_ARG_REAL:
 	case TS_ARG_NUMBER:
@@ -317,6 +374,9 @@ static void wrong_value(struct trial *t, const struct line *good, size_t k)
 		break;
 	case TS_ARG_GROUP:
 		with_word(t, good, k, "no group", "som");
+		break;
+	case TS_ARG_REF:
+		unknown_output(t, good, k);
 		break;
 	case TS_ARG_REGION:
 		with_word(t, good, k, "no region", "parts");
@@ -400,32 +460,53 @@ static const char scene[] = "units si\n"
 			    "pair_coeff * * stiffness 100 restitution 0.5\n"
 			    "compute k all ke\n";
 
-START_TEST(rejections)
+/* Tests run in processes of their own: the sum is kept in a file. */
+static void count(size_t refused)
 {
-	struct trial t = { .style = ts_style_table[_i], .sim = deck_open("%s", scene) };
+	const char *path = getenv("TS_REJECTIONS");
+	FILE *file = path ? fopen(path, "a") : NULL;
 
-	for (int mode = 0; mode < modes_of(t.style->args); mode++) {
+	if (!file)
+		return;
+	fprintf(file, "%zu\n", refused);
+	fclose(file);
+}
+
+static void try_rows(struct trial *t)
+{
+	for (int mode = 0; mode < modes_of(t->rows); mode++) {
 		struct line good = { 0 };
 
-		put_rows(&good, t.style->args, mode);
-		accepted(&t, &good);
-		too_short(&t, &good);
-		all_wrong(&t, &good);
-		each_keyword(&t, t.style->args, &good);
-		for (const struct ts_arg *row = t.style->args; row && row->type != TS_ARG_END;
-		     row++)
+		put_rows(&good, t->rows, mode);
+		accepted(t, &good);
+		too_short(t, &good);
+		all_wrong(t, &good);
+		each_keyword(t, t->rows, &good);
+		for (const struct ts_arg *row = t->rows; row && row->type != TS_ARG_END; row++)
 			if (row->type == TS_ARG_MODE && (row->flags & TS_POSITIONAL)) {
 				int n = 0;
 
 				while (row->modes[n].name)
 					n++;
 				if (mode < n)
-					each_keyword(&t, row->modes[mode].args, &good);
+					each_keyword(t, row->modes[mode].args, &good);
 			}
 	}
+}
+
+START_TEST(rejections)
+{
+	const struct ts_style *style = ts_style_table[_i];
+	struct trial t = { .style = style, .rows = style->args, .sim = deck_open("%s", scene) };
+
+	try_rows(&t);
+	t.rows = style->coeff;
+	if (t.rows)
+		try_rows(&t);
 	/* the simulation is still in order */
 	tsim_error_clear(t.sim);
 	ck_assert_msg(tsim_count(t.sim) == 2, "%s has changed the particles", t.style->name);
+	count(t.refused);
 	tsim_close(t.sim);
 }
 END_TEST
@@ -462,11 +543,23 @@ START_TEST(coefficients)
 }
 END_TEST
 
+static size_t counted(const char *path)
+{
+	FILE *file = fopen(path, "r");
+	size_t sum = 0, n;
+
+	while (file && fscanf(file, "%zu", &n) == 1)
+		sum += n;
+	if (file)
+		fclose(file);
+	return sum;
+}
+
 int main(void)
 {
 	Suite *suite = suite_create("arguments");
 	TCase *each = tcase_create("each style");
-	int n = 0;
+	int n = 0, status;
 
 	while (ts_style_table[n])
 		n++;
@@ -474,5 +567,11 @@ int main(void)
 	tcase_add_loop_test(each, rejections, 0, n);
 	tcase_add_test(each, coefficients);
 	suite_add_tcase(suite, each);
-	return deck_main(suite);
+	remove("rejections.count");
+	setenv("TS_REJECTIONS", "rejections.count", 1);
+	status = deck_main(suite);
+	printf("%zu rejections of arguments of %d styles and commands\n",
+	       counted("rejections.count"), n);
+	remove("rejections.count");
+	return status;
 }
