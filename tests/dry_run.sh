@@ -85,9 +85,9 @@ errors 'all errors at once' <<'END'
 22:11: there is no 'label nowhere'
 23:21: unknown command 'prnt'
 23:66: expected a number or v_name (in a branch that is not taken)
-24:1: there is no directory 'nodir'
+24:22: there is no directory 'nodir'
 26:16: unknown keyword 'stifness'
-28:1: there is no fix '9'
+28:7: there is no fix '9'
 31:9: group: style is 'typ'
 END
 

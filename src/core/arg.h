@@ -178,7 +178,8 @@ bool ts_arg_record(const struct tsim *sim, const struct ts_arg *row, const void 
 
 /* -check: tells the host of the files that rows marked TS_WRITES name. */
 enum ts_status ts_args_outputs(struct tsim *sim, const char *what, const struct ts_arg *rows,
-			       const void *base, const struct ts_place *where);
+			       const void *base, struct ts_words words,
+			       const struct ts_place *where);
 
 /* How a row is written in a synopsis: "stiffness K", "[side in|out]", "x y z" ... */
 void ts_arg_synopsis(const struct ts_arg *row, struct ts_str *out);

@@ -28,14 +28,23 @@ static const struct ts_word *take(struct parse *p)
 static enum ts_status refuse(struct parse *p, const struct ts_arg *row, const struct ts_word *word,
 			     const char *expected)
 {
+	const struct ts_place *where = p->where;
+	char meaning[96] = "";
+
+	/* choices explain themselves */
+	if (row->help && strlen(row->help) < sizeof meaning - 8 && expected != row->help &&
+	    row->type != TS_ARG_ENUM && row->type != TS_ARG_MODE)
+		snprintf(meaning, sizeof meaning, " (%s)", row->help);
 	if (word)
 		return ts_fail(&p->sim->error, TS_SYNTAX, &word->place,
-			       "%s: %s is '%s', expected %s", p->what, row->name, word->text,
-			       expected);
-	return ts_fail(&p->sim->error, TS_SYNTAX, p->where,
-		       row->flags & TS_POSITIONAL ? "%s: %s is missing, expected %s"
-						  : "%s: keyword %s lacks its value, expected %s",
-		       p->what, row->name, expected);
+			       "%s: %s is '%s', expected %s%s", p->what, row->name, word->text,
+			       expected, meaning);
+	if (!(row->flags & TS_POSITIONAL) && p->words.n)
+		where = &p->words.word[p->words.n - 1].place;
+	return ts_fail(&p->sim->error, TS_SYNTAX, where,
+		       row->flags & TS_POSITIONAL ? "%s: %s is missing, expected %s%s"
+						  : "%s: keyword %s lacks its value, expected %s%s",
+		       p->what, row->name, expected, meaning);
 }
 
 static enum ts_status check_range(struct parse *p, const struct ts_arg *row,
@@ -219,8 +228,17 @@ static enum ts_status read_types(struct parse *p, const struct ts_arg *row, stru
 	return TS_OK;
 }
 
+static bool names_style(const char *name)
+{
+	return ts_style_find(TS_KIND_FIX, name) || ts_style_find(TS_KIND_COMPUTE, name) ||
+	       ts_style_find(TS_KIND_DUMP, name);
+}
+
 static enum ts_status read_group(struct parse *p, const struct ts_arg *row, int *out)
 {
+	struct ts_error *error = &p->sim->error;
+	enum ts_status status;
+	char *tail;
 	const struct ts_word *word = take(p);
 
 	if (!word)
@@ -229,7 +247,13 @@ static enum ts_status read_group(struct parse *p, const struct ts_arg *row, int 
 		*out = 0;
 		return TS_OK;
 	}
-	return ts_group_require(p->sim, word, out);
+	status = ts_group_require(p->sim, word, out);
+	if (status == TS_UNKNOWN && names_style(word->text)) {
+		tail = error->message + strlen(error->message);
+		snprintf(tail, sizeof error->message - (size_t)(tail - error->message),
+			 "; '%s' is a style, the group stands before it", word->text);
+	}
+	return status;
 }
 
 static enum ts_status read_region(struct parse *p, const struct ts_arg *row,

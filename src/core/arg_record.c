@@ -143,8 +143,18 @@ void ts_args_record(const struct tsim *sim, const struct ts_arg *rows, const voi
 	}
 }
 
+static enum ts_status would_write(struct tsim *sim, const char *what, const char *path,
+				  struct ts_words words, const struct ts_place *where)
+{
+	for (size_t k = 0; k < words.n; k++)
+		if (ts_streq(words.word[k].text, path))
+			where = &words.word[k].place;
+	return sim->host->would_write(sim->host_data, where, what, path);
+}
+
 enum ts_status ts_args_outputs(struct tsim *sim, const char *what, const struct ts_arg *rows,
-			       const void *base, const struct ts_place *where)
+			       const void *base, struct ts_words words,
+			       const struct ts_place *where)
 {
 	if (!sim->check || !sim->host)
 		return TS_OK;
@@ -154,11 +164,10 @@ enum ts_status ts_args_outputs(struct tsim *sim, const char *what, const struct 
 		if (absent(row, field))
 			continue;
 		if (row->flags & TS_WRITES)
-			TS_TRY(sim->host->would_write(sim->host_data, where, what,
-						      *(const char *const *)field));
+			TS_TRY(would_write(sim, what, *(const char *const *)field, words, where));
 		if (row->type == TS_ARG_MODE)
 			TS_TRY(ts_args_outputs(sim, what, row->modes[*(const int *)field].args,
-					       base, where));
+					       base, words, where));
 	}
 	return TS_OK;
 }

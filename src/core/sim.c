@@ -221,9 +221,12 @@ enum ts_status ts_sim_create(struct tsim *sim, enum ts_kind kind, const struct t
 	TS_TRY(place_of_new(sim, kind, style, id, where, &at));
 	TS_TRY(instance_new(sim, style, id, group, where, &inst));
 	snprintf(what, sizeof what, "%s %s", ts_kind_name(kind), style->name);
-	status = ts_args_parse(sim, what, style->args, args, where, &inst->arena, inst->state);
+	status = ts_words_copy(&inst->arena, args, &inst->words) == TS_OK ? TS_OK : ts_nomem(&sim->error);
 	if (status == TS_OK)
-		status = ts_args_outputs(sim, what, style->args, inst->state, where);
+		status = ts_args_parse(sim, what, style->args, args, where, &inst->arena,
+				       inst->state);
+	if (status == TS_OK)
+		status = ts_args_outputs(sim, what, style->args, inst->state, args, where);
 	if (status == TS_OK)
 		status = first_init(sim, inst, args);
 	if (status != TS_OK) {
@@ -286,6 +289,41 @@ void ts_from_run(struct tsim *sim, const char *name)
 	snprintf(sim->from_run, sizeof sim->from_run, "%s", name);
 }
 
+const struct ts_place *ts_instance_word(const struct ts_instance *inst, const char *text)
+{
+	for (size_t k = 0; k < inst->words.n; k++)
+		if (ts_streq(inst->words.word[k].text, text))
+			return &inst->words.word[k].place;
+	return &inst->where;
+}
+
+const struct ts_place *ts_sim_word(const struct tsim *sim, size_t k, const struct ts_place *where)
+{
+	return k < sim->line.n ? &sim->line.word[k].place : where;
+}
+
+const struct ts_place *ts_sim_word_of(const struct tsim *sim, const char *text,
+				      const struct ts_place *where)
+{
+	for (size_t k = 1; k < sim->line.n; k++)
+		if (ts_streq(sim->line.word[k].text, text))
+			return &sim->line.word[k].place;
+	return where;
+}
+
+/* Commands can run others. */
+static enum ts_status run_command(struct tsim *sim, const struct ts_command_style *command,
+				  void *state, struct ts_words words)
+{
+	struct ts_words outer = sim->line;
+	enum ts_status status;
+
+	sim->line = words;
+	status = command->run(sim, state, &words.word[0].place);
+	sim->line = outer;
+	return status;
+}
+
 enum ts_status ts_sim_command(struct tsim *sim, struct ts_words words)
 {
 	const struct ts_style *style;
@@ -307,9 +345,9 @@ enum ts_status ts_sim_command(struct tsim *sim, struct ts_words words)
 	status = ts_args_parse(sim, style->name, style->args, ts_words_from(words, 1), &where, &arena,
 			       state);
 	if (status == TS_OK)
-		status = ts_args_outputs(sim, style->name, style->args, state, &where);
+		status = ts_args_outputs(sim, style->name, style->args, state, words, &where);
 	if (status == TS_OK)
-		status = command->run(sim, state, &where);
+		status = run_command(sim, command, state, words);
 	ts_arena_release(&arena);
 	ts_free(state);
 	return status;

@@ -87,6 +87,7 @@ struct tsim {
 	struct ts_instance *outside; /* acts last in its stages: the program around the library */
 	struct ts_library *library;  /* what the C library keeps; NULL without it */
 
+	struct ts_words line; /* of the command that runs */
 	const struct ts_host *host;
 	void *host_data;
 };
@@ -134,6 +135,11 @@ enum ts_status ts_pardon(struct tsim *sim, enum ts_status status);
 /* Says that the value of this name was read: -check must know which ones hang on a run. */
 void ts_from_run(struct tsim *sim, const char *name);
 
+/* The place of the k-th word of the command that runs (word 0 is its name), or `where`; and of the word
+ * that is written so. */
+const struct ts_place *ts_sim_word(const struct tsim *sim, size_t k, const struct ts_place *where);
+const struct ts_place *ts_sim_word_of(const struct tsim *sim, const char *text,
+				      const struct ts_place *where);
 /* Runs a command by its words (word 0 is its name). */
 enum ts_status ts_sim_command(struct tsim *sim, struct ts_words words);
 

@@ -97,10 +97,14 @@ struct ts_instance {
 	int group;             /* bit number; 0 = all */
 	void *state;           /* style->state_size bytes */
 	struct ts_place where; /* the line that made it: for messages while running */
+	struct ts_words words; /* its arguments as written */
 	struct ts_arena arena; /* strings of its arguments */
 	struct ts_table table; /* for its outputs */
 	int64_t every;         /* dumps: interval in steps */
 };
+
+/* The place of the argument written so, for messages; of the line if there is none. */
+const struct ts_place *ts_instance_word(const struct ts_instance *inst, const char *text);
 
 /* A command: parsed like any style, run once, freed. */
 struct ts_command_style {

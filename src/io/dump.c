@@ -89,7 +89,7 @@ enum ts_status ts_dump_open(struct ts_instance *self, struct tsim *sim)
 	ts_step_path(&d->path, d->file, (long long)sim->clock.step, (int)d->pad);
 	if (d->path.failed)
 		return ts_nomem(&sim->error);
-	return ts_textfile_open(&d->out, &sim->error, &self->where, ts_str_text(&d->path),
+	return ts_textfile_open(&d->out, &sim->error, ts_instance_word(self, d->file), ts_str_text(&d->path),
 				d->append && !one_file_per_frame(d));
 }
 

@@ -84,7 +84,8 @@ enum ts_status ts_domain_read_faces(struct tsim *sim, const char *const text[3],
 				    const struct ts_place *where, enum ts_face face[3][2])
 {
 	for (int d = 0; d < 3; d++)
-		TS_TRY(read_faces(sim, text[d], (char)('x' + d), where, face[d]));
+		TS_TRY(read_faces(sim, text[d], (char)('x' + d),
+				  ts_sim_word_of(sim, text[d], where), face[d]));
 	return TS_OK;
 }
 

@@ -16,7 +16,7 @@ static const char *const answers[] = { "no", "yes", NULL };
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct state *s = state;
-	const struct ts_word id = { .text = s->id, .place = *where };
+	const struct ts_word id = { .text = s->id, .place = *ts_sim_word(sim, 1, where) };
 	struct ts_instance *dump;
 
 	TS_TRY(ts_sim_require(sim, TS_KIND_DUMP, &id, &dump));

@@ -119,7 +119,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 
 	r->where = where;
 	if (last < sim->clock.step)
-		return ts_fail(&sim->error, TS_RANGE, where,
+		return ts_fail(&sim->error, TS_RANGE, ts_sim_word(sim, 1, where),
 			       "run upto %" PRId64 ": the simulation is already at step %" PRId64,
 			       r->steps, sim->clock.step);
 	sim->clock.goal = last;

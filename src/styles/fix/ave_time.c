@@ -205,7 +205,7 @@ static enum ts_status write_result(struct ts_instance *self, struct tsim *sim)
 		return TS_OK;
 	ts_str_clear(&s->text);
 	if (!ts_textfile_is_open(&s->out)) {
-		TS_TRY(ts_textfile_open(&s->out, &sim->error, &self->where, path,
+		TS_TRY(ts_textfile_open(&s->out, &sim->error, ts_instance_word(self, path), path,
 					s->append != NULL));
 		add_titles(self);
 	}
