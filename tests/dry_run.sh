@@ -84,7 +84,7 @@ errors 'all errors at once' <<'END'
 16:39: unknown quantity 'bar'
 22:11: there is no 'label nowhere'
 23:21: unknown command 'prnt'
-23:66: expected a number or v_name (in a branch that is not taken)
+23:66: expected a number or v_name
 24:22: there is no directory 'nodir'
 26:16: unknown keyword 'stifness'
 28:7: there is no fix '9'

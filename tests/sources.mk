@@ -14,6 +14,7 @@ shell_tests = \
 	tests/decks/fixes.sh \
 	tests/decks/groups.sh \
 	tests/decks/inputs.sh \
+	tests/decks/mistakes.sh \
 	tests/decks/regions.sh \
 	tests/drilling.sh \
 	tests/dry_run.sh \
