@@ -197,6 +197,7 @@ START_TEST(random_numbers)
 	double first, second, third, again[3];
 	struct ts_archive *archive = ts_archive_new(sim, true), *copy;
 	const unsigned char *bytes;
+	struct tsim *first_sim;
 	size_t n;
 
 	ck_assert_int_eq(tsim_string(sim, three), 0);
@@ -211,13 +212,27 @@ START_TEST(random_numbers)
 	ck_assert(first < second || first > second);
 	copy = ts_archive_new(sim, false);
 	ck_assert_int_eq(ts_archive_from(copy, bytes, n), TS_OK);
+	/* the present streams are farther on than those of the file */
+	ck_assert_int_eq(sim->host->archive(sim->host_data, copy), TS_OK);
+	again[2] = value("v_a[3]");
+	ck_assert(again[2] < second || again[2] > second);
+	first_sim = sim;
+	sim = tsim_open();
+	tsim_screen(sim, NULL);
+	ck_assert_int_eq(tsim_string(sim, three), 0);
+	ck_assert_int_eq(tsim_string(sim, "variable a atom random(0,1,17)"), 0);
+	ts_archive_free(copy);
+	copy = ts_archive_new(sim, false);
+	ck_assert_int_eq(ts_archive_from(copy, bytes, n), TS_OK);
 	ck_assert_int_eq(sim->host->archive(sim->host_data, copy), TS_OK);
 	again[0] = value("v_a[3]");
 	again[1] = value("random(0,1,17)");
 	ck_assert(again[0] <= second && again[0] >= second);
 	ck_assert(again[1] <= third && again[1] >= third);
-	ts_archive_free(archive);
 	ts_archive_free(copy);
+	tsim_close(sim);
+	sim = first_sim;
+	ts_archive_free(archive);
 	expect_error("variable c atom random(0,1,id)\nprint $(v_c[1])", 1, 28, 2,
 		     "one number is needed here");
 }

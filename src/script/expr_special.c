@@ -65,6 +65,20 @@ static enum ts_status eval_is_os(struct ts_expr *e, struct ts_words words, struc
 	return TS_OK;
 }
 
+/* Categories of LAMMPS of which there is nothing here. */
+static bool is_foreign(const char *category)
+{
+	static const char *const names[] = { "package",	 "newton",   "comm",	 "min_style",
+					     "run_style", "integrate", "minimize", "atom_style",
+					     "atom",	 "angle",    "dihedral", "improper",
+					     "kspace",	 "feature",  "molecule" };
+
+	for (size_t k = 0; k < sizeof names / sizeof *names; k++)
+		if (ts_streq(names[k], category))
+			return true;
+	return false;
+}
+
 static enum ts_status find_kind(struct ts_expr *e, const struct ts_word *word, enum ts_kind *kind)
 {
 	struct ts_suggest suggest = ts_suggest_start(word->text);
@@ -87,7 +101,7 @@ static enum ts_status eval_is_defined(struct ts_expr *e, struct ts_words words,
 		out->scalar = ts_variable_find(e->script, id) != NULL;
 	} else if (ts_streq(category, "group")) {
 		out->scalar = ts_group_exists(e->sim, id);
-	} else {
+	} else if (!is_foreign(category)) {
 		TS_TRY(find_kind(e, &words.word[0], &kind));
 		out->scalar = ts_sim_find(e->sim, kind, id) != NULL;
 	}
@@ -99,6 +113,8 @@ static enum ts_status eval_is_available(struct ts_expr *e, struct ts_words words
 {
 	enum ts_kind kind = TS_KIND_COMMAND;
 
+	if (is_foreign(words.word[0].text))
+		return TS_OK;
 	TS_TRY(find_kind(e, &words.word[0], &kind));
 	out->scalar = ts_style_find(kind, words.word[1].text) != NULL;
 	return TS_OK;
@@ -111,6 +127,8 @@ static enum ts_status eval_is_active(struct ts_expr *e, struct ts_words words,
 	enum ts_kind kind = TS_KIND_FIX;
 	const struct ts_instances *all;
 
+	if (is_foreign(words.word[0].text))
+		return TS_OK;
 	TS_TRY(find_kind(e, &words.word[0], &kind));
 	all = &e->sim->instances[kind];
 	for (size_t k = 0; k < all->n; k++)

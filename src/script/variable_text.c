@@ -78,7 +78,10 @@ const struct ts_variable_style ts_var_format = {
 
 static enum ts_status define_timer(struct ts_script *script, struct ts_variable *variable)
 {
-	(void)script;
+	if (variable->values.n)
+		return ts_fail(&script->sim->error, TS_SYNTAX, &variable->values.word[0].place,
+			       "a variable of style timer takes no words, found '%s'",
+			       variable->values.word[0].text);
 	variable->number = ts_clock();
 	return TS_OK;
 }
