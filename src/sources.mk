@@ -211,8 +211,6 @@ library_sources = \
 	src/script/flow_control.c \
 	src/script/grammar.c \
 	src/script/interpreter.h \
-	src/script/language.c \
-	src/script/language.h \
 	src/script/line.c \
 	src/script/line.h \
 	src/script/manual.c \

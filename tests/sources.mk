@@ -48,6 +48,7 @@ unit_tests = \
 	tests/accuracy/check_settling \
 	tests/check_alloc \
 	tests/check_args \
+	tests/check_formulas \
 	tests/check_geom \
 	tests/check_io \
 	tests/check_law \
@@ -104,6 +105,10 @@ tests_check_alloc_LDADD = $(tests_ldadd)
 tests_check_args_SOURCES = tests/check_args.c $(tests_common)
 tests_check_args_CFLAGS = $(tests_cflags)
 tests_check_args_LDADD = $(tests_ldadd)
+
+tests_check_formulas_SOURCES = tests/check_formulas.c $(tests_common)
+tests_check_formulas_CFLAGS = $(tests_cflags)
+tests_check_formulas_LDADD = $(tests_ldadd)
 
 tests_check_geom_SOURCES = tests/check_geom.c $(tests_common)
 tests_check_geom_CFLAGS = $(tests_cflags)

@@ -24,8 +24,7 @@ enum ts_status ts_script_stream_of(struct ts_script *s, double seed, struct ts_s
 	return TS_OK;
 }
 
-/* A stream goes on behind the numbers drawn before the file was written. It never goes back: a script that reads
- * the same file in each round of a loop draws new numbers in each. */
+/* Streams that the archive does not name go on as they are. */
 static enum ts_status restore(struct ts_script *s, const int64_t *number, size_t n)
 {
 	struct ts_stream *stream;
@@ -35,10 +34,8 @@ static enum ts_status restore(struct ts_script *s, const int64_t *number, size_t
 			return ts_fail(&s->sim->error, TS_DAMAGED, NULL,
 				       "the streams of random numbers are damaged");
 		TS_TRY(ts_script_stream_of(s, (double)number[k], &stream));
-		if (stream->draws < number[k + 1])
-			stream->draws = number[k + 1];
-		if (stream->rounds < number[k + 2])
-			stream->rounds = number[k + 2];
+		stream->draws = number[k + 1];
+		stream->rounds = number[k + 2];
 	}
 	return TS_OK;
 }
