@@ -241,6 +241,7 @@ library_sources = \
 	src/styles/command/bond_style.c \
 	src/styles/command/boundary.c \
 	src/styles/command/box.c \
+	src/styles/command/change_box.c \
 	src/styles/command/comm_modify.c \
 	src/styles/command/comm_style.c \
 	src/styles/command/communicate.c \
@@ -252,6 +253,7 @@ library_sources = \
 	src/styles/command/delete_atoms.c \
 	src/styles/command/delete_bonds.c \
 	src/styles/command/dimension.c \
+	src/styles/command/displace_atoms.c \
 	src/styles/command/dump.c \
 	src/styles/command/dump_modify.c \
 	src/styles/command/fix.c \
@@ -273,6 +275,7 @@ library_sources = \
 	src/styles/command/read_data.c \
 	src/styles/command/read_restart.c \
 	src/styles/command/region.c \
+	src/styles/command/replicate.c \
 	src/styles/command/reset_timestep.c \
 	src/styles/command/restart.c \
 	src/styles/command/run.c \

@@ -8,6 +8,7 @@ shell_tests = \
 	tests/crosscheck/language.sh \
 	tests/crosscheck/liggghts.sh \
 	tests/data_files.sh \
+	tests/decks/box.sh \
 	tests/decks/commands.sh \
 	tests/decks/computes.sh \
 	tests/decks/contact_computes.sh \

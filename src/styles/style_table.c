@@ -16,6 +16,7 @@ TS_STYLE(command, ts_command_style, ts_command_bond_coeff)
 TS_STYLE(command, ts_command_style, ts_command_bond_style)
 TS_STYLE(command, ts_command_style, ts_command_boundary)
 TS_STYLE(command, ts_command_style, ts_command_box)
+TS_STYLE(command, ts_command_style, ts_command_change_box)
 TS_STYLE(command, ts_command_style, ts_command_clear)
 TS_STYLE(command, ts_command_style, ts_command_comm_modify)
 TS_STYLE(command, ts_command_style, ts_command_comm_style)
@@ -28,6 +29,7 @@ TS_STYLE(command, ts_command_style, ts_command_create_box)
 TS_STYLE(command, ts_command_style, ts_command_delete_atoms)
 TS_STYLE(command, ts_command_style, ts_command_delete_bonds)
 TS_STYLE(command, ts_command_style, ts_command_dimension)
+TS_STYLE(command, ts_command_style, ts_command_displace_atoms)
 TS_STYLE(command, ts_command_style, ts_command_dump)
 TS_STYLE(command, ts_command_style, ts_command_dump_modify)
 TS_STYLE(command, ts_command_style, ts_command_echo)
@@ -59,6 +61,7 @@ TS_STYLE(command, ts_command_style, ts_command_quit)
 TS_STYLE(command, ts_command_style, ts_command_read_data)
 TS_STYLE(command, ts_command_style, ts_command_read_restart)
 TS_STYLE(command, ts_command_style, ts_command_region)
+TS_STYLE(command, ts_command_style, ts_command_replicate)
 TS_STYLE(command, ts_command_style, ts_command_reset_timestep)
 TS_STYLE(command, ts_command_style, ts_command_restart)
 TS_STYLE(command, ts_command_style, ts_command_run)
@@ -171,6 +174,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_command_bond_style.style,
 	&ts_command_boundary.style,
 	&ts_command_box.style,
+	&ts_command_change_box.style,
 	&ts_command_clear.style,
 	&ts_command_comm_modify.style,
 	&ts_command_comm_style.style,
@@ -183,6 +187,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_command_delete_atoms.style,
 	&ts_command_delete_bonds.style,
 	&ts_command_dimension.style,
+	&ts_command_displace_atoms.style,
 	&ts_command_dump.style,
 	&ts_command_dump_modify.style,
 	&ts_command_echo.style,
@@ -214,6 +219,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_command_read_data.style,
 	&ts_command_read_restart.style,
 	&ts_command_region.style,
+	&ts_command_replicate.style,
 	&ts_command_reset_timestep.style,
 	&ts_command_restart.style,
 	&ts_command_run.style,

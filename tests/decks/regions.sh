@@ -86,10 +86,13 @@ region box block 0 1 0 2 0 3 units box
 create_box 1 box
 region e block EDGE 0.5 INF INF EDGE EDGE units box
 region f block EDGE EDGE EDGE EDGE EDGE EDGE
+change_box all x final -1 4 units box
+create_atoms 1 single -0.5 1 1 units box
+print \"inside \$(count(all,e))\"
 print \"volume \$(volume(f))\"
 region f delete
 region f block 0 1 0 1 0 0.25
-print \"now \$(volume(f))\"" 'volume 6' 'now 0.25'
+print \"now \$(volume(f))\"" 'inside 0' 'volume 6' 'now 0.25'
 
 rejects 'region r block EDGE 1 0 1 0 1' 'there is no box yet'
 rejects 'region r block 1 0 0 1 0 1' 'is above'
