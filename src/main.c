@@ -97,6 +97,7 @@ static void catch_signals(struct tsim *sim)
 	sigaction(SIGHUP, NULL, &before);
 	if (before.sa_handler != SIG_IGN) /* nohup */
 		sigaction(SIGHUP, &action, NULL);
+	signal(SIGXFSZ, SIG_IGN); /* ulimit -f: likewise */
 	signal(SIGPIPE, SIG_IGN); /* a reader that goes is an error of writing like others */
 }
 
