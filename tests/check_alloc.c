@@ -65,6 +65,7 @@ static const char script[] = "variable n loop 2\n"
 			     "if '${r} > 0' then 'print yes' else 'print no'\n"
 			     "run 11\n"
 			     "write_restart whole\n"
+			     "write_data grains\n"
 			     "undump a\n"
 			     "unfix g\n"
 			     "run 2 every 1 NULL\n";
@@ -77,6 +78,37 @@ static const char again[] = "read_restart whole\n"
 			    "fix trace all vector 3 c_k\n"
 			    "run 3\n"
 			    "clear\n";
+
+/* Data files, formulas, and styles that remember. */
+static const char more[] = "units si\n"
+			   "boundary p f m\n"
+			   "bond_style contact\n"
+			   "read_data grains nocoeff\n"
+			   "read_data grains add append shift 0 0 0.3 nocoeff\n"
+			   "pair_style spring/dashpot\n"
+			   "pair_coeff * * stiffness 100 restitution 0.5\n"
+			   "bond_coeff 1 stiffness 100 ultimate 0.01\n"
+			   "variable v vector [1,2,3]\n"
+			   "variable f equal 1+sum(v_v)*normal(0,1,7)+v_v[2]\n"
+			   "variable h equal 1+0.1*step\n"
+			   "variable a atom x*2+gmask(all)+random(0,1,5)\n"
+			   "variable p format f %.3g\n"
+			   "group few dynamic all var a every 2\n"
+			   "fix move all nve\n"
+			   "fix mark all property/atom mark scalar yes no no 0.5\n"
+			   "fix was all store/state 0 xu yu zu\n"
+			   "fix push all addforce v_f 0 0\n"
+			   "fix soft all adapt 2 pair spring/dashpot stiffness 1 1* v_h scale yes\n"
+			   "compute far all msd\n"
+			   "compute all few reduce sum x y\n"
+			   "compute pairs all pair/local dist\n"
+			   "compute stress all stress/atom\n"
+			   "thermo_style custom step ke c_far[4] f_push[1] c_all[1]\n"
+			   "timestep 1e-5\n"
+			   "write_dump all custom dumped id x f_mark f_was[1] v_a\n"
+			   "run 4\n"
+			   "print \"${p} $(v_f*2:%.3g)\"\n"
+			   "write_restart more\n";
 
 /* True when the failure has not happened yet: the next allocations fails then. */
 static bool survived(void)
@@ -129,7 +161,7 @@ static void each_allocation(const char *text)
 START_TEST(fails)
 {
 	ck_assert_int_eq(try(script, 0), TS_OK); /* leaves the restart file */
-	each_allocation(_i ? again : script);
+	each_allocation(_i == 0 ? script : _i == 1 ? again : more);
 }
 END_TEST
 
@@ -174,7 +206,7 @@ int main(void)
 
 	tcase_set_timeout(all, 120);
 	tcase_add_checked_fixture(all, enter, leave);
-	tcase_add_loop_test(all, fails, 0, 2);
+	tcase_add_loop_test(all, fails, 0, 3);
 	tcase_add_test(all, goes_on);
 	suite_add_tcase(suite, all);
 	return deck_main(suite);
