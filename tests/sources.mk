@@ -19,6 +19,8 @@ shell_tests = \
 	tests/decks/regions.sh \
 	tests/drilling.sh \
 	tests/dry_run.sh \
+	tests/extremes.sh \
+	tests/full_disk.sh \
 	tests/fuzz/fuzz.sh \
 	tests/grammar.sh \
 	tests/granular.sh \

@@ -115,8 +115,12 @@ static enum ts_status run_pieces(struct tsim *sim, int64_t last, const struct ru
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	struct run *r = state;
-	int64_t last = r->upto ? r->steps : sim->clock.step + r->steps;
+	int64_t last;
 
+	if (!r->upto && r->steps > INT64_MAX - sim->clock.step)
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "run: the last step would be out of range, at most %" PRId64, INT64_MAX);
+	last = r->upto ? r->steps : sim->clock.step + r->steps;
 	r->where = where;
 	if (last < sim->clock.step)
 		return ts_fail(&sim->error, TS_RANGE, ts_sim_word(sim, 1, where),

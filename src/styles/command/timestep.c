@@ -1,6 +1,8 @@
 /* Command timestep: the length of a step. */
 #include "core/sim.h"
 
+#include <math.h>
+
 #include "base/banned.h"
 
 struct state {
@@ -11,7 +13,9 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 {
 	const struct state *s = state;
 
-	(void)where;
+	if (s->dt * s->dt == 0 || isinf(s->dt * s->dt)) /* nothing could be integrated */
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "timestep: %g has no square, expected 1e-150 to 1e150", s->dt);
 	ts_sim_set_dt(sim, s->dt);
 	return TS_OK;
 }
