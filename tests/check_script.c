@@ -311,6 +311,14 @@ START_TEST(files)
 		"shell mkdir post\nshell mkdir post\nshell mv out.txt post/a\nshell rm post/a\n"
 		"shell rmdir post\nshell rm inner.in self.in other.in bad.in\n",
 		"");
+	expect_output("log one.log\nprint a\nlog none\nprint b\nlog one.log append\nprint c\nlog none\n",
+		      "a\nb\nc\n");
+	file = fopen("one.log", "r");
+	ck_assert_ptr_nonnull(file);
+	line[fread(line, 1, sizeof line - 1, file)] = '\0';
+	fclose(file);
+	ck_assert_str_eq(line, "a\nc\n");
+	expect_output("shell rm one.log\n", "");
 	expect_error("shell rm nothing", 1, 10, 7, "failed");
 	expect_error("shell touch program", 1, 7, 5, "only with the option -shell yes");
 	ts_script_allow_programs(sim->host_data, true);
@@ -398,10 +406,14 @@ START_TEST(out_of_memory)
 {
 	static const char script[] = "variable a equal 2*3+sqrt(4)\nvariable i loop 2\nlabel top\n"
 				     "if \"v_a > 1 && $i == 1\" then \"print 'x $(v_a)'\"\n"
-				     "next i\njump SELF top\nprint \"${a} random(1,2,9)\"\n";
+				     "next i\njump SELF top\nprint \"${a} random(1,2,9)\"\n"
+				     "variable v vector sort([3,v_a,1])\nvariable f format a %.2f\n"
+				     "print '${f} ${v} ${a:%g} $(sum(v_v)+v_v[2]+random(0,1,5))'\n"
+				     "variable w vector sqrt(v_v)*2\nprint ${w}\nvariable t timer\n"
+				     "partition yes 1 print \"$(is_defined(variable,t):%d)\"\n";
 	int failures = 0;
 
-	for (long k = 1; k < 2000; k++) {
+	for (long k = 1; k < 4000; k++) {
 		long before = ts_alloc_balance();
 		struct tsim *one;
 		int status = 0;
