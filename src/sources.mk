@@ -30,6 +30,8 @@ library_sources = \
 	src/core/arg_record.c \
 	src/core/coeff.c \
 	src/core/coeff.h \
+	src/core/definition.c \
+	src/core/definition.h \
 	src/core/each.c \
 	src/core/each.h \
 	src/core/group.h \
@@ -169,6 +171,8 @@ library_sources = \
 	src/particles/group_function.c \
 	src/particles/group_spin.c \
 	src/particles/group_spin.h \
+	src/particles/integrate.c \
+	src/particles/integrate.h \
 	src/particles/lattice.c \
 	src/particles/lattice.h \
 	src/particles/moments.c \

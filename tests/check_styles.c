@@ -36,6 +36,9 @@ START_TEST(described)
 	EXPECT(filled(s->doc), "no doc");
 	EXPECT(filled(s->example), "no example");
 	EXPECT(!s->args || s->state_size > 0, "arguments, but no state to put them in");
+	EXPECT(s->kind != TS_KIND_COMMAND || ((const struct ts_command_style *)s)->run ||
+		       strstr(s->summary, "no effect"),
+	       "does nothing and does not say so");
 	EXPECT(ts_style_find(s->kind, s->name) == s,
 	       "not found by its name: is it twice in the table?");
 }

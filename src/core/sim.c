@@ -346,7 +346,7 @@ enum ts_status ts_sim_command(struct tsim *sim, struct ts_words words)
 			       state);
 	if (status == TS_OK)
 		status = ts_args_outputs(sim, style->name, style->args, state, words, &where);
-	if (status == TS_OK)
+	if (status == TS_OK && command->run)
 		status = run_command(sim, command, state, words);
 	ts_arena_release(&arena);
 	ts_free(state);

@@ -110,6 +110,7 @@ const struct ts_place *ts_instance_word(const struct ts_instance *inst, const ch
 struct ts_command_style {
 	struct ts_style style;
 	bool needs_box; /* refused before create_box or read_restart */
+	/* NULL: accepted for compatibility, has no effect */
 	enum ts_status (*run)(struct tsim *sim, void *state, const struct ts_place *where);
 };
 

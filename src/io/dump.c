@@ -144,6 +144,19 @@ enum ts_status ts_dump_frame_done(struct ts_dump_common *d)
 	return one_file_per_frame(d) ? ts_textfile_close(&d->out) : ts_textfile_flush(&d->out);
 }
 
+enum ts_status ts_dump_frame(struct ts_instance *self, struct tsim *sim, bool local)
+{
+	struct ts_dump_common *d = self->state;
+
+	if (!ts_dump_due(self, sim))
+		return TS_OK;
+	TS_TRY(ts_dump_gather(self, sim, local));
+	TS_TRY(ts_dump_open(self, sim));
+	ts_dump_header(d, sim, local ? "ENTRIES" : "ATOMS");
+	TS_TRY(ts_dump_write_rows(d, sim));
+	return ts_dump_frame_done(d);
+}
+
 void ts_dump_fini(struct ts_instance *self)
 {
 	struct ts_dump_common *d = self->state;

@@ -69,6 +69,8 @@ enum ts_status ts_dump_open(struct ts_instance *self, struct tsim *sim);
 void ts_dump_header(struct ts_dump_common *d, struct tsim *sim, const char *what);
 /* After a frame: all of it is with the system; closes a file of its own. */
 enum ts_status ts_dump_frame_done(struct ts_dump_common *d);
+/* A whole frame of a text dump, if it is due: header, rows. */
+enum ts_status ts_dump_frame(struct ts_instance *self, struct tsim *sim, bool local);
 void ts_dump_fini(struct ts_instance *self);
 
 #endif

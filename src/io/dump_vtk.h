@@ -16,6 +16,14 @@ struct ts_dump_vtk {
 	struct ts_table points;
 };
 
+#define TS_DUMP_VTK_ARGS(T, columns_help)                                                          \
+	TS_INT("every", T, vtk.common.every, .flags = TS_POSITIONAL, .range = TS_POSITIVE,         \
+	       .help = "steps between frames"),                                                    \
+		TS_WORD("file", T, vtk.common.file, .flags = TS_POSITIONAL | TS_WRITES,            \
+			.help = "name of the frames, ending in .vtp, with a `*` for the step"),    \
+		TS_REST("columns", T, vtk.names, .help = (columns_help))
+#define TS_DUMP_VTK_SAVED(T) TS_SAVE_I64(T, vtk.common.last), TS_SAVE_I64(T, vtk.common.frames)
+
 /* Refuses file names without `*` or of another type than .vtp. */
 enum ts_status ts_dump_vtk_init(struct ts_instance *self, struct tsim *sim, bool local);
 /* Fills `array` with the columns in order of writing. `vectors`: three columns that are components

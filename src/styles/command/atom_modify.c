@@ -7,12 +7,6 @@ struct state {
 	struct ts_words rest;
 };
 
-static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
-{
-	(void)sim, (void)state, (void)where;
-	return TS_OK;
-}
-
 static const struct ts_arg args[] = {
 	TS_REST("settings", struct state, rest,
 		.help = "map array|hash, sort every size: no effect"),
@@ -31,5 +25,4 @@ const struct ts_command_style ts_command_atom_modify = {
 		.args = args,
 		.state_size = sizeof(struct state),
 	},
-	.run = run,
 };

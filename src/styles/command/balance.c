@@ -8,12 +8,6 @@ struct state {
 	struct ts_words rest;
 };
 
-static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
-{
-	(void)sim, (void)state, (void)where;
-	return TS_OK;
-}
-
 static const struct ts_arg args[] = {
 	TS_REAL("threshold", struct state, threshold, .flags = TS_POSITIONAL,
 		.range = TS_NOT_NEGATIVE, .help = "no effect"),
@@ -33,5 +27,4 @@ const struct ts_command_style ts_command_balance = {
 		.args = args,
 		.state_size = sizeof(struct state),
 	},
-	.run = run,
 };

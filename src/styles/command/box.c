@@ -9,12 +9,6 @@ struct state {
 
 static const char *const tilts[] = { "small", "large", NULL };
 
-static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
-{
-	(void)sim, (void)state, (void)where;
-	return TS_OK;
-}
-
 static const struct ts_arg args[] = {
 	TS_ENUM("tilt", struct state, tilt, tilts, .flags = TS_OPTIONAL,
 		.help = "no effect: boxes are not tilted"),
@@ -32,5 +26,4 @@ const struct ts_command_style ts_command_box = {
 		.args = args,
 		.state_size = sizeof(struct state),
 	},
-	.run = run,
 };

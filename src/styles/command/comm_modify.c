@@ -12,12 +12,6 @@ struct state {
 
 static const char *const modes[] = { "single", "multi", NULL };
 
-static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
-{
-	(void)sim, (void)state, (void)where;
-	return TS_OK;
-}
-
 static const struct ts_arg args[] = {
 	TS_ENUM("mode", struct state, mode, modes, .fallback = "single", .help = "no effect"),
 	TS_BOOL("vel", struct state, velocity, .fallback = "yes", .help = "no effect"),
@@ -39,5 +33,4 @@ const struct ts_command_style ts_command_comm_modify = {
 		.args = args,
 		.state_size = sizeof(struct state),
 	},
-	.run = run,
 };

@@ -9,12 +9,6 @@ struct state {
 
 static const char *const styles[] = { "brick", "tiled", NULL };
 
-static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
-{
-	(void)sim, (void)state, (void)where;
-	return TS_OK;
-}
-
 static const struct ts_arg args[] = {
 	TS_ENUM("style", struct state, style, styles, .flags = TS_POSITIONAL, .help = "no effect"),
 	TS_ARGS_END,
@@ -32,5 +26,4 @@ const struct ts_command_style ts_command_comm_style = {
 		.args = args,
 		.state_size = sizeof(struct state),
 	},
-	.run = run,
 };

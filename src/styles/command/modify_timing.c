@@ -7,12 +7,6 @@ struct state {
 	struct ts_words words;
 };
 
-static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
-{
-	(void)sim, (void)state, (void)where;
-	return TS_OK;
-}
-
 static const struct ts_arg args[] = {
 	TS_REST("words", struct state, words, .help = "on, off or verbose: no effect"),
 	TS_ARGS_END,
@@ -29,5 +23,4 @@ const struct ts_command_style ts_command_modify_timing = {
 		.args = args,
 		.state_size = sizeof(struct state),
 	},
-	.run = run,
 };

@@ -7,12 +7,6 @@ struct state {
 	bool pair, bond;
 };
 
-static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
-{
-	(void)sim, (void)state, (void)where;
-	return TS_OK;
-}
-
 static const struct ts_arg args[] = {
 	TS_BOOL("pair", struct state, pair, .flags = TS_POSITIONAL, .help = "on or off: no effect"),
 	TS_BOOL("bond", struct state, bond, .flags = TS_POSITIONAL | TS_OPTIONAL,
@@ -32,5 +26,4 @@ const struct ts_command_style ts_command_newton = {
 		.args = args,
 		.state_size = sizeof(struct state),
 	},
-	.run = run,
 };

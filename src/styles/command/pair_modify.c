@@ -10,12 +10,6 @@ struct state {
 static const char *const switches[] = { "no", "yes", NULL };
 static const char *const mixings[] = { "geometric", "arithmetic", "sixthpower", NULL };
 
-static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
-{
-	(void)sim, (void)state, (void)where;
-	return TS_OK;
-}
-
 static const struct ts_arg args[] = {
 	TS_ENUM("shift", struct state, shift, switches, .fallback = "no",
 		.help = "no effect: forces end where particles part"),
@@ -36,5 +30,4 @@ const struct ts_command_style ts_command_pair_modify = {
 		.args = args,
 		.state_size = sizeof(struct state),
 	},
-	.run = run,
 };

@@ -18,15 +18,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 {
-	struct state *s = self->state;
-
-	if (!ts_dump_due(self, sim))
-		return TS_OK;
-	TS_TRY(ts_dump_gather(self, sim, false));
-	TS_TRY(ts_dump_open(self, sim));
-	ts_dump_header(&s->common, sim, "ATOMS");
-	TS_TRY(ts_dump_write_rows(&s->common, sim));
-	return ts_dump_frame_done(&s->common);
+	return ts_dump_frame(self, sim, false);
 }
 
 static const struct ts_arg args[] = {

@@ -43,21 +43,13 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 }
 
 static const struct ts_arg args[] = {
-	TS_INT("every", struct state, vtk.common.every, .flags = TS_POSITIONAL,
-	       .range = TS_POSITIVE, .help = "steps between frames"),
-	TS_WORD("file", struct state, vtk.common.file, .flags = TS_POSITIONAL | TS_WRITES,
-		.help = "name of the frames, ending in .vtp, with a `*` for the step"),
-	TS_REST("columns", struct state, vtk.names,
-		.help = "what to write: id, type, vx, vy, vz, radius ..., c_ID[k], f_ID[k], "
-			"v_NAME"),
+	TS_DUMP_VTK_ARGS(struct state,
+			 "what to write: id, type, vx, vy, vz, radius ..., c_ID[k], f_ID[k], "
+			 "v_NAME"),
 	TS_ARGS_END,
 };
 
-static const struct ts_saved saved[] = {
-	TS_SAVE_I64(struct state, vtk.common.last),
-	TS_SAVE_I64(struct state, vtk.common.frames),
-	TS_SAVED_ROWS_END,
-};
+static const struct ts_saved saved[] = { TS_DUMP_VTK_SAVED(struct state), TS_SAVED_ROWS_END };
 
 TS_STYLE(dump, ts_style, ts_dump_custom_vtk)
 const struct ts_style ts_dump_custom_vtk = {

@@ -44,14 +44,14 @@ static enum ts_status find_row(struct ts_instance *self, struct tsim *sim,
 static void place_ends(const struct tsim *sim, const double *a, const double *b, double *to)
 {
 	const struct ts_box *box = &sim->domain->box;
+	double apart[3];
 
+	for (int d = 0; d < 3; d++)
+		apart[d] = b[d] - a[d];
+	ts_box_nearest(box, apart);
 	for (int d = 0; d < 3; d++) {
-		double apart = b[d] - a[d], length = ts_box_length(box, d);
-
-		if (ts_box_periodic(box, d))
-			apart -= length * round(apart / length);
 		to[d] = a[d];
-		to[3 + d] = a[d] + apart;
+		to[3 + d] = a[d] + apart[d];
 	}
 }
 
@@ -97,21 +97,13 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 }
 
 static const struct ts_arg args[] = {
-	TS_INT("every", struct state, vtk.common.every, .flags = TS_POSITIONAL,
-	       .range = TS_POSITIVE, .help = "steps between frames"),
-	TS_WORD("file", struct state, vtk.common.file, .flags = TS_POSITIONAL | TS_WRITES,
-		.help = "name of the frames, ending in .vtp, with a `*` for the step"),
-	TS_REST("columns", struct state, vtk.names,
-		.help = "c_ID[k] or f_ID[k]; the first two are the ids of the particles at the "
-			"ends"),
+	TS_DUMP_VTK_ARGS(struct state,
+			 "c_ID[k] or f_ID[k]; the first two are the ids of the particles at the "
+			 "ends"),
 	TS_ARGS_END,
 };
 
-static const struct ts_saved saved[] = {
-	TS_SAVE_I64(struct state, vtk.common.last),
-	TS_SAVE_I64(struct state, vtk.common.frames),
-	TS_SAVED_ROWS_END,
-};
+static const struct ts_saved saved[] = { TS_DUMP_VTK_SAVED(struct state), TS_SAVED_ROWS_END };
 
 TS_STYLE(dump, ts_style, ts_dump_local_vtk)
 const struct ts_style ts_dump_local_vtk = {

@@ -1,45 +1,16 @@
-#include "particles/particles.h"
+#include "particles/integrate.h"
 
 #include "base/banned.h"
 
-static void kick(const struct ts_instance *self, struct tsim *sim)
-{
-	struct ts_particles *p = sim->particles;
-	double h = 0.5 * sim->clock.dt;
-
-#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
-	for (size_t i = 0; i < p->n; i++) {
-		double s = h / p->mass[i];
-
-		if (!ts_in_group(p, i, self->group))
-			continue;
-		for (int k = 0; k < 3; k++)
-			p->v[i][k] += s * p->f[i][k];
-	}
-}
-
 static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *sim)
 {
-	struct ts_particles *p = sim->particles;
-	double dt = sim->clock.dt, h = 0.5 * dt;
-
-#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
-	for (size_t i = 0; i < p->n; i++) {
-		double s = h / p->mass[i];
-
-		if (!ts_in_group(p, i, self->group))
-			continue;
-		for (int k = 0; k < 3; k++) {
-			p->v[i][k] += s * p->f[i][k];
-			p->x[i][k] += dt * p->v[i][k];
-		}
-	}
+	ts_integrate_kick_drift(sim, self->group, 0.5 * sim->clock.dt, sim->clock.dt);
 	return TS_OK;
 }
 
 static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim)
 {
-	kick(self, sim);
+	ts_integrate_kick(sim, self->group, 0.5 * sim->clock.dt);
 	return TS_OK;
 }
 

@@ -1,23 +1,10 @@
-#include "particles/particles.h"
+#include "particles/integrate.h"
 
 #include "base/banned.h"
 
 static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *sim)
 {
-	struct ts_particles *p = sim->particles;
-	double dt = sim->clock.dt;
-
-#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
-	for (size_t i = 0; i < p->n; i++) {
-		double s = dt / p->mass[i];
-
-		if (!ts_in_group(p, i, self->group))
-			continue;
-		for (int k = 0; k < 3; k++) {
-			p->x[i][k] += dt * p->v[i][k];
-			p->v[i][k] += s * p->f[i][k];
-		}
-	}
+	ts_integrate_drift_kick(sim, self->group, sim->clock.dt, sim->clock.dt);
 	return TS_OK;
 }
 
