@@ -32,6 +32,8 @@ struct ts_clock {
 	int64_t step;       /* the step counter                                    */
 	int64_t first_step; /* of the current run                                  */
 	int64_t last_step;  /* of the current run                                  */
+	int64_t ramp_first; /* where what changes over a run begins and ends: the  */
+	int64_t ramp_last;  /* run command's own, or as `run N start S stop E` says */
 	int64_t goal;       /* where the last run command is to end                */
 	int64_t base_step;  /* time = base_time + (step - base_step) dt: exact for */
 	double base_time;   /* a constant dt, whatever the number of steps         */

@@ -47,8 +47,8 @@ static enum ts_status unchanged(struct ts_stepping *stepping, struct tsim *sim, 
 
 static enum ts_status begin(struct ts_stepping *stepping, struct tsim *sim, int64_t n)
 {
-	sim->clock.first_step = sim->clock.step;
-	sim->clock.last_step = sim->clock.step + n;
+	sim->clock.first_step = sim->clock.ramp_first = sim->clock.step;
+	sim->clock.last_step = sim->clock.ramp_last = sim->clock.step + n;
 	sim->unsafe = false;
 	sim->in_pieces = stepping->open = true;
 	TS_TRY(ts_plan_compile(&stepping->plan, sim));
@@ -67,7 +67,7 @@ static enum ts_status go(struct ts_stepping *stepping, struct tsim *sim, int64_t
 		TS_TRY(ts_stepping_end(stepping, sim));
 		TS_TRY(begin(stepping, sim, n));
 	}
-	last = sim->clock.goal = sim->clock.last_step = sim->clock.step + n;
+	last = sim->clock.goal = sim->clock.last_step = sim->clock.ramp_last = sim->clock.step + n;
 	if (sim->explain)
 		return TS_OK;
 	stepping->watched = false;

@@ -8,6 +8,7 @@
 #include "core/plan.h"
 #include "neigh/bonds.h"
 #include "neigh/order.h"
+#include "particles/domain.h"
 #include "particles/exchange.h"
 #include "particles/particles.h"
 
@@ -128,8 +129,9 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_neigh *nb = self->state;
 	const struct ts_particles *p = sim->particles;
+	double reach = nb->built_skin - ts_domain_moved(sim->domain); /* < 0: rebuild at once */
 	struct limits limits = { .p = p,
-				 .moved2 = nb->built_skin * nb->built_skin / 4,
+				 .moved2 = reach < 0 ? -1 : reach * reach / 4,
 				 .dt2 = sim->clock.dt * sim->clock.dt };
 
 	ts_exchange_limits(sim, limits.lo, limits.hi);
@@ -189,6 +191,8 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 	/* a run that goes on keeps the positions of its last build, and so builds the same rows */
 	if (!sim->resuming && p->n)
 		memcpy(p->xhold, p->x, p->n * sizeof *p->xhold);
+	if (!sim->resuming)
+		ts_domain_hold(sim->domain);
 	if (!sim->resuming || !(nb->built_skin > 0))
 		nb->built_skin = ts_neigh_skin(sim);
 	TS_TRY(ts_exchange_borders(sim, 2 * largest_radius(p) + nb->built_skin));

@@ -22,6 +22,27 @@ bool ts_sim_has_box(const struct tsim *sim)
 	return sim->domain->exists;
 }
 
+void ts_domain_hold(struct ts_domain *domain)
+{
+	for (int k = 0; k < 3; k++) {
+		domain->held_lo[k] = domain->box.lo[k];
+		domain->held_hi[k] = domain->box.hi[k];
+	}
+}
+
+double ts_domain_moved(const struct ts_domain *domain)
+{
+	double square = 0;
+
+	for (int k = 0; k < 3; k++) {
+		double d = ts_box_length(&domain->box, k) - (domain->held_hi[k] - domain->held_lo[k]);
+
+		if (ts_box_periodic(&domain->box, k))
+			square += d * d;
+	}
+	return sqrt(square);
+}
+
 /* A moving face stays this part of the first box length outside the outermost centre. */
 static const double SHRINK_MARGIN = 1e-4;
 
@@ -158,6 +179,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_domain *d = self->state;
 
+	for (int k = 0; k < 3; k++)
+		d->drift[k] = 0; /* fix deform says so again */
 	(void)sim;
 	if (!(d->lattice.constant > 0))
 		ts_lattice_clear(&d->lattice);
@@ -198,11 +221,31 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 	return TS_OK;
 }
 
+static enum ts_status archive_held(struct ts_domain *d, struct ts_archive *a)
+{
+	double held[6];
+
+	for (int k = 0; k < 3; k++) {
+		held[k] = d->held_lo[k];
+		held[3 + k] = d->held_hi[k];
+	}
+	TS_TRY(ts_archive_fixed(a, "held", TS_SAVED_F64, held, 6));
+	for (int k = 0; k < 3; k++) {
+		d->held_lo[k] = held[k];
+		d->held_hi[k] = held[3 + k];
+	}
+	return TS_OK;
+}
+
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
 	struct ts_domain *d = self->state;
 
 	TS_TRY(ts_lattice_archive(&d->lattice, sim, a));
+	if (!ts_archive_writing(a) && !ts_archive_has(a, "held")) /* files of version 1 */
+		ts_domain_hold(d);
+	else
+		TS_TRY(archive_held(d, a));
 	if (ts_archive_writing(a))
 		return TS_OK;
 	for (int k = 0; k < 3; k++)

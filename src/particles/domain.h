@@ -9,6 +9,9 @@
 struct ts_domain {
 	struct ts_box box;
 	double first_lo[3], first_hi[3]; /* as created or changed: the least box of `m` faces */
+	double held_lo[3], held_hi[3];   /* as the rows were built: periodic images are of this box */
+	double drift[3]; /* velocity of an image relative to its original, for fix deform remap v */
+	int drift_group; /* whose velocities change so when they cross a face */
 	bool exists;                     /* after create_box or read_restart */
 	struct ts_lattice lattice;       /* of constant 1 without `lattice` command */
 };
@@ -27,6 +30,10 @@ enum ts_status ts_domain_set_box(struct tsim *sim, const double lo[3], const dou
 /* The same, with room for so many types of particles; `where` may be NULL. */
 enum ts_status ts_domain_make(struct tsim *sim, int ntypes, const double lo[3], const double hi[3],
 			      const struct ts_place *where);
+/* The rows are built now: images are of the box as it is. */
+void ts_domain_hold(struct ts_domain *domain);
+/* How much the periodic images have moved relative to their originals since then, at most. */
+double ts_domain_moved(const struct ts_domain *domain);
 /* Fits `s` and `m` faces to the particles. */
 void ts_domain_shrink(struct tsim *sim);
 

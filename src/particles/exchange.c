@@ -29,10 +29,15 @@ static enum ts_status wrap(struct tsim *sim, int dim)
 	const struct ts_box *box = &sim->domain->box;
 	bool periodic = ts_box_periodic(box, dim);
 
-	for (size_t i = 0; i < p->n; i++)
+	for (size_t i = 0; i < p->n; i++) {
+		int32_t before = p->image[i][dim];
+
 		if (!(fabs(p->x[i][dim]) < FARTHEST) ||
 		    (periodic && !ts_box_wrap(box, dim, &p->x[i][dim], &p->image[i][dim])))
 			return lost_in_space(sim, i);
+		if (ts_in_group(p, i, sim->domain->drift_group))
+			p->v[i][dim] -= (p->image[i][dim] - before) * sim->domain->drift[dim];
+	}
 	return TS_OK;
 }
 
@@ -139,15 +144,18 @@ static void copy_row(struct ts_particles *p, size_t from, size_t to, unsigned fl
 
 /* A ghost's coordinates are its original's plus whole box lengths, always from the original, so that
  * they do not depend on the way the ghost was made. */
-static void place_ghost(struct ts_particles *p, const struct ts_box *box, size_t g)
+static void place_ghost(struct ts_particles *p, const struct ts_domain *domain, size_t g)
 {
 	size_t k = g - p->n, owner = (size_t)p->ghost_owner[k];
+	bool drifts = ts_in_group(p, owner, domain->drift_group);
 
 	for (int d = 0; d < 3; d++) {
-		double shift = p->ghost_shift[k][d] * ts_box_length(box, d);
+		double shift = p->ghost_shift[k][d];
 
-		p->x[g][d] = p->x[owner][d] + shift;
-		p->xhold[g][d] = p->xhold[owner][d] + shift;
+		p->x[g][d] = p->x[owner][d] + shift * ts_box_length(&domain->box, d);
+		p->xhold[g][d] = p->xhold[owner][d] +
+				 shift * (domain->held_hi[d] - domain->held_lo[d]);
+		p->v[g][d] = p->v[owner][d] + (drifts ? shift * domain->drift[d] : 0);
 	}
 }
 
@@ -170,7 +178,7 @@ static enum ts_status add_ghost(struct tsim *sim, size_t from, int dim, int shif
 	if (from >= p->n)
 		memcpy(p->ghost_shift[k], p->ghost_shift[from - p->n], sizeof p->ghost_shift[k]);
 	p->ghost_shift[k][dim] = (int8_t)shift;
-	place_ghost(p, &sim->domain->box, g);
+	place_ghost(p, sim->domain, g);
 	p->nghost++;
 	return TS_OK;
 }
@@ -178,20 +186,20 @@ static enum ts_status add_ghost(struct tsim *sim, size_t from, int dim, int shif
 static enum ts_status borders(struct tsim *sim, int dim, double cutoff)
 {
 	struct ts_particles *p = sim->particles;
-	const struct ts_box *box = &sim->domain->box;
+	double lo = sim->domain->held_lo[dim], hi = sim->domain->held_hi[dim];
 	size_t present = p->n + p->nghost; /* images of images fill edges and corners */
 
-	if (cutoff > ts_box_length(box, dim))
+	if (cutoff > hi - lo)
 		return ts_fail(&sim->error, TS_RANGE, NULL,
 			       "the periodic box is %g long in dimension %c, less than the reach %g of "
 			       "a contact: make it longer or the skin smaller",
-			       ts_box_length(box, dim), 'x' + dim, cutoff);
+			       hi - lo, 'x' + dim, cutoff);
 	for (size_t i = 0; i < present; i++) {
 		double x = p->xhold[i][dim];
 
-		if (x < box->lo[dim] + cutoff)
+		if (x < lo + cutoff)
 			TS_TRY(add_ghost(sim, i, dim, 1));
-		if (x >= box->hi[dim] - cutoff)
+		if (x >= hi - cutoff)
 			TS_TRY(add_ghost(sim, i, dim, -1));
 	}
 	return TS_OK;
@@ -212,6 +220,6 @@ void ts_exchange_forward(struct tsim *sim)
 
 	for (size_t g = p->n; g < p->n + p->nghost; g++) {
 		copy_row(p, (size_t)p->ghost_owner[g - p->n], g, TS_COL_FORWARD);
-		place_ghost(p, &sim->domain->box, g);
+		place_ghost(p, sim->domain, g);
 	}
 }

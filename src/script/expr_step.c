@@ -13,12 +13,12 @@ static const double never = 9e18;
 /* Steps since the start of the run. */
 static double done(const struct ts_expr *e)
 {
-	return (double)(e->sim->clock.step - e->sim->clock.first_step);
+	return (double)(e->sim->clock.step - e->sim->clock.ramp_first);
 }
 
 static enum ts_status eval_ramp(struct ts_expr *e, const double *arg, double *out)
 {
-	double steps = (double)(e->sim->clock.last_step - e->sim->clock.first_step);
+	double steps = (double)(e->sim->clock.ramp_last - e->sim->clock.ramp_first);
 
 	if (!e->sim->running)
 		return ts_fail(&e->sim->error, TS_STATE, NULL, "ramp() has a value only in a run");

@@ -38,6 +38,7 @@ neighbor 1e-6 bin
 neigh_modify delay 0 every 1 check no
 END
 
+second='run 31'
 # Both programs wrap into the box in every step, as the skin is tiny; LAMMPS prints at the start of a
 # run, too.
 # agrees WHAT FACES TOLERANCE OUTPUT LINES...: OUTPUT is what a line is printed of in each step
@@ -52,13 +53,14 @@ agrees() {
 		[ -n "$output" ] && echo "fix show all print 1 '\$(step) $output' file \${out}.out screen no"
 		echo 'thermo 1000'
 		echo 'run 100'
-		echo 'run 31'
+		echo "$second"
 	} >in.case
 	set -- -in in.case -var faces "$faces" -log none -screen none
 	lmp "$@" -var out lmp >err 2>&1
 	report "$what: LAMMPS" $? err
 	"$TSIM" "$@" -var out tsim 2>err
 	report "$what: tsim" $? err
+	sed -i '/BOX BOUNDS/,+3d' lmp.dump tsim.dump # of other precision
 	for file in lmp.out tsim.out; do
 		[ -e $file ] && sed -i '/^0 /d' $file && uniq $file >kept && mv kept $file
 	done
@@ -101,6 +103,19 @@ agrees nve/noforce 'p p p' 1e-12 '' 'fix g all gravity 0.1 vector 1 2 3' 'fix a 
 agrees store/state 'p p p' 1e-12 '$(c_r[1]:%.15g) $(c_r[2]:%.15g) $(c_r[3]:%.15g)' 'fix n all nve' \
 	'fix s some store/state 5 xu vy com yes' 'fix s0 all store/state 0 z' \
 	'compute r all reduce sum f_s[1] f_s[2] f_s0' 'thermo_style custom step c_r[1]'
+one() { # fix deform: LAMMPS counts from the start of each run, so there is one only
+	agrees "deform $1" 'p p p' 1e-12 '$(lx:%.15g) $(ly:%.15g) $(lz:%.15g)' 'fix n all nve' \
+		"fix a ${3:-all} deform 1 $1 remap $2 units box" 'thermo_style custom step lx ly lz'
+}
+second=
+one 'x erate -0.3 z vel 0.1' x
+one 'y trate 0.4 x final -0.3 0.6' x
+one 'x wiggle 0.1 0.35 y volume' x
+one 'z erate 0.2 x volume y volume' x some
+one 'x delta 0.1 -0.05 y scale 0.7 z volume' x
+one 'x erate -0.3 y wiggle 0.1 0.35' v some
+one 'z vel 0.1' none
+second='run 31'
 agrees wall/reflect 'f f f' 1e-12 '' 'fix n all nve' 'variable top equal 0.7-0.1*step*dt' \
 	'fix a all wall/reflect xlo EDGE xhi 0.45 ylo -0.55 yhi EDGE zlo EDGE zhi v_top units box'
 finish

@@ -113,6 +113,14 @@ exact 'adapt' 'fix n all nve/sphere' 'variable size equal 0.078+step*1e-5' \
 	'fix a light adapt 5 atom diameter v_size' 'fix b all adapt 3 atom density v_k scale yes' \
 	'fix c all adapt 4 pair spring/dashpot stiffness 1 1* v_soft scale yes'
 
+# fast enough that images move by more than the skin between two rebuilds
+exact 'deform, positions follow' 'fix n all nve/sphere' \
+	'fix a all deform 2 x erate -5 y wiggle 0.1 0.01 z volume units box' \
+	'thermo_style custom step lx ly lz vol'
+exact 'deform, velocities change' 'fix n all nve/sphere' 'variable l equal 0.3*sin(step/40)' \
+	'variable r equal 0.3*cos(step/40)/40/dt' \
+	'fix a light deform 3 z variable v_l v_r x trate -5 remap v units box' 'neighbor 0.003 bin'
+
 # a quarter turn and three quarters of a period
 script <<'END'
 create_box 1 box
@@ -190,6 +198,45 @@ says 'new contacts are found' 'grown 0.01 2385'
 says 'pair, scaled' 'softer 0.005000'
 says 'always of the first value' 'softer again 0.005000'
 says 'reset' 'hard again 0.010000'
+
+# the box: lengths of each style, one goal over two runs, and what flies through its faces
+script <<'END'
+create_box 1 box
+create_atoms 1 single 0.75 0.6 0.3 units box
+set group all diameter 0.1 density 2385
+velocity all set 2.5 0 0
+fix n all nve
+fix a all deform 10 x trate 0.5 y scale 0.7 z volume units box
+timestep 0.002
+run 50 stop 100
+print "half $(lx:%.12g) $(ly:%.12g) $(vol/1.08:%.12g)"
+run 50 start 0
+print "whole $(lx:%.12g) $(ly:%.12g) $(vol/1.08:%.12g)"
+unfix a
+fix a all deform 1 y final 0 1.2 x delta 0 -0.1 remap v units box
+run 30
+print "goals $(ly:%.12g) $(vx[1]:%.12g) $(vy[1]:%g)"
+END
+says 'half way' 'half 1.05127109638 1.02 1'
+says 'at the end' 'whole 1.10517091808 0.84 1'
+
+# two periodic images of one contact: a box that closes on a sphere squeezes it from both sides
+script <<'END'
+create_box 1 box
+create_atoms 1 single 0.02 0.6 0.45 units box
+create_atoms 1 single 0.97 0.6 0.45 units box
+set group all diameter 0.1 density 2385
+pair_style spring/dashpot
+pair_coeff * * stiffness 2385 restitution 1
+fix n all nve
+fix f all move linear 0 0 0 units box
+fix a all deform 1 x delta 0 -0.02 remap none units box
+neighbor 0.002 bin
+timestep 1e-5
+run 40
+print "squeezed $(fx[1]/2385:%.9f) $(fx[2]/2385:%.9f)"
+END
+says 'contacts across faces that come nearer' 'squeezed 0.069500000 -0.069500000'
 
 # what ends a run early
 script <<'END'
@@ -270,4 +317,12 @@ bad "has no number 'stif'; known: stiffness" 'variable s equal 1' \
 bad 'it is spring/dashpot' 'variable s equal 1' 'fix a all adapt 1 pair gran stif 1 1 v_s'
 bad 'expected atom or pair' 'variable s equal 1' 'fix a all adapt 1 kspace v_s'
 bad 'is -1 for particle' 'variable s equal -1' 'fix a all adapt 1 atom diameter v_s' 'run 1'
+bad 'boxes are never tilted' 'fix d all deform 1 xy erate 0.1'
+bad 'expected x, y or z' 'fix d all deform 1 remap v'
+bad 'there is one already, d' 'fix d all deform 1 x vel 1' 'fix e all deform 1 y vel 1'
+bad 'the box would reach' 'fix d all deform 1 x delta 3 0' 'run 1'
+bad "did you mean 'erate'" 'fix d all deform 1 x erat 1'
+bad 'must not be after' 'run 10 start 5'
+sed -i 's/boundary p p p/boundary p p m/' in.box
+bad 'faces of z follow' 'fix d all deform 1 z vel 1'
 finish

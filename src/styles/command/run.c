@@ -9,7 +9,7 @@
 #include "base/banned.h"
 
 struct run {
-	int64_t steps;
+	int64_t steps, start, stop;
 	bool upto, pre, post, unsafe;
 	struct ts_words pieces; /* M and the commands after each M steps */
 	const struct ts_place *where;
@@ -126,7 +126,14 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 		return ts_fail(&sim->error, TS_RANGE, ts_sim_word(sim, 1, where),
 			       "run upto %" PRId64 ": the simulation is already at step %" PRId64,
 			       r->steps, sim->clock.step);
+	if ((r->start >= 0 && r->start > sim->clock.step) || (r->stop >= 0 && r->stop < last))
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "run: start must not be after the present step %" PRId64
+			       ", stop not before the last %" PRId64,
+			       sim->clock.step, last);
 	sim->clock.goal = last;
+	sim->clock.ramp_first = r->start >= 0 ? r->start : sim->clock.step;
+	sim->clock.ramp_last = r->stop >= 0 ? r->stop : last;
 	if (sim->halted) {
 		ts_log(&sim->log, "This run is skipped: fix halt has ended one before\n");
 		return TS_OK;
@@ -140,6 +147,10 @@ static const struct ts_arg args[] = {
 	TS_INT("N", struct run, steps, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
 	       .help = "number of steps"),
 	TS_FLAG("upto", struct run, upto, .help = "run until step N instead of N more steps"),
+	TS_INT("start", struct run, start, .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE,
+	       .help = "step at which what changes over a run (ramp(), fix deform final) began"),
+	TS_INT("stop", struct run, stop, .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE,
+	       .help = "step at which it ends"),
 	TS_BOOL("pre", struct run, pre, .fallback = "yes",
 		.help = "set up before the run; no: go on as after the last step"),
 	TS_BOOL("post", struct run, post, .fallback = "yes", .help = "print the timing summary"),
@@ -161,6 +172,8 @@ const struct ts_command_style ts_command_run = {
 			  "run cut into several is the same, bit for bit.\n\n"
 			  "`every M \"command\" ...` interrupts the run every M steps to execute the "
 			  "commands; variables in them are substituted each time.\n\n"
+			  "What changes over a run counts from its first to its last step. With `start` and "
+			  "`stop` several runs, or one that goes on from a restart file, count as one.\n\n"
 			  "A step beyond a limit of stability is refused. `unsafe yes` only warns: for "
 			  "tests of the limits themselves.",
 		   .example = "run 20000\nrun 100000 upto\nrun 5000 every 1000 \"print 'step $(step)'\"",
