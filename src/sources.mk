@@ -343,6 +343,8 @@ library_sources = \
 	src/styles/fix/ave_time.c \
 	src/styles/fix/aveforce.c \
 	src/styles/fix/bond_breakage.c \
+	src/styles/fix/deform.c \
+	src/styles/fix/drag.c \
 	src/styles/fix/drag_stokes.c \
 	src/styles/fix/drill_bit.c \
 	src/styles/fix/enforce2d.c \
@@ -354,6 +356,7 @@ library_sources = \
 	src/styles/fix/move.c \
 	src/styles/fix/nve.c \
 	src/styles/fix/nve_euler.c \
+	src/styles/fix/nve_limit.c \
 	src/styles/fix/nve_noforce.c \
 	src/styles/fix/nve_sphere.c \
 	src/styles/fix/nve_symplectic.c \
@@ -362,6 +365,8 @@ library_sources = \
 	src/styles/fix/property_atom.c \
 	src/styles/fix/property_global.c \
 	src/styles/fix/setforce.c \
+	src/styles/fix/spring.c \
+	src/styles/fix/spring_self.c \
 	src/styles/fix/store_state.c \
 	src/styles/fix/vector.c \
 	src/styles/fix/viscous.c \

@@ -189,10 +189,8 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 	if (!sim->resuming)
 		TS_TRY(ts_order_by_place(sim));
 	/* a run that goes on keeps the positions of its last build, and so builds the same rows */
-	if (!sim->resuming && p->n)
-		memcpy(p->xhold, p->x, p->n * sizeof *p->xhold);
 	if (!sim->resuming)
-		ts_domain_hold(sim->domain);
+		ts_exchange_hold(sim);
 	if (!sim->resuming || !(nb->built_skin > 0))
 		nb->built_skin = ts_neigh_skin(sim);
 	TS_TRY(ts_exchange_borders(sim, 2 * largest_radius(p) + nb->built_skin));

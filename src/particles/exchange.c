@@ -131,6 +131,15 @@ enum ts_status ts_exchange_migrate(struct tsim *sim)
 	return TS_OK;
 }
 
+void ts_exchange_hold(struct tsim *sim)
+{
+	struct ts_particles *p = sim->particles;
+
+	if (p->n)
+		memcpy(p->xhold, p->x, p->n * sizeof *p->xhold);
+	ts_domain_hold(sim->domain);
+}
+
 static void copy_row(struct ts_particles *p, size_t from, size_t to, unsigned flag)
 {
 	for (size_t k = 0; k < p->ncolumns; k++) {

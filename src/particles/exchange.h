@@ -11,6 +11,9 @@
  * faces; fits `s` and `m` faces. Drops the ghosts. */
 enum ts_status ts_exchange_migrate(struct tsim *sim);
 
+/* Rows are to be built of the positions and the box as they are now. */
+void ts_exchange_hold(struct tsim *sim);
+
 /* Makes ghosts of all particles whose xhold lies within `cutoff` of a periodic face. */
 enum ts_status ts_exchange_borders(struct tsim *sim, double cutoff);
 

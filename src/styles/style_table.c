@@ -127,6 +127,8 @@ TS_STYLE(fix, ts_style, ts_fix_addforce)
 TS_STYLE(fix, ts_style, ts_fix_ave_time)
 TS_STYLE(fix, ts_style, ts_fix_aveforce)
 TS_STYLE(fix, ts_style, ts_fix_bond_breakage)
+TS_STYLE(fix, ts_style, ts_fix_deform)
+TS_STYLE(fix, ts_style, ts_fix_drag)
 TS_STYLE(fix, ts_style, ts_fix_drag_stokes)
 TS_STYLE(fix, ts_style, ts_fix_drill_bit)
 TS_STYLE(fix, ts_style, ts_fix_enforce2d)
@@ -138,6 +140,7 @@ TS_STYLE(fix, ts_style, ts_fix_momentum)
 TS_STYLE(fix, ts_style, ts_fix_move)
 TS_STYLE(fix, ts_style, ts_fix_nve)
 TS_STYLE(fix, ts_style, ts_fix_nve_euler)
+TS_STYLE(fix, ts_style, ts_fix_nve_limit)
 TS_STYLE(fix, ts_style, ts_fix_nve_noforce)
 TS_STYLE(fix, ts_style, ts_fix_nve_sphere)
 TS_STYLE(fix, ts_style, ts_fix_nve_symplectic)
@@ -146,6 +149,8 @@ TS_STYLE(fix, ts_style, ts_fix_print)
 TS_STYLE(fix, ts_style, ts_fix_property_atom)
 TS_STYLE(fix, ts_style, ts_fix_property_global)
 TS_STYLE(fix, ts_style, ts_fix_setforce)
+TS_STYLE(fix, ts_style, ts_fix_spring)
+TS_STYLE(fix, ts_style, ts_fix_spring_self)
 TS_STYLE(fix, ts_style, ts_fix_store_state)
 TS_STYLE(fix, ts_style, ts_fix_vector)
 TS_STYLE(fix, ts_style, ts_fix_viscous)
@@ -285,6 +290,8 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_ave_time,
 	&ts_fix_aveforce,
 	&ts_fix_bond_breakage,
+	&ts_fix_deform,
+	&ts_fix_drag,
 	&ts_fix_drag_stokes,
 	&ts_fix_drill_bit,
 	&ts_fix_enforce2d,
@@ -296,6 +303,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_move,
 	&ts_fix_nve,
 	&ts_fix_nve_euler,
+	&ts_fix_nve_limit,
 	&ts_fix_nve_noforce,
 	&ts_fix_nve_sphere,
 	&ts_fix_nve_symplectic,
@@ -304,6 +312,8 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_property_atom,
 	&ts_fix_property_global,
 	&ts_fix_setforce,
+	&ts_fix_spring,
+	&ts_fix_spring_self,
 	&ts_fix_store_state,
 	&ts_fix_vector,
 	&ts_fix_viscous,

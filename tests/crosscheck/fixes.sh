@@ -103,6 +103,11 @@ agrees nve/noforce 'p p p' 1e-12 '' 'fix g all gravity 0.1 vector 1 2 3' 'fix a 
 agrees store/state 'p p p' 1e-12 '$(c_r[1]:%.15g) $(c_r[2]:%.15g) $(c_r[3]:%.15g)' 'fix n all nve' \
 	'fix s some store/state 5 xu vy com yes' 'fix s0 all store/state 0 z' \
 	'compute r all reduce sum f_s[1] f_s[2] f_s0' 'thermo_style custom step c_r[1]'
+agrees spring/self 'p p p' 1e-12 "$scalar" 'fix n all nve' 'fix a some spring/self 0.3 xz'
+agrees 'spring tether' 'p p p' 1e-12 "$vector \$(f_a[4]:%.15g) $scalar" 'fix n all nve' \
+	'fix a some spring tether 0.7 0.1 NULL 0.3 0.2'
+agrees 'spring couple' 'p p p' 1e-12 "$vector \$(f_a[4]:%.15g) $scalar" 'fix n all nve' \
+	'fix a some spring couple two 0.7 0.1 NULL 0.3 0.2'
 one() { # fix deform: LAMMPS counts from the start of each run, so there is one only
 	agrees "deform $1" 'p p p' 1e-12 '$(lx:%.15g) $(ly:%.15g) $(lz:%.15g)' 'fix n all nve' \
 		"fix a ${3:-all} deform 1 $1 remap $2 units box" 'thermo_style custom step lx ly lz'
@@ -115,6 +120,7 @@ one 'z erate 0.2 x volume y volume' x some
 one 'x delta 0.1 -0.05 y scale 0.7 z volume' x
 one 'x erate -0.3 y wiggle 0.1 0.35' v some
 one 'z vel 0.1' none
+agrees nve/limit 'p p p' 1e-12 "$scalar" 'fix g all gravity 3 vector 1 2 3' 'fix a all nve/limit 0.004'
 second='run 31'
 agrees wall/reflect 'f f f' 1e-12 '' 'fix n all nve' 'variable top equal 0.7-0.1*step*dt' \
 	'fix a all wall/reflect xlo EDGE xhi 0.45 ylo -0.55 yhi EDGE zlo EDGE zhi v_top units box'

@@ -89,9 +89,7 @@ static enum ts_status bond_many(struct tsim *sim, const struct create_bonds *c)
 	struct ts_cells cells = { 0 };
 	enum ts_status status;
 
-	for (size_t i = 0; i < p->n; i++)
-		for (int k = 0; k < 3; k++)
-			p->xhold[i][k] = p->x[i][k];
+	ts_exchange_hold(sim);
 	TS_TRY(ts_exchange_borders(sim, c->most));
 	status = ts_cells_fill(sim, &cells, c->most);
 	for (int l = 0; status == TS_OK && l < cells.nlevels; l++)
