@@ -53,6 +53,11 @@ mv in.part.all in.part
 again -var name another -var every 8
 report 'another id starts afresh' $? err
 
+printf 'read_restart first.restart\npair_style spring/dashpot\nfix g all gravity 9.81 vector 0 0 -1\nrun 0\nrun 0\n' >in.few
+"$TSIM" -in in.few -log few.log -screen none 2>err
+[ "$(grep -c 'not defined again so far: .*fix other (vector)' few.log)" = 1 ]
+report 'what is not used is said once' $? few.log
+
 # what the state does not depend on may change, and the log says so
 cat >in.bit <<END
 include in.everything

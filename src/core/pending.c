@@ -15,6 +15,7 @@ struct ts_pending {
 	const char *style, *id, *group; /* in the pool */
 	unsigned char *bytes;
 	size_t n;
+	bool reported;
 };
 
 static void pending_free(struct ts_pending *p)
@@ -161,6 +162,21 @@ enum ts_status ts_pending_apply(struct tsim *sim, struct ts_instance *inst, stru
 	*p = found->next;
 	pending_free(found);
 	return status;
+}
+
+void ts_pending_report(struct tsim *sim)
+{
+	const char *before = "Saved in the restart file, but not defined again so far: ";
+
+	for (struct ts_pending *p = sim->pending; p; p = p->next) {
+		if (p->reported || (p->kind != TS_KIND_FIX && p->kind != TS_KIND_COMPUTE))
+			continue;
+		p->reported = true;
+		ts_log(&sim->log, "%s%s %s (%s)", before, ts_kind_name(p->kind), p->id, p->style);
+		before = ", ";
+	}
+	if (*before == ',')
+		ts_log(&sim->log, "\n");
 }
 
 void ts_pending_free(struct tsim *sim)

@@ -18,6 +18,8 @@ bool ts_pending_waits(const struct tsim *sim, const struct ts_instance *inst);
 /* An instance for a restart file: its arguments as they are now, then its state. */
 enum ts_status ts_pending_write(struct tsim *sim, struct ts_instance *inst,
 				struct ts_archive *archive);
+/* Says once in the log which fixes and computes of the restart file the script has not defined again. */
+void ts_pending_report(struct tsim *sim);
 void ts_pending_free(struct tsim *sim);
 
 #endif

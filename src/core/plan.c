@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "base/clock.h"
+#include "core/pending.h"
 
 #include "base/banned.h"
 
@@ -158,6 +159,7 @@ enum ts_status ts_plan_stopped(struct tsim *sim)
 
 enum ts_status ts_plan_run(struct ts_plan *plan, struct tsim *sim, bool setup)
 {
+	ts_pending_report(sim);
 	TS_TRY(ts_plan_start(plan, sim, setup));
 	if (!sim->explain) {
 		TS_TRY(ts_plan_steps(plan, sim));
