@@ -5,7 +5,11 @@ for target in "$@"; do
 	case $target in
 	script) files=("${decks[@]}" "$top_srcdir"/doc/styles/*.md) ;;
 	expression) files=("${decks[@]}") ;;
-	restart) files=("$top_srcdir"/tests/data/*.restart) ;;
+	restart)
+		printf 'include %s\nwrite_restart newest.seed\n' "$top_srcdir/tests/data/in.older" |
+			"$TSIM" -log none -screen none -var last 437
+		files=("$top_srcdir"/tests/data/*.restart newest.seed)
+		;;
 	data)
 		printf 'read_restart %s\nwrite_data data.seed\n' "$top_srcdir/tests/data/version1.restart" |
 			"$TSIM" -log none -screen none
