@@ -7,6 +7,7 @@ shell_tests = \
 	tests/crosscheck/granular.sh \
 	tests/crosscheck/language.sh \
 	tests/crosscheck/liggghts.sh \
+	tests/crosscheck/space.sh \
 	tests/data_files.sh \
 	tests/decks/box.sh \
 	tests/decks/commands.sh \
@@ -16,6 +17,7 @@ shell_tests = \
 	tests/decks/groups.sh \
 	tests/decks/inputs.sh \
 	tests/decks/mistakes.sh \
+	tests/decks/plane.sh \
 	tests/decks/regions.sh \
 	tests/drilling.sh \
 	tests/dry_run.sh \

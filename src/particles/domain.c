@@ -203,6 +203,24 @@ static void fingerprint(const struct ts_instance *self, const struct tsim *sim,
 	ts_hash_add(hash, d->box.face, sizeof d->box.face);
 }
 
+/* Nothing holds particles in the plane but the script. */
+static void warn_out_of_plane(struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+
+	for (size_t i = 0; sim->dimension == 2 && i < p->n; i++) {
+		bool spins = p->omega && (p->omega[i][0] != 0 || p->omega[i][1] != 0);
+
+		if (p->x[i][2] == 0 && p->v[i][2] == 0 && !spins)
+			continue;
+		ts_warn(&sim->log, NULL,
+			"dimension 2: particle %d is out of the plane z = 0, moves out of it or turns "
+			"about an axis in it; fix enforce2d keeps particles in the plane",
+			p->tag[i]);
+		return;
+	}
+}
+
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 			   struct ts_plan_report *report)
 {
@@ -210,7 +228,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 	static const char letters[] = "pfsm";
 	char faces[12] = "";
 
-	(void)sim;
+	warn_out_of_plane(sim);
 	for (int k = 0; k < 6; k++) {
 		faces[k + k / 2] = letters[d->box.face[k / 2][k % 2]];
 		if (k % 2)

@@ -64,4 +64,6 @@ agrees 'settling' settling '2000 1e-10 0.01' -var stiffness 23850 -var damping 6
 	-var every 100
 agrees 'periodic gas' gas '2000 1e-10 0.02' -var stiffness 23850 -var damping 0 -var steps 4000 \
 	-var every 100
+agrees 'discs in a plane' plane '2000 1e-10 0.02' -var stiffness 2385 -var damping 0.37 -var steps 3000 \
+	-var every 50
 finish

@@ -195,7 +195,7 @@ const struct ts_command_style ts_command_displace_atoms = {
 		.name = "displace_atoms",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Moves particles at once",
-		.doc = "random draws each component uniformly from -most to +most, keyed by seed and\n"
+		.doc = "rotate turns positions as they are in the box, not unwrapped ones. random draws each component uniformly from -most to +most, keyed by seed and\n"
 		       "identity. Particles do not turn about themselves, and velocities stay. Afterwards\n"
 		       "positions are wrapped into periodic faces, particles outside of fixed faces are lost\n"
 		       "(see thermo_modify lost), and faces of boundary s and m are fitted to the particles.",

@@ -92,6 +92,21 @@ static enum ts_status set_orientation(struct tsim *sim, const struct state *s,
 	return TS_OK;
 }
 
+/* In two dimensions the unit cell is a plane one: a3 = (0 0 1), the rest without z. */
+static enum ts_status check_plane(struct tsim *sim, const struct ts_lattice *l,
+				  const struct ts_place *where)
+{
+	bool plane = l->edge[0][2] == 0 && l->edge[1][2] == 0 && l->edge[2][0] == 0 &&
+		     l->edge[2][1] == 0 && l->edge[2][2] == 1;
+
+	for (size_t k = 0; k < l->nbasis; k++)
+		plane = plane && l->basis[k][2] == 0;
+	if (plane)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_RANGE, where,
+		       "lattice: with dimension 2, a1, a2 and basis have no z, and a3 is 0 0 1");
+}
+
 static enum ts_status set_custom(struct tsim *sim, const struct state *s, struct ts_lattice *l,
 				 const struct ts_place *where)
 {
@@ -116,6 +131,8 @@ static enum ts_status set_custom(struct tsim *sim, const struct state *s, struct
 	if (s->style == TS_LATTICE_CUSTOM && !l->nbasis)
 		return ts_fail(&sim->error, TS_SYNTAX, where,
 			       "lattice custom: no points, expected `basis x y z`");
+	if (sim->dimension == 2)
+		TS_TRY(check_plane(sim, l, where));
 	if (!(ts_lattice_cell_volume(l) > 0))
 		return ts_fail(&sim->error, TS_RANGE, where,
 			       "lattice: a1, a2, a3 must be right-handed: a1 . (a2 x a3) > 0");
