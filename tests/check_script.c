@@ -198,7 +198,7 @@ START_TEST(variable_rules)
 	expect_error("variable k loop x", 1, 17, 1, "whole number");
 	expect_error("variable k eqaul 1", 1, 12, 5, "did you mean 'equal'");
 	expect_error("variable k index", 1, 10, 1, "needs a value");
-	expect_error("variable none delete", 1, 10, 4, "unknown variable");
+	expect_output("variable none delete\n", "");
 	expect_error("next s", 1, 6, 1, "index, loop or file variable");
 	expect_error("variable w index abc\nvariable z equal v_w*2\nprint $z", 2, 18, 3,
 		     "'abc', which is no number");
@@ -319,7 +319,14 @@ START_TEST(files)
 	fclose(file);
 	ck_assert_str_eq(line, "a\nc\n");
 	expect_output("shell rm one.log\n", "");
-	expect_error("shell rm nothing", 1, 10, 7, "failed");
+	expect_output("shell mkdir -p a/b/c a/d\nshell cd a/b/c\nshell cd ../../..\n"
+		      "shell rmdir a/b/c a/b a/d a\n",
+		      "");
+	ck_assert_int_eq(sim->log.warnings, 0);
+	ck_assert_int_eq(tsim_string(sim, "shell rm -rf nothing\nshell rmdir nothing"), 0);
+	ck_assert_int_eq(sim->log.warnings, 2);
+	expect_error("shell cd nowhere", 1, 10, 7, "failed: No such file");
+	expect_error("shell mkdir /dev/null/x", 1, 13, 11, "failed");
 	expect_error("shell touch program", 1, 7, 5, "only with the option -shell yes");
 	ts_script_allow_programs(sim->host_data, true);
 	expect_output("shell echo written >program\nshell rm program\n", "");

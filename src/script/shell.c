@@ -24,13 +24,32 @@ static const struct ts_arg shell_args[] = {
 	TS_ARGS_END
 };
 
-static int make_directory(const char *path)
+static int make_one(const char *path)
 {
 	struct stat info;
 
 	if (mkdir(path, 0777) == 0)
 		return 0;
 	return errno == EEXIST && stat(path, &info) == 0 && S_ISDIR(info.st_mode) ? 0 : -1;
+}
+
+/* With all that leads to it. */
+static int make_directory(const char *path)
+{
+	struct ts_str part = { 0 };
+	int result = 0;
+
+	for (const char *c = path; *c && result == 0; c++) {
+		if (*c == '/' && c > path)
+			result = make_one(ts_str_text(&part));
+		ts_str_add_n(&part, c, 1);
+	}
+	if (part.failed)
+		errno = ENOMEM;
+	if (result == 0)
+		result = part.failed ? -1 : make_one(ts_str_text(&part));
+	ts_str_release(&part);
+	return result;
 }
 
 static int set_environment(const char *text)
@@ -49,13 +68,15 @@ static int set_environment(const char *text)
 static const struct {
 	const char *name;
 	int (*act)(const char *path);
-	bool writes; /* left out by -explain */
+	bool writes;	/* left out by -explain */
+	bool options;	/* words such as -p and -rf have no effect */
+	bool forgiving; /* nothing later depends on it: a failure is a warning, as nothing in LIGGGHTS */
 } actions[] = {
-	{ "mkdir", make_directory, true },
-	{ "rm", unlink, true },
-	{ "rmdir", rmdir, true },
-	{ "cd", chdir, false },
-	{ "putenv", set_environment, false },
+	{ "mkdir", make_directory, true, true, false },
+	{ "rm", unlink, true, true, true },
+	{ "rmdir", rmdir, true, true, true },
+	{ "cd", chdir, false, false, false },
+	{ "putenv", set_environment, false, false, false },
 };
 
 static enum ts_status note(struct tsim *sim, const char *what, const struct ts_word *word)
@@ -114,10 +135,29 @@ static enum ts_status unknown_action(struct tsim *sim, const struct ts_word *wor
 		       word->text, suggest.best ? ts_suggest_text(&suggest) : "");
 }
 
+static enum ts_status run_action(struct tsim *sim, size_t a, const struct ts_word *word)
+{
+	char what[32];
+
+	if (actions[a].options && word->text[0] == '-')
+		return TS_OK;
+	if (sim->check && actions[a].writes) {
+		snprintf(what, sizeof what, "shell %s", actions[a].name);
+		return note(sim, what, word);
+	}
+	if ((sim->explain && actions[a].writes) || actions[a].act(word->text) == 0)
+		return TS_OK;
+	if (!actions[a].forgiving)
+		return ts_fail(&sim->error, TS_IO, &word->place, "shell %s '%s' failed: %s",
+			       actions[a].name, word->text, strerror(errno));
+	ts_warn(&sim->log, &word->place, "shell %s '%s' failed: %s", actions[a].name, word->text,
+		strerror(errno));
+	return TS_OK;
+}
+
 static enum ts_status run_shell(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	struct ts_words words = ((const struct shell *)state)->words;
-	char what[32];
 	size_t a = 0, n = sizeof actions / sizeof *actions;
 	struct ts_script *script;
 
@@ -132,15 +172,8 @@ static enum ts_status run_shell(struct tsim *sim, void *state, const struct ts_p
 	if (words.n < 2)
 		return ts_fail(&sim->error, TS_SYNTAX, &words.word[0].place,
 			       "expected a name after '%s'", actions[a].name);
-	for (size_t k = 1; k < words.n && sim->check && actions[a].writes; k++) {
-		snprintf(what, sizeof what, "shell %s", actions[a].name);
-		TS_TRY(note(sim, what, &words.word[k]));
-	}
-	for (size_t k = 1; k < words.n && !(sim->explain && actions[a].writes); k++)
-		if (actions[a].act(words.word[k].text) != 0)
-			return ts_fail(&sim->error, TS_IO, &words.word[k].place,
-				       "shell %s '%s' failed: %s", actions[a].name,
-				       words.word[k].text, strerror(errno));
+	for (size_t k = 1; k < words.n; k++)
+		TS_TRY(run_action(sim, a, &words.word[k]));
 	return TS_OK;
 }
 
@@ -149,7 +182,9 @@ const struct ts_command_style ts_command_shell = {
 		.name = "shell",
 		.kind = TS_KIND_COMMAND,
 		.summary = "makes directories, moves and removes files",
-		.doc = "mkdir of a directory that exists is no error. With the option -shell yes of the "
+		.doc = "mkdir makes the directories that lead to it too, and a directory that exists is "
+		       "no error. rm or rmdir of what is not there is a warning; rm removes no "
+		       "directories. Options such as -p and -rf have no effect. With the option -shell yes of the "
 		       "command line any other words are run as a command of the system's shell; "
 		       "without it they are refused, so that a script from elsewhere cannot start "
 		       "programs.",

@@ -27,15 +27,16 @@ static const struct ts_arg variable_args[] = {
 	TS_ARGS_END
 };
 
+/* One that does not exist is no error (LIGGGHTS): scripts delete before they define. */
 static enum ts_status delete(struct ts_script *script, const struct ts_word *name)
 {
-	struct ts_variable *found;
+	struct ts_variable *found = ts_variable_find(script, name->text);
 
-	TS_TRY(ts_variable_require(script, name->text, &name->place, &found));
-	if (found->busy)
+	if (found && found->busy)
 		return ts_fail(&script->sim->error, TS_STATE, &name->place,
 			       "variable '%s' cannot be deleted while it is evaluated", name->text);
-	ts_variable_delete(script, found);
+	if (found)
+		ts_variable_delete(script, found);
 	return TS_OK;
 }
 
@@ -57,16 +58,19 @@ const struct ts_command_style ts_command_variable = {
 		.name = "variable",
 		.kind = TS_KIND_COMMAND,
 		.summary = "defines a variable",
-		.doc = "`index` and `loop` variables step through their values with `next`; if one "
-		       "of that name exists already the line does nothing, so that the option -var "
-		       "wins. `equal` and `atom` keep a formula, which is evaluated each time the "
-		       "variable is used; `string`, `getenv`, `equal` and `atom` replace a variable "
-		       "of the same style.\n\n"
+		.doc = "`tsim -help variables` lists what each style stands for. Those that step through "
+		       "values with `next` (index, loop, world, universe, uloop, file, atomfile) stay as "
+		       "they are if one of that name exists already, so that the option -var wins; the "
+		       "others replace one of the same style. `equal`, `atom` and `vector` keep a "
+		       "formula, which is evaluated each time the variable is used; the page `functions` "
+		       "says what stands in it. `delete` removes the variable, if there is one.\n\n"
 		       "${name} (or $x for a one-letter name) puts the value into a line before it "
 		       "is run, outside of quotes; v_name reads it inside a formula; $(formula) "
-		       "evaluates at once.",
+		       "evaluates at once. ${name:%.3f} and $(formula:%.3f) say how the number is "
+		       "written.",
 		.example = "variable wob index 2000\nvariable area equal PI*v_r^2\n"
-			   "variable n loop 5\nvariable deep atom z<0.05",
+			   "variable n loop 5\nvariable deep atom z<0.05\n"
+			   "variable edges vector [0,0.1,0.25]",
 		.args = variable_args,
 		.state_size = sizeof(struct variable),
 	},
