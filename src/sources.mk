@@ -264,6 +264,7 @@ library_sources = \
 	src/styles/command/fix_modify.c \
 	src/styles/command/flow_style.c \
 	src/styles/command/group.c \
+	src/styles/command/hard_particles.c \
 	src/styles/command/lattice.c \
 	src/styles/command/mass.c \
 	src/styles/command/modify_timing.c \
@@ -284,6 +285,7 @@ library_sources = \
 	src/styles/command/restart.c \
 	src/styles/command/run.c \
 	src/styles/command/set.c \
+	src/styles/command/soft_particles.c \
 	src/styles/command/special_bonds.c \
 	src/styles/command/thermo.c \
 	src/styles/command/thermo_log.c \

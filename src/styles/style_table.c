@@ -37,6 +37,7 @@ TS_STYLE(command, ts_command_style, ts_command_fix)
 TS_STYLE(command, ts_command_style, ts_command_fix_modify)
 TS_STYLE(command, ts_command_style, ts_command_flow_style)
 TS_STYLE(command, ts_command_style, ts_command_group)
+TS_STYLE(command, ts_command_style, ts_command_hard_particles)
 TS_STYLE(command, ts_command_style, ts_command_if)
 TS_STYLE(command, ts_command_style, ts_command_include)
 TS_STYLE(command, ts_command_style, ts_command_jump)
@@ -67,6 +68,7 @@ TS_STYLE(command, ts_command_style, ts_command_restart)
 TS_STYLE(command, ts_command_style, ts_command_run)
 TS_STYLE(command, ts_command_style, ts_command_set)
 TS_STYLE(command, ts_command_style, ts_command_shell)
+TS_STYLE(command, ts_command_style, ts_command_soft_particles)
 TS_STYLE(command, ts_command_style, ts_command_special_bonds)
 TS_STYLE(command, ts_command_style, ts_command_thermo)
 TS_STYLE(command, ts_command_style, ts_command_thermo_log)
@@ -200,6 +202,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_command_fix_modify.style,
 	&ts_command_flow_style.style,
 	&ts_command_group.style,
+	&ts_command_hard_particles.style,
 	&ts_command_if.style,
 	&ts_command_include.style,
 	&ts_command_jump.style,
@@ -230,6 +233,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_command_run.style,
 	&ts_command_set.style,
 	&ts_command_shell.style,
+	&ts_command_soft_particles.style,
 	&ts_command_special_bonds.style,
 	&ts_command_thermo.style,
 	&ts_command_thermo_log.style,
