@@ -15,4 +15,14 @@ static inline double ts_boltzmann(const struct tsim *sim)
 	return constant[sim->units];
 }
 
+static inline const char *ts_units_name(enum ts_units units)
+{
+	static const char *const names[] = { [TS_UNITS_LJ] = "lj",
+					     [TS_UNITS_SI] = "si",
+					     [TS_UNITS_CGS] = "cgs",
+					     [TS_UNITS_MICRO] = "micro" };
+
+	return names[units];
+}
+
 #endif

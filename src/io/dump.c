@@ -1,7 +1,9 @@
 #include "io/dump.h"
 
+#include <stdio.h>
 #include <string.h>
 
+#include "core/units.h"
 #include "particles/domain.h"
 
 #include "base/banned.h"
@@ -13,70 +15,37 @@ static bool one_file_per_frame(const struct ts_dump_common *d)
 	return strchr(d->file, '*') != NULL;
 }
 
-static enum ts_status keep_text(struct tsim *sim, struct ts_instance *dump, const char *text,
-				const char **out)
+/* The variable says the step of the next frame. */
+static enum ts_status ask_next(struct ts_instance *self, struct tsim *sim)
 {
-	*out = ts_arena_strdup(&dump->arena, text);
-	return *out ? TS_OK : ts_nomem(&sim->error);
-}
+	struct ts_dump_common *d = self->state;
+	double next;
 
-static enum ts_status set_format(struct tsim *sim, struct ts_instance *dump,
-				 const struct ts_dump_changes *changes,
-				 const struct ts_place *where)
-{
-	struct ts_dump_common *d = dump->state;
-	bool integer = changes->format_kind == TS_DUMP_FORMAT_INT;
-	char *to = integer ? d->int_format : d->float_format;
-	char checked[TS_FORMAT_SIZE];
-	size_t n = strlen(changes->format);
-
-	if (changes->format_kind == TS_DUMP_FORMAT_LINE) {
-		if (ts_words_split(&dump->arena, changes->format, where, &d->line_format) != TS_OK)
-			return ts_nomem(&sim->error);
-		return TS_OK;
-	}
-	if (n >= TS_FORMAT_SIZE || !ts_format_check(changes->format, integer, checked))
-		return ts_fail(
-			&sim->error, TS_SYNTAX, where,
-			"dump_modify: '%s' is no format for one %s, expected for instance %s",
-			changes->format, integer ? "integer" : "number", integer ? "%d" : "%.15g");
-	memcpy(to, changes->format, n + 1);
+	TS_TRY(sim->host->scalar(sim->host_data, d->variable, &self->where, &next));
+	if (!(next > (double)sim->clock.step) || next > 9e15)
+		return ts_fail(&sim->error, TS_RANGE, &self->where,
+			       "dump_modify every v_%s: the step of the next frame would be %g, but step "
+			       "%lld is reached already",
+			       d->variable, next, (long long)sim->clock.step);
+	d->next = (int64_t)next;
 	return TS_OK;
 }
 
-enum ts_status ts_dump_modify(struct tsim *sim, struct ts_instance *dump,
-			      const struct ts_dump_changes *changes, const struct ts_place *where)
-{
-	struct ts_dump_common *d = dump->state;
-
-	if (changes->every != INT64_MIN)
-		d->every = dump->every = changes->every;
-	if (changes->pad != INT64_MIN)
-		d->pad = changes->pad;
-	if (changes->sort >= 0)
-		d->unsorted = !changes->sort;
-	if (changes->first >= 0)
-		d->first = changes->first;
-	if (changes->append >= 0)
-		d->append = changes->append;
-	if (changes->label)
-		TS_TRY(keep_text(sim, dump, changes->label, &d->label));
-	if (changes->format)
-		TS_TRY(set_format(sim, dump, changes, where));
-	return dump->style->init ? dump->style->init(dump, sim) : TS_OK;
-}
-
-bool ts_dump_due(struct ts_instance *self, struct tsim *sim)
+enum ts_status ts_dump_due(struct ts_instance *self, struct tsim *sim, bool *due)
 {
 	struct ts_dump_common *d = self->state;
 	int64_t step = sim->clock.step;
-	bool due = step % d->every == 0 || (d->first && d->frames == 0);
 
-	if (!due || (d->frames && d->last == step))
-		return false;
-	d->last = step;
-	d->frames++;
-	return true;
+	*due = d->variable ? d->next > 0 && step == d->next : step % d->every == 0;
+	if (d->variable && (*due || step == sim->clock.first_step || d->next <= step))
+		TS_TRY(ask_next(self, sim));
+	*due = ((*due && step >= d->delay) || (d->first && d->frames == 0)) &&
+	       !(d->frames && d->last == step);
+	if (*due) {
+		d->last = step;
+		d->frames++;
+	}
+	return TS_OK;
 }
 
 enum ts_status ts_dump_open(struct ts_instance *self, struct tsim *sim)
@@ -98,6 +67,10 @@ void ts_dump_header(struct ts_dump_common *d, struct tsim *sim, const char *what
 	static const char letter[] = "pfsm"; /* in the order of enum ts_face */
 	const struct ts_box *box = &sim->domain->box;
 
+	if (d->units && d->frames == 1)
+		ts_str_addf(&d->text, "ITEM: UNITS\n%s\n", ts_units_name(sim->units));
+	if (d->time)
+		ts_str_addf(&d->text, "ITEM: TIME\n%.16g\n", ts_sim_time(sim));
 	ts_str_addf(&d->text, "ITEM: TIMESTEP\n%lld\n", (long long)sim->clock.step);
 	if (d->label)
 		ts_str_addf(&d->text, "ITEM: LABEL\n%s\n", d->label);
@@ -122,15 +95,27 @@ static enum ts_status put_text(struct ts_dump_common *d, struct tsim *sim)
 	return TS_OK;
 }
 
-enum ts_status ts_dump_write_rows(struct ts_dump_common *d, struct tsim *sim)
+static void add_item(struct ts_dump_common *d, const struct ts_dump_column *c, double value)
+{
+	size_t type = (size_t)value;
+
+	if (!c->element)
+		ts_format_add(&d->text, c->format, c->integer, value);
+	else if (type >= 1 && type <= d->element.n)
+		ts_str_add(&d->text, d->element.word[type - 1].text);
+	else
+		ts_str_addf(&d->text, "%zu", type);
+}
+
+enum ts_status ts_dump_write_rows(struct ts_dump_common *d, struct tsim *sim, bool trailing)
 {
 	for (size_t row = 0; row < d->nrows; row++) {
 		for (size_t k = 0; k < d->ncolumns; k++) {
 			const struct ts_dump_column *c = &d->column[k];
 
-			ts_format_add(&d->text, c->format, c->integer,
-				      c->values.data[d->order[row]]);
-			ts_str_add_n(&d->text, " ", 1);
+			add_item(d, c, c->values.data[d->order[row]]);
+			if (trailing || k + 1 < d->ncolumns)
+				ts_str_add_n(&d->text, " ", 1);
 		}
 		ts_str_add_n(&d->text, "\n", 1);
 		if (d->text.length > CHUNK)
@@ -139,21 +124,38 @@ enum ts_status ts_dump_write_rows(struct ts_dump_common *d, struct tsim *sim)
 	return put_text(d, sim);
 }
 
+/* With maxfiles the oldest frame goes when a new one is there. */
+static enum ts_status drop_oldest(struct ts_dump_common *d)
+{
+	char **slot = &d->old[d->frames % d->nold];
+
+	if (*slot)
+		remove(*slot);
+	ts_free(*slot);
+	*slot = ts_strdup(ts_str_text(&d->path));
+	return *slot ? TS_OK : TS_NOMEM;
+}
+
 enum ts_status ts_dump_frame_done(struct ts_dump_common *d)
 {
-	return one_file_per_frame(d) ? ts_textfile_close(&d->out) : ts_textfile_flush(&d->out);
+	if (!one_file_per_frame(d))
+		return ts_textfile_flush(&d->out);
+	TS_TRY(ts_textfile_close(&d->out));
+	return d->nold ? drop_oldest(d) : TS_OK;
 }
 
 enum ts_status ts_dump_frame(struct ts_instance *self, struct tsim *sim, bool local)
 {
 	struct ts_dump_common *d = self->state;
+	bool due;
 
-	if (!ts_dump_due(self, sim))
+	TS_TRY(ts_dump_due(self, sim, &due));
+	if (!due)
 		return TS_OK;
 	TS_TRY(ts_dump_gather(self, sim, local));
 	TS_TRY(ts_dump_open(self, sim));
 	ts_dump_header(d, sim, local ? "ENTRIES" : "ATOMS");
-	TS_TRY(ts_dump_write_rows(d, sim));
+	TS_TRY(ts_dump_write_rows(d, sim, true));
 	return ts_dump_frame_done(d);
 }
 
@@ -164,6 +166,10 @@ void ts_dump_fini(struct ts_instance *self)
 	ts_textfile_close(&d->out);
 	for (size_t k = 0; k < d->ncolumns; k++)
 		ts_table_release(&d->column[k].values);
+	ts_dump_release_thresholds(d);
+	for (int64_t k = 0; k < d->nold; k++)
+		ts_free(d->old[k]);
+	ts_free(d->old);
 	ts_free(d->order);
 	ts_str_release(&d->text);
 	ts_str_release(&d->path);

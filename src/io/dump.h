@@ -12,6 +12,7 @@ struct ts_dump_column {
 	struct ts_ref_input input;
 	bool index; /* number of the row; input has only name and place */
 	bool integer;
+	bool element; /* a name for the type */
 	char format[TS_FORMAT_SIZE];
 	struct ts_table values; /* one column, a row per particle or local row */
 };
@@ -23,12 +24,20 @@ struct ts_dump_common {
 	int64_t last;	  /* saved: step of the last frame */
 	int64_t frames;	  /* saved: how many were written */
 	/* dump_modify */
-	int64_t pad;
-	bool unsorted, first, append;
-	const char *label;
-	char float_format[TS_FORMAT_SIZE], int_format[TS_FORMAT_SIZE];
-	struct ts_words line_format;
+	const char *variable; /* says the step of the next frame, instead of `every`; NULL: none */
+	int64_t pad, delay;
+	int64_t sort_by; /* 0: identity; k or -k: column k, up or down */
+	bool unsorted, first, append, time, units;
+	bool plain, image; /* of dump atom: positions as they are, image flags too */
+	const char *label, *region;
+	struct ts_formats formats;
+	struct ts_words element;
+	struct ts_dump_threshold *threshold;
+	size_t nthresholds;
+	char **old; /* names of the last frames, a ring */
+	int64_t nold;
 	/* workings */
+	int64_t next; /* with a variable: step of the next frame, found anew by each run */
 	struct ts_dump_column *column;
 	size_t ncolumns;
 	int32_t *order; /* rows in order of writing */
@@ -46,23 +55,43 @@ struct ts_dump_common {
 
 /* dump_modify: fields that were not given are negative, INT64_MIN or NULL. */
 struct ts_dump_changes {
-	int64_t every, pad;
-	int sort, first, append, format_kind; /* 0 none or no, 1 id or yes; enum ts_dump_format */
-	const char *label, *format;
+	struct ts_number every;
+	int64_t pad, delay, nfile, fileper, maxfiles;
+	int first, append, flush, time, units, scale, image, pbc, binary; /* -1, or 0 no, 1 yes */
+	const char *label, *sort, *region;
+	struct ts_words format, thresh, element;
 };
-enum ts_dump_format { TS_DUMP_FORMAT_FLOAT, TS_DUMP_FORMAT_INT, TS_DUMP_FORMAT_LINE };
 enum ts_status ts_dump_modify(struct tsim *sim, struct ts_instance *dump,
 			      const struct ts_dump_changes *changes, const struct ts_place *where);
+
+/* A condition for particles to be written: value OPERATOR limit. */
+struct ts_dump_threshold {
+	struct ts_dump_column value;
+	int operator;
+	double limit;
+};
+/* From triples of words; `none` forgets all before it. */
+enum ts_status ts_dump_set_thresholds(struct ts_instance *self, struct tsim *sim,
+				      struct ts_words words);
+/* Which particles are written and in which order. */
+enum ts_status ts_dump_select(struct ts_instance *self, struct tsim *sim);
+void ts_dump_release_thresholds(struct ts_dump_common *d);
+
+/* One per-particle input by its name; `c->input` has name and place. */
+enum ts_status ts_dump_make_column(struct ts_instance *self, struct tsim *sim,
+				   struct ts_dump_column *c, bool local);
+enum ts_status ts_dump_evaluate(struct ts_dump_column *c, struct tsim *sim);
 
 /* Makes the columns from their words; `local`: index, c_ID[k], f_ID[k], else per-particle names. */
 enum ts_status ts_dump_columns(struct ts_instance *self, struct tsim *sim, struct ts_words names,
 			       bool local);
 /* Whether a frame must be written at this step; if so it counts as written. */
-bool ts_dump_due(struct ts_instance *self, struct tsim *sim);
+enum ts_status ts_dump_due(struct ts_instance *self, struct tsim *sim, bool *due);
 /* Evaluates all columns, selects and sorts the rows. */
 enum ts_status ts_dump_gather(struct ts_instance *self, struct tsim *sim, bool local);
-/* Adds the rows to common.text and writes them; every item is followed by a blank. */
-enum ts_status ts_dump_write_rows(struct ts_dump_common *d, struct tsim *sim);
+/* Adds the rows to common.text and writes them; every item is followed by a blank, the last one only
+ * if `trailing`. */
+enum ts_status ts_dump_write_rows(struct ts_dump_common *d, struct tsim *sim, bool trailing);
 /* Opens the file of this frame if it is not open. */
 enum ts_status ts_dump_open(struct ts_instance *self, struct tsim *sim);
 /* "ITEM: TIMESTEP ..." up to the bounds of the box. `what`: "ATOMS" or "ENTRIES". */

@@ -22,12 +22,18 @@ static bool names_integer(const char *name)
 	return strncmp(name, "i_", 2) == 0; /* of fix property/atom */
 }
 
-static enum ts_status make_column(struct ts_instance *self, struct tsim *sim,
-				  struct ts_dump_column *c, bool local)
+enum ts_status ts_dump_make_column(struct ts_instance *self, struct tsim *sim,
+				   struct ts_dump_column *c, bool local)
 {
 	char what[64];
 
 	c->integer = names_integer(c->input.name);
+	c->element = !local && ts_streq(c->input.name, "element");
+	if (c->element)
+		return TS_OK;
+	if (!local && ts_streq(c->input.name, "mol"))
+		return ts_fail(&sim->error, TS_UNKNOWN, &c->input.where,
+			       "dump %s: particles belong to no molecules in tsim", self->style->name);
 	c->index = local && ts_streq(c->input.name, "index");
 	if (c->index)
 		return TS_OK;
@@ -35,26 +41,6 @@ static enum ts_status make_column(struct ts_instance *self, struct tsim *sim,
 	return ts_ref_input_resolve(sim, what,
 				    local ? TS_WANT(LOCAL) : TS_WANT(PERATOM) | TS_WANT(SCALAR),
 				    &c->input);
-}
-
-static enum ts_status set_format(struct ts_dump_common *d, struct tsim *sim, size_t k)
-{
-	struct ts_dump_column *c = &d->column[k];
-	const char *line = k < d->line_format.n ? d->line_format.word[k].text : NULL;
-	const char *fallback = c->integer ? d->int_format : d->float_format;
-
-	if (!line && d->line_format.n)
-		return ts_fail(&sim->error, TS_SYNTAX, &d->line_format.word[0].place,
-			       "dump_modify format line has %zu formats, the dump has %zu columns",
-			       d->line_format.n, d->ncolumns);
-	if (!line)
-		line = *fallback ? fallback : c->integer ? "%d" : "%g";
-	if (ts_format_check(line, c->integer, c->format))
-		return TS_OK;
-	return ts_fail(&sim->error, TS_SYNTAX,
-		       d->line_format.n ? &d->line_format.word[k].place : &c->input.where,
-		       "'%s' is no format for column %s, expected for instance %s", line, c->input.name,
-		       c->integer ? "%d" : "%g");
 }
 
 /* Once: c_ID[*] becomes several columns. */
@@ -85,43 +71,22 @@ enum ts_status ts_dump_columns(struct ts_instance *self, struct tsim *sim, struc
 	if (!d->column)
 		TS_TRY(name_columns(self, sim, names, local));
 	for (size_t k = 0; k < d->ncolumns; k++) {
-		TS_TRY(make_column(self, sim, &d->column[k], local));
-		TS_TRY(set_format(d, sim, k));
+		TS_TRY(ts_dump_make_column(self, sim, &d->column[k], local));
+		TS_TRY(ts_formats_choose(&d->formats, &sim->error, k, d->column[k].integer,
+					 d->column[k].integer ? "%d" : "%g", d->column[k].format));
 	}
 	return TS_OK;
 }
 
-static enum ts_status evaluate(struct ts_dump_column *c, struct tsim *sim)
+enum ts_status ts_dump_evaluate(struct ts_dump_column *c, struct tsim *sim)
 {
 	if (c->index)
 		return TS_OK;
+	if (c->element)
+		return ts_quantity_eval(sim, "type", &c->values);
 	if (c->input.shape == TS_SCALAR) /* the same for all particles */
 		return ts_ref_peratom(sim, &c->input.ref, &c->input.where, &c->values);
 	return ts_ref_input_eval(sim, &c->input, &c->values);
-}
-
-static int compare_tags(const void *a, const void *b, void *context)
-{
-	const int32_t *tag = context;
-	int32_t s = tag[*(const int32_t *)a], t = tag[*(const int32_t *)b];
-
-	return (s > t) - (s < t);
-}
-
-static enum ts_status select_particles(struct ts_instance *self, struct tsim *sim)
-{
-	struct ts_dump_common *d = self->state;
-	const struct ts_particles *p = sim->particles;
-
-	if (TS_GROW(d->order, d->order_capacity, p->n) != TS_OK)
-		return ts_nomem(&sim->error);
-	d->nrows = 0;
-	for (size_t i = 0; i < p->n; i++)
-		if (ts_in_group(p, i, self->group))
-			d->order[d->nrows++] = (int32_t)i;
-	if (!d->unsorted && d->nrows)
-		qsort_r(d->order, d->nrows, sizeof *d->order, compare_tags, p->tag);
-	return TS_OK;
 }
 
 /* Local rows have no identity: they are ordered by their columns, from left to right. */
@@ -190,7 +155,7 @@ enum ts_status ts_dump_gather(struct ts_instance *self, struct tsim *sim, bool l
 	struct ts_dump_common *d = self->state;
 
 	for (size_t k = 0; k < d->ncolumns; k++)
-		TS_TRY(evaluate(&d->column[k], sim));
-	TS_TRY(local ? select_rows(d, sim) : select_particles(self, sim));
+		TS_TRY(ts_dump_evaluate(&d->column[k], sim));
+	TS_TRY(local ? select_rows(d, sim) : ts_dump_select(self, sim));
 	return number_rows(d, sim);
 }

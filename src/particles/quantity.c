@@ -104,6 +104,12 @@ static double density(const struct tsim *sim, size_t i)
 	return sim->particles->mass[i] / ts_body_volume(sim, sim->particles->radius[i]);
 }
 
+static double process(const struct tsim *sim, size_t i)
+{
+	(void)sim, (void)i;
+	return 0;
+}
+
 static const struct quantity quantities[] = {
 	{ { "id", "", "identity, from 1" }, id },
 	{ { "type", "", "type, from 1" }, type },
@@ -138,6 +144,7 @@ static const struct quantity quantities[] = {
 	{ { "ix", "", "how often it has crossed the periodic box" }, image_x },
 	{ { "iy", "", "how often it has crossed the periodic box" }, image_y },
 	{ { "iz", "", "how often it has crossed the periodic box" }, image_z },
+	{ { "proc", "", "number of the process: 0" }, process },
 };
 enum { NQUANTITIES = sizeof quantities / sizeof *quantities };
 

@@ -82,8 +82,10 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 	struct state *state = self->state;
 	struct ts_dump_vtk *s = &state->vtk;
 	struct ts_vtk_poly poly = { 0 };
+	bool due;
 
-	if (!ts_dump_due(self, sim))
+	TS_TRY(ts_dump_due(self, sim, &due));
+	if (!due)
 		return TS_OK;
 	TS_TRY(ts_dump_gather(self, sim, true));
 	TS_TRY(fill_points(self, sim));

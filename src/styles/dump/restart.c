@@ -24,8 +24,12 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	struct ts_dump_common *d = &s->common;
+	bool due;
 
-	if (sim->clock.step == sim->clock.first_step || !ts_dump_due(self, sim))
+	if (sim->clock.step == sim->clock.first_step)
+		return TS_OK;
+	TS_TRY(ts_dump_due(self, sim, &due));
+	if (!due)
 		return TS_OK;
 	ts_step_path(&d->path, s->other && d->frames % 2 == 0 ? s->other : d->file,
 		     (long long)sim->clock.step, (int)d->pad);
