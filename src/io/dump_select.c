@@ -94,7 +94,7 @@ enum ts_status ts_dump_set_thresholds(struct ts_instance *self, struct tsim *sim
 }
 
 static enum ts_status find_region(struct ts_instance *self, struct tsim *sim,
-				  const struct ts_instance **out)
+				  struct ts_instance **out)
 {
 	const struct ts_dump_common *d = self->state;
 
@@ -152,9 +152,11 @@ enum ts_status ts_dump_select(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_dump_common *d = self->state;
 	const struct ts_particles *p = sim->particles;
-	const struct ts_instance *region;
+	struct ts_instance *region;
 
 	TS_TRY(find_region(self, sim, &region));
+	if (region)
+		TS_TRY(ts_region_update(region, sim));
 	for (size_t k = 0; k < d->nthresholds; k++) {
 		TS_TRY(ts_dump_make_column(self, sim, &d->threshold[k].value, false));
 		TS_TRY(ts_dump_evaluate(&d->threshold[k].value, sim));
