@@ -76,10 +76,16 @@ library_sources = \
 	src/io/dump.c \
 	src/io/dump.h \
 	src/io/dump_columns.c \
+	src/io/dump_modify.c \
+	src/io/dump_modify.h \
+	src/io/dump_select.c \
 	src/io/dump_vtk.c \
 	src/io/dump_vtk.h \
 	src/io/format.c \
 	src/io/format.h \
+	src/io/frame_apply.c \
+	src/io/frames.c \
+	src/io/frames.h \
 	src/io/lines.c \
 	src/io/lines.h \
 	src/io/newest.c \
@@ -265,6 +271,7 @@ library_sources = \
 	src/styles/command/flow_style.c \
 	src/styles/command/group.c \
 	src/styles/command/hard_particles.c \
+	src/styles/command/info.c \
 	src/styles/command/lattice.c \
 	src/styles/command/mass.c \
 	src/styles/command/modify_timing.c \
@@ -278,9 +285,11 @@ library_sources = \
 	src/styles/command/partitioner_style.c \
 	src/styles/command/processors.c \
 	src/styles/command/read_data.c \
+	src/styles/command/read_dump.c \
 	src/styles/command/read_restart.c \
 	src/styles/command/region.c \
 	src/styles/command/replicate.c \
+	src/styles/command/rerun.c \
 	src/styles/command/reset_timestep.c \
 	src/styles/command/restart.c \
 	src/styles/command/run.c \
@@ -335,11 +344,13 @@ library_sources = \
 	src/styles/compute/temp.c \
 	src/styles/compute/temp_com.c \
 	src/styles/compute/vacf.c \
+	src/styles/dump/atom.c \
 	src/styles/dump/custom.c \
 	src/styles/dump/custom_vtk.c \
 	src/styles/dump/local.c \
 	src/styles/dump/local_vtk.c \
 	src/styles/dump/restart.c \
+	src/styles/dump/xyz.c \
 	src/styles/fix/adapt.c \
 	src/styles/fix/addforce.c \
 	src/styles/fix/ave_time.c \

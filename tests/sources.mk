@@ -13,8 +13,10 @@ shell_tests = \
 	tests/decks/commands.sh \
 	tests/decks/computes.sh \
 	tests/decks/contact_computes.sh \
+	tests/decks/dumps.sh \
 	tests/decks/fixes.sh \
 	tests/decks/groups.sh \
+	tests/decks/info.sh \
 	tests/decks/inputs.sh \
 	tests/decks/mistakes.sh \
 	tests/decks/plane.sh \
@@ -32,6 +34,7 @@ shell_tests = \
 	tests/layers.sh \
 	tests/manual_current.sh \
 	tests/python.sh \
+	tests/rerun.sh \
 	tests/restart.sh \
 	tests/restart_changes.sh \
 	tests/restart_every.sh \

@@ -40,6 +40,7 @@ TS_STYLE(command, ts_command_style, ts_command_group)
 TS_STYLE(command, ts_command_style, ts_command_hard_particles)
 TS_STYLE(command, ts_command_style, ts_command_if)
 TS_STYLE(command, ts_command_style, ts_command_include)
+TS_STYLE(command, ts_command_style, ts_command_info)
 TS_STYLE(command, ts_command_style, ts_command_jump)
 TS_STYLE(command, ts_command_style, ts_command_label)
 TS_STYLE(command, ts_command_style, ts_command_lattice)
@@ -60,9 +61,11 @@ TS_STYLE(command, ts_command_style, ts_command_print)
 TS_STYLE(command, ts_command_style, ts_command_processors)
 TS_STYLE(command, ts_command_style, ts_command_quit)
 TS_STYLE(command, ts_command_style, ts_command_read_data)
+TS_STYLE(command, ts_command_style, ts_command_read_dump)
 TS_STYLE(command, ts_command_style, ts_command_read_restart)
 TS_STYLE(command, ts_command_style, ts_command_region)
 TS_STYLE(command, ts_command_style, ts_command_replicate)
+TS_STYLE(command, ts_command_style, ts_command_rerun)
 TS_STYLE(command, ts_command_style, ts_command_reset_timestep)
 TS_STYLE(command, ts_command_style, ts_command_restart)
 TS_STYLE(command, ts_command_style, ts_command_run)
@@ -119,11 +122,13 @@ TS_STYLE(compute, ts_style, ts_compute_stress_atom)
 TS_STYLE(compute, ts_style, ts_compute_temp)
 TS_STYLE(compute, ts_style, ts_compute_temp_com)
 TS_STYLE(compute, ts_style, ts_compute_vacf)
+TS_STYLE(dump, ts_style, ts_dump_atom)
 TS_STYLE(dump, ts_style, ts_dump_custom)
 TS_STYLE(dump, ts_style, ts_dump_custom_vtk)
 TS_STYLE(dump, ts_style, ts_dump_local)
 TS_STYLE(dump, ts_style, ts_dump_local_vtk)
 TS_STYLE(dump, ts_style, ts_dump_restart)
+TS_STYLE(dump, ts_style, ts_dump_xyz)
 TS_STYLE(fix, ts_style, ts_fix_adapt)
 TS_STYLE(fix, ts_style, ts_fix_addforce)
 TS_STYLE(fix, ts_style, ts_fix_ave_time)
@@ -205,6 +210,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_command_hard_particles.style,
 	&ts_command_if.style,
 	&ts_command_include.style,
+	&ts_command_info.style,
 	&ts_command_jump.style,
 	&ts_command_label.style,
 	&ts_command_lattice.style,
@@ -225,9 +231,11 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_command_processors.style,
 	&ts_command_quit.style,
 	&ts_command_read_data.style,
+	&ts_command_read_dump.style,
 	&ts_command_read_restart.style,
 	&ts_command_region.style,
 	&ts_command_replicate.style,
+	&ts_command_rerun.style,
 	&ts_command_reset_timestep.style,
 	&ts_command_restart.style,
 	&ts_command_run.style,
@@ -284,11 +292,13 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_temp,
 	&ts_compute_temp_com,
 	&ts_compute_vacf,
+	&ts_dump_atom,
 	&ts_dump_custom,
 	&ts_dump_custom_vtk,
 	&ts_dump_local,
 	&ts_dump_local_vtk,
 	&ts_dump_restart,
+	&ts_dump_xyz,
 	&ts_fix_adapt,
 	&ts_fix_addforce,
 	&ts_fix_ave_time,

@@ -11,16 +11,20 @@ struct state {
 };
 
 /* In the order of enum ts_units. */
-static const char *const names[] = { "lj", "si", "cgs", "micro", NULL };
+static const char *const names[] = { "lj", "si", "cgs", "micro", "real", "metal", "electron", "nano",
+				     NULL };
 
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
 {
-	static const double dt[] = { 0.005, 1e-8, 1e-8, 1e-8 };
+	static const double dt[] = { 0.005, 1e-8, 1e-8, 2 };
 	const struct state *s = state;
 
 	if (sim->domain->exists)
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "units must come before the simulation box is created");
+	if (s->units > TS_UNITS_MICRO)
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "units %s are for atoms: use si, cgs, micro or lj", names[s->units]);
 	sim->units = (enum ts_units)s->units;
 	sim->thermo->norm = sim->thermo->norm_default = s->units == TS_UNITS_LJ;
 	ts_sim_set_dt(sim, dt[s->units]);
@@ -40,7 +44,9 @@ const struct ts_command_style ts_command_units = {
 		.kind = TS_KIND_COMMAND,
 		.summary = "Chooses the system of units",
 		.doc = "The program computes with plain numbers; the units say what they mean, and set the\n"
-		       "default time step: lj 0.005, si 1e-8 s, cgs 1e-8 s, micro 1e-8. Without the command: lj.",
+		       "default time step: lj 0.005, si 1e-8 s, cgs 1e-8 s, micro 2 microseconds. Without the command: lj,\n"
+		       "which, given, also divides energies in the table of the log by the number of particles (see\n"
+		       "thermo_modify norm). real, metal, electron and nano are for atoms and refused.",
 		.example = "units si",
 		.args = args,
 		.state_size = sizeof(struct state),

@@ -1,0 +1,94 @@
+#!/bin/bash
+# rerun and read_dump: what a dump says comes back, forces and computes are computed anew.
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+
+scene='units si
+boundary p p f
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+create_atoms 1 random 200 86028157 NULL
+set group all diameter 0.07 density 2385
+pair_style spring/dashpot
+pair_coeff * * stiffness 2385 restitution 1
+neighbor 0.01 bin
+timestep 1e-4
+fix fall all gravity 9.81 vector 0 0 -1
+fix floor all wall/gran zplane 0 NULL
+fix move all nve
+thermo_style custom step elapsed atoms ke fmax fnorm
+thermo 20'
+scene=${scene/fix floor all wall\/gran zplane 0 NULL
+/}
+printf '%s\n' "$scene" 'dump d all custom 20 whole.dump id type x y z vx vy vz fx
+dump_modify d format float %.17g
+dump a all atom 20 scaled.dump
+dump_modify a format float %.17g
+run 100' >in.whole
+"$TSIM" -in in.whole -log none >whole.out 2>&1
+report 'the run' $? whole.out
+rows whole.out >whole.rows
+printf '%s\n' "$scene" 'velocity all set 7 7 7 units box
+dump d all custom 20 again.dump id type x y z vx vy vz fx
+dump_modify d format float %.17g
+rerun whole.dump dump x y z vx vy vz' >in.again
+"$TSIM" -in in.again -log none >again.out 2>&1
+report 'the rerun' $? again.out
+rows again.out >again.rows
+same 'the same table of the log' whole.rows again.rows
+same 'the same dump' whole.dump again.dump
+grep -q 'Rerun of 6 frames' again.out
+report 'all frames' $? again.out
+
+steps() { # WHAT WORDS STEPS...
+	local what=$1
+	printf '%s\n' "$scene" "rerun whole.dump $2 dump x y z" >in.some
+	shift 2
+	"$TSIM" -in in.some -log none >some.out 2>&1
+	rows some.out | awk '{ print $1 ":" $2 }' | tr '\n' ' ' >some.steps
+	echo -n "$* " >want.steps
+	same "$what" want.steps some.steps
+}
+steps 'first and last' 'first 30 last 80' 40:0 60:20 80:40
+steps 'every' 'every 40' 0:0 40:40 80:80
+steps 'skip' 'skip 2 start 0' 0:0 40:40 80:80
+
+printf '%s\n' "$scene" 'read_dump whole.dump 60 x y z vx vy vz
+print "step $(step) ke $(ke:%.8g)"
+print "ke $(ke)"' >in.read
+sed -i 's/:%.8g//' in.read
+"$TSIM" -in in.read -log none >read.out 2>&1
+report 'read_dump' $? read.out
+grep -q '^step 60' read.out
+report 'the step is that of the frame' $? read.out
+printf '%s\n' 'units si
+boundary p p f
+region box block 0 3 0 3 0 3 units box
+create_box 1 box
+read_dump scaled.dump 40 x y z purge yes add yes
+print "atoms $(count(all)) box $(lx) x $(xcm(all,x))"
+read_dump whole.dump 40 x box no replace yes label x vx
+print "x $(xcm(all,x))"' >in.add
+"$TSIM" -in in.add -log none >add.out 2>&1
+report 'read_dump adds' $? add.out
+grep -q '^atoms 200 box 1 ' add.out
+report 'all of them, and the box' $? add.out
+
+wrong() { # WHAT FILE-EDIT LINE TEXT
+	sed "$2" whole.dump | head -n 30 >bad.dump
+	printf '%s\n' "$scene" "$3" >in.bad
+	refused "$1" "$4" -in in.bad
+}
+small='4s/200/2/; 12,$d'
+wrong 'no such step' "$small" 'read_dump bad.dump 7 x' "has no frame of step 7"
+wrong 'no dump' '1s/.*/something/' 'read_dump bad.dump 0 x' 'bad.dump:1:1: error: expected a line `ITEM: ...`'
+wrong 'cut short' '' 'read_dump bad.dump 0 x' 'the file ends before the last row of the frame'
+wrong 'count no number' '4s/200/many/' 'read_dump bad.dump 0 x' "bad.dump:4:1: error: the number of particles is 'many'"
+wrong 'a row too short' "$small; 11s/ [^ ]* *\$//" 'read_dump bad.dump 0 x' 'a row of 8 words, but there are 9 columns'
+wrong 'no such column' "$small" 'read_dump bad.dump 0 omegax' "there is no column for 'omegax'"
+wrong 'no number' "$small; 11s/^\([^ ]* [^ ]*\) [^ ]*/\1 west/" 'read_dump bad.dump 0 x' "row 2 has no number for 'x'"
+wrong 'no identities' "$small; 9s/ id / di /" 'read_dump bad.dump 0 x' 'there is no column id'
+wrong 'identity 0' "$small; 10s/^1 /0 /" 'read_dump bad.dump 0 x' 'row 1 has no identity'
+wrong 'field that cannot be' "$small" 'read_dump bad.dump 0 vol' "'vol'"
+wrong 'no file' '' 'rerun nowhere.dump dump x y z' "cannot open 'nowhere.dump'"
+wrong 'nothing taken' '' 'rerun bad.dump first 3' "keyword 'dump' is missing"
+finish
