@@ -2,6 +2,7 @@
 #include "core/arg.h"
 
 #include <inttypes.h>
+#include <stdio.h>
 
 #include "core/group.h"
 #include "core/sim.h"
@@ -10,10 +11,20 @@
 
 static void add_real(struct ts_str *out, double value)
 {
-	if (isinf(value))
+	double again;
+	char text[32];
+
+	if (isinf(value)) {
 		ts_str_add(out, " INF");
-	else
-		ts_str_addf(out, " %.17g", value);
+		return;
+	}
+	/* as few digits as give the same number again */
+	for (int digits = 15; digits <= 17; digits++) {
+		snprintf(text, sizeof text, "%.*g", digits, value);
+		if (ts_parse_real(text, &again) && !(again < value || again > value))
+			break;
+	}
+	ts_str_addf(out, " %s", text);
 }
 
 static void add_number(struct ts_str *out, const struct ts_number *number)

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/settings.h"
+
 #include "base/banned.h"
 
 enum ts_status ts_coeffs_resize(struct tsim *sim, struct ts_coeffs *c, size_t n)
@@ -114,6 +116,8 @@ enum ts_status ts_coeff_parse(struct tsim *sim, const char *what, const struct t
 		status = parse_file(sim, what, c, &words.word[1], &arena, entry);
 	else
 		status = ts_args_parse(sim, what, c->rows, words, where, &arena, entry);
+	if (status == TS_OK)
+		ts_settings_log(sim, what, c->rows, entry, words);
 	ts_arena_release(&arena);
 	return status;
 }

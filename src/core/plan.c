@@ -5,6 +5,7 @@
 
 #include "base/clock.h"
 #include "core/pending.h"
+#include "core/settings.h"
 
 #include "base/banned.h"
 
@@ -120,6 +121,7 @@ enum ts_status ts_plan_start(struct ts_plan *plan, struct tsim *sim, bool setup)
 {
 	enum ts_status status = TS_OK;
 
+	ts_settings_log_run(sim);
 	sim->running = true;
 	sim->clock.wall_start = ts_clock();
 	if (setup || sim->explain)

@@ -6,6 +6,7 @@
 
 #include "base/clock.h"
 #include "core/pending.h"
+#include "core/settings.h"
 #include "math/gsl.h"
 
 #include "base/banned.h"
@@ -240,6 +241,7 @@ enum ts_status ts_sim_create(struct tsim *sim, enum ts_kind kind, const struct t
 		list->n++;
 	}
 	list->item[at] = inst;
+	ts_settings_log(sim, what, style->args, inst->state, args);
 	if (out)
 		*out = inst;
 	return TS_OK;
@@ -319,6 +321,9 @@ static enum ts_status run_command(struct tsim *sim, const struct ts_command_styl
 	enum ts_status status;
 
 	sim->line = words;
+	if (command->needs_box)
+		ts_settings_log(sim, command->style.name, command->style.args, state,
+				ts_words_from(words, 1));
 	status = command->run(sim, state, &words.word[0].place);
 	sim->line = outer;
 	return status;

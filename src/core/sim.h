@@ -89,6 +89,7 @@ struct tsim {
 	struct ts_instance *outside; /* acts last in its stages: the program around the library */
 	struct ts_library *library;  /* what the C library keeps; NULL without it */
 
+	const char *settings; /* the last record of settings in the log; core/settings.h */
 	struct ts_words line; /* of the command that runs */
 	const struct ts_host *host;
 	void *host_data;

@@ -119,6 +119,8 @@ struct ts_command_style {
 struct ts_system_style {
 	struct ts_style style;
 	size_t slot; /* offset of that pointer in struct tsim */
+	/* Adds what commands have set, for the record in the log; core/settings.h. */
+	void (*settings)(const struct ts_instance *self, const struct tsim *sim, struct ts_str *out);
 	const struct ts_keyword *keywords;
 	const struct ts_function *functions;
 	/* Per-particle numbers by script name (x, vy, radius ...): one row per local particle. */

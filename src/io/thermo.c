@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/clock.h"
+#include "core/settings.h"
 
 #include "base/banned.h"
 
@@ -252,6 +253,15 @@ static void fini(struct ts_instance *self)
 	ts_arena_release(&t->arena);
 }
 
+static void settings(const struct ts_instance *self, const struct tsim *sim, struct ts_str *out)
+{
+	const struct ts_thermo *t = self->state;
+
+	(void)sim;
+	ts_setting(out, t->every == 0, "thermo %lld", (long long)t->every);
+	ts_setting(out, t->norm_default, "norm %s", t->norm ? "yes" : "no");
+}
+
 const struct ts_system_style ts_thermo_system = {
 	.style = {
 		.name = "thermo",
@@ -267,5 +277,6 @@ const struct ts_system_style ts_thermo_system = {
 		.fini = fini,
 	},
 	.slot = offsetof(struct tsim, thermo),
+	.settings = settings,
 	.keywords = ts_thermo_keywords,
 };

@@ -6,6 +6,7 @@
 
 #include "base/parallel.h"
 #include "core/plan.h"
+#include "core/settings.h"
 #include "neigh/bonds.h"
 #include "neigh/order.h"
 #include "particles/domain.h"
@@ -320,6 +321,15 @@ static const struct ts_saved saved[] = {
 	TS_SAVED_ROWS_END,
 };
 
+static void settings(const struct ts_instance *self, const struct tsim *sim, struct ts_str *out)
+{
+	const struct ts_neigh *nb = self->state;
+
+	if (sim->particles->n)
+		ts_setting(out, !(nb->skin > 0), "neighbor %.6g", ts_neigh_skin(sim));
+	ts_setting(out, nb->nexclude == 0, "excluded %d", (int)nb->nexclude);
+}
+
 const struct ts_system_style ts_neigh_system = {
 	.style = { .name = "neigh",
 		   .kind = TS_KIND_SYSTEM,
@@ -337,5 +347,6 @@ const struct ts_system_style ts_neigh_system = {
 		   .plan = plan,
 		   .fini = fini },
 	.slot = offsetof(struct tsim, neigh),
+	.settings = settings,
 	.keywords = ts_neigh_keywords,
 };

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/plan.h"
+#include "core/settings.h"
 #include "particles/particles.h"
 #include "particles/region.h"
 
@@ -255,6 +256,22 @@ static enum ts_status archive_held(struct ts_domain *d, struct ts_archive *a)
 	return TS_OK;
 }
 
+static void settings(const struct ts_instance *self, const struct tsim *sim, struct ts_str *out)
+{
+	static const char letters[] = "pfsm"; /* in the order of enum ts_face */
+	const struct ts_domain *d = self->state;
+	char faces[12] = "";
+	bool periodic = true;
+
+	(void)sim;
+	for (int k = 0; k < 6; k++) {
+		faces[k + k / 2] = letters[d->box.face[k / 2][k % 2]];
+		faces[k + k / 2 + 1] = k % 2 && k < 5 ? ' ' : '\0';
+		periodic &= d->box.face[k / 2][k % 2] == TS_FACE_PERIODIC;
+	}
+	ts_setting(out, periodic, "boundary %s", faces);
+}
+
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
 	struct ts_domain *d = self->state;
@@ -297,5 +314,6 @@ const struct ts_system_style ts_domain_system = {
 		   .plan = plan,
 		   .fini = fini },
 	.slot = offsetof(struct tsim, domain),
+	.settings = settings,
 	.functions = ts_region_functions,
 };

@@ -26,11 +26,6 @@ struct ts_check_event {
 	bool bounded, endless; /* not followed to its end; nothing seems to end it */
 };
 
-struct ts_check_text {
-	struct ts_check_text *next;
-	const char *name, *text;
-};
-
 struct ts_check {
 	struct ts_str errors; /* diagnostics, in order */
 	int nerrors, unjudged;
@@ -41,7 +36,6 @@ struct ts_check {
 	struct ts_map made;    /* directories that the script makes */
 	struct ts_map events;  /* by kind, place and text */
 	struct ts_check_event *first, **last;
-	struct ts_check_text *text; /* of the files, for lines never reached */
 	int64_t hanging;       /* branches so far that hang on a run */
 	int64_t nexts;	       /* `next` so far */
 	int64_t jumps;
@@ -73,8 +67,6 @@ enum ts_status ts_check_branch(struct ts_script *script, const struct ts_place *
 /* *follow: whether to jump. Loops that only a run would end are gone through twice. */
 enum ts_status ts_check_jump(struct ts_script *script, const struct ts_place *where,
 			     const char *file, const char *label, bool *follow);
-/* Keeps what the source holds, for lines never reached. */
-enum ts_status ts_check_source(struct ts_script *script, struct ts_source *source);
 
 /* check_unreached.c: reads a command of a branch not taken, or a line never reached. */
 enum ts_status ts_check_unreached(struct ts_script *script, const struct ts_line *line,

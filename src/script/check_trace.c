@@ -167,25 +167,6 @@ enum ts_status ts_check_jump(struct ts_script *script, const struct ts_place *wh
 	return TS_OK;
 }
 
-enum ts_status ts_check_source(struct ts_script *script, struct ts_source *source)
-{
-	struct ts_check *check = script->check;
-	struct ts_check_text *text;
-
-	for (text = check->text; text; text = text->next)
-		if (ts_streq(text->name, source->name))
-			return TS_OK;
-	TS_TRY(ts_source_rest(source, script->sim));
-	text = ts_arena_alloc(&check->arena, 1, sizeof *text);
-	if (!text)
-		return ts_nomem(&script->sim->error);
-	text->name = source->name;
-	text->text = ts_arena_strdup(&check->arena, ts_str_text(&source->text));
-	text->next = check->text;
-	check->text = text;
-	return text->text ? TS_OK : ts_nomem(&script->sim->error);
-}
-
 static void add_place(struct ts_str *out, const struct ts_place *where)
 {
 	char place[64];
@@ -263,7 +244,7 @@ static void add_range(struct ts_str *out, const char *name, int from, int to)
 }
 
 /* The lines of the file that were not run, in ranges; and what is wrong in them. */
-static enum ts_status add_unreached(struct ts_script *script, const struct ts_check_text *text,
+static enum ts_status add_unreached(struct ts_script *script, const struct ts_script_text *text,
 				    struct ts_str *out)
 {
 	struct ts_line line = { 0 };
@@ -300,7 +281,7 @@ enum ts_status ts_script_check_report(struct ts_script *script, struct ts_str *e
 	struct ts_str unreached = { 0 };
 	enum ts_status status = TS_OK;
 
-	for (const struct ts_check_text *t = check->text; t && status == TS_OK; t = t->next)
+	for (const struct ts_script_text *t = script->text; t && status == TS_OK; t = t->next)
 		status = add_unreached(script, t, &unreached);
 	add_events(check, TS_CHECK_STEP, TS_CHECK_RUN, "what it does:\n", report);
 	add_events(check, TS_CHECK_WRITE, TS_CHECK_WRITE, "what it would write or change:\n", report);

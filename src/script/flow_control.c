@@ -50,8 +50,7 @@ static enum ts_status run_jump(struct tsim *sim, void *state, const struct ts_pl
 			return TS_OK;
 	} else {
 		TS_TRY(ts_source_open(&source, sim, jump->file, ts_script_place(script, 1, where)));
-		if (script->check)
-			TS_TRY(ts_check_source(script, script->source));
+		TS_TRY(ts_script_keep(script, script->source));
 		ts_source_close(script->source);
 		*script->source = source;
 	}

@@ -16,6 +16,12 @@ struct ts_stream {
 
 struct ts_check;
 
+/* What a script file says, kept for lines never reached and names never used. */
+struct ts_script_text {
+	struct ts_script_text *next;
+	const char *name, *text;
+};
+
 struct ts_script {
 	struct tsim *sim;
 	struct ts_variables variables;
@@ -32,6 +38,8 @@ struct ts_script {
 	struct ts_words current;  /* the command that runs */
 	struct ts_stream *stream; /* one per seed of random() and normal() */
 	size_t nstreams, stream_capacity;
+	struct ts_script_text *text;
+	struct ts_arena arena; /* of the texts */
 	struct ts_check *check; /* -check: go through all of it, whatever fails */
 };
 
@@ -46,6 +54,8 @@ enum ts_status ts_script_run_words(struct ts_script *script, struct ts_words wor
 /* Runs a line or several, as the argument of a command that stands at `where`. */
 enum ts_status ts_script_execute(struct ts_script *script, const char *text,
 				 const struct ts_place *where);
+/* Keeps the text of a file or a stream; the same name is kept once. */
+enum ts_status ts_script_keep(struct ts_script *script, struct ts_source *source);
 /* Runs a script inside the one that runs. */
 enum ts_status ts_script_include(struct ts_script *script, const char *path,
 				 const struct ts_place *where);

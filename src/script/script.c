@@ -152,6 +152,7 @@ void ts_script_free(struct ts_script *script)
 		return;
 	ts_variables_release(script);
 	ts_check_free(script);
+	ts_arena_release(&script->arena);
 	ts_free(script->stream);
 	script->sim->host = NULL;
 	script->sim->host_data = NULL;
@@ -268,6 +269,27 @@ static enum ts_status run_lines(struct ts_script *script)
 	return status;
 }
 
+enum ts_status ts_script_keep(struct ts_script *script, struct ts_source *source)
+{
+	struct ts_script_text *text;
+
+	if (!source->stream)
+		return TS_OK;
+	for (text = script->text; text; text = text->next)
+		if (ts_streq(text->name, source->name))
+			return TS_OK;
+	if (source->owns_stream || script->check)
+		TS_TRY(ts_source_rest(source, script->sim));
+	text = ts_arena_alloc(&script->arena, 1, sizeof *text);
+	if (!text)
+		return ts_nomem(&script->sim->error);
+	text->name = source->name;
+	text->text = ts_arena_strdup(&script->arena, ts_str_text(&source->text));
+	text->next = script->text;
+	script->text = text;
+	return text->text ? TS_OK : ts_nomem(&script->sim->error);
+}
+
 /* Runs and closes the source. */
 static enum ts_status run_source(struct ts_script *script, struct ts_source *source,
 				 const struct ts_place *where)
@@ -284,8 +306,8 @@ static enum ts_status run_source(struct ts_script *script, struct ts_source *sou
 	script->source = source;
 	script->label = NULL;
 	status = run_lines(script);
-	if (status == TS_OK && script->check)
-		status = ts_check_source(script, source);
+	if (status == TS_OK)
+		status = ts_script_keep(script, source);
 	script->label = NULL;
 	script->source = outer;
 	script->depth--;
@@ -398,17 +420,4 @@ bool ts_script_quit(const struct ts_script *script, int *status)
 {
 	*status = script->quit_status;
 	return script->quit;
-}
-
-void ts_script_warn_unused(struct ts_script *script)
-{
-	for (size_t k = 0; k < script->variables.n; k++) {
-		const struct ts_variable *variable = script->variables.item[k];
-
-		if (variable->given && !variable->used)
-			ts_warn(&script->sim->log, NULL,
-				"variable '%s' was set from outside, but the script does not use "
-				"it",
-				variable->name);
-	}
 }

@@ -33,7 +33,8 @@ void ts_script_allow_programs(struct ts_script *script, bool allowed);
 
 /* Whether the script said `quit`, and with which status. */
 bool ts_script_quit(const struct ts_script *script, int *status);
-/* Warns of variables of ts_script_set that nobody used: most often a misspelt name. */
+/* Warns of variables of ts_script_set that nobody used, and of names that the script defines and never
+ * mentions again: most often misspelt ones. */
 void ts_script_warn_unused(struct ts_script *script);
 
 /* -check: from now on scripts are gone through without running them, and errors do not end them. */

@@ -1,0 +1,172 @@
+/* Names that a script defines and never mentions again: most often one of two spellings.
+ *
+ * Only the text is looked at, that of lines never reached included: a name counts as used wherever it
+ * stands outside of comments and of the line that defines it, also behind c_, f_, v_ or in quotes. So a
+ * use in a branch not taken, or by a command that is put together later, is never overlooked. */
+#include <ctype.h>
+#include <string.h>
+
+#include "base/map.h"
+#include "script/interpreter.h"
+
+#include "base/banned.h"
+
+static const char *const defining[] = { "variable", "group", "region", "compute" };
+
+enum { LONGEST_NAME = 64 };
+
+struct definition {
+	struct definition *next;
+	const char *kind, *name;
+	struct ts_place where;
+};
+
+struct search {
+	struct ts_script *script;
+	struct ts_map used;
+	struct definition *first, **last;
+	struct ts_arena arena;
+	bool failed;
+};
+
+static bool is_name_character(char c)
+{
+	return isalnum((unsigned char)c) || c == '_';
+}
+
+static void use(struct search *s, const char *text, size_t n)
+{
+	char name[LONGEST_NAME];
+	const char *kept;
+
+	if (n == 0 || n >= sizeof name)
+		return;
+	memcpy(name, text, n);
+	name[n] = '\0';
+	if (ts_map_get(&s->used, name))
+		return;
+	kept = ts_arena_strdup(&s->arena, name);
+	s->failed |= !kept || ts_map_set(&s->used, kept, s) != TS_OK;
+}
+
+/* All names of a stretch of text; c_ID is a use of ID too, and $xy may be one of x. */
+static void use_all(struct search *s, const char *text, size_t n)
+{
+	for (size_t k = 0; k < n;) {
+		size_t m = 0;
+
+		while (k + m < n && is_name_character(text[k + m]))
+			m++;
+		use(s, text + k, m);
+		if (m > 2 && text[k + 1] == '_' && strchr("cfv", text[k]))
+			use(s, text + k + 2, m - 2);
+		if (m > 1 && k > 0 && text[k - 1] == '$')
+			use(s, text + k, 1);
+		k += m + 1;
+	}
+}
+
+static void define(struct search *s, const char *kind, const char *text, size_t n,
+		   const struct ts_place *where)
+{
+	struct definition *new = ts_arena_alloc(&s->arena, 1, sizeof *new);
+	char name[LONGEST_NAME];
+
+	if (n >= sizeof name)
+		return;
+	memcpy(name, text, n);
+	name[n] = '\0';
+	for (size_t k = 0; k < n; k++)
+		if (!is_name_character(name[k])) /* made of variables, or not to be told apart */
+			return;
+	if (!new) {
+		s->failed = true;
+		return;
+	}
+	*new = (struct definition){ .kind = kind, .where = *where };
+	new->name = ts_arena_strdup(&s->arena, name);
+	s->failed |= !new->name;
+	*s->last = new;
+	s->last = &new->next;
+}
+
+/* Up to the comment. */
+static size_t length_of(const char *line, size_t n)
+{
+	for (size_t k = 0; k < n; k++)
+		if (line[k] == '#' && (k == 0 || isspace((unsigned char)line[k - 1])))
+			return k;
+	return n;
+}
+
+static void search_line(struct search *s, const char *line, size_t n, bool continued,
+			const struct ts_place *where)
+{
+	static const char blanks[] = " \t";
+	size_t first = strspn(line, blanks), word, id, end;
+
+	n = length_of(line, n);
+	if (first >= n)
+		return;
+	word = strcspn(line + first, " \t\n");
+	id = first + word + strspn(line + first + word, blanks);
+	for (size_t k = 0; !continued && k < sizeof defining / sizeof *defining; k++) {
+		if (strlen(defining[k]) != word || strncmp(defining[k], line + first, word) != 0 ||
+		    id >= n)
+			continue;
+		end = id + strcspn(line + id, " \t\n");
+		if (end > n)
+			end = n;
+		define(s, defining[k], line + id, end - id, where);
+		use_all(s, line + end, n - end);
+		return;
+	}
+	use_all(s, line + first, n - first);
+}
+
+static void search_text(struct search *s, const char *name, const char *text)
+{
+	struct ts_place where = { .file = name, .line = 1 };
+	bool continued = false;
+
+	for (; *text; where.line++) {
+		size_t n = strcspn(text, "\n"), end = n;
+
+		search_line(s, text, n, continued, &where);
+		while (end && isspace((unsigned char)text[end - 1]))
+			end--;
+		continued = end && text[end - 1] == '&';
+		text += n + (text[n] == '\n');
+	}
+}
+
+static void warn(struct search *s)
+{
+	for (const struct definition *d = s->first; d; d = d->next) {
+		if (s->failed || ts_map_get(&s->used, d->name))
+			continue;
+		ts_warn(&s->script->sim->log, &d->where, "%s '%s' is never used", d->kind, d->name);
+		s->failed |= ts_map_set(&s->used, d->name, s) != TS_OK; /* once */
+	}
+}
+
+void ts_script_warn_unused(struct ts_script *script)
+{
+	struct search s = { .script = script };
+
+	s.last = &s.first;
+	for (size_t k = 0; k < script->variables.n; k++) {
+		const struct ts_variable *variable = script->variables.item[k];
+
+		if (variable->given && !variable->used)
+			ts_warn(&script->sim->log, NULL,
+				"variable '%s' was set from outside, but the script does not use "
+				"it",
+				variable->name);
+	}
+	for (const struct ts_script_text *t = script->text; t; t = t->next)
+		search_text(&s, t->name, t->text);
+	warn(&s);
+	ts_map_release(&s.used);
+	ts_arena_release(&s.arena);
+}

@@ -1,0 +1,66 @@
+#!/bin/sh
+# The log tells what was left to its default; at the end the script is told of names it does not use.
+. "$top_srcdir/tests/lib_cases.sh"
+
+cat >in.a <<'END'
+units si
+region b block 0 1 0 1 0 1 units box
+region spare block 0 1 0 1 0 1 units box	# region spare
+create_box 1 b
+create_atoms 1 single 0.5 0.5 0.5 units box
+set type 1 diameter 0.1 density 2385
+pair_style spring/dashpot
+pair_coeff * * stiffness 238.5 restitution 0.3
+group alone type 1
+group used type 1
+compute k used ke
+compute q all ke
+variable x equal c_k*2.385
+variable y equal 5
+variable in_branch equal 7
+variable name string k
+variable z index 1 2
+fix move all nve
+fix down all viscous 0.1
+timestep 1e-4
+run 2
+run 2
+timestep 2e-4
+run 2
+print "$(v_x)"
+if "$(step) < 0" then "print ${in_branch}"
+next z
+jump SELF rest
+label rest
+print "$(c_${name})"
+END
+"$TSIM" -in in.a -log log.a >out 2>err
+report 'runs' $? err
+unused() {
+	grep -qxF "$1" out
+	report "$1" $? out
+}
+unused "in.a:3: warning: region 'spare' is never used"
+unused "in.a:9: warning: group 'alone' is never used"
+unused "in.a:12: warning: compute 'q' is never used"
+unused "in.a:14: warning: variable 'y' is never used"
+[ "$(grep -c 'never used' out)" = 4 ]
+report 'no other name' $? out
+grep -qx '# region block: xlo 0 xhi 1 ylo 0 yhi 1 zlo 0 zhi 1 units box; by default: side in' log.a
+report 'defaults of a region' $? log.a
+[ "$(grep -c '^# settings:' log.a)" = 2 ]
+report 'settings only where they have changed' $? log.a
+grep -q '^# settings: units si dimension 3 (default) timestep 0.0001 ' log.a
+report 'settings of the simulation' $? log.a
+grep -q '^# run: N 2; by default: pre yes post yes' log.a
+report 'defaults of a run' $? log.a
+printf 'echo none\nunits si\nregion b block 0 1 0 1 0 1\ncreate_box 1 b\nrun 0\n' >in.b
+"$TSIM" -in in.b -log log.b >out 2>err
+! grep -q '^#' log.b
+report 'silent with echo none' $? log.b
+
+cp "$top_srcdir"/examples/drilling/in.* .
+"$TSIM" -check -in in.drilling >out 2>err
+! grep 'never used' out
+report 'the example uses all its names' $? out
+finish
