@@ -9,6 +9,7 @@
 
 #include "base/clock.h"
 #include "core/help.h"
+#include "core/price.h"
 #include "core/sim.h"
 #include "script/manual.h"
 #include "io/restart.h"
@@ -385,6 +386,21 @@ static void report_error(struct tsim *sim)
 	ts_log_file(&sim->log, "%s", text);
 }
 
+static void print_bill(struct tsim *sim)
+{
+	struct ts_str text = { 0 };
+
+	ts_price_time(sim->bill.seconds, &text);
+	ts_str_add(&text, " and ");
+	ts_price_bytes(sim->bill.bytes, &text);
+	ts_log(&sim->log,
+	       "\nAll runs together: about %s of files.\nNothing was run: values printed by the "
+	       "script are those before the first step, and a run is priced from the state that\n"
+	       "the script has without the runs before it.\n",
+	       ts_str_text(&text));
+	ts_str_release(&text);
+}
+
 /* Errors of a script that was only checked; the exit status. */
 static int report_check(struct tsim *sim)
 {
@@ -461,8 +477,7 @@ static int run(struct tsim *sim, struct setup *setup)
 		}
 	} else {
 		if (setup->explain)
-			ts_log(&sim->log, "\nNothing was run: values printed by the script are "
-					  "those before the first step.\n");
+			print_bill(sim);
 		ts_script_warn_unused(sim->host_data);
 		ts_script_quit(sim->host_data, &quit);
 		if (setup->check)

@@ -47,9 +47,13 @@ library_sources = \
 	src/core/plan.c \
 	src/core/plan.h \
 	src/core/plan_report.c \
+	src/core/price.c \
+	src/core/price.h \
 	src/core/ref_list.c \
 	src/core/ref_list.h \
 	src/core/registry.c \
+	src/core/settings.c \
+	src/core/settings.h \
 	src/core/sim.c \
 	src/core/sim.h \
 	src/core/stepping.c \
@@ -78,6 +82,7 @@ library_sources = \
 	src/io/dump_columns.c \
 	src/io/dump_modify.c \
 	src/io/dump_modify.h \
+	src/io/dump_price.c \
 	src/io/dump_select.c \
 	src/io/dump_vtk.c \
 	src/io/dump_vtk.h \
@@ -236,6 +241,7 @@ library_sources = \
 	src/script/source.h \
 	src/script/substitute.c \
 	src/script/text.c \
+	src/script/unused.c \
 	src/script/variable.c \
 	src/script/variable.h \
 	src/script/variable_command.c \

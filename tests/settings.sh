@@ -32,7 +32,8 @@ if "$(step) < 0" then "print ${in_branch}"
 next z
 jump SELF rest
 label rest
-print "$(c_${name})"
+variable late equal c_${name}
+print "${late}"
 END
 "$TSIM" -in in.a -log log.a >out 2>err
 report 'runs' $? err

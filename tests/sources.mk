@@ -33,12 +33,14 @@ shell_tests = \
 	tests/kill.sh \
 	tests/layers.sh \
 	tests/manual_current.sh \
+	tests/price.sh \
 	tests/python.sh \
 	tests/rerun.sh \
 	tests/restart.sh \
 	tests/restart_changes.sh \
 	tests/restart_every.sh \
 	tests/safety.sh \
+	tests/settings.sh \
 	tests/signal.sh \
 	tests/special_bonds.sh \
 	tests/stability/refusal.sh \
@@ -67,6 +69,7 @@ unit_tests = \
 	tests/check_order \
 	tests/check_pairs \
 	tests/check_particles \
+	tests/check_price \
 	tests/check_script \
 	tests/check_styles \
 	tests/check_unbreakable \
@@ -157,6 +160,10 @@ tests_check_pairs_LDADD = $(tests_ldadd)
 tests_check_particles_SOURCES = tests/check_particles.c $(tests_common)
 tests_check_particles_CFLAGS = $(tests_cflags)
 tests_check_particles_LDADD = $(tests_ldadd)
+
+tests_check_price_SOURCES = tests/check_price.c $(tests_common)
+tests_check_price_CFLAGS = $(tests_cflags)
+tests_check_price_LDADD = $(tests_ldadd)
 
 tests_check_script_SOURCES = tests/check_script.c $(tests_common)
 tests_check_script_CFLAGS = $(tests_cflags)

@@ -67,8 +67,8 @@ enum ts_status ts_plan_stage(struct ts_plan *plan, struct tsim *sim, enum ts_sta
 	return TS_OK;
 }
 
-static enum ts_status stages(struct ts_plan *plan, struct tsim *sim, enum ts_stage first,
-			     enum ts_stage last)
+enum ts_status ts_plan_stages(struct ts_plan *plan, struct tsim *sim, enum ts_stage first,
+			      enum ts_stage last)
 {
 	for (int stage = (int)first; stage <= (int)last; stage++)
 		TS_TRY(ts_plan_stage(plan, sim, (enum ts_stage)stage));
@@ -85,13 +85,13 @@ static enum ts_status set_up(struct ts_plan *plan, struct tsim *sim)
 	sim->resuming = fingerprint == sim->fingerprint;
 	if (!sim->resuming)
 		TS_TRY(ts_plan_stage(plan, sim, TS_STAGE_EXCHANGE));
-	TS_TRY(stages(plan, sim, TS_STAGE_BUILD, TS_STAGE_POST_BUILD));
+	TS_TRY(ts_plan_stages(plan, sim, TS_STAGE_BUILD, TS_STAGE_POST_BUILD));
 	TS_TRY(ts_plan_review(plan, sim, sim->clock.last_step - sim->clock.step));
 	if (sim->explain)
 		return TS_OK;
 	if (!sim->resuming) {
 		sim->in_setup = true;
-		TS_TRY(stages(plan, sim, TS_STAGE_PRE_FORCE, TS_STAGE_POST_FORCE));
+		TS_TRY(ts_plan_stages(plan, sim, TS_STAGE_PRE_FORCE, TS_STAGE_POST_FORCE));
 	}
 	sim->in_setup = sim->resuming = false;
 	return ts_plan_stage(plan, sim, TS_STAGE_SETUP);
@@ -101,13 +101,13 @@ static enum ts_status set_up(struct ts_plan *plan, struct tsim *sim)
 static enum ts_status step(struct ts_plan *plan, struct tsim *sim)
 {
 	sim->clock.step++;
-	TS_TRY(stages(plan, sim, TS_STAGE_INITIAL_INTEGRATE, TS_STAGE_CHECK));
+	TS_TRY(ts_plan_stages(plan, sim, TS_STAGE_INITIAL_INTEGRATE, TS_STAGE_CHECK));
 	if (sim->rebuild)
-		TS_TRY(stages(plan, sim, TS_STAGE_EXCHANGE, TS_STAGE_POST_BUILD));
+		TS_TRY(ts_plan_stages(plan, sim, TS_STAGE_EXCHANGE, TS_STAGE_POST_BUILD));
 	else
 		TS_TRY(ts_plan_stage(plan, sim, TS_STAGE_FORWARD));
 	sim->rebuild = false;
-	return stages(plan, sim, TS_STAGE_PRE_FORCE, TS_STAGE_OUTPUT);
+	return ts_plan_stages(plan, sim, TS_STAGE_PRE_FORCE, TS_STAGE_OUTPUT);
 }
 
 /* What holds only inside a run. */

@@ -18,6 +18,8 @@ struct ts_plan {
 
 /* Calls init of every live instance, then lists per stage those that have something to do. */
 enum ts_status ts_plan_compile(struct ts_plan *plan, struct tsim *sim);
+enum ts_status ts_plan_stages(struct ts_plan *plan, struct tsim *sim, enum ts_stage first,
+			      enum ts_stage last);
 enum ts_status ts_plan_stage(struct ts_plan *plan, struct tsim *sim, enum ts_stage stage);
 void ts_plan_release(struct ts_plan *plan);
 
@@ -39,16 +41,29 @@ struct ts_limit {
 	char text[160];      /* "contact of types 1-1: 2/omega0, k* = ..., m* = ..." */
 	struct ts_place where;
 };
+/* A file, or a series of them, that the run writes. */
+struct ts_output {
+	char name[80];
+	int64_t frames;
+	double bytes; /* of one frame */
+};
 struct ts_plan_report {
 	struct ts_limit *limit;
 	size_t nlimits, limit_capacity;
 	struct ts_str lines;   /* "  particles    3100 ..." */
 	struct ts_str left_out; /* "  rotation     no live style needs it" */
 	double bytes;          /* memory */
+	struct ts_output *output;
+	size_t noutputs, output_capacity;
 };
 enum ts_status ts_report_limit(struct ts_plan_report *report, double dt, bool fatal,
 			       const struct ts_place *where, const char *format, ...)
 	__attribute__((format(printf, 5, 6)));
+/* How many multiples of `every` lie in (first, last] of the run. */
+int64_t ts_report_times(const struct tsim *sim, int64_t every);
+/* A file that the run writes in `frames` pieces of so many bytes each, as far as can be told. */
+enum ts_status ts_report_output(struct ts_plan_report *report, const char *name, int64_t frames,
+				double bytes);
 void ts_report_line(struct ts_plan_report *report, const char *name, const char *format, ...)
 	__attribute__((format(printf, 3, 4)));
 void ts_report_left_out(struct ts_plan_report *report, const char *name, const char *format, ...)

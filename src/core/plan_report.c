@@ -3,8 +3,11 @@
 #include "core/plan.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+
+#include "core/price.h"
 
 #include "base/banned.h"
 
@@ -32,6 +35,24 @@ static void add_line(struct ts_str *to, const char *name, const char *format, va
 	ts_str_add(to, "\n");
 }
 
+int64_t ts_report_times(const struct tsim *sim, int64_t every)
+{
+	return every > 0 ? sim->clock.last_step / every - sim->clock.step / every : 0;
+}
+
+enum ts_status ts_report_output(struct ts_plan_report *report, const char *name, int64_t frames,
+				double bytes)
+{
+	struct ts_output *output;
+
+	TS_TRY(TS_GROW(report->output, report->output_capacity, report->noutputs + 1));
+	output = &report->output[report->noutputs++];
+	snprintf(output->name, sizeof output->name, "%s", name);
+	output->frames = frames;
+	output->bytes = bytes;
+	return TS_OK;
+}
+
 void ts_report_line(struct ts_plan_report *report, const char *name, const char *format, ...)
 {
 	va_list args;
@@ -53,6 +74,7 @@ void ts_report_left_out(struct ts_plan_report *report, const char *name, const c
 void ts_report_release(struct ts_plan_report *report)
 {
 	ts_free(report->limit);
+	ts_free(report->output);
 	ts_str_release(&report->lines);
 	ts_str_release(&report->left_out);
 	*report = (struct ts_plan_report){ 0 };
@@ -124,6 +146,56 @@ static void print_stages(const struct ts_plan *plan, struct tsim *sim)
 	}
 }
 
+static void print_outputs(const struct ts_plan_report *report, struct tsim *sim)
+{
+	struct ts_str text = { 0 };
+	double bytes = 0;
+
+	for (size_t k = 0; k < report->noutputs; k++) {
+		const struct ts_output *o = &report->output[k];
+
+		if (!o->frames)
+			continue;
+		bytes += (double)o->frames * o->bytes;
+		ts_str_addf(&text, "  %-28s %" PRId64 " times ", o->name, o->frames);
+		ts_price_bytes(o->bytes, &text);
+		ts_str_add(&text, "\n");
+	}
+	sim->bill.bytes += bytes;
+	if (text.length) {
+		ts_str_add(&text, "  in all ");
+		ts_price_bytes(bytes, &text);
+		ts_log(&sim->log, "files:\n%s\n", ts_str_text(&text));
+	}
+	ts_str_release(&text);
+}
+
+static enum ts_status print_price(struct ts_plan *plan, struct tsim *sim, int64_t steps)
+{
+	struct ts_str text = { 0 };
+	struct ts_price price;
+
+	TS_TRY(ts_price_steps(plan, sim, &price));
+	if (isfinite(price.seconds)) {
+		ts_str_add(&text, "about ");
+		ts_price_time(price.seconds * (double)steps, &text);
+		ts_str_add(&text, ", a step takes ");
+		ts_price_time(price.seconds, &text);
+		if (price.steps)
+			ts_str_addf(&text, " (%" PRId64 " tried from the state here, without outputs)",
+				    price.steps);
+		else
+			ts_str_add(&text, " (as in the run before)");
+		sim->bill.seconds += price.seconds * (double)steps;
+	} else {
+		ts_str_add(&text, "not known, the first steps could not be tried");
+	}
+	if (steps)
+		ts_log(&sim->log, "duration: %s\n", ts_str_text(&text));
+	ts_str_release(&text);
+	return TS_OK;
+}
+
 static void print_report(const struct ts_plan *plan, const struct ts_plan_report *report,
 			 struct tsim *sim, int64_t steps)
 {
@@ -140,6 +212,7 @@ static void print_report(const struct ts_plan *plan, const struct ts_plan_report
 		ts_log(&sim->log, "%s %-12.6g %s%s\n", &report->limit[k] == hard ? "->" : "  ",
 		       report->limit[k].dt, report->limit[k].text,
 		       report->limit[k].fatal ? "" : " (advice)");
+	print_outputs(report, sim);
 	print_stages(plan, sim);
 }
 
@@ -152,6 +225,8 @@ enum ts_status ts_plan_review(struct ts_plan *plan, struct tsim *sim, int64_t st
 		print_report(plan, &report, sim, steps);
 	if (status == TS_OK)
 		status = judge(&report, sim);
+	if (status == TS_OK && sim->explain && !sim->log.quiet)
+		status = print_price(plan, sim, steps);
 	ts_report_release(&report);
 	return status;
 }

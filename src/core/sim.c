@@ -1,5 +1,6 @@
 #include "core/sim.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -67,6 +68,7 @@ static void set_defaults(struct tsim *sim)
 	int64_t n;
 
 	sim->clock = (struct ts_clock){ .dt = 0.005 };
+	sim->bill.step = NAN;
 	sim->units = TS_UNITS_LJ;
 	sim->dimension = 3;
 	if (sim->grain == 0)

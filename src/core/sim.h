@@ -22,6 +22,13 @@ struct ts_library;
 
 enum ts_units { TS_UNITS_LJ, TS_UNITS_SI, TS_UNITS_CGS, TS_UNITS_MICRO };
 
+/* What -explain has found so far that the script will cost. */
+struct ts_bill {
+	double seconds, bytes; /* of all runs */
+	double step;	       /* seconds of a step of the last run; NaN: not known */
+	double tried;	       /* seconds spent on trials */
+};
+
 /* Live instances of one kind, in script order. */
 struct ts_instances {
 	struct ts_instance **item;
@@ -66,6 +73,7 @@ struct tsim {
 	bool in_setup;     /* forces before the first step: contact history stands still */
 	bool resuming;     /* nothing forces depend on has changed since the last step: the run
 			    * goes on with the forces and the rows of that step */
+	struct ts_bill bill;
 	volatile int stop; /* set from a signal handler: finish the step, then stop */
 	uint64_t generation; /* grows when particles are added, deleted, reordered or their columns
 			      * move in memory; never goes back, not by `clear` either */

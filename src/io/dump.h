@@ -2,6 +2,7 @@
 #ifndef TS_IO_DUMP_H
 #define TS_IO_DUMP_H
 
+#include "core/plan.h"
 #include "core/ref_list.h"
 #include "core/sim.h"
 #include "io/format.h"
@@ -100,6 +101,9 @@ void ts_dump_header(struct ts_dump_common *d, struct tsim *sim, const char *what
 enum ts_status ts_dump_frame_done(struct ts_dump_common *d);
 /* A whole frame of a text dump, if it is due: header, rows. */
 enum ts_status ts_dump_frame(struct ts_instance *self, struct tsim *sim, bool local);
+/* For -explain: how many frames of what size. */
+enum ts_status ts_dump_price(struct ts_instance *self, struct tsim *sim, bool local, bool vtk,
+			     struct ts_plan_report *report);
 void ts_dump_fini(struct ts_instance *self);
 
 #endif

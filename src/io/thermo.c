@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/clock.h"
+#include "core/plan.h"
 #include "core/settings.h"
 
 #include "base/banned.h"
@@ -89,8 +90,15 @@ static enum ts_status resolve(struct ts_thermo *t, struct tsim *sim)
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 			   struct ts_plan_report *report)
 {
-	(void)report;
-	return sim->explain ? resolve(self->state, sim) : TS_OK;
+	const struct ts_thermo *t = self->state;
+
+	if (!sim->explain)
+		return TS_OK;
+	TS_TRY(resolve(self->state, sim));
+	return ts_report_output(report, "rows of the log", ts_report_times(sim, t->every) + 2,
+				16 * (double)t->n) == TS_OK
+		       ? TS_OK
+		       : ts_nomem(&sim->error);
 }
 
 /* The columns of `one`, LIGGGHTS' default. */

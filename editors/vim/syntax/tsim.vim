@@ -20,70 +20,88 @@ syn match tsimComment /#.*$/ contains=@Spell
 
 " keywords and words to choose from
 syn keyword tsimKeyword  all NULL INF EDGE SELF yes no on off then elif else stiffness
-syn keyword tsimKeyword  ultimate damping tilt small large mode single multi vel cutoff
-syn match tsimKeyword /\<group\>/ 
-syn keyword tsimKeyword  brick tiled
-syn match tsimKeyword /\<box\>/ 
-syn match tsimKeyword /\<region\>/ 
-syn keyword tsimKeyword  random overlap maxtry
+syn keyword tsimKeyword  ultimate damping tilt small large
 syn match tsimKeyword /\<units\>/ 
 syn match tsimKeyword /\<lattice\>/ 
-syn keyword tsimKeyword  many single/bond porosity fraction count
+syn match tsimKeyword /\<box\>/ 
+syn keyword tsimKeyword  mode single multi vel cutoff
+syn match tsimKeyword /\<group\>/ 
+syn keyword tsimKeyword  brick tiled
+syn match tsimKeyword /\<region\>/ 
+syn keyword tsimKeyword  remap random overlap maxtry mesh basis ratio subset var
+syn match tsimKeyword /\<set\>/ 
+syn keyword tsimKeyword  mol rotate many single/bond bond/types extra/bond/per/atom
+syn keyword tsimKeyword  extra/special/per/atom angle/types dihedral/types improper/types
+syn keyword tsimKeyword  extra/angle/per/atom extra/dihedral/per/atom
+syn keyword tsimKeyword  extra/improper/per/atom porosity fraction count
 syn match tsimKeyword /\<variable\>/ 
-syn keyword tsimKeyword  compress bond mol atom stats any remove special undo every sort id
-syn keyword tsimKeyword  pad first append
+syn keyword tsimKeyword  compress bond atom stats any remove special undo move ramp x y z
+syn keyword tsimKeyword  every sort id pad first append
 syn match tsimKeyword /\<label\>/ 
 syn keyword tsimKeyword  flush format float int line none screen
 syn match tsimKeyword /\<log\>/ 
 syn keyword tsimKeyword  both type union subtract intersect empty initialize
 syn match tsimKeyword /\<clear\>/ 
-syn keyword tsimKeyword  delete dynamic var static
+syn keyword tsimKeyword  delete dynamic static
 syn match tsimKeyword /\<include\>/ 
-syn keyword tsimKeyword  molecule sc bcc fcc hcp diamond sq sq2 hex delay check binsize
-syn keyword tsimKeyword  page one exclude bin nsq omp grain shift tail mix geometric
-syn keyword tsimKeyword  arithmetic sixthpower file universe add offset nocoeff
-syn keyword tsimKeyword  extra/atom/types extra/bond/types extra/bond/per/atom
-syn keyword tsimKeyword  extra/special/per/atom remap time upto pre post unsafe diameter
-syn keyword tsimKeyword  density density/disc
+syn keyword tsimKeyword  molecule sc bcc fcc hcp diamond sq sq2 hex custom origin orient
+syn keyword tsimKeyword  spacing a1 a2 a3 delay check binsize page one exclude bin nsq omp
+syn keyword tsimKeyword  grain shift tail mix geometric arithmetic sixthpower file universe
+syn keyword tsimKeyword  add offset nocoeff extra/atom/types extra/bond/types bbox time
+syn keyword tsimKeyword  upto start stop pre post unsafe diameter density density/disc
 syn match tsimKeyword /\<mass\>/ 
-syn keyword tsimKeyword  x y z vx vy vz omegax omegay omegaz omega image type/fraction
-syn keyword tsimKeyword  type/ratio type/subset property/atom lj coul lj/coul angle
-syn keyword tsimKeyword  dihedral lost ignore warn error norm custom si cgs micro index
+syn keyword tsimKeyword  vx vy vz omegax omegay omegaz omega image type/fraction type/ratio
+syn keyword tsimKeyword  type/subset property/atom lj coul lj/coul angle dihedral lost
+syn keyword tsimKeyword  ignore warn error lost/bond norm temp press si cgs micro index
 syn keyword tsimKeyword  loop world uloop string getenv
 syn match tsimKeyword /\<timer\>/ 
-syn keyword tsimKeyword  internal atomfile equal vector
-syn match tsimKeyword /\<set\>/ 
-syn keyword tsimKeyword  create mom ramp zero linear angular sum pair ii ij nofix noinit
-syn keyword tsimKeyword  kspace com average bond/type radius min max ave sumsq avesq sumabs
-syn keyword tsimKeyword  aveabs minabs maxabs inputs peratom local update_on_run_end
-syn keyword tsimKeyword  replace energy scalar running window start title1 title2 title3
-syn keyword tsimKeyword  axes xy xz yz xyz scheme explicit exact wob spring body clearance
-syn keyword tsimKeyword  chute spherical hard soft continue message path rescale wiggle
-syn keyword tsimKeyword  rotate transrot inertia by_dimension sphere disc title primitive
-syn keyword tsimKeyword  xplane yplane zplane xcylinder ycylinder zcylinder
+syn keyword tsimKeyword  internal atomfile equal vector create dist uniform gaussian mom
+syn keyword tsimKeyword  rot local geom scale zero linear angular angularIndividual sum
+syn keyword tsimKeyword  pair ii ij nofix noinit kspace com average bond/type radius min
+syn keyword tsimKeyword  max ave sumsq avesq sumabs aveabs minabs maxabs inputs peratom
+syn keyword tsimKeyword  update_on_run_end replace reset energy scalar running window
+syn keyword tsimKeyword  title1 title2 title3 final delta erate trate volume wiggle xy xz
+syn keyword tsimKeyword  yz v flip axes xyz scheme explicit exact wob spring body clearance
+syn keyword tsimKeyword  chute spherical hard soft continue message path rescale transrot
+syn keyword tsimKeyword  inertia by_dimension sphere disc title ghost writedata peratomtype
+syn keyword tsimKeyword  peratomtypepair matrix tether couple model hooke hertz
+syn keyword tsimKeyword  hooke/stiffness hertz/stiffness hooke/hysteresis tangential
+syn keyword tsimKeyword  history no_history rolling_friction cdt epsd epsd2 epsd3 cohesion
+syn keyword tsimKeyword  sjkr sjkr2 surface default limitForce tangential_damping
+syn keyword tsimKeyword  absolute_damping ktToKnUser viscous tangential_reduce
+syn keyword tsimKeyword  torsionTorque heating_normal_hertz heating_tangential_history
+syn keyword tsimKeyword  computeElasticPotential computeDissipatedEnergy
+syn keyword tsimKeyword  disableNormalWhenBonded primitive xplane yplane zplane xcylinder
+syn keyword tsimKeyword  ycylinder zcylinder
 syn match tsimKeyword /\<velocity\>/ 
-syn keyword tsimKeyword  xlo xhi ylo yhi zlo zhi viscosity generic restitution side in out
+syn keyword tsimKeyword  store_force xlo xhi ylo yhi zlo zhi viscosity generic restitution
+syn keyword tsimKeyword  side in out open axis center bounds angle0
 
 " numbers of the simulation and of particles
 syn keyword tsimName  id type radius diameter
 syn match tsimName /\<mass\>/ 
 syn keyword tsimName  density x y z vx vy vz fx fy fz omegax omegay omegaz tqx tqy tqz
-syn keyword tsimName  ix iy iz numbonds brokenbonds gonebonds step elapsed time dt cpu
-syn keyword tsimName  tpcpu spcpu cpuremain atoms ke erotate fmax fnorm vol lx ly lz xlo
-syn keyword tsimName  xhi ylo yhi zlo zhi PI yes no true false on off
+syn keyword tsimName  xu yu zu xs ys zs xsu ysu zsu ix iy iz press pxx pyy pzz pxy pxz
+syn keyword tsimName  pyz nbuild ndanger bonds numbonds brokenbonds gonebonds step
+syn keyword tsimName  elapsed elaplong part time dt cpu tpcpu spcpu cpuremain atoms ke
+syn keyword tsimName  erotate temp fmax fnorm vol lx ly lz xlo xhi ylo yhi zlo zhi xy xz
+syn keyword tsimName  yz xlat ylat zlat cella cellb cellc cellalpha cellbeta cellgamma
+syn keyword tsimName  PI yes no true false on off
 
-syn match tsimFunction /\<\%(sqrt\|exp\|ln\|log\|abs\|sign\|sin\|cos\|tan\|asin\|acos\|atan\|atan2\|ceil\|floor\|round\|ternary\|random\|normal\|ramp\|vdisplace\|swiggle\|cwiggle\|stagger\|logfreq\|logfreq2\|logfreq3\|stride\|stride2\|sum\|ave\|min\|max\|trap\|slope\|stderr\|sort\|rsort\|next\|is_file\|is_os\|is_defined\|is_active\|is_available\|extract_setting\|count\|mass\|ke\|gyration\|xcm\|vcm\|fcm\|angmom\|torque\|inertia\|omega\|bound\|gmask\|rmask\|grmask\)\ze(/
+syn match tsimFunction /\<\%(sqrt\|exp\|ln\|log\|abs\|sign\|sin\|cos\|tan\|asin\|acos\|atan\|atan2\|ceil\|floor\|round\|ternary\|random\|normal\|ramp\|vdisplace\|swiggle\|cwiggle\|stagger\|logfreq\|logfreq2\|logfreq3\|stride\|stride2\|sum\|ave\|min\|max\|trap\|slope\|stderr\|sort\|rsort\|next\|is_file\|is_os\|is_defined\|is_active\|is_available\|extract_setting\|volume\|count\|mass\|ke\|gyration\|xcm\|vcm\|fcm\|angmom\|torque\|inertia\|omega\|bound\|gmask\|rmask\|grmask\)\ze(/
 
 " commands, at the start of a line
-syn match tsimCommand /^\s*\%(atom_modify\|atom_style\|balance\|bond_coeff\|bond_style\|boundary\|box\|clear\|comm_modify\|comm_style\|communicate\|compute\|compute_modify\|create_atoms\|create_bonds\|create_box\|delete_atoms\|delete_bonds\|dimension\|dump\|dump_modify\|echo\|fix\|fix_modify\|flow_style\|group\|if\|include\|jump\|label\|lattice\|log\|mass\|modify_timing\|neigh_modify\|neighbor\|newton\|next\|package\|pair_coeff\|pair_modify\|pair_style\|partition\|partitioner_style\|print\|processors\|quit\|read_data\|read_restart\|region\|reset_timestep\|restart\|run\|set\|shell\|special_bonds\|thermo\|thermo_log\|thermo_modify\|thermo_style\|timer\|timestep\|uncompute\|undump\|unfix\|units\|variable\|velocity\|write_data\|write_dump\|write_restart\|write_restart_on_signal\)\ze\%(\s\|$\)/
+syn match tsimCommand /^\s*\%(atom_modify\|atom_style\|balance\|bond_coeff\|bond_style\|boundary\|box\|change_box\|clear\|comm_modify\|comm_style\|communicate\|compute\|compute_modify\|create_atoms\|create_bonds\|create_box\|delete_atoms\|delete_bonds\|dimension\|displace_atoms\|dump\|dump_modify\|echo\|fix\|fix_modify\|flow_style\|group\|if\|include\|jump\|label\|lattice\|log\|mass\|modify_timing\|neigh_modify\|neighbor\|newton\|next\|package\|pair_coeff\|pair_modify\|pair_style\|partition\|partitioner_style\|print\|processors\|quit\|read_data\|read_restart\|region\|replicate\|reset_timestep\|restart\|run\|set\|shell\|special_bonds\|thermo\|thermo_log\|thermo_modify\|thermo_style\|timer\|timestep\|uncompute\|undump\|unfix\|units\|variable\|velocity\|write_data\|write_dump\|write_restart\|write_restart_on_signal\)\ze\%(\s\|$\)/
 
 " styles, behind their command, name and group
 syn match tsimHead /^\s*fix\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_fix
-syn keyword tsim_fix contained addforce ave/time aveforce bond/breakage drag/stokes drill/bit
-syn keyword tsim_fix contained enforce2d freeze gravity halt lineforce momentum move nve
-syn keyword tsim_fix contained nve/euler nve/noforce nve/sphere nve/symplectic planeforce
+syn keyword tsim_fix contained adapt addforce ave/time aveforce bond/breakage deform drag
+syn keyword tsim_fix contained drag/stokes drill/bit enforce2d freeze gravity halt lineforce
+syn keyword tsim_fix contained momentum move nve nve/euler nve/limit nve/noforce nve/sphere
+syn keyword tsim_fix contained nve/symplectic planeforce
 syn match tsim_fix /\<print\>/ contained
-syn keyword tsim_fix contained setforce vector viscous wall/gran wall/reflect
+syn keyword tsim_fix contained property/atom property/global setforce spring spring/self
+syn keyword tsim_fix contained store/state vector viscous wall/gran wall/reflect
 hi def link tsim_fix Type
 syn match tsimHead /^\s*compute\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_compute
 syn keyword tsim_compute contained aggregate/atom bond/local bonds cluster/atom com contact/atom
@@ -94,14 +112,15 @@ syn keyword tsim_compute contained property/atom property/local rdf reduce reduc
 syn keyword tsim_compute contained stress/atom temp temp/com vacf
 hi def link tsim_compute Type
 syn match tsimHead /^\s*region\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_region
-syn keyword tsim_region contained block cone cylinder intersect plane sphere union
+syn keyword tsim_region contained block cone cylinder ellipsoid intersect plane prism sphere union
+syn keyword tsim_region contained wedge
 hi def link tsim_region Type
 syn match tsimHead /^\s*dump\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_dump
 syn keyword tsim_dump contained custom custom/vtk local local/vtk
 syn match tsim_dump /\<restart\>/ contained
 hi def link tsim_dump Type
 syn match tsimHead /^\s*pair_style\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_pair
-syn keyword tsim_pair contained spring/dashpot
+syn keyword tsim_pair contained gran spring/dashpot
 hi def link tsim_pair Type
 syn match tsimHead /^\s*bond_style\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_bond
 syn keyword tsim_bond contained contact

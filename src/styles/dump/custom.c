@@ -21,6 +21,12 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 	return ts_dump_frame(self, sim, false);
 }
 
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
+			   struct ts_plan_report *report)
+{
+	return ts_dump_price(self, sim, false, false, report);
+}
+
 static const struct ts_arg args[] = {
 	TS_DUMP_ARGS(struct state),
 	TS_REST("columns", struct state, names,
@@ -51,6 +57,7 @@ const struct ts_style ts_dump_custom = {
 	.state_size = sizeof(struct state),
 	.saved = saved,
 	.init = init,
+	.plan = plan,
 	.hook[TS_STAGE_OUTPUT] = output,
 	.fini = ts_dump_fini,
 };

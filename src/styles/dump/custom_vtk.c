@@ -44,6 +44,12 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 	return ts_dump_vtk_write(self, sim, &poly);
 }
 
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
+			   struct ts_plan_report *report)
+{
+	return ts_dump_price(self, sim, false, true, report);
+}
+
 static const struct ts_arg args[] = {
 	TS_DUMP_VTK_ARGS(struct state,
 			 "what to write: id, type, vx, vy, vz, radius ..., c_ID[k], f_ID[k], "
@@ -73,6 +79,7 @@ const struct ts_style ts_dump_custom_vtk = {
 	.saved = saved,
 	.archive = ts_dump_vtk_archive,
 	.init = init,
+	.plan = plan,
 	.hook[TS_STAGE_OUTPUT] = output,
 	.fini = ts_dump_vtk_fini,
 };

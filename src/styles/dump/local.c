@@ -21,6 +21,12 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 	return ts_dump_frame(self, sim, true);
 }
 
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
+			   struct ts_plan_report *report)
+{
+	return ts_dump_price(self, sim, true, false, report);
+}
+
 static const struct ts_arg args[] = {
 	TS_DUMP_ARGS(struct state),
 	TS_REST("columns", struct state, names, .help = "what to write: index, c_ID[k], f_ID[k]"),
@@ -43,6 +49,7 @@ const struct ts_style ts_dump_local = {
 	.state_size = sizeof(struct state),
 	.saved = saved,
 	.init = init,
+	.plan = plan,
 	.hook[TS_STAGE_OUTPUT] = output,
 	.fini = ts_dump_fini,
 };

@@ -98,6 +98,12 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 	return ts_dump_vtk_write(self, sim, &poly);
 }
 
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
+			   struct ts_plan_report *report)
+{
+	return ts_dump_price(self, sim, true, true, report);
+}
+
 static const struct ts_arg args[] = {
 	TS_DUMP_VTK_ARGS(struct state,
 			 "c_ID[k] or f_ID[k]; the first two are the ids of the particles at the "
@@ -123,6 +129,7 @@ const struct ts_style ts_dump_local_vtk = {
 	.saved = saved,
 	.archive = ts_dump_vtk_archive,
 	.init = init,
+	.plan = plan,
 	.hook[TS_STAGE_OUTPUT] = output,
 	.fini = ts_dump_vtk_fini,
 };

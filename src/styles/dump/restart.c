@@ -1,4 +1,5 @@
 /* Dump restart: saves the state at intervals. */
+#include "core/plan.h"
 #include "core/sim.h"
 #include "io/dump.h"
 #include "io/restart.h"
@@ -38,6 +39,41 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 	return ts_restart_write(sim, ts_str_text(&d->path), &self->where);
 }
 
+/* zlib leaves about two thirds. */
+static const double LEFT = 0.67;
+
+static enum ts_status add_size(struct ts_instance *inst, struct tsim *sim, double *bytes)
+{
+	struct ts_archive *archive = ts_archive_new(sim, true);
+	const unsigned char *block;
+	enum ts_status status;
+	size_t n = 0;
+
+	if (!archive)
+		return ts_nomem(&sim->error);
+	status = ts_archive_instance(archive, inst, sim);
+	if (status == TS_OK)
+		status = ts_archive_bytes(archive, &block, &n);
+	*bytes += LEFT * (double)n;
+	ts_archive_free(archive);
+	return status;
+}
+
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
+			   struct ts_plan_report *report)
+{
+	const struct state *s = self->state;
+	double bytes = 0;
+
+	for (int kind = 0; kind < TS_NKIND && sim->explain && !sim->log.quiet; kind++)
+		for (size_t k = 0; k < sim->instances[kind].n; k++)
+			TS_TRY(add_size(sim->instances[kind].item[k], sim, &bytes));
+	return ts_report_output(report, s->common.file, ts_report_times(sim, s->common.every),
+				bytes) == TS_OK
+		       ? TS_OK
+		       : ts_nomem(&sim->error);
+}
+
 static const struct ts_arg args[] = {
 	TS_DUMP_ARGS(struct state),
 	TS_WORD("other", struct state, other, .flags = TS_POSITIONAL | TS_WRITES | TS_OPTIONAL,
@@ -60,6 +96,7 @@ const struct ts_style ts_dump_restart = {
 	.state_size = sizeof(struct state),
 	.saved = saved,
 	.init = init,
+	.plan = plan,
 	.hook[TS_STAGE_OUTPUT] = output,
 	.fini = ts_dump_fini,
 };

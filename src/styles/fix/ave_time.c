@@ -1,4 +1,5 @@
 /* Fix ave/time: averages of numbers over time, as in LAMMPS. */
+#include "core/plan.h"
 #include "core/ref_list.h"
 #include "core/sim.h"
 #include "io/textfile.h"
@@ -288,6 +289,21 @@ static enum ts_status eval_vector(struct ts_instance *self, const struct tsim *s
 	return TS_OK;
 }
 
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
+			   struct ts_plan_report *report)
+{
+	const struct state *s = self->state;
+	const char *path = s->file ? s->file : s->append;
+	double rows = s->rows > 1 ? (double)s->rows : 1;
+
+	if (!sim->explain || !path)
+		return TS_OK;
+	return ts_report_output(report, path, ts_report_times(sim, s->freq),
+				rows * (10 + 12 * (double)s->input.n)) == TS_OK
+		       ? TS_OK
+		       : ts_nomem(&sim->error);
+}
+
 static void fini(struct ts_instance *self)
 {
 	struct state *s = self->state;
@@ -386,6 +402,7 @@ const struct ts_style ts_fix_ave_time = {
 	.archive = archive,
 	.values = values,
 	.init = init,
+	.plan = plan,
 	.hook = {
 		[TS_STAGE_SETUP] = sample,
 		[TS_STAGE_END_OF_STEP] = sample,

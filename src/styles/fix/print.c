@@ -1,6 +1,9 @@
 /* Fix print: a line of text at intervals. */
+#include "core/plan.h"
 #include "core/sim.h"
 #include "io/textfile.h"
+
+#include <string.h>
 
 #include "base/banned.h"
 
@@ -60,6 +63,20 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	return ts_textfile_flush(&s->out);
 }
 
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
+			   struct ts_plan_report *report)
+{
+	const struct state *s = self->state;
+	const char *path = s->file ? s->file : s->append;
+
+	if (!sim->explain || !path)
+		return TS_OK;
+	return ts_report_output(report, path, ts_report_times(sim, s->every),
+				(double)strlen(s->text) + 1) == TS_OK
+		       ? TS_OK
+		       : ts_nomem(&sim->error);
+}
+
 static void fini(struct ts_instance *self)
 {
 	struct state *s = self->state;
@@ -95,6 +112,7 @@ const struct ts_style ts_fix_print = {
 	.args = args,
 	.state_size = sizeof(struct state),
 	.init = init,
+	.plan = plan,
 	.hook[TS_STAGE_END_OF_STEP] = end_of_step,
 	.fini = fini,
 };

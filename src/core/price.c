@@ -1,0 +1,161 @@
+/* The trial runs in a forked copy of the process, so that particles, styles, random streams and files of
+ * the simulation cannot be touched by it. Threads do not survive a fork, and OpenMP keeps its own for each
+ * thread that uses it: the copy works in a new thread, which starts a new team. */
+#include "core/price.h"
+
+#include <errno.h>
+#include <math.h>
+#include <poll.h>
+#include <pthread.h>
+#include <signal.h>
+#include <stdio.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "base/clock.h"
+
+#include "base/banned.h"
+
+static const double TRIAL = 0.3;  /* seconds for one run */
+static const double TRIALS = 2;	  /* seconds for all runs of a script */
+enum { LONGEST_WAIT = 20000 };	  /* milliseconds until a trial is given up */
+
+struct trial {
+	struct ts_plan *plan;
+	struct tsim *sim;
+	double budget;
+	int64_t steps;
+	int to;
+	struct ts_price price;
+};
+
+/* One step without what is written or averaged. */
+static enum ts_status step(struct trial *t)
+{
+	struct tsim *sim = t->sim;
+
+	sim->clock.step++;
+	TS_TRY(ts_plan_stages(t->plan, sim, TS_STAGE_INITIAL_INTEGRATE, TS_STAGE_CHECK));
+	if (sim->rebuild)
+		TS_TRY(ts_plan_stages(t->plan, sim, TS_STAGE_EXCHANGE, TS_STAGE_POST_BUILD));
+	else
+		TS_TRY(ts_plan_stage(t->plan, sim, TS_STAGE_FORWARD));
+	sim->rebuild = false;
+	return ts_plan_stages(t->plan, sim, TS_STAGE_PRE_FORCE, TS_STAGE_FINAL_INTEGRATE);
+}
+
+/* The first step finds cold memory: it counts only if there is time for no other. */
+static enum ts_status try_steps(struct trial *t)
+{
+	double start = ts_clock(), first;
+
+	t->sim->in_setup = true;
+	TS_TRY(ts_plan_stages(t->plan, t->sim, TS_STAGE_PRE_FORCE, TS_STAGE_POST_FORCE));
+	t->sim->in_setup = false;
+	first = ts_clock();
+	TS_TRY(step(t));
+	t->price = (struct ts_price){ ts_clock() - first, 1 };
+	first = ts_clock();
+	while (ts_clock() - start < t->budget && t->price.steps < t->steps) {
+		TS_TRY(step(t));
+		t->price.seconds = (ts_clock() - first) / (double)t->price.steps++;
+	}
+	return TS_OK;
+}
+
+static void *in_copy(void *data)
+{
+	struct trial *t = data;
+
+	t->sim->log.quiet = true;
+	t->sim->log.progress = false;
+	if (try_steps(t) != TS_OK)
+		t->price = (struct ts_price){ NAN, 0 };
+	if (write(t->to, &t->price, sizeof t->price) < 0)
+		t->price.steps = 0;
+	return NULL;
+}
+
+/* Never comes back. */
+static void be_copy(struct trial *t)
+{
+	pthread_t thread;
+
+	signal(SIGINT, SIG_DFL);
+	signal(SIGTERM, SIG_DFL);
+	if (t->sim->threads == 1)
+		in_copy(t);
+	else if (pthread_create(&thread, NULL, in_copy, t) == 0)
+		pthread_join(thread, NULL);
+	_exit(0);
+}
+
+static void listen_to(int from, pid_t copy, struct ts_price *out)
+{
+	struct pollfd wait = { .fd = from, .events = POLLIN };
+
+	if (poll(&wait, 1, LONGEST_WAIT) != 1 || read(from, out, sizeof *out) != sizeof *out)
+		*out = (struct ts_price){ NAN, 0 };
+	kill(copy, SIGKILL);
+	while (waitpid(copy, NULL, 0) < 0 && errno == EINTR)
+		continue;
+}
+
+static void try_in_copy(struct trial *t, struct ts_price *out)
+{
+	int ends[2];
+	pid_t copy;
+
+	*out = (struct ts_price){ NAN, 0 };
+	if (pipe(ends) != 0)
+		return;
+	t->to = ends[1];
+	copy = fork();
+	if (copy == 0)
+		be_copy(t);
+	close(ends[1]);
+	if (copy > 0)
+		listen_to(ends[0], copy, out);
+	close(ends[0]);
+}
+
+enum ts_status ts_price_steps(struct ts_plan *plan, struct tsim *sim, struct ts_price *out)
+{
+	struct trial t = { .plan = plan, .sim = sim };
+	double start = ts_clock();
+
+	t.steps = sim->clock.last_step - sim->clock.step;
+	t.budget = fmin(TRIAL, TRIALS - sim->bill.tried);
+	*out = (struct ts_price){ sim->bill.step, 0 };
+	if (t.steps < 1 || (t.budget <= 0 && isfinite(sim->bill.step)))
+		return TS_OK;
+	try_in_copy(&t, out);
+	sim->bill.tried += ts_clock() - start;
+	sim->bill.step = out->seconds;
+	return TS_OK;
+}
+
+void ts_price_time(double seconds, struct ts_str *out)
+{
+	static const struct {
+		double least;
+		const char *name;
+	} unit[] = { { 2 * 86400, "days" }, { 2 * 3600, "h" }, { 2 * 60, "min" }, { 1, "s" },
+		     { 1e-3, "ms" },	    { 1e-6, "us" } };
+	static const double length[] = { 86400, 3600, 60, 1, 1e-3, 1e-6 };
+	size_t k = 0;
+
+	while (k < 5 && seconds < unit[k].least)
+		k++;
+	ts_str_addf(out, "%.3g %s", seconds / length[k], unit[k].name);
+}
+
+void ts_price_bytes(double bytes, struct ts_str *out)
+{
+	static const char *const unit[] = { "bytes", "kB", "MB", "GB", "TB" };
+	size_t k = 0;
+
+	for (; k < 4 && bytes >= 1000; k++)
+		bytes /= 1000;
+	ts_str_addf(out, "%.3g %s", bytes, unit[k]);
+}

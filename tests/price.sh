@@ -1,0 +1,55 @@
+#!/bin/sh
+# -explain tells what runs will cost: files as large as they then are, and nothing is left behind.
+. "$top_srcdir/tests/lib_cases.sh"
+
+cat >in.price <<'END'
+units si
+boundary p p p
+region b block 0 1 0 1 0 1 units box
+create_box 1 b
+create_atoms 1 random 500 86028157 b
+set type 1 diameter 0.05 density 2385
+velocity all create 0.385 49979687
+pair_style spring/dashpot
+pair_coeff * * stiffness 2385 restitution 0.5
+fix move all nve
+timestep 1e-4
+shell mkdir post
+dump a all custom 25 post/a*.dump id type x y z vx vy vz fx fy fz radius
+dump b all custom 50 post/b.dump id x y z
+dump v all custom/vtk 50 post/v*.vtp id type vx vy vz radius
+compute e all ke
+fix p all print 10 "$(step) $(c_e:%12.6g)" file post/p.txt
+fix t all ave/time 10 1 10 c_e ke file post/t.txt
+restart 50 post/a.restart post/b.restart
+run 100
+END
+
+"$TSIM" -explain -in in.price >out 2>err
+report 'explained' $? err
+[ ! -e post ] && [ ! -e log.tsim ]
+report 'nothing is written' $?
+grep -q '^duration: about .* a step takes .* tried from the state here' out
+report 'steps were tried' $? out
+grep -q '^All runs together: about .* of files' out
+report 'the whole script has a price' $? out
+
+"$TSIM" -in in.price -screen none
+# near NAME FILES...: the size told for NAME is that of the files, within a factor of 1.5
+near() {
+	name=$1
+	shift
+	told=$(awk -v name="$name" '$0 ~ name && / times / {
+		unit["bytes"] = 1; unit["kB"] = 1e3; unit["MB"] = 1e6
+		print $(NF-3) * $(NF-1) * unit[$NF] }' out)
+	real=$(cat "$@" | wc -c)
+	awk -v told="$told" -v real="$real" 'BEGIN { exit !(told < 1.5 * real && real < 1.5 * told) }'
+	report "$name: told $told, found $real" $? out
+}
+near 'dump a ' post/a*.dump
+near 'dump b ' post/b.dump
+near 'dump v ' post/v*.vtp
+near 'post/p.txt' post/p.txt
+near 'post/t.txt' post/t.txt
+near 'post/a.restart' post/a.restart post/b.restart
+finish
