@@ -279,4 +279,152 @@ if command -v lmp >/dev/null; then
 	grep '^G' tsim.lines >tsim.groups
 	near 'groups and particles as in LAMMPS' lmp.lines tsim.groups
 fi
+# Accepted and refused alike, with the same lines; @ begins a new line.
+cat >cases <<'END'
+print "a"b
+print a b
+variable x equal 1 + 2
+variable x equal "1 + 2"@print "R ${x}"
+variable x index@print "R"
+variable x loop 0@print "R"
+variable x loop 3 1@print "R"
+variable x loop 1 3 pad@print "R $x"
+variable x string a b@print "R $x"
+variable x equal v_x@print "R $x"
+variable a-b equal 1@print "R"
+variable x delete@print "R"
+variable x equal 1@variable x index 2@print "R $x"
+variable x equal 1@variable x string 2@print "R $x"
+print "R ${nothing}"
+print "R $(1+)"
+print "R $(1 2)"
+print "R $(1/0)"
+print "R $(sqrt(-1))"
+print "R $(ln(0))"
+print "R $(asin(2))"
+print "R $(2^0.5^2)"
+print "R $(1e3.5)"
+print "R $(.5)"
+print "R $(5.)"
+print "R $(--5)"
+print "R $(!0)"
+print "R $(!!5)"
+print "R $(2--3)"
+print "R $(2*-3)"
+print "R $(1<2<3)"
+print "R $(5%3)"
+print "R $(-5%3)"
+print "R $(5.5%2)"
+print "R $(sqrt(4))"
+print "R $(SQRT(4))"
+print "R $( 1 + 2 )"
+print "R $(atan2(1,1))"
+print "R $(ceil(-0.5))"
+if "1" then "print 'R a'"
+if "1 = 1" then "print 'R a'"
+if "1 & 1" then "print 'R a'"
+if "1 == 1.0" then "print 'R a'"
+if "-1 < 0" then "print 'R a'"
+if "(1)" then "print 'R a'"
+if "!0" then "print 'R a'"
+if "1e2 == 100" then "print 'R a'"
+if "1 < 2 < 3" then "print 'R a'"
+if "2 > 1 == 1" then "print 'R a'"
+if "1 == 1" print
+if "1 == 1" then print
+if "0 || 1 && 0" then "print 'R a'" else "print 'R b'"
+variable x index 1@next x@jump SELF nowhere@print "R"
+label a@print "R"
+jump SELF b@print "R"
+echo maybe
+log
+unknown_command
+print
+variable x equal PI@print "R $x"
+variable x atom 1@print "R $x"
+variable x equal 2@variable y equal $x^2@print "R $y ${y}"
+print 'R ${x}'
+variable x index "a b" c@print "R $x"
+print "R a &@   b"
+print "R" "S"
+variable x universe a b@print "R $x"
+variable x world a b@print "R $x"
+variable x file nothing@print "R"
+print "R $(stagger(5,7))"
+print "R $(abs(-2),3)"
+print "R $(floor(2.7)"
+print "R $(v_y)"
+variable x equal 1@print "R $(v_x[1])"
+print "R a  &@   b"
+print R&@a
+print "R a" & # c@print "R b"
+variable x index 5@print "R ${x}$x$x"
+variable xy index 5@variable x index 7@print "R $xy"
+variable x index 5@print "R $x.$x-$x"
+variable x index 5@print R$x
+variable x index "5 6"@print R$x
+variable x index "5 6"@variable y index $x@print "R $y"
+variable x string '$y'@variable y index 3@print "R ${x}"
+variable x string "a # b"@print "R ${x}"
+print "R # not comment" # comment
+print R#x
+print 'R # x'
+print "R it's"
+print 'R say "hi"'
+	print	"R	tab"
+print "R ${x"
+print "R $"
+print "R $ x"
+print "R $$"
+variable x equal 3@print "R $((v_x))"
+variable x equal 3@print "R $(v_x*(2+1))"
+variable x equal "3 # 4"@print "R $x"
+variable x index 1 &@ 2 &@ 3@next x@next x@print "R $x"
+if "1 == 1" then &@"print 'R a'" &@else &@"print 'R b'"
+variable n loop 3@label l@print "R $n"@if "$n == 2" then "jump SELF out"@next n@jump SELF l@label out@print "R out $n"
+variable n loop 2@label l@variable m loop 2@label k@print "R $n$m"@next m@jump SELF k@next n@jump SELF l
+variable n loop 2@label l@if "$n == 1" then "print 'R one'" "next n" "jump SELF l" "print 'R no'"@print "R end $n"
+variable n loop 3 5 pad@print "R $n"
+variable n loop 08 11 pad@print "R $n"
+variable n loop 1000 pad@print "R $n"
+variable x equal 2@variable y equal v_x^2@variable x equal 3@print "R ${y}"
+variable x equal 1e-5@print "R ${x}"
+variable x equal 123456.789@print "R ${x}"
+variable x equal 1234567890123456789@print "R ${x}"
+variable x equal 0.1+0.2@print "R ${x} $(0.1+0.2)"
+variable x equal -5@print "R ${x} $(v_x)"
+variable x equal (1==1)@print "R ${x}"
+variable x index 007@print "R ${x} $(v_x)"
+variable x index 1e3@print "R $(v_x+1)"
+log x.log@print "R"
+include nothing.in
+jump nothing.in
+label@print "R"
+next
+variable
+variable x
+variable x equal@print "R"
+variable x string ""@print "R ${x}|"
+print ""@print "R"
+  # only comment@print "R"
+&@print "R"
+print "R a" &@
+if "1" then "variable z equal 4"@print "R $z"
+if "1" then "variable z equal 4" "print 'R ${z}'"
+variable z equal 4@if "${z} == 4" then "variable z equal 5" "print 'R $z'"
+variable z index 4@if "$z > 3" then "print 'R a $z'" else "print 'R b $z'"
+END
+verdict() { # PROGRAM
+	if timeout 60 "$1" -log none -in in.case >screen 2>&1 </dev/null; then echo accepted; else echo refused; fi
+	grep '^R' screen
+}
+if command -v liggghts >/dev/null; then
+	while IFS= read -r line; do
+		printf '%s\n' "$line" | tr '@' '\n' >in.case
+		verdict liggghts >liggghts.case
+		verdict "$TSIM" >tsim.case
+		diff liggghts.case tsim.case >difference
+		report "alike: $line" $? difference
+	done <cases
+fi
 finish
