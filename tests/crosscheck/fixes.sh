@@ -108,6 +108,10 @@ agrees 'spring tether' 'p p p' 1e-12 "$vector \$(f_a[4]:%.15g) $scalar" 'fix n a
 	'fix a some spring tether 0.7 0.1 NULL 0.3 0.2'
 agrees 'spring couple' 'p p p' 1e-12 "$vector \$(f_a[4]:%.15g) $scalar" 'fix n all nve' \
 	'fix a some spring couple two 0.7 0.1 NULL 0.3 0.2'
+agrees recenter 'p p p' 1e-12 "$vector $scalar" 'fix n all nve' \
+	'fix a some recenter INIT 0.1 NULL shift all units box'
+agrees 'recenter fraction' 'p p p' 1e-12 "$vector $scalar" 'fix n all nve' \
+	'fix a some recenter 0.2 NULL 0.7 units fraction'
 one() { # fix deform: LAMMPS counts from the start of each run, so there is one only
 	agrees "deform $1" 'p p p' 1e-12 '$(lx:%.15g) $(ly:%.15g) $(lz:%.15g)' 'fix n all nve' \
 		"fix a ${3:-all} deform 1 $1 remap $2 units box" 'thermo_style custom step lx ly lz'
@@ -120,6 +124,7 @@ one 'z erate 0.2 x volume y volume' x some
 one 'x delta 0.1 -0.05 y scale 0.7 z volume' x
 one 'x erate -0.3 y wiggle 0.1 0.35' v some
 one 'z vel 0.1' none
+agrees viscous 'p p p' 1e-12 '' 'fix n all nve' 'fix a some viscous 0.4 scale 2 2.385 scale 1 0.7'
 agrees nve/limit 'p p p' 1e-12 "$scalar" 'fix g all gravity 3 vector 1 2 3' 'fix a all nve/limit 0.004'
 second='run 31'
 agrees wall/reflect 'f f f' 1e-12 '' 'fix n all nve' 'variable top equal 0.7-0.1*step*dt' \

@@ -238,6 +238,97 @@ print "squeezed $(fx[1]/2385:%.9f) $(fx[2]/2385:%.9f)"
 END
 says 'contacts across faces that come nearer' 'squeezed 0.069500000 -0.069500000'
 
+# springs: after one period back at the start; two grains on a rope swing with the reduced mass
+script <<'END'
+create_box 1 box
+create_atoms 1 single 0.6 0.6 0.3 units box
+create_atoms 1 single 0.2 0.2 0.3 units box
+create_atoms 1 single 0.2 0.5 0.3 units box
+set group all diameter 0.1
+set group all mass 2.385
+group a id 1
+group b id 2
+group c id 3
+group bc id 2 3
+fix n all nve
+fix s a spring/self 17.0
+displace_atoms a move 0.03 -0.02 0.01 units box
+fix r b spring couple c 11.0 0 0 0 0.28
+variable own equal 2*PI*sqrt(2.385/17)
+variable both equal 2*PI*sqrt(2.385/2/11)
+timestep $(v_own/2000)
+run 1000
+print "half $(x[1]:%.4f) $(y[1]:%.4f) $(z[1]:%.4f) $(f_s+2.385/2*(vx[1]^2+vy[1]^2+vz[1]^2):%.6g)"
+run 1000
+print "whole $(x[1]:%.4f) $(y[1]:%.4f) $(z[1]:%.4f)"
+timestep $(v_both/2000)
+reset_timestep 0
+velocity bc set 0 0 0
+variable gap equal y[3]-y[2]
+variable first equal $(v_gap)
+run 2000
+print "rope $(v_gap/v_first:%.4f) $(xcm(bc,y):%.6f)"
+END
+says 'half a period' 'half 0.5700 0.6200 0.2900 0.0119'
+says 'a period' 'whole 0.6300 0.5800 0.3100'
+says 'reduced mass, the middle stays' 'rope 1.0000 0.350000'
+
+# a heat bath: 3 N/2 k T within three standard deviations, and no net push
+script <<'END'
+lattice sc 0.1
+create_box 1 box
+create_atoms 1 box
+set group all diameter 0.05
+set group all mass 2e-3
+fix n all nve
+fix b all langevin 1e20 1e20 0.02 86028157 zero yes
+timestep 5e-4
+run 400
+variable t equal ke(all)/(1.5*count(all)*1.380649e-23*1e20)
+print "temperature $(abs(v_t-1)<3*sqrt(2/3/count(all))) $(abs(vcm(all,x))<1e-12)"
+END
+says 'temperature of a bath' 'temperature 1 1'
+
+# a fall at the speed that is asked for: the brake grows until it carries the weight
+script <<'END'
+create_box 1 box
+create_atoms 1 single 0.6 0.6 0.3 units box
+set group all diameter 0.1
+set group all mass 2.385
+variable brake internal 0
+variable up equal v_brake
+variable fall equal vcm(all,z)
+fix n all nve
+fix g all gravity 9.81 vector 0 0 -1
+fix b all addforce 0 0 v_up
+fix c all controller 1 50.0 1.5 0.5 1.0 v_fall -0.25 brake
+timestep 1e-3
+run 20000
+print "brake $(f_c/(2.385*9.81):%.3f) $(v_fall:%.3f) $(abs(f_c-v_up)<1e-12)"
+END
+says 'controller' 'brake 1.000 -0.250 1'
+
+# particles that vanish: so many each time, of the right ones, until none is left
+script <<'END'
+create_box 2 box
+create_atoms 1 random 30 86028157 NULL units box
+create_atoms 2 random 30 49979687 NULL units box
+set group all diameter 0.01 density 2385
+group light type 2
+region left block INF 0.5 INF INF INF INF units box
+variable there equal count(light,left)
+variable first equal $(v_there)
+fix n all nve
+fix e light evaporate 5 4 left 49892
+timestep 1e-3
+run 14
+print "gone $(f_e) $(count(all)) $(v_first-v_there)"
+run 100
+print "all $(f_e-v_first) $(v_there)"
+END
+says 'so many each time' 'gone 8 52 8'
+says 'until none is left' 'all 0 0'
+
 # what ends a run early
 script <<'END'
 create_box 1 box
@@ -317,6 +408,12 @@ bad "has no number 'stif'; known: stiffness" 'variable s equal 1' \
 bad 'it is spring/dashpot' 'variable s equal 1' 'fix a all adapt 1 pair gran stif 1 1 v_s'
 bad 'expected atom or pair' 'variable s equal 1' 'fix a all adapt 1 kspace v_s'
 bad 'is -1 for particle' 'variable s equal -1' 'fix a all adapt 1 atom diameter v_s' 'run 1'
+bad "'3' is not a type" 'fix v all viscous 0.2 scale 3 1'
+bad 'is followed by a number > 0' 'fix v all viscous 0.2 scale 2'
+bad 'expected a number, INIT or NULL' 'fix r all recenter INIT NUL 0'
+bad 'there are no molecules' 'fix e all evaporate 5 4 left 49892 molecule yes'
+bad 'is to be c_ID' 'variable c internal 1' 'fix c all controller 5 1 1 1 1 ke 1 c'
+bad 'expected a length > 0' 'fix l all nve/limit radius 0.1'
 bad 'boxes are never tilted' 'fix d all deform 1 xy erate 0.1'
 bad 'expected x, y or z' 'fix d all deform 1 remap v'
 bad 'there is one already, d' 'fix d all deform 1 x vel 1' 'fix e all deform 1 y vel 1'

@@ -3,12 +3,24 @@
 #include <math.h>
 
 #include "particles/particles.h"
+#include "particles/type_factors.h"
 
 #include "base/banned.h"
 
 struct viscous {
 	double gamma;
+	struct ts_words scale;
+	double *factor; /* by type */
 };
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct viscous *s = self->state;
+
+	if (s->factor)
+		return TS_OK;
+	return ts_type_factors(sim, "fix viscous", &self->arena, s->scale, &s->factor);
+}
 
 static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 {
@@ -17,9 +29,8 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 
 #pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
 	for (size_t i = 0; i < p->n; i++)
-		if (ts_in_group(p, i, self->group))
-			for (int k = 0; k < 3; k++)
-				p->f[i][k] -= s->gamma * p->v[i][k];
+		for (int k = 0; ts_in_group(p, i, self->group) && k < 3; k++)
+			p->f[i][k] -= s->gamma * s->factor[p->type[i]] * p->v[i][k];
 	return TS_OK;
 }
 
@@ -32,16 +43,16 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 
 	for (size_t i = 0; i < p->n; i++)
 		if (ts_in_group(p, i, self->group))
-			least = fmin(least, p->mass[i]);
-	if (!(s->gamma > 0) || isinf(least))
+			least = fmin(least, p->mass[i] / (s->gamma * s->factor[p->type[i]]));
+	if (!isfinite(least))
 		return TS_OK;
-	return ts_report_limit(report, 2 * least / s->gamma, true, &self->where,
-			       "fix viscous, 2 m/gamma");
+	return ts_report_limit(report, 2 * least, true, &self->where, "fix viscous, 2 m/gamma");
 }
 
 static const struct ts_arg args[] = {
 	TS_REAL("gamma", struct viscous, gamma, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
 		.unit = "force/velocity", .help = "damping constant"),
+	TS_TYPE_FACTORS(struct viscous, scale, "the constant"),
 	TS_ARGS_END,
 };
 
@@ -51,9 +62,10 @@ const struct ts_style ts_fix_viscous = {
 	.kind = TS_KIND_FIX,
 	.summary = "damping proportional to velocity",
 	.doc = "f -= gamma v. Stable for steps below 2 m/gamma.",
-	.example = "fix calm all viscous 0.2",
+	.example = "fix calm all viscous 0.2\nfix calm all viscous 0.2 scale 2 2.385",
 	.args = args,
 	.state_size = sizeof(struct viscous),
+	.init = init,
 	.hook = { [TS_STAGE_POST_FORCE] = post_force },
 	.plan = plan,
 };

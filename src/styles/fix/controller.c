@@ -1,0 +1,130 @@
+/* Fix controller: a variable that steers something to a value. */
+#include "core/ref_list.h"
+#include "core/sim.h"
+
+#include <string.h>
+
+#include "base/banned.h"
+
+struct state {
+	int64_t every;
+	double alpha, proportional, integral, derivative, setpoint;
+	const char *process, *control;
+	struct ts_ref_input input;
+
+	/* saved */
+	int64_t started;
+	double term[3]; /* of the last change: P, I, D */
+	double error, sum, value;
+};
+
+static enum ts_status set_control(struct ts_instance *self, struct tsim *sim)
+{
+	const struct state *s = self->state;
+
+	return sim->host->set(sim->host_data, s->control, &self->where, s->value);
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	s->input.name = s->process;
+	s->input.where = self->where;
+	TS_TRY(ts_ref_input_resolve(sim, "fix controller", TS_WANT(SCALAR), &s->input));
+	if (strncmp(s->process, "c_", 2) && strncmp(s->process, "f_", 2) &&
+	    strncmp(s->process, "v_", 2))
+		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+			       "fix controller: '%s' is to be c_ID, c_ID[k], f_ID, f_ID[k] or v_NAME",
+			       s->process);
+	if (s->started) /* also after a restart file */
+		return set_control(self, sim);
+	return sim->host->scalar(sim->host_data, s->control, &self->where, &s->value);
+}
+
+static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	double tau = (double)s->every * sim->clock.dt, value, error;
+
+	if (sim->clock.step % s->every != 0)
+		return TS_OK;
+	TS_TRY(ts_ref_input_scalar(sim, &s->input, &value));
+	error = value - s->setpoint;
+	s->sum += s->started ? error : 0;
+	s->term[0] = -s->alpha * tau * s->proportional * error;
+	s->term[1] = -s->alpha * tau * s->integral * tau * s->sum;
+	s->term[2] = s->started ? -s->alpha * s->derivative * (error - s->error) : 0;
+	s->value += s->term[0] + s->term[1] + s->term[2];
+	s->error = error;
+	s->started = 1;
+	return set_control(self, sim);
+}
+
+static enum ts_status eval_value(struct ts_instance *self, const struct tsim *sim,
+				 struct ts_table *out)
+{
+	(void)sim;
+	out->data[0] = ((const struct state *)self->state)->value;
+	return TS_OK;
+}
+
+static enum ts_status eval_terms(struct ts_instance *self, const struct tsim *sim,
+				 struct ts_table *out)
+{
+	(void)sim;
+	for (int k = 0; k < 3; k++)
+		out->data[k] = ((const struct state *)self->state)->term[k];
+	return TS_OK;
+}
+
+#define CONSTANT(name_, field, help_)                                                              \
+	TS_REAL(name_, struct state, field, .flags = TS_POSITIONAL, .help = help_)
+static const struct ts_arg args[] = {
+	TS_INT("Nevery", struct state, every, .flags = TS_POSITIONAL | TS_STATEFUL,
+	       .range = TS_WITHIN, .lo = 1, .hi = 1e15, .help = "steps between changes"),
+	CONSTANT("alpha", alpha, "factor of all changes"),
+	CONSTANT("Kp", proportional, "constant of the proportional term"),
+	CONSTANT("Ki", integral, "constant of the integral term"),
+	CONSTANT("Kd", derivative, "constant of the derivative term"),
+	TS_WORD("pvar", struct state, process, .flags = TS_POSITIONAL | TS_STATEFUL,
+		.help = "what is steered: c_ID, c_ID[k], f_ID, f_ID[k] or v_NAME"),
+	CONSTANT("setpoint", setpoint, "the value it is to have"),
+	TS_WORD("cvar", struct state, control, .flags = TS_POSITIONAL | TS_STATEFUL,
+		.help = "name of a variable of style internal, which is changed"),
+	TS_ARGS_END,
+};
+
+static const char *const terms[] = { "P", "I", "D" };
+static const struct ts_value values[] = {
+	{ "control", "", "the variable's value", TS_SCALAR, 1, NULL, eval_value },
+	{ "terms", "", "the parts of its last change", TS_VECTOR, 3, terms, eval_terms },
+	{ .name = NULL },
+};
+
+static const struct ts_saved saved[] = {
+	TS_SAVE_I64(struct state, started), TS_SAVE_F64(struct state, term),
+	TS_SAVE_F64(struct state, error),   TS_SAVE_F64(struct state, sum),
+	TS_SAVE_F64(struct state, value),   TS_SAVED_ROWS_END,
+};
+
+TS_STYLE(fix, ts_style, ts_fix_controller)
+const struct ts_style ts_fix_controller = {
+	.name = "controller",
+	.kind = TS_KIND_FIX,
+	.summary = "Steers something to a value by changing a variable",
+	.doc = "With e the deviation of pvar from the setpoint and tau the time between changes, at the end of each\n"
+	       "step that is a multiple of Nevery\n\n"
+	       "    c += -Kp alpha tau e - Ki alpha tau^2 (e2 + e3 + ... + e) - Kd alpha (e - e of the time before)\n\n"
+	       "where c is the variable cvar, of style internal, and e1 the first deviation. The value is saved in\n"
+	       "restart files.",
+	.example = "variable push internal 0.0\n"
+		   "fix speed all controller 10 1.0 0.5 0.0 0.1 c_fast[1] 2.385 push\n"
+		   "fix pull all addforce v_push 0 0",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.saved = saved,
+	.values = values,
+	.init = init,
+	.hook[TS_STAGE_END_OF_STEP] = end_of_step,
+};
