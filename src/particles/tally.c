@@ -40,5 +40,7 @@ enum ts_status ts_tally_archive(struct ts_archive *archive, struct ts_tally *tal
 {
 	if (ts_archive_writing(archive))
 		ts_tally_sums(tally);
+	else if (!ts_archive_has(archive, "tally"))
+		return TS_OK; /* files of version 1 */
 	return ts_archive_fixed(archive, "tally", TS_SAVED_F64, tally->sum, TS_TALLY_MOST);
 }

@@ -43,6 +43,7 @@ second='run 31'
 # run, too.
 # agrees WHAT FACES TOLERANCE OUTPUT LINES...: OUTPUT is what a line is printed of in each step
 agrees() {
+	rm -f ./lmp.* ./tsim.*
 	local what=$1 faces=$2 tolerance=$3 output=$4
 	shift 4
 	{
@@ -70,7 +71,6 @@ agrees() {
 		report "$what: $file" $? deviation
 		echo "$what: $file $(cat deviation)"
 	done
-	rm -f ./lmp.* ./tsim.*
 }
 vector='$(f_a[1]:%.15g) $(f_a[2]:%.15g) $(f_a[3]:%.15g)'
 scalar='$(f_a:%.15g)'
@@ -95,6 +95,8 @@ agrees addforce 'p p p' 1e-12 "$vector $scalar" 'fix n all nve' \
 	'fix g all gravity 0.1 vector 1 2 3' 'fix a some addforce 0.001 0.0003 0 every 3'
 agrees aveforce 'p p p' 1e-12 "$vector" 'fix n all nve' 'fix g all gravity 0.1 vector 1 2 3' \
 	'fix a some aveforce NULL 0.0003 0'
+agrees freeze 'p p p' 1e-12 "$vector" 'fix n all nve' 'fix g all gravity 0.1 vector 1 2 3' \
+	'velocity some set 0 0 0' 'fix a some freeze' 
 agrees lineforce 'p p p' 1e-12 '' 'fix n all nve' 'fix g all gravity 0.1 vector 1 2 3' \
 	'fix a some lineforce 1 1 -0.5'
 agrees planeforce 'p p p' 1e-12 '' 'fix n all nve' 'fix g all gravity 0.1 vector 1 2 3' \
@@ -125,6 +127,14 @@ one 'x delta 0.1 -0.05 y scale 0.7 z volume' x
 one 'x erate -0.3 y wiggle 0.1 0.35' v some
 one 'z vel 0.1' none
 agrees viscous 'p p p' 1e-12 '' 'fix n all nve' 'fix a some viscous 0.4 scale 2 2.385 scale 1 0.7'
+for ave in one running; do
+	agrees "ave/correlate $ave" 'p p p' 1e-12 '' 'fix n all nve' 'fix g some spring/self 3 xyz' \
+		'compute c some com' 'variable v equal vcm(some,x)+0.1' \
+		"fix c all ave/correlate 2 5 20 c_c[*] v_v type auto/upper ave $ave prefactor 2.5 file \${out}.acf"
+	/usr/bin/python3 "$top_srcdir/tests/crosscheck/columns.py" lmp.acf tsim.acf 2e-5 >deviation 2>&1
+	report "ave/correlate $ave" $? deviation
+	echo "ave/correlate $ave $(cat deviation)"
+done
 agrees nve/limit 'p p p' 1e-12 "$scalar" 'fix g all gravity 3 vector 1 2 3' 'fix a all nve/limit 0.004'
 second='run 31'
 agrees wall/reflect 'f f f' 1e-12 '' 'fix n all nve' 'variable top equal 0.7-0.1*step*dt' \
