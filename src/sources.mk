@@ -207,6 +207,8 @@ library_sources = \
 	src/particles/tally.h \
 	src/particles/temperature.c \
 	src/particles/temperature.h \
+	src/particles/type_factors.c \
+	src/particles/type_factors.h \
 	src/script/check.c \
 	src/script/check.h \
 	src/script/check_trace.c \
@@ -359,17 +361,22 @@ library_sources = \
 	src/styles/dump/xyz.c \
 	src/styles/fix/adapt.c \
 	src/styles/fix/addforce.c \
+	src/styles/fix/ave_correlate.c \
 	src/styles/fix/ave_time.c \
 	src/styles/fix/aveforce.c \
+	src/styles/fix/balance.c \
 	src/styles/fix/bond_breakage.c \
+	src/styles/fix/controller.c \
 	src/styles/fix/deform.c \
 	src/styles/fix/drag.c \
 	src/styles/fix/drag_stokes.c \
 	src/styles/fix/drill_bit.c \
 	src/styles/fix/enforce2d.c \
+	src/styles/fix/evaporate.c \
 	src/styles/fix/freeze.c \
 	src/styles/fix/gravity.c \
 	src/styles/fix/halt.c \
+	src/styles/fix/langevin.c \
 	src/styles/fix/lineforce.c \
 	src/styles/fix/momentum.c \
 	src/styles/fix/move.c \
@@ -383,12 +390,15 @@ library_sources = \
 	src/styles/fix/print.c \
 	src/styles/fix/property_atom.c \
 	src/styles/fix/property_global.c \
+	src/styles/fix/recenter.c \
 	src/styles/fix/setforce.c \
 	src/styles/fix/spring.c \
 	src/styles/fix/spring_self.c \
+	src/styles/fix/store_force.c \
 	src/styles/fix/store_state.c \
 	src/styles/fix/vector.c \
 	src/styles/fix/viscous.c \
+	src/styles/fix/viscous_sphere.c \
 	src/styles/fix/wall_gran.c \
 	src/styles/fix/wall_reflect.c \
 	src/styles/flow/uniform.c \

@@ -131,17 +131,22 @@ TS_STYLE(dump, ts_style, ts_dump_restart)
 TS_STYLE(dump, ts_style, ts_dump_xyz)
 TS_STYLE(fix, ts_style, ts_fix_adapt)
 TS_STYLE(fix, ts_style, ts_fix_addforce)
+TS_STYLE(fix, ts_style, ts_fix_ave_correlate)
 TS_STYLE(fix, ts_style, ts_fix_ave_time)
 TS_STYLE(fix, ts_style, ts_fix_aveforce)
+TS_STYLE(fix, ts_style, ts_fix_balance)
 TS_STYLE(fix, ts_style, ts_fix_bond_breakage)
+TS_STYLE(fix, ts_style, ts_fix_controller)
 TS_STYLE(fix, ts_style, ts_fix_deform)
 TS_STYLE(fix, ts_style, ts_fix_drag)
 TS_STYLE(fix, ts_style, ts_fix_drag_stokes)
 TS_STYLE(fix, ts_style, ts_fix_drill_bit)
 TS_STYLE(fix, ts_style, ts_fix_enforce2d)
+TS_STYLE(fix, ts_style, ts_fix_evaporate)
 TS_STYLE(fix, ts_style, ts_fix_freeze)
 TS_STYLE(fix, ts_style, ts_fix_gravity)
 TS_STYLE(fix, ts_style, ts_fix_halt)
+TS_STYLE(fix, ts_style, ts_fix_langevin)
 TS_STYLE(fix, ts_style, ts_fix_lineforce)
 TS_STYLE(fix, ts_style, ts_fix_momentum)
 TS_STYLE(fix, ts_style, ts_fix_move)
@@ -155,12 +160,15 @@ TS_STYLE(fix, ts_style, ts_fix_planeforce)
 TS_STYLE(fix, ts_style, ts_fix_print)
 TS_STYLE(fix, ts_style, ts_fix_property_atom)
 TS_STYLE(fix, ts_style, ts_fix_property_global)
+TS_STYLE(fix, ts_style, ts_fix_recenter)
 TS_STYLE(fix, ts_style, ts_fix_setforce)
 TS_STYLE(fix, ts_style, ts_fix_spring)
 TS_STYLE(fix, ts_style, ts_fix_spring_self)
+TS_STYLE(fix, ts_style, ts_fix_store_force)
 TS_STYLE(fix, ts_style, ts_fix_store_state)
 TS_STYLE(fix, ts_style, ts_fix_vector)
 TS_STYLE(fix, ts_style, ts_fix_viscous)
+TS_STYLE(fix, ts_style, ts_fix_viscous_sphere)
 TS_STYLE(fix, ts_style, ts_fix_wall_gran)
 TS_STYLE(fix, ts_style, ts_fix_wall_reflect)
 TS_STYLE(flow, ts_flow_style, ts_flow_uniform)
@@ -301,17 +309,22 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_dump_xyz,
 	&ts_fix_adapt,
 	&ts_fix_addforce,
+	&ts_fix_ave_correlate,
 	&ts_fix_ave_time,
 	&ts_fix_aveforce,
+	&ts_fix_balance,
 	&ts_fix_bond_breakage,
+	&ts_fix_controller,
 	&ts_fix_deform,
 	&ts_fix_drag,
 	&ts_fix_drag_stokes,
 	&ts_fix_drill_bit,
 	&ts_fix_enforce2d,
+	&ts_fix_evaporate,
 	&ts_fix_freeze,
 	&ts_fix_gravity,
 	&ts_fix_halt,
+	&ts_fix_langevin,
 	&ts_fix_lineforce,
 	&ts_fix_momentum,
 	&ts_fix_move,
@@ -325,12 +338,15 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_print,
 	&ts_fix_property_atom,
 	&ts_fix_property_global,
+	&ts_fix_recenter,
 	&ts_fix_setforce,
 	&ts_fix_spring,
 	&ts_fix_spring_self,
+	&ts_fix_store_force,
 	&ts_fix_store_state,
 	&ts_fix_vector,
 	&ts_fix_viscous,
+	&ts_fix_viscous_sphere,
 	&ts_fix_wall_gran,
 	&ts_fix_wall_reflect,
 	&ts_flow_uniform.style,

@@ -48,6 +48,7 @@ static enum ts_status draw(struct ts_instance *self, struct tsim *sim, size_t *n
 	struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
 
+	TS_TRY(ts_region_update(s->region, sim));
 	if (TS_GROW(s->lot, s->capacity, p->n) != TS_OK)
 		return ts_nomem(&sim->error);
 	*n = 0;
