@@ -92,10 +92,11 @@ static inline __attribute__((always_inline)) void ts_row_touch(const struct ts_p
 	}
 	t->arm[0] = t->radius[0] - 0.5 * t->overlap;
 	t->arm[1] = t->radius[1] - 0.5 * t->overlap;
+	t->vn = ts_dot(v, t->n);
+	for (int k = 0; k < 3; k++)
+		t->slip[k] = t->roll[k] = 0;
 	if (ts_granular_turns(m))
 		ts_touch_motion(t, v, p->omega[i], p->omega[j]);
-	else
-		t->vn = ts_dot(v, t->n);
 }
 
 static inline __attribute__((always_inline)) void ts_row_store(struct ts_rows *rows, size_t r,
