@@ -20,6 +20,12 @@ if ! $clang -fsanitize=fuzzer,address probe.c -o probe 2>probe.err; then
 	exit 77
 fi
 
+if [ -f "$top_srcdir/config.status" ]; then
+	echo 'skipped: the source folder is configured itself; build in another one to fuzz'
+	exit 77
+fi
+command -v python3 >/dev/null || { echo 'skipped: no python3 for the seeds'; exit 77; }
+
 # the library once more, instrumented; make builds what has changed
 flags="-O1 -g -fno-omit-frame-pointer -fsanitize=$sanitize -fno-sanitize-recover=all -fno-sanitize=pointer-overflow"
 if ! [ -f Makefile ]; then
@@ -41,8 +47,8 @@ for target in "${targets[@]}"; do
 	mkdir -p "corpus.$target" "found.$target" "empty.$target"
 	(
 		cd "empty.$target" || exit 99
-		ASAN_OPTIONS=allocator_may_return_null=1:detect_leaks=1 nice -n 19 \
-			"../fuzz_$target" -dict=../words -artifact_prefix="../found.$target/" -timeout=20 \
+		ASAN_OPTIONS=allocator_may_return_null=1:detect_leaks=1 nice -n 10 \
+			"../fuzz_$target" -dict=../words -artifact_prefix="../found.$target/" -timeout=120 \
 			-rss_limit_mb=2048 -max_len=8192 -print_final_stats=1 -use_value_profile=1 \
 			-max_total_time=$((${FUZZ_SECONDS:-60} / ${#targets[@]})) "../corpus.$target" \
 			"../seeds.$target" "$here/corpus/$target" >"../log.$target" 2>&1
