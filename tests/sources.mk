@@ -8,6 +8,7 @@ shell_tests = \
 	tests/crosscheck/language.sh \
 	tests/crosscheck/liggghts.sh \
 	tests/crosscheck/space.sh \
+	tests/crosscheck/text.sh \
 	tests/data_files.sh \
 	tests/decks/box.sh \
 	tests/decks/commands.sh \
