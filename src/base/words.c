@@ -43,6 +43,23 @@ static size_t next_word(const char *line, size_t at, size_t *length)
 	return at;
 }
 
+enum ts_status ts_words_join(struct ts_arena *arena, struct ts_words a, struct ts_words b,
+			     struct ts_words *out)
+{
+	struct ts_word *word;
+
+	*out = a.n ? a : b;
+	if (!a.n || !b.n)
+		return TS_OK;
+	word = ts_arena_alloc(arena, a.n + b.n, sizeof *word);
+	if (!word)
+		return TS_NOMEM;
+	for (size_t k = 0; k < a.n + b.n; k++)
+		word[k] = k < a.n ? a.word[k] : b.word[k - a.n];
+	*out = (struct ts_words){ word, a.n + b.n };
+	return TS_OK;
+}
+
 enum ts_status ts_words_split(struct ts_arena *arena, const char *line, const struct ts_place *place,
 			      struct ts_words *out)
 {

@@ -32,6 +32,10 @@ enum ts_status ts_words_copy(struct ts_arena *arena, struct ts_words from, struc
 /* The same, behind the words that *to has already. */
 enum ts_status ts_words_append(struct ts_arena *arena, struct ts_words from, struct ts_words *to);
 
+/* One slice after the other; the texts are shared. */
+enum ts_status ts_words_join(struct ts_arena *arena, struct ts_words a, struct ts_words b,
+			     struct ts_words *out);
+
 /* Cuts a line of a data file at blanks; `#` starts a comment. Memory comes from the arena; file and
  * text in the places are kept as given. */
 enum ts_status ts_words_split(struct ts_arena *arena, const char *line, const struct ts_place *place,

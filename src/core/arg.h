@@ -145,6 +145,10 @@ struct ts_mode {
 #define TS_REST_OPTIONAL(name_, T, f, ...)                                                         \
 	{ .name = (name_), .type = TS_ARG_REST, .flags = TS_POSITIONAL | TS_OPTIONAL,              \
 	  .offset = TS_FIELD(T, f, struct ts_words *), __VA_ARGS__ }
+/* A keyword that takes the words after it up to the next keyword, where its flags say TS_TO_KEYWORD. */
+#define TS_LIST_KEYWORD(name_, T, f, ...)                                                          \
+	{ .name = (name_), .type = TS_ARG_REST,                                                    \
+	  .offset = TS_FIELD(T, f, struct ts_words *), __VA_ARGS__ }
 /* A keyword that takes all words after it. */
 #define TS_REST_KEYWORD(name_, T, f, ...)                                                          \
 	{ .name = (name_), .type = TS_ARG_REST, .flags = TS_OPTIONAL,                              \
