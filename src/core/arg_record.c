@@ -60,6 +60,8 @@ static bool absent(const struct ts_arg *row, const void *field)
 		return isnan(*(const double *)field);
 	case TS_ARG_INT:
 		return *(const int64_t *)field == INT64_MIN;
+	case TS_ARG_REST:
+		return ((const struct ts_words *)field)->n == 0;
 	case TS_ARG_ENUM:
 	case TS_ARG_GROUP:
 	case TS_ARG_MODE:

@@ -42,10 +42,12 @@ static enum ts_status find_ids(const struct ts_instance *self, struct ts_chunks 
 			id[i] = (int64_t)value;
 		most = id[i] > most ? id[i] : most;
 	}
-	if (c->style == TS_CHUNK_VALUE && !(c->number == TS_NUMBER_ONCE && c->once))
-		c->once_n[0] = most;
-	if (c->style == TS_CHUNK_VALUE)
-		c->n = (size_t)c->once_n[0];
+	if (c->style != TS_CHUNK_VALUE)
+		return TS_OK;
+	c->n = c->once ? (size_t)c->once_n[0] : (size_t)most;
+	if (c->number != TS_NUMBER_ONCE)
+		return TS_OK;
+	c->once_n[0] = (int64_t)c->n;
 	c->once = 1;
 	return TS_OK;
 }

@@ -54,6 +54,20 @@ static enum ts_status place_axis(struct tsim *sim, const struct ts_instance *sel
 	return TS_OK;
 }
 
+/* The bins stay as they were found first. */
+static void keep_first(struct ts_chunks *c, int k)
+{
+	struct ts_chunk_axis *a = &c->axis[k];
+
+	if (c->once) {
+		a->lo = c->once_lo[k];
+		a->n = c->once_n[k];
+	} else {
+		c->once_lo[k] = a->lo;
+		c->once_n[k] = a->n;
+	}
+}
+
 enum ts_status ts_chunk_bins_place(const struct ts_instance *self, struct ts_chunks *c)
 {
 	double total = (double)(c->shells ? c->shells : 1);
@@ -62,15 +76,11 @@ enum ts_status ts_chunk_bins_place(const struct ts_instance *self, struct ts_chu
 		struct ts_chunk_axis *a = &c->axis[k];
 
 		TS_TRY(place_axis(c->sim, self, c, a));
-		if (c->number == TS_NUMBER_ONCE && c->once) {
-			a->lo = c->once_lo[k];
-			a->n = c->once_n[k];
-		}
-		c->once_lo[k] = a->lo;
-		c->once_n[k] = a->n;
+		if (c->number == TS_NUMBER_ONCE)
+			keep_first(c, k);
 		total *= (double)a->n;
 	}
-	c->once = 1;
+	c->once = c->number == TS_NUMBER_ONCE;
 	if (total > 1e9)
 		return ts_fail(&c->sim->error, TS_RANGE, &self->where,
 			       "%s %s: %g bins are too many", ts_kind_name(self->style->kind),
@@ -100,7 +110,7 @@ static int64_t bin_along(const struct ts_chunks *c, const struct ts_chunk_axis *
 	if (ts_box_periodic(box, a->dim))
 		at -= floor((at - box->lo[a->dim]) / ts_box_length(box, a->dim)) *
 		      ts_box_length(box, a->dim);
-	return settle(floor((at - a->lo) / a->width), a->n,
+	return settle(floor((at - a->lo) * (1 / a->width)), a->n,
 		      all || (mixed && c->bound[a->dim][0].given),
 		      all || (mixed && c->bound[a->dim][1].given));
 }

@@ -198,18 +198,8 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim, const st
 /* Words to numbers in the units of the box, for spheres and cylinders once and for all. */
 static void scale(const struct tsim *sim, struct ts_chunks *c)
 {
-	for (int k = 0; k < 3; k++) {
-		int dim = c->style == TS_CHUNK_CYLINDER ? (c->axis[0].dim + 1 + k) % 3 : k;
-
-		c->centre[k] = place_of(sim, c, c->centre[k], dim);
-	}
-	/* centres of cylinders are given along the other axes in the order x, y, z */
-	if (c->style == TS_CHUNK_CYLINDER && c->axis[0].dim == 1) {
-		double first = c->centre[0];
-
-		c->centre[0] = c->centre[1];
-		c->centre[1] = first;
-	}
+	for (int k = 0; k < 3; k++)
+		c->centre[k] = place_of(sim, c, c->centre[k], k); /* never reduced: any dim will do */
 	c->inner = length_of(sim, c, c->inner, 0);
 	c->outer = length_of(sim, c, c->outer, 0);
 }

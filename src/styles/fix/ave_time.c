@@ -1,111 +1,82 @@
-/* Fix ave/time: averages of numbers over time, as in LAMMPS. */
+/* Fix ave/time: averages of numbers over time. */
+#include "core/average.h"
 #include "core/plan.h"
 #include "core/ref_list.h"
-#include "core/sim.h"
-#include "io/textfile.h"
+#include "io/average_file.h"
 
 #include <string.h>
 
 #include "base/banned.h"
 
 enum { SCALAR, VECTOR };
-enum { ONE, RUNNING, WINDOW };
 
 struct state {
-	int64_t every, repeat, freq, start, window;
-	struct ts_words names;
-	int mode, ave;
-	const char *file, *append, *title[3];
+	struct ts_average average;
+	struct ts_average_file file;
+	struct ts_words names, off;
+	int mode;
 	struct ts_ref_list input;
+	bool *as_it_is; /* values that are not averaged, by `off` */
 	struct ts_table vector;
-
-	/* saved */
-	int64_t next;	 /* step of the next sample           */
-	int64_t samples; /* taken of the average under way    */
-	int64_t started, averages;
-	int64_t rows;	 /* elements of each value; 1 for scalars */
-	double *sum;	 /* of the samples under way: value k, element i at [k * rows + i] */
-	double *total;	 /* of the averages that `ave` combines */
-	double *history; /* the last `window` averages, a ring  */
-	double *result;
-	size_t n, sum_n, total_n, history_n, result_n; /* n = values * rows */
-	size_t sum_capacity, total_capacity, history_capacity, result_capacity;
-
-	struct ts_textfile out;
-	struct ts_str text;
+	int64_t rows; /* saved: elements of each value; 1 for scalars. Value k, element i: [k * rows + i] */
 };
 
-/* The first sample of the next average that ends on a multiple of freq. */
-static int64_t first_sample(const struct state *s, int64_t step)
+static enum ts_status read_off(struct ts_instance *self, struct tsim *sim)
 {
-	int64_t length = (s->repeat - 1) * s->every;
-	int64_t least = step + length > s->start ? step + length : s->start;
+	struct state *s = self->state;
 
-	return (least + s->freq - 1) / s->freq * s->freq - length;
-}
-
-static enum ts_status check(struct ts_instance *self, struct tsim *sim)
-{
-	const struct state *s = self->state;
-
-	if (s->freq % s->every != 0 || s->repeat > s->freq / s->every)
-		return ts_fail(&sim->error, TS_RANGE, &self->where,
-			       "fix ave/time: Nfreq (%lld) must be a multiple of Nevery (%lld) and "
-			       "not less than Nrepeat (%lld) times Nevery",
-			       (long long)s->freq, (long long)s->every, (long long)s->repeat);
-	if (s->file && s->append)
-		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
-			       "fix ave/time: expected either file or append, found both");
-	return TS_OK;
-}
-
-/* Makes room for n numbers in each array, zero where new. */
-static enum ts_status make_room(struct state *s, struct tsim *sim, size_t n)
-{
-	size_t ring = s->ave == WINDOW ? n * (size_t)s->window : 0;
-
-	s->n = n;
-	if (s->result_n == n && s->history_n == ring)
-		return TS_OK;
-	if (TS_GROW(s->sum, s->sum_capacity, n) != TS_OK ||
-	    TS_GROW(s->total, s->total_capacity, n) != TS_OK ||
-	    TS_GROW(s->result, s->result_capacity, n) != TS_OK ||
-	    TS_GROW(s->history, s->history_capacity, ring) != TS_OK)
+	s->as_it_is = ts_arena_alloc(&self->arena, s->input.n, sizeof *s->as_it_is);
+	if (!s->as_it_is)
 		return ts_nomem(&sim->error);
-	s->sum_n = s->total_n = s->result_n = n;
-	s->history_n = ring;
+	for (size_t w = 0; w < s->off.n; w++) {
+		int64_t k;
+
+		if (!ts_parse_int(s->off.word[w].text, &k) || k < 1 || k > (int64_t)s->input.n)
+			return ts_fail(&sim->error, TS_RANGE, &s->off.word[w].place,
+				       "fix ave/time: off takes the number of a value, from 1 to %zu",
+				       s->input.n);
+		s->as_it_is[k - 1] = true;
+	}
 	return TS_OK;
 }
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
+	bool first = !s->average.started;
 
-	TS_TRY(check(self, sim));
+	TS_TRY(ts_average_init(self, sim, &s->average));
+	TS_TRY(ts_average_file_init(self, sim, &s->file));
 	TS_TRY(ts_ref_list_init(sim, "fix ave/time", &self->arena, s->names,
 				s->mode == VECTOR ? TS_WANT(VECTOR) : TS_WANT(SCALAR), &s->input));
-	if (s->started)
+	if (!s->as_it_is)
+		TS_TRY(read_off(self, sim));
+	if (!first)
 		return TS_OK;
-	s->started = 1;
 	s->rows = 1;
-	s->next = first_sample(s, sim->clock.step);
-	return make_room(s, sim, s->input.n);
+	return ts_average_resize(self, sim, &s->average, s->input.n);
 }
 
-static enum ts_status sample_scalars(struct ts_instance *self, struct tsim *sim)
+/* Values that are not averaged are those of the last sample. */
+static void add(struct state *s, size_t k, size_t i, double value)
 {
-	struct state *s = self->state;
+	double *sum = &s->average.sum[k * (size_t)s->rows + i];
 
+	*sum = s->as_it_is[k] ? value : *sum + value;
+}
+
+static enum ts_status sample_scalars(struct state *s, struct tsim *sim)
+{
 	for (size_t k = 0; k < s->input.n; k++) {
 		double value;
 
 		TS_TRY(ts_ref_input_scalar(sim, &s->input.item[k], &value));
-		s->sum[k] += value;
+		add(s, k, 0, value);
 	}
 	return TS_OK;
 }
 
-/* The length of the vectors is that of the first one at the first sample. */
+/* The length of the vectors is that of the first one at the first sample of an average. */
 static enum ts_status sample_vectors(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
@@ -113,9 +84,11 @@ static enum ts_status sample_vectors(struct ts_instance *self, struct tsim *sim)
 
 	TS_TRY(ts_ref_list_table(sim, &s->input, &s->vector));
 	length = s->vector.rows;
-	if (s->averages == 0 && s->samples == 0) {
+	if (s->average.samples == 0) {
+		TS_TRY(ts_average_resize(self, sim, &s->average, length * n));
 		s->rows = (int64_t)length;
-		TS_TRY(make_room(s, sim, length * n));
+		for (size_t k = 0; k < length * n; k++)
+			s->average.sum[k] = 0;
 	}
 	if ((int64_t)length != s->rows)
 		return ts_fail(&sim->error, TS_STATE, &s->input.item[0].where,
@@ -123,141 +96,96 @@ static enum ts_status sample_vectors(struct ts_instance *self, struct tsim *sim)
 			       s->input.item[0].name, length, (long long)s->rows);
 	for (size_t k = 0; k < n; k++)
 		for (size_t i = 0; i < length; i++)
-			s->sum[k * length + i] += s->vector.data[i * n + k];
+			add(s, k, i, s->vector.data[i * n + k]);
 	return TS_OK;
 }
 
-/* An average is complete: combines it with those before. */
-static void combine(struct state *s)
+static void add_names(struct state *s, struct ts_str *line)
 {
-	int64_t count = s->averages + 1;
-	double *ring = s->history;
-
-	if (s->ave == WINDOW && count > s->window)
-		count = s->window;
-	for (size_t k = 0; k < s->n; k++) {
-		double average = s->sum[k] / (double)s->samples;
-
-		if (s->ave == ONE) {
-			s->result[k] = average;
-			continue;
-		}
-		if (s->ave == RUNNING) {
-			s->total[k] += average;
-			s->result[k] = s->total[k] / (double)count;
-			continue;
-		}
-		ring[(size_t)(s->averages % s->window) * s->n + k] = average;
-		s->result[k] = 0;
-		for (int64_t j = 0; j < count; j++)
-			s->result[k] += ring[(size_t)j * s->n + k];
-		s->result[k] /= (double)count;
-	}
-	s->averages++;
+	for (size_t k = 0; k < s->input.n; k++)
+		ts_str_addf(line, " %s", s->input.item[k].name);
 }
 
-static void add_titles(struct ts_instance *self)
+static enum ts_status add_titles(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
+	struct ts_str line = { 0 };
+	bool failed;
 
-	if (s->title[0])
-		ts_str_addf(&s->text, "%s\n", s->title[0]);
-	else
-		ts_str_addf(&s->text, "# Time-averaged data for fix %s\n", self->id);
-	if (s->title[1]) {
-		ts_str_addf(&s->text, "%s\n", s->title[1]);
-	} else if (s->mode == VECTOR) {
-		ts_str_add(&s->text, "# TimeStep Number-of-rows\n");
-	} else {
-		ts_str_add(&s->text, "# TimeStep");
-		for (size_t k = 0; k < s->input.n; k++)
-			ts_str_addf(&s->text, " %s", s->input.item[k].name);
-		ts_str_add(&s->text, "\n");
-	}
+	ts_str_addf(&line, "# Time-averaged data for fix %s", self->id);
+	ts_average_file_title(&s->file, 0, ts_str_text(&line));
+	ts_str_clear(&line);
+	ts_str_addf(&line, "# TimeStep%s", s->mode == VECTOR ? " Number-of-rows" : "");
 	if (s->mode == SCALAR)
-		return;
-	ts_str_addf(&s->text, "%s", s->title[2] ? s->title[2] : "# Row");
-	for (size_t k = 0; !s->title[2] && k < s->input.n; k++)
-		ts_str_addf(&s->text, " %s", s->input.item[k].name);
-	ts_str_add(&s->text, "\n");
-}
-
-static void add_result(struct state *s, int64_t step)
-{
-	size_t rows = (size_t)s->rows;
-
+		add_names(s, &line);
+	ts_average_file_title(&s->file, 1, ts_str_text(&line));
+	ts_str_clear(&line);
+	ts_str_add(&line, "# Row");
+	add_names(s, &line);
 	if (s->mode == VECTOR)
-		ts_str_addf(&s->text, "%lld %zu\n", (long long)step, rows);
-	for (size_t i = 0; i < rows; i++) {
-		ts_str_addf(&s->text, "%lld",
-			    s->mode == VECTOR ? (long long)i + 1 : (long long)step);
-		for (size_t k = 0; k < s->input.n; k++)
-			ts_str_addf(&s->text, " %g", s->result[k * rows + i]);
-		ts_str_add(&s->text, "\n");
-	}
+		ts_average_file_title(&s->file, 2, ts_str_text(&line));
+	failed = line.failed;
+	ts_str_release(&line);
+	return failed ? ts_nomem(&sim->error) : TS_OK;
 }
 
 static enum ts_status write_result(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
-	const char *path = s->file ? s->file : s->append;
+	struct ts_str *text = &s->file.text;
+	size_t rows = (size_t)s->rows;
+	bool titles;
 
-	if (!path)
+	if (!ts_average_file_wanted(&s->file))
 		return TS_OK;
-	ts_str_clear(&s->text);
-	if (!ts_textfile_is_open(&s->out)) {
-		TS_TRY(ts_textfile_open(&s->out, &sim->error, ts_instance_word(self, path), path,
-					s->append != NULL));
-		add_titles(self);
+	TS_TRY(ts_average_file_begin(self, sim, &s->file, &titles));
+	if (titles)
+		TS_TRY(add_titles(self, sim));
+	if (s->mode == VECTOR)
+		ts_str_addf(text, "%lld %zu\n", (long long)sim->clock.step, rows);
+	for (size_t i = 0; i < rows; i++) {
+		ts_str_addf(text, "%lld",
+			    s->mode == VECTOR ? (long long)i + 1 : (long long)sim->clock.step);
+		for (size_t k = 0; k < s->input.n; k++)
+			ts_average_file_number(&s->file, s->average.result[k * rows + i]);
+		ts_str_add(text, "\n");
 	}
-	add_result(s, sim->clock.step);
-	if (s->text.failed)
-		return ts_nomem(&sim->error);
-	TS_TRY(ts_textfile_write(&s->out, ts_str_text(&s->text), s->text.length));
-	return ts_textfile_flush(&s->out);
+	return ts_average_file_end(sim, &s->file);
+}
+
+/* An average is complete; values that are not averaged stay as they are. */
+static void complete(struct state *s)
+{
+	size_t rows = (size_t)s->rows;
+
+	for (size_t k = 0; k < s->average.n; k++)
+		if (!s->as_it_is[k / rows])
+			s->average.sum[k] /= (double)s->average.repeat;
+	ts_average_combine(&s->average);
+	for (size_t k = 0; k < s->average.n; k++)
+		if (s->as_it_is[k / rows])
+			s->average.result[k] = s->average.sum[k];
 }
 
 static enum ts_status sample(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 
-	if (sim->clock.step != s->next)
+	if (!ts_average_due(&s->average, sim))
 		return TS_OK;
-	if (s->samples == 0)
-		for (size_t k = 0; k < s->n; k++)
-			s->sum[k] = 0;
-	TS_TRY(s->mode == VECTOR ? sample_vectors(self, sim) : sample_scalars(self, sim));
-	s->samples++;
-	s->next += s->every;
-	if (s->samples < s->repeat)
+	TS_TRY(s->mode == VECTOR ? sample_vectors(self, sim) : sample_scalars(s, sim));
+	if (!ts_average_sampled(&s->average, sim))
 		return TS_OK;
-	combine(s);
-	s->samples = 0;
-	s->next = sim->clock.step + s->freq - (s->repeat - 1) * s->every;
+	complete(s);
 	return write_result(self, sim);
 }
 
-static enum ts_status archive(struct ts_instance *self, struct tsim *sim,
-			      struct ts_archive *archive)
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
 	struct state *s = self->state;
-	size_t expected;
 
-	TS_TRY(ts_archive_array(archive, "sum", TS_SAVED_F64, (void **)&s->sum, &s->sum_capacity,
-				&s->sum_n));
-	TS_TRY(ts_archive_array(archive, "total", TS_SAVED_F64, (void **)&s->total,
-				&s->total_capacity, &s->total_n));
-	TS_TRY(ts_archive_array(archive, "history", TS_SAVED_F64, (void **)&s->history,
-				&s->history_capacity, &s->history_n));
-	TS_TRY(ts_archive_array(archive, "result", TS_SAVED_F64, (void **)&s->result,
-				&s->result_capacity, &s->result_n));
-	if (ts_archive_writing(archive))
-		return TS_OK;
-	s->n = s->result_n;
-	expected = s->ave == WINDOW ? s->n * (size_t)s->window : 0;
-	if (s->samples < 0 || s->samples >= s->repeat || s->averages < 0 || s->rows < 0 ||
-	    s->n != s->input.n * (size_t)s->rows || s->sum_n != s->n || s->total_n != s->n ||
-	    s->history_n != expected)
+	TS_TRY(ts_average_archive(self, sim, a, &s->average));
+	if (s->rows < 0 || s->average.n != s->input.n * (size_t)s->rows)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix ave/time %s: the restart file holds averages of another number "
 			       "of values or another window",
@@ -271,7 +199,7 @@ static enum ts_status eval_scalar(struct ts_instance *self, const struct tsim *s
 	const struct state *s = self->state;
 
 	(void)sim;
-	out->data[0] = s->n ? s->result[0] : 0;
+	out->data[0] = s->average.n ? s->average.result[0] : 0;
 	return TS_OK;
 }
 
@@ -280,12 +208,12 @@ static enum ts_status eval_vector(struct ts_instance *self, const struct tsim *s
 				  struct ts_table *out)
 {
 	const struct state *s = self->state;
-	size_t n = s->mode == VECTOR ? (size_t)s->rows : s->n;
+	size_t n = s->mode == VECTOR ? (size_t)s->rows : s->average.n;
 
 	(void)sim;
 	TS_TRY(ts_table_resize(out, 1, n));
 	if (n)
-		memcpy(out->data, s->result, n * sizeof *s->result);
+		memcpy(out->data, s->average.result, n * sizeof *s->average.result);
 	return TS_OK;
 }
 
@@ -293,75 +221,62 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 			   struct ts_plan_report *report)
 {
 	const struct state *s = self->state;
-	const char *path = s->file ? s->file : s->append;
+	const char *path = s->file.file ? s->file.file : s->file.append;
 	double rows = s->rows > 1 ? (double)s->rows : 1;
 
 	if (!sim->explain || !path)
 		return TS_OK;
-	return ts_report_output(report, path, ts_report_times(sim, s->freq),
+	return ts_report_output(report, path, ts_report_times(sim, s->average.freq),
 				rows * (10 + 12 * (double)s->input.n)) == TS_OK
 		       ? TS_OK
 		       : ts_nomem(&sim->error);
+}
+
+static enum ts_status eval_array(struct ts_instance *self, const struct tsim *sim,
+				 struct ts_table *out)
+{
+	const struct state *s = self->state;
+	size_t rows = (size_t)s->rows, n = s->input.n;
+
+	(void)sim;
+	TS_TRY(ts_table_resize(out, rows, n));
+	for (size_t k = 0; k < n; k++)
+		for (size_t i = 0; i < rows; i++)
+			out->data[i * n + k] = s->average.result[k * rows + i];
+	return TS_OK;
+}
+
+static bool gives(const struct ts_instance *self, const struct ts_value *value)
+{
+	return value->shape != TS_ARRAY || ((const struct state *)self->state)->mode == VECTOR;
 }
 
 static void fini(struct ts_instance *self)
 {
 	struct state *s = self->state;
 
-	ts_textfile_close(&s->out);
-	ts_str_release(&s->text);
+	ts_average_file_release(&s->file);
+	ts_average_release(&s->average);
 	ts_table_release(&s->vector);
 	ts_ref_list_release(&s->input);
-	ts_free(s->sum);
-	ts_free(s->total);
-	ts_free(s->history);
-	ts_free(s->result);
 }
 
 static const char *const kinds[] = { [SCALAR] = "scalar", [VECTOR] = "vector", NULL };
 
-static const struct ts_arg window_row[] = {
-	TS_INT("M", struct state, window, .flags = TS_POSITIONAL | TS_STATEFUL, .range = TS_WITHIN, .lo = 1,
-	       .hi = 1e6, .help = "how many averages"),
-	TS_ARGS_END,
-};
-
-static const struct ts_mode combinations[] = {
-	[ONE] = { "one", "each average by itself", NULL },
-	[RUNNING] = { "running", "the mean of all averages so far", NULL },
-	[WINDOW] = { "window", "the mean of the last M averages", window_row },
-	{ .name = NULL },
-};
+static const struct ts_arg window_row[] = { TS_AVERAGE_WINDOW_ROW(struct state, average), TS_ARGS_END };
+static const struct ts_mode combinations[] = TS_AVERAGE_MODES;
 
 static const struct ts_arg args[] = {
-	TS_INT("Nevery", struct state, every, .flags = TS_POSITIONAL | TS_STATEFUL, .range = TS_WITHIN, .lo = 1,
-	       .hi = 1e15, .help = "steps between samples"),
-	TS_INT("Nrepeat", struct state, repeat, .flags = TS_POSITIONAL | TS_STATEFUL, .range = TS_WITHIN, .lo = 1,
-	       .hi = 1e15, .help = "samples per average"),
-	TS_INT("Nfreq", struct state, freq, .flags = TS_POSITIONAL | TS_STATEFUL, .range = TS_WITHIN, .lo = 1,
-	       .hi = 1e15, .help = "steps between averages"),
+	TS_AVERAGE_STEPS(struct state, average),
 	TS_LIST_STATEFUL("values", struct state, names,
-		.help = "c_ID, c_ID[k], c_ID[*], f_ID, f_ID[k], v_NAME or thermo keywords"),
-	TS_ENUM("mode", struct state, mode, kinds, .flags = TS_STATEFUL,
-		.fallback = "scalar",
+			 .help = "c_ID, c_ID[k], c_ID[*], f_ID, f_ID[k], v_NAME or thermo keywords"),
+	TS_ENUM("mode", struct state, mode, kinds, .flags = TS_STATEFUL, .fallback = "scalar",
 		.help = "whether values are numbers or whole vectors"),
-	{ .name = "ave",
-	  .type = TS_ARG_MODE,
-	  .flags = TS_STATEFUL,
-	  .offset = TS_FIELD(struct state, ave, int *),
-	  .modes = combinations,
-	  .fallback = "one",
-	  .help = "what becomes of averages" },
-	TS_INT("start", struct state, start, .flags = TS_STATEFUL, .range = TS_WITHIN, .lo = 0, .hi = 1e15,
-	       .fallback = "0", .help = "no average before this step"),
-	TS_WORD("file", struct state, file, .flags = TS_OPTIONAL | TS_WRITES, .help = "file to write anew"),
-	TS_WORD("append", struct state, append, .flags = TS_OPTIONAL | TS_WRITES, .help = "file to continue"),
-	TS_WORD("title1", struct state, title[0], .flags = TS_OPTIONAL,
-		.help = "first line of the file"),
-	TS_WORD("title2", struct state, title[1], .flags = TS_OPTIONAL,
-		.help = "second line of the file"),
-	TS_WORD("title3", struct state, title[2], .flags = TS_OPTIONAL,
-		.help = "third line of the file, for mode vector"),
+	TS_AVERAGE_KEYWORDS(struct state, average),
+	TS_LIST_KEYWORD("off", struct state, off,
+			.flags = TS_OPTIONAL | TS_TO_KEYWORD | TS_REPEAT | TS_STATEFUL,
+			.help = "number of a value that is not averaged; again for more"),
+	TS_AVERAGE_FILE_ARGS(struct state, file),
 	TS_ARGS_END,
 };
 
@@ -377,13 +292,18 @@ static const struct ts_value values[] = {
 	  .help = "the averages of the values; with mode vector the elements of the first value",
 	  .shape = TS_VECTOR,
 	  .eval = eval_vector },
+	{ .name = "table",
+	  .unit = "",
+	  .help = "with mode vector: a column for each value",
+	  .shape = TS_ARRAY,
+	  .eval = eval_array },
 	{ .name = NULL },
 };
 
 static const struct ts_saved saved[] = {
-	TS_SAVE_I64(struct state, next),    TS_SAVE_I64(struct state, samples),
-	TS_SAVE_I64(struct state, started), TS_SAVE_I64(struct state, averages),
-	TS_SAVE_I64(struct state, rows),    TS_SAVED_ROWS_END,
+	TS_AVERAGE_SAVED(struct state, average),
+	TS_SAVE_I64(struct state, rows),
+	TS_SAVED_ROWS_END,
 };
 
 TS_STYLE(fix, ts_style, ts_fix_ave_time)
@@ -393,7 +313,10 @@ const struct ts_style ts_fix_ave_time = {
 	.summary = "Averages numbers over time",
 	.doc = "Every Nfreq steps the mean of Nrepeat samples, Nevery steps apart, the last at the step itself:\n"
 	       "with 2 6 100 those of steps 90, 92, 94, 96, 98, 100. Results are read as f_ID[k], or f_ID for\n"
-	       "the first, and written to a file. They are 0 before the first average. Averages under way are\n"
+	       "the first; with `mode vector` f_ID[i] is element i of the first vector, f_ID[i][k] that of the "
+	       "k-th. They\n"
+	       "are 0 before the first average. A value that is `off` is that of the last sample. Averages under "
+	       "way are\n"
 	       "saved in restart files.",
 	.example = "fix speed all ave/time 10 100 1000 v_rop c_energy file post/speed.txt ave window 5",
 	.args = args,
@@ -401,6 +324,7 @@ const struct ts_style ts_fix_ave_time = {
 	.saved = saved,
 	.archive = archive,
 	.values = values,
+	.gives = gives,
 	.init = init,
 	.plan = plan,
 	.hook = {
