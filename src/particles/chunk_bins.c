@@ -37,7 +37,9 @@ static enum ts_status place_axis(struct tsim *sim, const struct ts_instance *sel
 	double lo = bound[0].given ? bound[0].at : box->lo[a->dim];
 	double hi = bound[1].given ? bound[1].at : box->hi[a->dim];
 	double length = ts_box_length(box, a->dim), origin = lo;
-	double unit = c->units == TS_LENGTHS_LATTICE ? sim->domain->lattice : c->units == TS_LENGTHS_REDUCED ? length : 1;
+	double unit = c->units == TS_LENGTHS_REDUCED
+			      ? length
+			      : ts_domain_scale(sim, c->units == TS_LENGTHS_BOX, a->dim);
 
 	a->width = a->delta * unit;
 	if (a->origin == TS_ORIGIN_CENTER)

@@ -106,9 +106,9 @@ static enum ts_status read_style(struct ts_instance *self, struct tsim *sim, str
 /* A length in the units of the chunks. */
 static double length_of(const struct tsim *sim, const struct ts_chunks *c, double given, int dim)
 {
-	if (c->units == TS_LENGTHS_LATTICE)
-		return given * sim->domain->lattice;
-	return c->units == TS_LENGTHS_REDUCED ? given * ts_box_length(&sim->domain->box, dim) : given;
+	if (c->units == TS_LENGTHS_REDUCED)
+		return given * ts_box_length(&sim->domain->box, dim);
+	return given * ts_domain_scale(sim, c->units == TS_LENGTHS_BOX, dim);
 }
 
 /* A coordinate likewise; reduced ones count from the lower face. */
@@ -199,7 +199,7 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim, const st
 static void scale(const struct tsim *sim, struct ts_chunks *c)
 {
 	for (int k = 0; k < 3; k++)
-		c->centre[k] = place_of(sim, c, c->centre[k], k); /* never reduced: any dim will do */
+		c->centre[k] = place_of(sim, c, c->centre[k], k);
 	c->inner = length_of(sim, c, c->inner, 0);
 	c->outer = length_of(sim, c, c->outer, 0);
 }
