@@ -28,6 +28,8 @@ library_sources = \
 	src/core/arg_change.h \
 	src/core/arg_parse.c \
 	src/core/arg_record.c \
+	src/core/average.c \
+	src/core/average.h \
 	src/core/coeff.c \
 	src/core/coeff.h \
 	src/core/definition.c \
@@ -72,6 +74,10 @@ library_sources = \
 	src/geom/pointhash.h \
 	src/geom/primitive.c \
 	src/geom/primitive.h \
+	src/io/average_file.c \
+	src/io/average_file.h \
+	src/io/chunk_average.c \
+	src/io/chunk_average.h \
 	src/io/data.h \
 	src/io/data_apply.c \
 	src/io/data_layout.c \
@@ -91,6 +97,8 @@ library_sources = \
 	src/io/frame_apply.c \
 	src/io/frames.c \
 	src/io/frames.h \
+	src/io/histogram.c \
+	src/io/histogram.h \
 	src/io/lines.c \
 	src/io/lines.h \
 	src/io/newest.c \
@@ -130,6 +138,8 @@ library_sources = \
 	src/math/gsl.h \
 	src/math/rng.c \
 	src/math/rng.h \
+	src/math/symmetric3.c \
+	src/math/symmetric3.h \
 	src/math/tally.c \
 	src/math/tally.h \
 	src/math/unionfind.h \
@@ -169,6 +179,13 @@ library_sources = \
 	src/particles/assign_words.h \
 	src/particles/body.h \
 	src/particles/chosen.h \
+	src/particles/chunk.c \
+	src/particles/chunk.h \
+	src/particles/chunk_bins.c \
+	src/particles/chunk_bins.h \
+	src/particles/chunk_read.c \
+	src/particles/chunk_user.c \
+	src/particles/chunk_user.h \
 	src/particles/columns.c \
 	src/particles/domain.c \
 	src/particles/domain.h \
@@ -320,10 +337,13 @@ library_sources = \
 	src/styles/command/write_restart.c \
 	src/styles/command/write_restart_on_signal.c \
 	src/styles/compute/aggregate_atom.c \
+	src/styles/compute/angmom_chunk.c \
 	src/styles/compute/bond_local.c \
 	src/styles/compute/bonds.c \
+	src/styles/compute/chunk_atom.c \
 	src/styles/compute/cluster_atom.c \
 	src/styles/compute/com.c \
+	src/styles/compute/com_chunk.c \
 	src/styles/compute/contact_atom.c \
 	src/styles/compute/contacts.c \
 	src/styles/compute/coord_atom.c \
@@ -334,15 +354,20 @@ library_sources = \
 	src/styles/compute/fragment_atom.c \
 	src/styles/compute/group_group.c \
 	src/styles/compute/gyration.c \
+	src/styles/compute/gyration_chunk.c \
+	src/styles/compute/inertia_chunk.c \
 	src/styles/compute/ke.c \
 	src/styles/compute/ke_atom.c \
 	src/styles/compute/leave.c \
 	src/styles/compute/msd.c \
+	src/styles/compute/msd_chunk.c \
 	src/styles/compute/nbond_atom.c \
+	src/styles/compute/omega_chunk.c \
 	src/styles/compute/pair_gran_local.c \
 	src/styles/compute/pair_local.c \
 	src/styles/compute/pressure.c \
 	src/styles/compute/property_atom.c \
+	src/styles/compute/property_chunk.c \
 	src/styles/compute/property_local.c \
 	src/styles/compute/rdf.c \
 	src/styles/compute/reduce.c \
@@ -350,8 +375,11 @@ library_sources = \
 	src/styles/compute/slice.c \
 	src/styles/compute/stress_atom.c \
 	src/styles/compute/temp.c \
+	src/styles/compute/temp_chunk.c \
 	src/styles/compute/temp_com.c \
+	src/styles/compute/torque_chunk.c \
 	src/styles/compute/vacf.c \
+	src/styles/compute/vcm_chunk.c \
 	src/styles/dump/atom.c \
 	src/styles/dump/custom.c \
 	src/styles/dump/custom_vtk.c \
@@ -361,7 +389,12 @@ library_sources = \
 	src/styles/dump/xyz.c \
 	src/styles/fix/adapt.c \
 	src/styles/fix/addforce.c \
+	src/styles/fix/ave_atom.c \
+	src/styles/fix/ave_chunk.c \
 	src/styles/fix/ave_correlate.c \
+	src/styles/fix/ave_histo.c \
+	src/styles/fix/ave_histo_weight.c \
+	src/styles/fix/ave_spatial.c \
 	src/styles/fix/ave_time.c \
 	src/styles/fix/aveforce.c \
 	src/styles/fix/balance.c \

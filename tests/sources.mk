@@ -5,11 +5,13 @@ shell_tests = \
 	tests/crosscheck/data_files.sh \
 	tests/crosscheck/fixes.sh \
 	tests/crosscheck/granular.sh \
+	tests/crosscheck/lammps.sh \
 	tests/crosscheck/language.sh \
 	tests/crosscheck/liggghts.sh \
 	tests/crosscheck/space.sh \
 	tests/crosscheck/text.sh \
 	tests/data_files.sh \
+	tests/decks/averages.sh \
 	tests/decks/box.sh \
 	tests/decks/commands.sh \
 	tests/decks/computes.sh \

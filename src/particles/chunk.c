@@ -22,6 +22,7 @@ static enum ts_status find_ids(const struct ts_instance *self, struct ts_chunks 
 	const struct ts_particles *p = c->sim->particles;
 	int64_t most = 0;
 
+	TS_TRY(ts_region_update(c->region, c->sim));
 	if (c->style == TS_CHUNK_VALUE)
 		TS_TRY(ts_ref_input_eval(c->sim, &c->value, &c->values));
 	else if (c->style == TS_CHUNK_TYPE)

@@ -198,8 +198,11 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim, const st
 /* Words to numbers in the units of the box, for spheres and cylinders once and for all. */
 static void scale(const struct tsim *sim, struct ts_chunks *c)
 {
-	for (int k = 0; k < 3; k++)
-		c->centre[k] = place_of(sim, c, c->centre[k], k);
+	int along = c->style == TS_CHUNK_CYLINDER ? c->axis[0].dim : 3;
+
+	/* of cylinders: along the axes other than theirs, in the order x, y, z */
+	for (int k = 0; k < (along < 3 ? 2 : 3); k++)
+		c->centre[k] = place_of(sim, c, c->centre[k], k + (k >= along));
 	c->inner = length_of(sim, c, c->inner, 0);
 	c->outer = length_of(sim, c, c->outer, 0);
 }

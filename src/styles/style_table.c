@@ -90,10 +90,13 @@ TS_STYLE(command, ts_command_style, ts_command_write_dump)
 TS_STYLE(command, ts_command_style, ts_command_write_restart)
 TS_STYLE(command, ts_command_style, ts_command_write_restart_on_signal)
 TS_STYLE(compute, ts_style, ts_compute_aggregate_atom)
+TS_STYLE(compute, ts_style, ts_compute_angmom_chunk)
 TS_STYLE(compute, ts_style, ts_compute_bond_local)
 TS_STYLE(compute, ts_style, ts_compute_bonds)
+TS_STYLE(compute, ts_style, ts_compute_chunk_atom)
 TS_STYLE(compute, ts_style, ts_compute_cluster_atom)
 TS_STYLE(compute, ts_style, ts_compute_com)
+TS_STYLE(compute, ts_style, ts_compute_com_chunk)
 TS_STYLE(compute, ts_style, ts_compute_contact_atom)
 TS_STYLE(compute, ts_style, ts_compute_contacts)
 TS_STYLE(compute, ts_style, ts_compute_coord_atom)
@@ -104,15 +107,20 @@ TS_STYLE(compute, ts_style, ts_compute_erotate_sphere_atom)
 TS_STYLE(compute, ts_style, ts_compute_fragment_atom)
 TS_STYLE(compute, ts_style, ts_compute_group_group)
 TS_STYLE(compute, ts_style, ts_compute_gyration)
+TS_STYLE(compute, ts_style, ts_compute_gyration_chunk)
+TS_STYLE(compute, ts_style, ts_compute_inertia_chunk)
 TS_STYLE(compute, ts_style, ts_compute_ke)
 TS_STYLE(compute, ts_style, ts_compute_ke_atom)
 TS_STYLE(compute, ts_style, ts_compute_leave)
 TS_STYLE(compute, ts_style, ts_compute_msd)
+TS_STYLE(compute, ts_style, ts_compute_msd_chunk)
 TS_STYLE(compute, ts_style, ts_compute_nbond_atom)
+TS_STYLE(compute, ts_style, ts_compute_omega_chunk)
 TS_STYLE(compute, ts_style, ts_compute_pair_gran_local)
 TS_STYLE(compute, ts_style, ts_compute_pair_local)
 TS_STYLE(compute, ts_style, ts_compute_pressure)
 TS_STYLE(compute, ts_style, ts_compute_property_atom)
+TS_STYLE(compute, ts_style, ts_compute_property_chunk)
 TS_STYLE(compute, ts_style, ts_compute_property_local)
 TS_STYLE(compute, ts_style, ts_compute_rdf)
 TS_STYLE(compute, ts_style, ts_compute_reduce)
@@ -120,8 +128,11 @@ TS_STYLE(compute, ts_style, ts_compute_reduce_region)
 TS_STYLE(compute, ts_style, ts_compute_slice)
 TS_STYLE(compute, ts_style, ts_compute_stress_atom)
 TS_STYLE(compute, ts_style, ts_compute_temp)
+TS_STYLE(compute, ts_style, ts_compute_temp_chunk)
 TS_STYLE(compute, ts_style, ts_compute_temp_com)
+TS_STYLE(compute, ts_style, ts_compute_torque_chunk)
 TS_STYLE(compute, ts_style, ts_compute_vacf)
+TS_STYLE(compute, ts_style, ts_compute_vcm_chunk)
 TS_STYLE(dump, ts_style, ts_dump_atom)
 TS_STYLE(dump, ts_style, ts_dump_custom)
 TS_STYLE(dump, ts_style, ts_dump_custom_vtk)
@@ -131,7 +142,12 @@ TS_STYLE(dump, ts_style, ts_dump_restart)
 TS_STYLE(dump, ts_style, ts_dump_xyz)
 TS_STYLE(fix, ts_style, ts_fix_adapt)
 TS_STYLE(fix, ts_style, ts_fix_addforce)
+TS_STYLE(fix, ts_style, ts_fix_ave_atom)
+TS_STYLE(fix, ts_style, ts_fix_ave_chunk)
 TS_STYLE(fix, ts_style, ts_fix_ave_correlate)
+TS_STYLE(fix, ts_style, ts_fix_ave_histo)
+TS_STYLE(fix, ts_style, ts_fix_ave_histo_weight)
+TS_STYLE(fix, ts_style, ts_fix_ave_spatial)
 TS_STYLE(fix, ts_style, ts_fix_ave_time)
 TS_STYLE(fix, ts_style, ts_fix_aveforce)
 TS_STYLE(fix, ts_style, ts_fix_balance)
@@ -268,10 +284,13 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_command_write_restart.style,
 	&ts_command_write_restart_on_signal.style,
 	&ts_compute_aggregate_atom,
+	&ts_compute_angmom_chunk,
 	&ts_compute_bond_local,
 	&ts_compute_bonds,
+	&ts_compute_chunk_atom,
 	&ts_compute_cluster_atom,
 	&ts_compute_com,
+	&ts_compute_com_chunk,
 	&ts_compute_contact_atom,
 	&ts_compute_contacts,
 	&ts_compute_coord_atom,
@@ -282,15 +301,20 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_fragment_atom,
 	&ts_compute_group_group,
 	&ts_compute_gyration,
+	&ts_compute_gyration_chunk,
+	&ts_compute_inertia_chunk,
 	&ts_compute_ke,
 	&ts_compute_ke_atom,
 	&ts_compute_leave,
 	&ts_compute_msd,
+	&ts_compute_msd_chunk,
 	&ts_compute_nbond_atom,
+	&ts_compute_omega_chunk,
 	&ts_compute_pair_gran_local,
 	&ts_compute_pair_local,
 	&ts_compute_pressure,
 	&ts_compute_property_atom,
+	&ts_compute_property_chunk,
 	&ts_compute_property_local,
 	&ts_compute_rdf,
 	&ts_compute_reduce,
@@ -298,8 +322,11 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_slice,
 	&ts_compute_stress_atom,
 	&ts_compute_temp,
+	&ts_compute_temp_chunk,
 	&ts_compute_temp_com,
+	&ts_compute_torque_chunk,
 	&ts_compute_vacf,
+	&ts_compute_vcm_chunk,
 	&ts_dump_atom,
 	&ts_dump_custom,
 	&ts_dump_custom_vtk,
@@ -309,7 +336,12 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_dump_xyz,
 	&ts_fix_adapt,
 	&ts_fix_addforce,
+	&ts_fix_ave_atom,
+	&ts_fix_ave_chunk,
 	&ts_fix_ave_correlate,
+	&ts_fix_ave_histo,
+	&ts_fix_ave_histo_weight,
+	&ts_fix_ave_spatial,
 	&ts_fix_ave_time,
 	&ts_fix_aveforce,
 	&ts_fix_balance,
