@@ -2,13 +2,10 @@
 
 #include <stdarg.h>
 
+#include "core/units.h"
+
 #include "base/banned.h"
 
-static const double FIRST_DT = 0.005;
-static const char *const units[] = { [TS_UNITS_LJ] = "lj",
-				     [TS_UNITS_SI] = "si",
-				     [TS_UNITS_CGS] = "cgs",
-				     [TS_UNITS_MICRO] = "micro" };
 
 void ts_setting(struct ts_str *out, bool is_default, const char *format, ...)
 {
@@ -77,14 +74,15 @@ void ts_settings_log(struct tsim *sim, const char *what, const struct ts_arg *ro
 void ts_settings_log_run(struct tsim *sim)
 {
 	const struct ts_instances *systems = &sim->instances[TS_KIND_SYSTEM];
+	double dt = ts_units_dt(sim->units);
 	struct ts_str line = { 0 };
 	const char *text;
 
 	if (!is_listened_to(sim))
 		return;
-	ts_setting(&line, sim->units == TS_UNITS_LJ, "units %s", units[sim->units]);
+	ts_setting(&line, sim->units == TS_UNITS_LJ, "units %s", ts_units_name(sim->units));
 	ts_setting(&line, sim->dimension == 3, "dimension %d", sim->dimension);
-	ts_setting(&line, !(sim->clock.dt < FIRST_DT || sim->clock.dt > FIRST_DT), "timestep %.15g",
+	ts_setting(&line, !(sim->clock.dt < dt || sim->clock.dt > dt), "timestep %.15g",
 		   sim->clock.dt);
 	ts_setting(&line, sim->threads == 1, "threads %d", sim->threads);
 	for (size_t k = 0; k < systems->n; k++) {

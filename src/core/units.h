@@ -15,6 +15,17 @@ static inline double ts_boltzmann(const struct tsim *sim)
 	return constant[sim->units];
 }
 
+/* The time step that `units` sets. */
+static inline double ts_units_dt(enum ts_units units)
+{
+	static const double dt[] = { [TS_UNITS_LJ] = 0.005,
+				     [TS_UNITS_SI] = 1e-8,
+				     [TS_UNITS_CGS] = 1e-8,
+				     [TS_UNITS_MICRO] = 2 };
+
+	return dt[units];
+}
+
 static inline const char *ts_units_name(enum ts_units units)
 {
 	static const char *const names[] = { [TS_UNITS_LJ] = "lj",

@@ -36,34 +36,37 @@ syn keyword tsimKeyword  extra/angle/per/atom extra/dihedral/per/atom
 syn keyword tsimKeyword  extra/improper/per/atom porosity fraction count
 syn match tsimKeyword /\<variable\>/ 
 syn keyword tsimKeyword  compress bond atom stats any remove special undo move ramp x y z
-syn keyword tsimKeyword  every sort id pad first append
+syn keyword tsimKeyword  every sort thresh format pad first delay append
 syn match tsimKeyword /\<label\>/ 
-syn keyword tsimKeyword  flush format float int line none screen
+syn keyword tsimKeyword  time maxfiles element scale image flush pbc binary fileper nfile
+syn keyword tsimKeyword  none screen
 syn match tsimKeyword /\<log\>/ 
-syn keyword tsimKeyword  both type union subtract intersect empty initialize
+syn keyword tsimKeyword  both type id union subtract intersect empty initialize
 syn match tsimKeyword /\<clear\>/ 
 syn keyword tsimKeyword  delete dynamic static
 syn match tsimKeyword /\<include\>/ 
 syn keyword tsimKeyword  molecule sc bcc fcc hcp diamond sq sq2 hex custom origin orient
-syn keyword tsimKeyword  spacing a1 a2 a3 delay check binsize page one exclude bin nsq omp
-syn keyword tsimKeyword  grain shift tail mix geometric arithmetic sixthpower file universe
-syn keyword tsimKeyword  add offset nocoeff extra/atom/types extra/bond/types bbox time
-syn keyword tsimKeyword  upto start stop pre post unsafe diameter density density/disc
+syn keyword tsimKeyword  spacing a1 a2 a3 check binsize page one exclude bin nsq omp grain
+syn keyword tsimKeyword  shift tail mix geometric arithmetic sixthpower file universe add
+syn keyword tsimKeyword  offset nocoeff extra/atom/types extra/bond/types replace trim
+syn keyword tsimKeyword  purge bbox last skip start stop
+syn match tsimKeyword /\<dump\>/ 
+syn keyword tsimKeyword  upto pre post unsafe diameter density density/disc
 syn match tsimKeyword /\<mass\>/ 
-syn keyword tsimKeyword  vx vy vz omegax omegay omegaz omega image type/fraction type/ratio
+syn keyword tsimKeyword  vx vy vz omegax omegay omegaz omega type/fraction type/ratio
 syn keyword tsimKeyword  type/subset property/atom lj coul lj/coul angle dihedral lost
-syn keyword tsimKeyword  ignore warn error lost/bond norm temp press si cgs micro index
-syn keyword tsimKeyword  loop world uloop string getenv
+syn keyword tsimKeyword  ignore warn error lost/bond norm line temp press si cgs micro real
+syn keyword tsimKeyword  metal electron nano index loop world uloop string getenv
 syn match tsimKeyword /\<timer\>/ 
 syn keyword tsimKeyword  internal atomfile equal vector create dist uniform gaussian mom
-syn keyword tsimKeyword  rot local geom scale zero linear angular angularIndividual sum
-syn keyword tsimKeyword  pair ii ij nofix noinit kspace com average bond/type radius min
-syn keyword tsimKeyword  max ave sumsq avesq sumabs aveabs minabs maxabs inputs peratom
-syn keyword tsimKeyword  update_on_run_end replace reset energy scalar running window
-syn keyword tsimKeyword  title1 title2 title3 final delta erate trate volume wiggle xy xz
-syn keyword tsimKeyword  yz v flip axes xyz scheme explicit exact wob spring body clearance
-syn keyword tsimKeyword  chute spherical hard soft continue message path rescale transrot
-syn keyword tsimKeyword  inertia by_dimension sphere disc title ghost writedata peratomtype
+syn keyword tsimKeyword  rot local geom zero linear angular angularIndividual sum pair ii
+syn keyword tsimKeyword  ij nofix modify noinit kspace com average bond/type radius min max
+syn keyword tsimKeyword  ave sumsq avesq sumabs aveabs minabs maxabs inputs peratom
+syn keyword tsimKeyword  update_on_run_end reset energy scalar running window title1 title2
+syn keyword tsimKeyword  title3 final delta erate trate volume wiggle xy xz yz v flip axes
+syn keyword tsimKeyword  xyz scheme explicit exact wob spring body clearance chute
+syn keyword tsimKeyword  spherical hard soft continue message path rescale transrot inertia
+syn keyword tsimKeyword  by_dimension sphere disc title ghost writedata peratomtype
 syn keyword tsimKeyword  peratomtypepair matrix tether couple model hooke hertz
 syn keyword tsimKeyword  hooke/stiffness hertz/stiffness hooke/hysteresis tangential
 syn keyword tsimKeyword  history no_history rolling_friction cdt epsd epsd2 epsd3 cohesion
@@ -81,8 +84,8 @@ syn keyword tsimKeyword  side in out open axis center bounds angle0
 syn keyword tsimName  id type radius diameter
 syn match tsimName /\<mass\>/ 
 syn keyword tsimName  density x y z vx vy vz fx fy fz omegax omegay omegaz tqx tqy tqz
-syn keyword tsimName  xu yu zu xs ys zs xsu ysu zsu ix iy iz press pxx pyy pzz pxy pxz
-syn keyword tsimName  pyz nbuild ndanger bonds numbonds brokenbonds gonebonds step
+syn keyword tsimName  xu yu zu xs ys zs xsu ysu zsu ix iy iz proc press pxx pyy pzz pxy
+syn keyword tsimName  pxz pyz nbuild ndanger bonds numbonds brokenbonds gonebonds step
 syn keyword tsimName  elapsed elaplong part time dt cpu tpcpu spcpu cpuremain atoms ke
 syn keyword tsimName  erotate temp fmax fnorm vol lx ly lz xlo xhi ylo yhi zlo zhi xy xz
 syn keyword tsimName  yz xlat ylat zlat cella cellb cellc cellalpha cellbeta cellgamma
@@ -91,7 +94,7 @@ syn keyword tsimName  PI yes no true false on off
 syn match tsimFunction /\<\%(sqrt\|exp\|ln\|log\|abs\|sign\|sin\|cos\|tan\|asin\|acos\|atan\|atan2\|ceil\|floor\|round\|ternary\|random\|normal\|ramp\|vdisplace\|swiggle\|cwiggle\|stagger\|logfreq\|logfreq2\|logfreq3\|stride\|stride2\|sum\|ave\|min\|max\|trap\|slope\|stderr\|sort\|rsort\|next\|is_file\|is_os\|is_defined\|is_active\|is_available\|extract_setting\|volume\|count\|mass\|ke\|gyration\|xcm\|vcm\|fcm\|angmom\|torque\|inertia\|omega\|bound\|gmask\|rmask\|grmask\)\ze(/
 
 " commands, at the start of a line
-syn match tsimCommand /^\s*\%(atom_modify\|atom_style\|balance\|bond_coeff\|bond_style\|boundary\|box\|change_box\|clear\|comm_modify\|comm_style\|communicate\|compute\|compute_modify\|create_atoms\|create_bonds\|create_box\|delete_atoms\|delete_bonds\|dimension\|displace_atoms\|dump\|dump_modify\|echo\|fix\|fix_modify\|flow_style\|group\|if\|include\|jump\|label\|lattice\|log\|mass\|modify_timing\|neigh_modify\|neighbor\|newton\|next\|package\|pair_coeff\|pair_modify\|pair_style\|partition\|partitioner_style\|print\|processors\|quit\|read_data\|read_restart\|region\|replicate\|reset_timestep\|restart\|run\|set\|shell\|special_bonds\|thermo\|thermo_log\|thermo_modify\|thermo_style\|timer\|timestep\|uncompute\|undump\|unfix\|units\|variable\|velocity\|write_data\|write_dump\|write_restart\|write_restart_on_signal\)\ze\%(\s\|$\)/
+syn match tsimCommand /^\s*\%(atom_modify\|atom_style\|balance\|bond_coeff\|bond_style\|boundary\|box\|change_box\|clear\|comm_modify\|comm_style\|communicate\|compute\|compute_modify\|create_atoms\|create_bonds\|create_box\|delete_atoms\|delete_bonds\|dimension\|displace_atoms\|dump\|dump_modify\|echo\|fix\|fix_modify\|flow_style\|group\|hard_particles\|if\|include\|info\|jump\|label\|lattice\|log\|mass\|modify_timing\|neigh_modify\|neighbor\|newton\|next\|package\|pair_coeff\|pair_modify\|pair_style\|partition\|partitioner_style\|print\|processors\|quit\|read_data\|read_dump\|read_restart\|region\|replicate\|rerun\|reset_timestep\|restart\|run\|set\|shell\|soft_particles\|special_bonds\|thermo\|thermo_log\|thermo_modify\|thermo_style\|timer\|timestep\|uncompute\|undump\|unfix\|units\|variable\|velocity\|write_data\|write_dump\|write_restart\|write_restart_on_signal\)\ze\%(\s\|$\)/
 
 " styles, behind their command, name and group
 syn match tsimHead /^\s*fix\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_fix
@@ -116,8 +119,9 @@ syn keyword tsim_region contained block cone cylinder ellipsoid intersect plane 
 syn keyword tsim_region contained wedge
 hi def link tsim_region Type
 syn match tsimHead /^\s*dump\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_dump
-syn keyword tsim_dump contained custom custom/vtk local local/vtk
+syn keyword tsim_dump contained atom custom custom/vtk local local/vtk
 syn match tsim_dump /\<restart\>/ contained
+syn keyword tsim_dump contained xyz
 hi def link tsim_dump Type
 syn match tsimHead /^\s*pair_style\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_pair
 syn keyword tsim_pair contained gran spring/dashpot

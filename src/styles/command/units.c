@@ -1,5 +1,6 @@
 /* Command units: the system of units and the default time step. */
 #include "core/sim.h"
+#include "core/units.h"
 
 #include "io/thermo.h"
 #include "particles/domain.h"
@@ -16,7 +17,6 @@ static const char *const names[] = { "lj", "si", "cgs", "micro", "real", "metal"
 
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
 {
-	static const double dt[] = { 0.005, 1e-8, 1e-8, 2 };
 	const struct state *s = state;
 
 	if (sim->domain->exists)
@@ -27,7 +27,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 			       "units %s are for atoms: use si, cgs, micro or lj", names[s->units]);
 	sim->units = (enum ts_units)s->units;
 	sim->thermo->norm = sim->thermo->norm_default = s->units == TS_UNITS_LJ;
-	ts_sim_set_dt(sim, dt[s->units]);
+	ts_sim_set_dt(sim, ts_units_dt(sim->units));
 	return TS_OK;
 }
 
