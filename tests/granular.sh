@@ -73,4 +73,8 @@ refused 'too few types' 'youngsModulus has values for 1 types, but there is a ty
 sed '/fix		m7/d' in.heap >in.none
 refused 'one number for all is missing' 'property/global characteristicVelocity scalar' \
 	-in in.none -var from none -var last 0 -var out x -var model 'model hooke' -var words 'limitForce off'
+printf "%s\n" "region b block 0 1 0 1 0 1" "create_box 1 b" "fix m all property/global youngsModulus peratomtype 5e6" "if property_youngsModulus then \"print given\"" \
+	"if property_poissonsRatio then \"print too\" else \"print alone\"" >in.given
+"$TSIM" -in in.given -log none >out 2>err && grep -q "^given" out && grep -q "^alone" out
+report "if property_NAME" $? err
 finish

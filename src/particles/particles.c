@@ -2,6 +2,7 @@
 
 #include "core/plan.h"
 #include "particles/group_dynamic.h"
+#include "particles/property.h"
 
 #include "base/banned.h"
 
@@ -188,6 +189,7 @@ const struct ts_system_style ts_particles_system = {
 		   .fini = fini },
 	.slot = offsetof(struct tsim, particles),
 	.functions = ts_group_functions,
+	.has_property = ts_property_given,
 	.has_quantity = ts_particles_has_quantity,
 	.quantity = ts_particles_quantity,
 	.suggest_quantity = ts_particles_suggest_quantity,

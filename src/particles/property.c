@@ -20,6 +20,11 @@ const struct ts_property *ts_property_find(const struct tsim *sim, const char *n
 	return NULL;
 }
 
+bool ts_property_given(const struct tsim *sim, const char *name)
+{
+	return ts_property_find(sim, name, NULL) != NULL;
+}
+
 static enum ts_status missing(struct tsim *sim, const char *name, const char *kind, const char *who,
 			      const struct ts_place *where)
 {

@@ -25,6 +25,9 @@ struct ts_property {
 const struct ts_property *ts_property_find(const struct tsim *sim, const char *name,
 					   const struct ts_instance **by);
 
+/* Whether it was given: `if property_NAME` asks. */
+bool ts_property_given(const struct tsim *sim, const char *name);
+
 /* The property of one type (b = 0) or a pair of types, counted from 1, or of all (a = b = 0). One
  * number is the same for all.
  * An error names who needs it and how it is given. */
