@@ -173,7 +173,25 @@ enum ts_status ts_domain_make(struct tsim *sim, int ntypes, const double lo[3], 
 
 double ts_domain_scale(const struct tsim *sim, int units, int dim)
 {
-	return units == 0 ? sim->domain->lattice.spacing[dim] : 1;
+	bool lattice = units < 0 ? sim->units == TS_UNITS_LJ : units == 0;
+
+	return lattice ? sim->domain->lattice.spacing[dim] : 1;
+}
+
+void ts_domain_units_said(struct tsim *sim, int units, const struct ts_place *where)
+{
+	const double *spacing = sim->domain->lattice.spacing;
+	bool matters = spacing[0] != 1 || spacing[1] != 1 || spacing[2] != 1;
+
+	if (units >= 0 || !matters || sim->domain->units_warned)
+		return;
+	sim->domain->units_warned = true;
+	ts_warn(&sim->log, where, "%s; say `units lattice` or `units box`",
+		sim->units == TS_UNITS_LJ
+			? "with units lj lengths are multiplied by the lattice spacings, as in LAMMPS, "
+			  "LIGGGHTS takes them as they are"
+			: "lengths are taken as they are, as in LIGGGHTS, LAMMPS multiplies them by the "
+			  "lattice spacings");
 }
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)

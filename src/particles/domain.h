@@ -14,6 +14,7 @@ struct ts_domain {
 	int drift_group; /* whose velocities change so when they cross a face */
 	bool exists;                     /* after create_box or read_restart */
 	struct ts_lattice lattice;       /* of constant 1 without `lattice` command */
+	bool units_warned;
 };
 
 /* Refuses commands that need a box before there is one. */
@@ -37,8 +38,11 @@ double ts_domain_moved(const struct ts_domain *domain);
 /* Fits `s` and `m` faces to the particles. */
 void ts_domain_shrink(struct tsim *sim);
 
-/* A length along a dimension given with `units lattice|box` (0|1) times this is one of the simulation. */
+/* A length along a dimension given with `units lattice|box` (0|1) times this is one of the simulation.
+ * -1, not said: as LIGGGHTS takes it, box, but in lj units as LAMMPS does, lattice. */
 double ts_domain_scale(const struct tsim *sim, int units, int dim);
+/* Warns, once, where units are not said and the two programs would take lengths differently. */
+void ts_domain_units_said(struct tsim *sim, int units, const struct ts_place *where);
 
 extern const struct ts_system_style ts_domain_system;
 

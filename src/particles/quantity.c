@@ -16,19 +16,19 @@ struct quantity {
 };
 
 #define VECTOR_QUANTITY(name, column)                                                              \
-	static double name##_x(const struct tsim *sim, size_t i)                             \
+	static double name##_x(const struct tsim *sim, size_t i)                                   \
 	{                                                                                          \
 		const struct ts_particles *p = sim->particles;                                     \
                                                                                                    \
 		return p->column ? (double)p->column[i][0] : 0.0;                                  \
 	}                                                                                          \
-	static double name##_y(const struct tsim *sim, size_t i)                             \
+	static double name##_y(const struct tsim *sim, size_t i)                                   \
 	{                                                                                          \
 		const struct ts_particles *p = sim->particles;                                     \
                                                                                                    \
 		return p->column ? (double)p->column[i][1] : 0.0;                                  \
 	}                                                                                          \
-	static double name##_z(const struct tsim *sim, size_t i)                             \
+	static double name##_z(const struct tsim *sim, size_t i)                                   \
 	{                                                                                          \
 		const struct ts_particles *p = sim->particles;                                     \
                                                                                                    \

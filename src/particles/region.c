@@ -194,6 +194,7 @@ enum ts_status ts_region_init(struct ts_instance *self, struct tsim *sim)
 
 	if (r->defined)
 		return TS_OK;
+	ts_domain_units_said(sim, r->units, &self->where);
 	for (int k = 0; k < 3; k++) {
 		r->scale[k] = ts_domain_scale(sim, r->units, k);
 		r->edge[0][k] = domain->exists ? domain->box.lo[k] : NAN;

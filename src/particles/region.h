@@ -11,7 +11,7 @@
 /* First member of every region's state. */
 struct ts_region {
 	int side;  /* 0 in, 1 out */
-	int units; /* 0 lattice, 1 box */
+	int units; /* 0 lattice, 1 box, -1 not said; ts_domain_scale */
 	struct ts_words move_words, rotate_words, open_words;
 
 	/* as it was defined; set by ts_region_init */
@@ -30,8 +30,9 @@ struct ts_region {
 #define TS_REGION_ARGS(T)                                                                          \
 	TS_ENUM("side", T, region.side, ts_region_sides, .fallback = "in",                         \
 		.help = "which side belongs to the region"),                                       \
-	TS_ENUM("units", T, region.units, ts_region_units, .fallback = "lattice",                  \
-		.help = "whether lengths are given in lattice spacings or as they are"),           \
+	TS_ENUM("units", T, region.units, ts_region_units, .flags = TS_OPTIONAL,                   \
+		.help = "whether lengths are given in lattice spacings or as they are; see the "   \
+			"command lattice for the default"),                                        \
 	TS_SOME_KEYWORD("move", T, region.move_words, 0,                                           \
 			.help = "v_x v_y v_z: displacement by equal-style variables, or NULL"),    \
 	TS_SOME_KEYWORD("rotate", T, region.rotate_words, 0,                                       \

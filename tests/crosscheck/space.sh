@@ -59,11 +59,11 @@ create_atoms 1 box"
 create_atoms 2 box basis 1 3"
 	lammps "$style, turned" 3 'p p p' si "$box" "lattice $style 0.237 orient x 1 1 1 orient y 1 -1 0 orient z 1 1 -2
 create_atoms 1 box
-create_atoms 2 single 1.1 0.7 0.1"
+create_atoms 2 single 1.1 0.7 0.1 units lattice"
 	lammps "$style, shifted" 3 'p p p' si "$box" "lattice $style 0.237 origin 0.5 0.25 0 spacing 1 2 3
-region r sphere 3 1 2 3.3
+region r sphere 3 1 2 3.3 units lattice
 create_atoms 1 region r
-create_atoms 2 single 1.1 0.7 0.1"
+create_atoms 2 single 1.1 0.7 0.1 units lattice"
 done
 for style in sq sq2 hex; do
 	lammps "$style" 2 'p p p' si "$plane" "lattice $style 0.137 orient x 1 1 0 orient y -1 1 0
@@ -87,9 +87,9 @@ variable a equal 0.3
 variable b equal -0.2
 variable t equal 0.7'
 while read -r region; do
-	for words in '' 'side out units box' 'move v_a NULL v_b' \
+	for words in 'units lattice' 'side out units box' 'move v_a NULL v_b units lattice' \
 		'side out units box move v_b v_a NULL rotate v_t 0.1 0.2 0.3 1 2 -1.5' \
-		'rotate v_t 0.1 0.2 0.3 1 2 -1.5'; do
+		'rotate v_t 0.1 0.2 0.3 1 2 -1.5 units lattice'; do
 		lammps "$region $words" 3 'p p p' si "$box" "$grid
 region r $region $words
 group r region r

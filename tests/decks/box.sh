@@ -30,7 +30,7 @@ does 'change_box all x scale 1.1 z volume y scale 1.1 z volume units box' \
 does 'change_box second x delta -0.1 0.2 y volume remap units box' \
 	'2.3 2.60869565217 4 -0.1 at 0.5 1.5 3 and 2.085 2.71739130435 3.9'
 does 'lattice none 0.5
-change_box all x final 0 8 ortho' '4 3 4 0 at 0.5 1.5 3 and 1.9 2.9 3.9'
+change_box all x final 0 8 ortho units lattice' '4 3 4 0 at 0.5 1.5 3 and 1.9 2.9 3.9'
 does 'change_box all boundary s s s' '1.4004 1.4006 0.9008 0.4998 at 0.5 1.5 3 and 1.9 2.9 3.9'
 does 'change_box all boundary m f m x final 1 1.5 z final 3.5 4 units box' \
 	'1.4001 3 1.00005 0.49995 at 0.5 1.5 3 and 1.9 2.9 3.9'

@@ -65,7 +65,7 @@ region low block INF INF INF INF INF 0.3 units box
 create_atoms 2 region low" 'Created 8 atoms'
 good 'region lengths in lattice units' "units si
 lattice none 0.5
-region box block 0 2 0 2 0 2
+region box block 0 2 0 2 0 2 units lattice
 create_box 1 box" 'to (1 1 1)'
 good 'random without overlap' "units si
 $box

@@ -74,10 +74,10 @@ print \"moved \$(bound(there,xmin) > -0.5 && bound(there,xmax) < 0 && bound(ther
 prints "units si
 lattice none 1 spacing 0.1 0.2 0.5
 boundary f f f
-region box block 0 10 0 5 0 2
+region box block 0 10 0 5 0 2 units lattice
 create_box 1 box
-region c cylinder y 5 1 2 0 5
-region s sphere 1 1 1 2
+region c cylinder y 5 1 2 0 5 units lattice
+region s sphere 1 1 1 2 units lattice
 print \"sizes \$(volume(c)/PI:%.12g) \$(volume(s)/PI*0.75:%.12g) \$(lx) \$(ly) \$(lz)\"" 'sizes 0.04 0.008 1 1 1'
 # EDGE is the face where it was when the region was defined; delete forgets a region
 prints "units si
@@ -93,6 +93,16 @@ print \"volume \$(volume(f))\"
 region f delete
 region f block 0 1 0 1 0 0.25
 print \"now \$(volume(f))\"" 'inside 0' 'volume 6' 'now 0.25'
+
+# lengths without units: as they are, but in lj units in lattice spacings; never silently
+prints 'units si
+lattice none 0.5
+region box block 0 2 0 2 0 2
+print "as it is $(volume(box))"' 'as it is 8' 'as in LIGGGHTS'
+prints 'units lj
+lattice none 0.5
+region box block 0 2 0 2 0 2
+print "in spacings $(volume(box))"' 'in spacings 1' 'as in LAMMPS'
 
 rejects 'region r block EDGE 1 0 1 0 1' 'there is no box yet'
 rejects 'region r block 1 0 0 1 0 1' 'is above'

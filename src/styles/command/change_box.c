@@ -265,6 +265,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	struct work w = { .sim = sim, .state = state, .where = where, .changed = -1 };
 	enum ts_status status;
 
+	ts_domain_units_said(sim, w.state->units, where);
 	memcpy(w.now.lo, domain->box.lo, sizeof w.now.lo);
 	memcpy(w.now.hi, domain->box.hi, sizeof w.now.hi);
 	w.set = w.now;
@@ -285,7 +286,7 @@ static const struct ts_arg args[] = {
 	TS_LIST("operations", struct state, operations,
 		.help = "x, y or z final lo hi | delta dlo dhi | scale factor | volume; boundary x y z; "
 			"set; remap"),
-	TS_ENUM("units", struct state, units, ts_region_units, .fallback = "lattice",
+	TS_ENUM("units", struct state, units, ts_region_units, .flags = TS_OPTIONAL,
 		.help = "whether lengths are given in lattice spacings or as they are"),
 	TS_ARGS_END,
 };

@@ -47,6 +47,7 @@ static enum ts_status single(struct tsim *sim, const struct state *s, struct ts_
 	double x[3];
 	int32_t turns = 0;
 
+	ts_domain_units_said(sim, s->units, where);
 	for (int d = 0; d < 3; d++) {
 		x[d] = ts_domain_scale(sim, s->units, d) * s->x[d];
 		if (s->remap && ts_box_periodic(box, d))
@@ -385,7 +386,7 @@ static const struct ts_arg args[] = {
 	TS_INT("type", struct state, type, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
 	       .help = "their type"),
 	TS_MODE("style", struct state, mode, modes, .help = "where they stand"),
-	TS_ENUM("units", struct state, units, ts_region_units, .fallback = "lattice",
+	TS_ENUM("units", struct state, units, ts_region_units, .flags = TS_OPTIONAL,
 		.help = "whether the position of a single one is in lattice spacings or as it is"),
 	TS_SOME_KEYWORD("basis", struct state, basis, TS_REPEAT,
 			.help = "M itype: particles on point M of the unit cell have this type; may be "

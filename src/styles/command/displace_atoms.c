@@ -126,6 +126,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	const struct state *s = state;
 
 	ts_log(&sim->log, "Displacing atoms ...\n");
+	ts_domain_units_said(sim, s->units, where);
 	TS_TRY(displace(sim, s, where));
 	return ts_exchange_migrate(sim);
 }
@@ -184,7 +185,7 @@ static const struct ts_mode modes[] = {
 static const struct ts_arg args[] = {
 	TS_GROUP("group", struct state, group, .flags = TS_POSITIONAL, .help = "who is displaced"),
 	TS_MODE("style", struct state, mode, modes, .help = "how"),
-	TS_ENUM("units", struct state, units, ts_region_units, .fallback = "lattice",
+	TS_ENUM("units", struct state, units, ts_region_units, .flags = TS_OPTIONAL,
 		.help = "whether lengths are given in lattice spacings or as they are"),
 	TS_ARGS_END,
 };

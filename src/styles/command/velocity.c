@@ -187,6 +187,8 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	const struct state *s = state;
 	struct ts_particles *p = sim->particles;
 
+	if (s->mode == SET || s->mode == RAMP)
+		ts_domain_units_said(sim, s->units, where);
 	switch (s->mode) {
 	case SET:
 		return set(sim, s, where);
@@ -286,7 +288,7 @@ static const struct ts_arg args[] = {
 	TS_MODE("style", struct state, mode, modes, .help = "which velocities they get"),
 	TS_BOOL("sum", struct state, sum, .fallback = "no",
 		.help = "add to the velocities they have (not scale and zero)"),
-	TS_ENUM("units", struct state, units, ts_region_units, .fallback = "lattice",
+	TS_ENUM("units", struct state, units, ts_region_units, .flags = TS_OPTIONAL,
 		.help = "whether set and ramp count lengths in lattice spacings or as they are"),
 	TS_ARGS_END,
 };

@@ -120,6 +120,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct state *s = self->state;
 
 	TS_TRY(check_numbers(self, sim));
+	ts_domain_units_said(sim, s->units, &self->where);
 	if (!s->started)
 		s->origin = ts_sim_time(sim);
 	s->started = 1;
@@ -319,7 +320,7 @@ static const struct ts_mode modes[] = {
 
 static const struct ts_arg args[] = {
 	TS_MODE("style", struct state, mode, modes, .help = "kind of motion"),
-	TS_ENUM("units", struct state, units, ts_region_units, .fallback = "lattice",
+	TS_ENUM("units", struct state, units, ts_region_units, .flags = TS_OPTIONAL,
 		.help = "whether lengths are given in lattice spacings or as they are"),
 	TS_ARGS_END,
 };

@@ -115,7 +115,7 @@ static const struct ts_arg args[] = {
 	FACE(3, "yhi"),
 	FACE(4, "zlo"),
 	FACE(5, "zhi"),
-	TS_ENUM("units", struct state, units, ts_region_units, .fallback = "lattice",
+	TS_ENUM("units", struct state, units, ts_region_units, .flags = TS_OPTIONAL,
 		.help = "whether coordinates are given in lattice spacings or as they are"),
 	TS_ARGS_END,
 };
