@@ -366,7 +366,7 @@ static const struct ts_arg args[] = {
 	TS_ENUM("remap", struct state, remap, remaps, .fallback = "x",
 		.help = "x: positions of the group follow the box; v: velocities change where particles "
 			"cross a periodic face, by the rate of the length; none"),
-	TS_ENUM("units", struct state, units, ts_region_units, .fallback = "lattice",
+	TS_ENUM("units", struct state, units, ts_region_units, .flags = TS_OPTIONAL,
 		.help = "whether lengths are given in lattice spacings or as they are"),
 	TS_BOOL("flip", struct state, flip, .fallback = "yes", .help = "no effect"),
 	TS_ARGS_END,

@@ -324,6 +324,9 @@ static const struct ts_value values[] = {
 	{ .name = NULL },
 };
 
+/* A run that goes on after a restart shows the force of the last step. */
+static const struct ts_saved saved[] = { TS_SAVE_F64(struct wall, force), TS_SAVED_ROWS_END };
+
 TS_STYLE(fix, ts_style, ts_fix_wall_gran)
 const struct ts_style ts_fix_wall_gran = {
 	.name = "wall/gran",
@@ -350,6 +353,7 @@ const struct ts_style ts_fix_wall_gran = {
 	.archive = archive,
 	.values = values,
 	.init = init,
+	.saved = saved,
 	.hook = { [TS_STAGE_POST_BUILD] = post_build, [TS_STAGE_POST_FORCE] = post_force },
 	.plan = plan,
 	.fini = fini,
