@@ -97,14 +97,12 @@ static enum ts_status put_text(struct ts_dump_common *d, struct tsim *sim)
 
 static void add_item(struct ts_dump_common *d, const struct ts_dump_column *c, double value)
 {
-	size_t type = (size_t)value;
-
 	if (!c->element)
 		ts_format_add(&d->text, c->format, c->integer, value);
-	else if (type >= 1 && type <= d->element.n)
-		ts_str_add(&d->text, d->element.word[type - 1].text);
+	else if (value >= 1 && value <= (double)d->element.n)
+		ts_str_add(&d->text, d->element.word[(size_t)value - 1].text);
 	else
-		ts_str_addf(&d->text, "%zu", type);
+		ts_str_addf(&d->text, "%.0f", value);
 }
 
 enum ts_status ts_dump_write_rows(struct ts_dump_common *d, struct tsim *sim, bool trailing)
