@@ -60,19 +60,22 @@ syn keyword tsimKeyword  metal electron nano index loop world uloop string geten
 syn match tsimKeyword /\<timer\>/ 
 syn keyword tsimKeyword  internal atomfile equal vector create dist uniform gaussian mom
 syn keyword tsimKeyword  rot local geom zero linear angular angularIndividual sum pair ii
-syn keyword tsimKeyword  ij nofix modify noinit kspace com average bond/type radius min max
-syn keyword tsimKeyword  ave sumsq avesq sumabs aveabs minabs maxabs inputs peratom
-syn keyword tsimKeyword  update_on_run_end reset energy scalar running window title1 title2
-syn keyword tsimKeyword  title3 final delta erate trate volume wiggle xy xz yz v flip axes
-syn keyword tsimKeyword  xyz scheme explicit exact wob spring body clearance chute
-syn keyword tsimKeyword  spherical hard soft continue message path rescale transrot inertia
+syn keyword tsimKeyword  ij nofix modify noinit discard default mixed bound reduced nchunk
+syn keyword tsimKeyword  once limit ids nfreq kspace tensor com average bond/type radius
+syn keyword tsimKeyword  min max ave sumsq avesq sumabs aveabs minabs maxabs inputs peratom
+syn keyword tsimKeyword  update_on_run_end adof cdof reset energy sample running window
+syn keyword tsimKeyword  overwrite title1 title2 title3 auto upper lower auto/upper
+syn keyword tsimKeyword  auto/lower full prefactor scalar kind global beyond end extra
+syn keyword tsimKeyword  final delta erate trate volume wiggle xy xz yz v flip axes xyz
+syn keyword tsimKeyword  scheme explicit exact wob spring body clearance chute spherical
+syn keyword tsimKeyword  hard soft continue message path rescale transrot inertia
 syn keyword tsimKeyword  by_dimension sphere disc title ghost writedata peratomtype
 syn keyword tsimKeyword  peratomtypepair matrix tether couple model hooke hertz
 syn keyword tsimKeyword  hooke/stiffness hertz/stiffness hooke/hysteresis tangential
 syn keyword tsimKeyword  history no_history rolling_friction cdt epsd epsd2 epsd3 cohesion
-syn keyword tsimKeyword  sjkr sjkr2 surface default limitForce tangential_damping
-syn keyword tsimKeyword  absolute_damping ktToKnUser viscous tangential_reduce
-syn keyword tsimKeyword  torsionTorque heating_normal_hertz heating_tangential_history
+syn keyword tsimKeyword  sjkr sjkr2 surface limitForce tangential_damping absolute_damping
+syn keyword tsimKeyword  ktToKnUser viscous tangential_reduce torsionTorque
+syn keyword tsimKeyword  heating_normal_hertz heating_tangential_history
 syn keyword tsimKeyword  computeElasticPotential computeDissipatedEnergy
 syn keyword tsimKeyword  disableNormalWhenBonded primitive xplane yplane zplane xcylinder
 syn keyword tsimKeyword  ycylinder zcylinder
@@ -98,21 +101,27 @@ syn match tsimCommand /^\s*\%(atom_modify\|atom_style\|balance\|bond_coeff\|bond
 
 " styles, behind their command, name and group
 syn match tsimHead /^\s*fix\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_fix
-syn keyword tsim_fix contained adapt addforce ave/time aveforce bond/breakage deform drag
-syn keyword tsim_fix contained drag/stokes drill/bit enforce2d freeze gravity halt lineforce
+syn keyword tsim_fix contained adapt addforce ave/atom ave/chunk ave/correlate ave/histo
+syn keyword tsim_fix contained ave/histo/weight ave/spatial ave/time aveforce
+syn match tsim_fix /\<balance\>/ contained
+syn keyword tsim_fix contained bond/breakage controller deform drag drag/stokes drill/bit
+syn keyword tsim_fix contained enforce2d evaporate freeze gravity halt langevin lineforce
 syn keyword tsim_fix contained momentum move nve nve/euler nve/limit nve/noforce nve/sphere
 syn keyword tsim_fix contained nve/symplectic planeforce
 syn match tsim_fix /\<print\>/ contained
-syn keyword tsim_fix contained property/atom property/global setforce spring spring/self
-syn keyword tsim_fix contained store/state vector viscous wall/gran wall/reflect
+syn keyword tsim_fix contained property/atom property/global recenter setforce spring spring/self
+syn keyword tsim_fix contained store/force store/state vector viscous viscous/sphere wall/gran
+syn keyword tsim_fix contained wall/reflect
 hi def link tsim_fix Type
 syn match tsimHead /^\s*compute\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_compute
-syn keyword tsim_compute contained aggregate/atom bond/local bonds cluster/atom com contact/atom
-syn keyword tsim_compute contained contacts coord/atom count/type displace/atom erotate/sphere
-syn keyword tsim_compute contained erotate/sphere/atom fragment/atom group/group gyration ke ke/atom
-syn keyword tsim_compute contained leave msd nbond/atom pair/gran/local pair/local pressure
-syn keyword tsim_compute contained property/atom property/local rdf reduce reduce/region slice
-syn keyword tsim_compute contained stress/atom temp temp/com vacf
+syn keyword tsim_compute contained aggregate/atom angmom/chunk bond/local bonds chunk/atom
+syn keyword tsim_compute contained cluster/atom com com/chunk contact/atom contacts coord/atom
+syn keyword tsim_compute contained count/type displace/atom erotate/sphere erotate/sphere/atom
+syn keyword tsim_compute contained fragment/atom group/group gyration gyration/chunk inertia/chunk ke
+syn keyword tsim_compute contained ke/atom leave msd msd/chunk nbond/atom omega/chunk pair/gran/local
+syn keyword tsim_compute contained pair/local pressure property/atom property/chunk property/local
+syn keyword tsim_compute contained rdf reduce reduce/region slice stress/atom temp temp/chunk
+syn keyword tsim_compute contained temp/com torque/chunk vacf vcm/chunk
 hi def link tsim_compute Type
 syn match tsimHead /^\s*region\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_region
 syn keyword tsim_region contained block cone cylinder ellipsoid intersect plane prism sphere union
