@@ -1,7 +1,8 @@
 #!/bin/bash
-# Fuzzing with libFuzzer, address and undefined-behaviour sanitizers: FUZZ_SECONDS (60) in all, shared by
-# the targets named (all). Works in FUZZ_FOLDER (fuzzing in the build folder), where the corpus grows from
-# call to call. Skipped where clang has no libFuzzer (apt-get install clang libclang-rt-14-dev).
+# Fuzzing with libFuzzer, address and undefined-behaviour sanitizers: FUZZ_SECONDS in all, shared by the
+# targets named (all); without FUZZ_SECONDS, as in make check, the same inputs each time, about a minute.
+# Works in FUZZ_FOLDER (fuzzing in the build folder), where the corpus grows from call to call. Skipped
+# where clang has no libFuzzer (apt-get install clang libclang-rt-14-dev).
 cd "${top_builddir:-.}" || exit 99
 top_builddir=$PWD
 top_srcdir=$(cd "${top_srcdir:-$(dirname "$0")/../..}" && pwd)
@@ -9,6 +10,8 @@ here=$top_srcdir/tests/fuzz
 folder=${FUZZ_FOLDER:-$top_builddir/fuzzing}
 export top_srcdir TSIM=${TSIM:-$top_builddir/tsim}
 targets=(${*:-script expression restart data})
+effort=-seed=$RANDOM
+[ -n "$FUZZ_SECONDS" ] || effort='-seed=20231 -runs=30000'
 # adding 0 to a null pointer is no fault: pointer-overflow is left out below
 sanitize=address,undefined,float-cast-overflow
 clang=${CLANG:-clang}
@@ -50,6 +53,7 @@ for target in "${targets[@]}"; do
 		ASAN_OPTIONS=allocator_may_return_null=1:detect_leaks=1 nice -n 10 \
 			"../fuzz_$target" -dict=../words -artifact_prefix="../found.$target/" -timeout=120 \
 			-rss_limit_mb=2048 -max_len=8192 -print_final_stats=1 -use_value_profile=1 \
+			$effort \
 			-max_total_time=$((${FUZZ_SECONDS:-60} / ${#targets[@]})) "../corpus.$target" \
 			"../seeds.$target" "$here/corpus/$target" >"../log.$target" 2>&1
 	)
