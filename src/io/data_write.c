@@ -65,7 +65,9 @@ static void add_header(struct tsim *sim, struct ts_str *out, struct ts_data_coun
 
 		add_number(&line, box->lo[d]);
 		add_number(&line, box->hi[d]);
-		ts_str_addf(out, "%s %clo %chi\n", ts_str_text(&line) + 1, 'x' + d, 'x' + d);
+		out->failed |= line.failed; /* else it begins with a blank */
+		if (!line.failed)
+			ts_str_addf(out, "%s %clo %chi\n", line.text + 1, 'x' + d, 'x' + d);
 		ts_str_release(&line);
 	}
 }
