@@ -66,6 +66,7 @@ void tsim_close(struct tsim *sim)
 int tsim_open_with(const struct tsim_options *options, struct tsim **out)
 {
 	struct tsim_options o = { 0 };
+	enum ts_status status;
 
 	memcpy(&o, options, options->size < sizeof o ? options->size : sizeof o);
 	*out = tsim_open();
@@ -80,8 +81,8 @@ int tsim_open_with(const struct tsim_options *options, struct tsim **out)
 	tsim_screen(*out, o.screen);
 	tsim_on_log(*out, o.on_log, o.on_log_data);
 	(*out)->log.quiet = o.check && !o.explain;
-	if (o.check)
-		TS_TRY(ts_script_check((*out)->host_data));
+	if (o.check && (status = ts_script_check((*out)->host_data)) != TS_OK)
+		return (int)status;
 	return o.log ? tsim_log(*out, o.log) : TSIM_OK;
 }
 

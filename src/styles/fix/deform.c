@@ -291,31 +291,31 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-#define NUMBER(k, field_, name_, unit_, help_, ...)                                                \
+#define NUMBER(k, field_, name_, unit_, help_, range_)                                                \
 	TS_REAL(name_, struct state, side[k].field_, .flags = TS_POSITIONAL | TS_STATEFUL,         \
-		.unit = unit_, .help = help_, ##__VA_ARGS__)
+		.unit = unit_, .help = help_, .range = (range_))
 #define SIDE_ROWS(k)                                                                               \
 	static const struct ts_arg final_##k[] = {                                                 \
-		NUMBER(k, a, "lo", "length", "low face at the end of the run"),                    \
-		NUMBER(k, b, "hi", "length", "high face at the end of the run"), TS_ARGS_END       \
+		NUMBER(k, a, "lo", "length", "low face at the end of the run", TS_ANY),                    \
+		NUMBER(k, b, "hi", "length", "high face at the end of the run", TS_ANY), TS_ARGS_END       \
 	};                                                                                         \
 	static const struct ts_arg delta_##k[] = {                                                 \
-		NUMBER(k, a, "dlo", "length", "by how much the low face moves over the run"),      \
-		NUMBER(k, b, "dhi", "length", "by how much the high face moves"), TS_ARGS_END      \
+		NUMBER(k, a, "dlo", "length", "by how much the low face moves over the run", TS_ANY),      \
+		NUMBER(k, b, "dhi", "length", "by how much the high face moves", TS_ANY), TS_ARGS_END      \
 	};                                                                                         \
 	static const struct ts_arg scale_##k[] = {                                                 \
-		NUMBER(k, a, "factor", "", "of the length over the run", .range = TS_POSITIVE),    \
+		NUMBER(k, a, "factor", "", "of the length over the run", TS_POSITIVE),    \
 		TS_ARGS_END                                                                        \
 	};                                                                                         \
 	static const struct ts_arg vel_##k[] = {                                                   \
-		NUMBER(k, a, "V", "velocity", "rate of change of the length"), TS_ARGS_END         \
+		NUMBER(k, a, "V", "velocity", "rate of change of the length", TS_ANY), TS_ARGS_END         \
 	};                                                                                         \
 	static const struct ts_arg rate_##k[] = {                                                  \
-		NUMBER(k, a, "R", "1/time", "strain rate"), TS_ARGS_END                            \
+		NUMBER(k, a, "R", "1/time", "strain rate", TS_ANY), TS_ARGS_END                            \
 	};                                                                                         \
 	static const struct ts_arg wiggle_##k[] = {                                                \
-		NUMBER(k, a, "A", "length", "amplitude of the length"),                            \
-		NUMBER(k, b, "period", "time", "of the oscillation", .range = TS_POSITIVE),        \
+		NUMBER(k, a, "A", "length", "amplitude of the length", TS_ANY),                            \
+		NUMBER(k, b, "period", "time", "of the oscillation", TS_POSITIVE),        \
 		TS_ARGS_END                                                                        \
 	};                                                                                         \
 	static const struct ts_arg variable_##k[] = {                                              \
