@@ -31,9 +31,13 @@ int main()
 	return bad;
 }
 END
-if command -v g++ >/dev/null; then
+case $CC in # OpenMP is the compiler's own
+*clang*) cxx=clang++ ;;
+*) cxx=g++ ;;
+esac
+if command -v $cxx >/dev/null; then
 	# shellcheck disable=SC2086
-	g++ -std=c++11 -Wall -Wextra -Werror -pedantic $flags header.cc "$top_builddir/libtsim.a" \
+	$cxx -std=c++11 -Wall -Wextra -Werror -pedantic $flags header.cc "$top_builddir/libtsim.a" \
 		$TSIM_LIBS -o header >out 2>&1 && ./header
 	report 'tsim.h in C++' $? out
 fi

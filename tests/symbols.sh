@@ -29,7 +29,7 @@ complain 'writable data' "$(writable "$library")"
 
 if [ -n "$SHARED" ]; then
 	shared=$top_builddir/$SHARED
-	found=$(nm -D --defined-only "$shared" | awk '{ print $3 }' | grep -v '^__\(asan\|odr\)' | sort)
+	found=$(nm -D --defined-only "$shared" | awk '{ print $3 }' | grep -v '^__\(asan\|odr\)\|^\.' | sort)
 	declared=$(sed -nE 's/^TSIM_API .*[ *](tsim_[a-z_]+)\(.*/\1/p' "$top_srcdir/src/tsim.h" | sort)
 	complain 'exported, but not in tsim.h' "$(printf '%s\n' "$found" | grep -vxF "$declared")"
 	complain 'in tsim.h, but not exported' "$(printf '%s\n' "$declared" | grep -vxF "$found")"
