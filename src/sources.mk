@@ -193,6 +193,8 @@ library_sources = \
 	src/particles/draw.h \
 	src/particles/exchange.c \
 	src/particles/exchange.h \
+	src/particles/force_filter.c \
+	src/particles/force_filter.h \
 	src/particles/group.c \
 	src/particles/group_dynamic.c \
 	src/particles/group_dynamic.h \

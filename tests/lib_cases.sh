@@ -52,7 +52,21 @@ prints() {
 # rejects SCRIPT TEXT: the script fails with a message that has the text
 rejects() {
 	printf '%s\n' "$1" >in.script
-	refused "rejects: $1" "$2" -in in.script
+	refused "rejects: $(tail -n 1 in.script)" "$2" -in in.script
+}
+
+# agree WHAT SCRIPT: it runs, and in every line `is WHAT value reference` of its output both agree
+agree() {
+	printf '%s\n' "$2" >in.script
+	"$TSIM" -in in.script -log none >out 2>&1 && awk '
+		$1 == "is" {
+			n++
+			d = $3 - $4
+			size = $4 < 0 ? -$4 : $4
+			if (!(d <= 1e-13 * (1 + size) && -d <= 1e-13 * (1 + size))) { print "differs: " $0; bad = 1 }
+		}
+		END { exit bad || !n }' out >>out 2>&1
+	report "$1" $? out
 }
 
 finish() {

@@ -3,32 +3,12 @@
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
 
-# agree WHAT SCRIPT: it runs, and in every line `is WHAT value reference` of its output both agree
-agree() {
-	printf '%s\n' "$2" >in.script
-	"$TSIM" -in in.script -log none >out 2>&1 && awk '
-		$1 == "is" {
-			n++
-			d = $3 - $4
-			size = $4 < 0 ? -$4 : $4
-			if (!(d <= 1e-13 * (1 + size) && -d <= 1e-13 * (1 + size))) { print "differs: " $0; bad = 1 }
-		}
-		END { exit bad || !n }' out >>out 2>&1
-	report "$1" $? out
-}
-
 # holds FILE LINES...: the file is just these lines
 holds() {
 	local file=$1
 	shift
 	printf '%s\n' "$@" >expected
 	same "$file" expected "$file"
-}
-
-# bad SCRIPT TEXT: refused with the text
-bad() {
-	printf '%s\n' "$1" >in.script
-	refused "rejects: $(tail -n 1 in.script)" "$2" -in in.script
 }
 
 # two grains fly through a periodic box, one stands
@@ -219,50 +199,50 @@ holds v.part '# Timestep Number-of-chunks Total-count' '# three' '30 2 3'
 
 layers="$box
 compute l all chunk/atom bin/1d x lower 0.25 units box"
-bad "$box
+rejects "$box
 compute l all chunk/atom bin/4d x lower 0.25" "did you mean 'bin/"
-bad "$box
+rejects "$box
 compute l all chunk/atom bin/1d x bottom 0.25" "origin 'bottom' is not"
-bad "$box
+rejects "$box
 compute l all chunk/atom bin/1d x lower 0" 'delta'
-bad "$box
+rejects "$box
 compute l all chunk/atom bin/2d x lower 0.1 x lower 0.1" 'the same axis twice'
-bad "$box
+rejects "$box
 compute l all chunk/atom bin/1d x lower 0.1 limit 5 max" 'only with compress yes'
-bad "$box
+rejects "$box
 compute l all chunk/atom bin/sphere 0 0 0 2 1 5" 'rmax must be larger'
-bad "$box
+rejects "$box
 compute l all chunk/atom bin/1d x lower 0.1 bound x 0" 'two bounds'
-bad "$box
+rejects "$box
 compute l all chunk/atom type x" 'type: '
-bad "$box
+rejects "$box
 compute g all gyration
 fix a all ave/chunk 1 1 1 g vx" 'of style gyration, expected chunk/atom'
-bad "$layers
+rejects "$layers
 fix a all ave/chunk 3 1 10 l vx" 'must be a multiple'
-bad "$layers
+rejects "$layers
 fix a all ave/chunk 1 1 10 l ke" 'ke'
-bad "$layers
+rejects "$layers
 fix a all ave/chunk 1 1 10 l vx file a overwrite append b" 'expected either file or append'
-bad "$layers
+rejects "$layers
 fix a all ave/chunk 1 1 10 l vx file a format %s" "format '%s' is not one"
-bad "$box
+rejects "$box
 fix a all ave/spatial 1 1 10 lower 0.1 vx" 'expected x, y or z'
-bad "$box
+rejects "$box
 fix a all ave/spatial 1 1 10 x lower 0.1" 'no value is named'
-bad "$box
+rejects "$box
 fix a all ave/histo 1 1 10 1 0 5 vx" 'lo must be less than hi'
-bad "$box
+rejects "$box
 fix a all ave/histo/weight 1 1 10 0 1 5 vx" 'expected two values'
-bad "$box
+rejects "$box
 fix a all ave/time 1 1 10 ke off 2" 'from 1 to 1'
-bad "$box
+rejects "$box
 compute p all property/chunk l count" "there is no compute 'l'"
-bad "$layers
+rejects "$layers
 compute p all property/chunk l coord2
 compute s all slice 1 1 1 c_p
 print \$(c_s[1])" 'the chunks have 1 coordinates'
-bad "$box
+rejects "$box
 variable n atom 1+2*(step>0)
 compute c all chunk/atom v_n
 fix a all ave/chunk 1 1 1 c vx ave running

@@ -4,26 +4,6 @@
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
 
-# agree WHAT SCRIPT: it runs, and every line `is ...` of its output agrees
-agree() {
-	printf '%s\n' "$2" >in.script
-	"$TSIM" -in in.script -log none >out 2>&1 && awk '
-		$1 == "is" {
-			n++
-			d = $3 - $4
-			size = $4 < 0 ? -$4 : $4
-			if (!(d <= 1e-13 * (1 + size) && -d <= 1e-13 * (1 + size))) { print "differs: " $0; bad = 1 }
-		}
-		END { exit bad || !n }' out >>out 2>&1
-	report "$1" $? out
-}
-
-# bad SCRIPT TEXT: refused with the text
-bad() {
-	printf '%s\n' "$1" >in.script
-	refused "rejects: $(tail -n 1 in.script)" "$2" -in in.script
-}
-
 box='units si
 atom_style granular
 boundary p f f
@@ -215,19 +195,19 @@ print \"is others \$(c_n) \$(c_x)\"
 run 0
 print \"is left \$(c_out[2]) 2\""
 
-bad "$three
+rejects "$three
 compute p pair pressure thermo_temp" 'its group must be all'
-bad "$three
+rejects "$three
 compute p all pressure NULL" 'say `virial`'
-bad "$three
+rejects "$three
 compute g all gyration
 compute p all pressure g" "'g' is no compute that gives a temperature"
-bad "$three
+rejects "$three
 compute s all stress/atom viral" "did you mean 'virial'?"
-bad "$three
+rejects "$three
 compute s all stress/atom
 compute m all reduce max c_s[1]
 print \$(c_m)" 'run 0'
-bad "$three
+rejects "$three
 compute m all msd com perhaps" 'com'
 finish

@@ -3,26 +3,6 @@
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
 
-# agree WHAT SCRIPT: it runs, and in every line `is WHAT value reference` of its output both agree
-agree() {
-	printf '%s\n' "$2" >in.script
-	"$TSIM" -in in.script -log none >out 2>&1 && awk '
-		$1 == "is" {
-			n++
-			d = $3 - $4
-			size = $4 < 0 ? -$4 : $4
-			if (!(d <= 1e-13 * (1 + size) && -d <= 1e-13 * (1 + size))) { print "differs: " $0; bad = 1 }
-		}
-		END { exit bad || !n }' out >>out 2>&1
-	report "$1" $? out
-}
-
-# bad SCRIPT TEXT: refused with the text
-bad() {
-	printf '%s\n' "$1" >in.script
-	refused "rejects: $(tail -n 1 in.script)" "$2" -in in.script
-}
-
 box='units si
 atom_style granular
 boundary p f f
@@ -264,41 +244,41 @@ print \"is two_two \$(c_g[2][6]) 0\"
 print \"is kinds \$(c_k[1]) 4\"
 print \"is kinds \$(c_l[2]) 1\""
 
-bad "$six
+rejects "$six
 compute g all rdf 10 1" "jtype"
-bad "$six
+rejects "$six
 compute g all rdf 10 cutoff -1" "cutoff"
-bad "$six
+rejects "$six
 compute g all rdf 10
 compute s all slice 5 4 1 c_g[1]" 'Nstart (5) is larger'
-bad "$six
+rejects "$six
 compute g all rdf 10
 compute s all slice 5 14 1 c_g[1]
 print \$(c_s[1])" 'has 10 elements'
-bad "$six
+rejects "$six
 compute c all property/local patom1 natom2" "'patom1' and 'natom2' are of different lists"
-bad "$six
+rejects "$six
 compute c all property/local patom3" "did you mean 'patom"
-bad "$six
+rejects "$six
 compute c all pair/local eng" "unknown quantity 'eng'"
-bad "$six
+rejects "$six
 compute c all pair/gran/local heatFlux" "unknown quantity 'heatFlux'"
-bad "$six
+rejects "$six
 compute c all coord/atom -1" 'expected a cutoff > 0'
-bad "$six
+rejects "$six
 compute c all coord/atom 0.1 3x" 'expected a type'
-bad "$six
+rejects "$six
 compute r all reduce sum vx vy replace 1 2" 'goes with min and max only'
-bad "$six
+rejects "$six
 compute r all reduce max vx vy replace 1 3" 'the numbers of two of the inputs'
-bad "$six
+rejects "$six
 compute r all reduce max vx vy replace 1 1" 'the numbers of two of the inputs'
-bad "$six
+rejects "$six
 compute r all reduce max vx vy replace 1" 'the numbers of two of the inputs'
-bad "$six
+rejects "$six
 compute c all pair/local dist
 compute r all reduce/region box max c_c" 'c_c'
-bad "$six
+rejects "$six
 run 0
 delete_atoms group two
 compute c all pair/local dist

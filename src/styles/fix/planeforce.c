@@ -1,46 +1,16 @@
 /* Fix planeforce: Lets particles feel only the force in a plane. */
-#include "math/vec3.h"
-#include "particles/particles.h"
+#include "particles/force_filter.h"
 
 #include "base/banned.h"
 
-struct state {
-	double direction[3];
-	double unit[3];
-};
-
-static enum ts_status init(struct ts_instance *self, struct tsim *sim)
-{
-	struct state *s = self->state;
-	double length = ts_norm(s->direction);
-
-	if (!(length > 0))
-		return ts_fail(&sim->error, TS_RANGE, &self->where,
-			       "fix planeforce: the direction has no length");
-	for (int k = 0; k < 3; k++)
-		s->unit[k] = s->direction[k] / length;
-	return TS_OK;
-}
-
 static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 {
-	const struct state *s = self->state;
-	struct ts_particles *p = sim->particles;
-
-#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
-	for (size_t i = 0; i < p->n; i++) {
-		double along = ts_dot(p->f[i], s->unit);
-
-		if (!ts_in_group(p, i, self->group))
-			continue;
-		for (int k = 0; k < 3; k++)
-			p->f[i][k] -= along * s->unit[k];
-	}
+	ts_force_filter_apply(self, sim, 0, 1);
 	return TS_OK;
 }
 
 static const struct ts_arg args[] = {
-	TS_VEC3("direction", struct state, direction, .flags = TS_POSITIONAL,
+	TS_VEC3("direction", struct ts_force_filter, direction, .flags = TS_POSITIONAL,
 		.help = "normal of the plane; any length"),
 	TS_ARGS_END,
 };
@@ -53,7 +23,7 @@ const struct ts_style ts_fix_planeforce = {
 	.doc = "f -= (f . e) e with the unit normal e: particles that start at rest move in planes.",
 	.example = "fix table all planeforce 0 0 1",
 	.args = args,
-	.state_size = sizeof(struct state),
-	.init = init,
+	.state_size = sizeof(struct ts_force_filter),
+	.init = ts_force_filter_init,
 	.hook[TS_STAGE_POST_FORCE] = post_force,
 };
