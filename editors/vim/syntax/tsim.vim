@@ -46,10 +46,10 @@ syn match tsimKeyword /\<clear\>/
 syn keyword tsimKeyword  delete dynamic static
 syn match tsimKeyword /\<include\>/ 
 syn keyword tsimKeyword  molecule sc bcc fcc hcp diamond sq sq2 hex custom origin orient
-syn keyword tsimKeyword  spacing a1 a2 a3 check binsize page one exclude bin nsq omp grain
-syn keyword tsimKeyword  shift tail mix geometric arithmetic sixthpower file universe add
-syn keyword tsimKeyword  offset nocoeff extra/atom/types extra/bond/types replace trim
-syn keyword tsimKeyword  purge bbox last skip start stop
+syn keyword tsimKeyword  spacing a1 a2 a3 check binsize page one once cluster exclude bin
+syn keyword tsimKeyword  nsq omp grain shift tail mix geometric arithmetic sixthpower file
+syn keyword tsimKeyword  universe add offset nocoeff extra/atom/types extra/bond/types
+syn keyword tsimKeyword  replace trim purge bbox last skip start stop
 syn match tsimKeyword /\<dump\>/ 
 syn keyword tsimKeyword  upto pre post unsafe diameter density density/disc
 syn match tsimKeyword /\<mass\>/ 
@@ -61,8 +61,8 @@ syn match tsimKeyword /\<timer\>/
 syn keyword tsimKeyword  internal atomfile equal vector create dist uniform gaussian mom
 syn keyword tsimKeyword  rot local geom zero linear angular angularIndividual sum pair ii
 syn keyword tsimKeyword  ij nofix modify noinit discard default mixed bound reduced nchunk
-syn keyword tsimKeyword  once limit ids nfreq kspace tensor com average bond/type radius
-syn keyword tsimKeyword  min max ave sumsq avesq sumabs aveabs minabs maxabs inputs peratom
+syn keyword tsimKeyword  limit ids nfreq kspace tensor com average bond/type radius min max
+syn keyword tsimKeyword  ave sumsq avesq sumabs aveabs minabs maxabs inputs peratom
 syn keyword tsimKeyword  update_on_run_end adof cdof reset energy sample running window
 syn keyword tsimKeyword  overwrite title1 title2 title3 auto upper lower auto/upper
 syn keyword tsimKeyword  auto/lower full prefactor scalar kind global beyond end extra

@@ -11,7 +11,7 @@
 
 struct state {
 	int64_t every, delay, page, one;
-	bool check;
+	bool check, once, cluster;
 	double binsize;
 	struct ts_words exclude;
 };
@@ -95,6 +95,8 @@ static const struct ts_arg args[] = {
 		.help = "no effect: cells adapt to the radii"),
 	TS_INT("page", struct state, page, .flags = TS_OPTIONAL, .help = "no effect"),
 	TS_INT("one", struct state, one, .flags = TS_OPTIONAL, .help = "no effect"),
+	TS_BOOL("once", struct state, once, .fallback = "no", .help = "no effect"),
+	TS_BOOL("cluster", struct state, cluster, .fallback = "no", .help = "no effect"),
 	{ .name = "exclude",
 	  .type = TS_ARG_REST,
 	  .flags = TS_OPTIONAL,
