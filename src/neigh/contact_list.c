@@ -145,6 +145,32 @@ void ts_virial_of(const struct tsim *sim, size_t i, const struct ts_virial_parts
 		add_bonds(sim, i, w);
 }
 
+static void virial_term(const struct tsim *sim, size_t i, void *context, double *term)
+{
+	ts_virial_of(sim, i, context, term);
+}
+
+void ts_virial_total(const struct tsim *sim, const struct ts_virial_parts *parts, double out[6])
+{
+	struct ts_virial_parts wanted = *parts;
+
+	ts_group_sum(sim, 0, 6, virial_term, &wanted, out);
+}
+
+double ts_pressure_volume(const struct tsim *sim)
+{
+	double volume = 1;
+
+	for (int d = 0; d < sim->dimension; d++)
+		volume *= ts_box_length(&sim->domain->box, d);
+	return volume;
+}
+
+double ts_pressure_mean(const struct tsim *sim, const double tensor[6])
+{
+	return (tensor[0] + tensor[1] + (sim->dimension == 3 ? tensor[2] : 0)) / sim->dimension;
+}
+
 enum ts_status ts_virial_read(struct tsim *sim, const struct ts_instance *self, struct ts_words words,
 			      struct ts_virial_parts *parts)
 {

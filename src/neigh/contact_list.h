@@ -32,6 +32,11 @@ struct ts_virial_parts {
 	bool kinetic, pair, bond;
 };
 void ts_virial_of(const struct tsim *sim, size_t i, const struct ts_virial_parts *parts, double w[6]);
+/* The sum over all particles. */
+void ts_virial_total(const struct tsim *sim, const struct ts_virial_parts *parts, double out[6]);
+/* Pressures are by the volume of the box, in two dimensions its area; and the mean of their diagonal. */
+double ts_pressure_volume(const struct tsim *sim);
+double ts_pressure_mean(const struct tsim *sim, const double tensor[6]);
 /* Words ke, pair, bond, fix, virial ... ; none: all. */
 enum ts_status ts_virial_read(struct tsim *sim, const struct ts_instance *self, struct ts_words words,
 			      struct ts_virial_parts *parts);

@@ -4,24 +4,17 @@
 
 #include "base/banned.h"
 
-static void virial(const struct tsim *sim, size_t i, void *context, double *term)
-{
-	ts_virial_of(sim, i, context, term);
-}
-
 /* As compute pressure with all its parts. */
 static enum ts_status tensor(struct tsim *sim, double out[6])
 {
 	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
-	struct ts_virial_parts parts = { .kinetic = true, .pair = true, .bond = true };
-	double kinetic[7], volume = 1;
+	const struct ts_virial_parts parts = { .kinetic = true, .pair = true, .bond = true };
+	double kinetic[7], volume = ts_pressure_volume(sim);
 
 	if (pair)
 		TS_TRY(ts_contacts_require(sim, pair));
-	ts_group_sum(sim, 0, 6, virial, &parts, out);
+	ts_virial_total(sim, &parts, out);
 	ts_kinetic_tensor(sim, 0, NULL, kinetic);
-	for (int d = 0; d < sim->dimension; d++)
-		volume *= ts_box_length(&sim->domain->box, d);
 	for (int k = 0; k < 6; k++)
 		out[k] = volume > 0 ? (out[k] + kinetic[k]) / volume : 0;
 	return TS_OK;
@@ -32,7 +25,7 @@ static enum ts_status press(struct tsim *sim, double *out)
 	double t[6];
 
 	TS_TRY(tensor(sim, t));
-	*out = (t[0] + t[1] + (sim->dimension == 3 ? t[2] : 0)) / sim->dimension;
+	*out = ts_pressure_mean(sim, t);
 	return TS_OK;
 }
 

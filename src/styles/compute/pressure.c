@@ -48,11 +48,6 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		       s->temperature);
 }
 
-static void virial(const struct tsim *sim, size_t i, void *context, double *term)
-{
-	ts_virial_of(sim, i, context, term);
-}
-
 static enum ts_status add_kinetic(struct pressure *s, double out[6])
 {
 	struct ts_instance *inst;
@@ -72,14 +67,12 @@ static enum ts_status tensor(struct ts_instance *self, double out[6])
 {
 	struct pressure *s = self->state;
 	const struct tsim *sim = s->sim;
-	double volume = 1;
+	double volume = ts_pressure_volume(sim);
 
 	TS_TRY(ts_contacts_require(s->sim, self));
-	ts_group_sum(sim, 0, 6, virial, &s->parts, out);
+	ts_virial_total(sim, &s->parts, out);
 	if (s->parts.kinetic)
 		TS_TRY(add_kinetic(s, out));
-	for (int d = 0; d < sim->dimension; d++)
-		volume *= ts_box_length(&sim->domain->box, d);
 	for (int k = 0; k < 6; k++)
 		out[k] /= volume;
 	return TS_OK;
@@ -91,7 +84,7 @@ static enum ts_status eval_pressure(struct ts_instance *self, const struct tsim 
 	double t[6];
 
 	TS_TRY(tensor(self, t));
-	out->data[0] = (t[0] + t[1] + (sim->dimension == 3 ? t[2] : 0)) / sim->dimension;
+	out->data[0] = ts_pressure_mean(sim, t);
 	return TS_OK;
 }
 
