@@ -269,6 +269,7 @@ library_sources = \
 	src/script/variable_file.c \
 	src/script/variable_formula.c \
 	src/script/variable_list.c \
+	src/script/variable_state.c \
 	src/script/variable_text.c \
 	src/styles/bond/contact.c \
 	src/styles/command/atom_modify.c \

@@ -70,27 +70,22 @@ cut() {
 	done
 }
 
-# the drilling example: a small rock is made, drilling it is cut
-mkdir drilling && cp "$top_srcdir"/examples/drilling/in.* drilling
-small=(-var depth 500 -var T 12 -var land 2 -var vtk no -var out .)
-(cd drilling && "$TSIM" -in in.drilling "${small[@]}" -var T 0 -log none -screen none 2>err)
-report 'a rock' $? drilling/err
-rock=$work/drilling/rock.1.restart
-{
-	sed '/^if "${rock}/,$d' drilling/in.drilling
-	echo "read_restart $rock"
-	cat drilling/in.contact
-	sed '/^label/,$d' drilling/in.drill
-} >in.begin
-# what the example takes from the rock as it is at the start, it cannot take from a rock half drilled
-cat >in.rock <<'END'
-read_restart ${rock}
-print "$(bound(rock,zmax):%.17g) $(numbonds) $(count(rock))"
-END
-read -r surface bonds grains < <("$TSIM" -in in.rock -var rock "$rock" -log none | tail -n 1)
-sed "s/\$(bound(rock,zmax))/$surface/; s/equal \$(numbonds)/equal $bonds/
-	s/equal \$(count(rock))/equal $grains/" in.begin >in.drilling
-cut in.drilling "${small[@]}"
+# The drilling example goes on from the restart file of a shorter run of itself.
+drill() { # FOLDER OPTIONS...
+	mkdir -p "drilling/$1" && cp "$top_srcdir"/examples/drilling/in.* "drilling/$1"
+	(cd "drilling/$1" && "$TSIM" -in in.drilling -var depth 500 -var land 2 -var vtk no -var out . \
+		-log none -screen none "${@:2}" 2>err)
+	report "drilling: $1" $? "drilling/$1/err"
+}
+drill whole -var T 12
+drill one -var T "$((RANDOM % 8 + 4)).$((RANDOM % 100))"
+OMP_NUM_THREADS=2 drill two -var T 12 -var rock ../one/drill.restart
+same 'drilling: the state at the end' drilling/whole/drill.restart drilling/two/drill.restart
+for file in bit.txt broken.txt; do
+	grep -v '^#' drilling/whole/$file >expected
+	cat drilling/one/$file drilling/two/$file | grep -v '^#' >found
+	same "drilling: $file" expected found
+done
 
 for deck in "$top_srcdir"/tests/decks/in.* "$top_srcdir"/tests/data/in.*; do
 	cut "$deck" -var out out -var last 700

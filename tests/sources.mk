@@ -42,6 +42,7 @@ shell_tests = \
 	tests/restart.sh \
 	tests/restart_changes.sh \
 	tests/restart_every.sh \
+	tests/restart_streams.sh \
 	tests/safety.sh \
 	tests/settings.sh \
 	tests/signal.sh \

@@ -2,6 +2,7 @@
 
 #include <inttypes.h>
 #include <math.h>
+#include <string.h>
 
 #include "base/clock.h"
 #include "core/pending.h"
@@ -14,6 +15,19 @@ static const enum ts_kind kind_order[] = { TS_KIND_SYSTEM, TS_KIND_PAIR, TS_KIND
 					   TS_KIND_FLOW,   TS_KIND_REGION, TS_KIND_FIX,
 					   TS_KIND_COMPUTE, TS_KIND_DUMP };
 enum { NORDER = sizeof kind_order / sizeof *kind_order };
+/* The site of random numbers that only the fingerprint sees. */
+enum { LOOKING = 2 };
+
+uint64_t ts_plan_site(const struct ts_instance *inst, int stage)
+{
+	const int32_t key[] = { (int32_t)inst->style->kind, stage };
+	struct ts_hash hash = ts_hash_start();
+
+	ts_hash_add(&hash, key, sizeof key);
+	ts_hash_text(&hash, inst->style->name);
+	ts_hash_text(&hash, inst->id);
+	return ts_hash_value(&hash) | 1;
+}
 
 static enum ts_status add_actions(struct ts_plan *plan, struct tsim *sim, struct ts_instance *inst)
 {
@@ -22,8 +36,9 @@ static enum ts_status add_actions(struct ts_plan *plan, struct tsim *sim, struct
 			continue;
 		if (TS_GROW(plan->actions[stage], plan->capacity[stage], plan->n[stage] + 1) != TS_OK)
 			return ts_nomem(&sim->error);
-		plan->actions[stage][plan->n[stage]++] =
-			(struct ts_action){ inst->style->hook[stage], inst };
+		plan->actions[stage][plan->n[stage]++] = (struct ts_action){
+			inst->style->hook[stage], inst, ts_plan_site(inst, stage)
+		};
 	}
 	return TS_OK;
 }
@@ -56,15 +71,21 @@ void ts_plan_release(struct ts_plan *plan)
 
 enum ts_status ts_plan_stage(struct ts_plan *plan, struct tsim *sim, enum ts_stage stage)
 {
+	enum ts_status status = TS_OK;
 	double start;
 
 	if (!plan->n[stage])
 		return TS_OK;
 	start = ts_clock();
-	for (size_t k = 0; k < plan->n[stage]; k++)
-		TS_TRY(plan->actions[stage][k].hook(plan->actions[stage][k].self, sim));
+	for (size_t k = 0; k < plan->n[stage] && status == TS_OK; k++) {
+		const struct ts_action *action = &plan->actions[stage][k];
+
+		sim->draws = (struct ts_draws){ action->site, 0 };
+		status = action->hook(action->self, sim);
+	}
+	sim->draws = (struct ts_draws){ 0 };
 	plan->seconds[stage] += ts_clock() - start;
-	return TS_OK;
+	return status;
 }
 
 enum ts_status ts_plan_stages(struct ts_plan *plan, struct tsim *sim, enum ts_stage first,
@@ -171,22 +192,58 @@ enum ts_status ts_plan_run(struct ts_plan *plan, struct tsim *sim, bool setup)
 	return ts_plan_stopped(sim);
 }
 
-/* Arguments given as v_NAME count with the value they have now. */
-static enum ts_status hash_variables(struct tsim *sim, const struct ts_instance *inst,
-				     const struct ts_arg *rows, struct ts_hash *hash)
+static enum ts_status hash_instance(struct tsim *sim, const struct ts_instance *inst,
+				    struct ts_hash *hash);
+
+/* Variables that move a region, and the regions a region is made of, stand in it as words. */
+static enum ts_status hash_words(struct tsim *sim, const struct ts_instance *inst,
+				 struct ts_words words, struct ts_hash *hash)
+{
+	for (size_t k = 0; k < words.n; k++) {
+		const char *text = words.word[k].text;
+		const struct ts_instance *member = ts_sim_find(sim, TS_KIND_REGION, text);
+		struct ts_number number = { .variable = text + 2 };
+		double value;
+
+		if (member && member != inst)
+			TS_TRY(hash_instance(sim, member, hash));
+		if (strncmp(text, "v_", 2) != 0)
+			continue;
+		TS_TRY(ts_number_now(sim, &number, &inst->where, &value));
+		ts_hash_add(hash, &value, sizeof value);
+	}
+	return TS_OK;
+}
+
+static enum ts_status hash_variable(struct tsim *sim, const struct ts_instance *inst,
+				    const struct ts_number *number, struct ts_hash *hash)
+{
+	double value;
+
+	if (!number->variable || sim->host->is_peratom(sim->host_data, number->variable))
+		return TS_OK;
+	TS_TRY(ts_number_now(sim, number, &inst->where, &value));
+	ts_hash_add(hash, &value, sizeof value);
+	return TS_OK;
+}
+
+/* What arguments stand for: variables count with the value they have now, regions with their shape. */
+static enum ts_status hash_meaning(struct tsim *sim, const struct ts_instance *inst,
+				   const struct ts_arg *rows, struct ts_hash *hash)
 {
 	for (const struct ts_arg *row = rows; row && row->type != TS_ARG_END; row++) {
 		const void *field = (const char *)inst->state + row->offset;
-		const struct ts_number *number = field;
-		double value;
+		const struct ts_instance *region;
 
 		if (row->type == TS_ARG_MODE && *(const int *)field >= 0)
-			TS_TRY(hash_variables(sim, inst, row->modes[*(const int *)field].args, hash));
-		if (row->type != TS_ARG_NUMBER || !number->variable ||
-		    sim->host->is_peratom(sim->host_data, number->variable))
-			continue;
-		TS_TRY(ts_number_now(sim, number, &inst->where, &value));
-		ts_hash_add(hash, &value, sizeof value);
+			TS_TRY(hash_meaning(sim, inst, row->modes[*(const int *)field].args, hash));
+		if (row->type == TS_ARG_NUMBER)
+			TS_TRY(hash_variable(sim, inst, field, hash));
+		if (row->type == TS_ARG_REST && inst->style->kind == TS_KIND_REGION)
+			TS_TRY(hash_words(sim, inst, *(const struct ts_words *)field, hash));
+		region = row->type == TS_ARG_REGION ? *(struct ts_instance *const *)field : NULL;
+		if (region)
+			TS_TRY(hash_instance(sim, region, hash));
 	}
 	return TS_OK;
 }
@@ -202,7 +259,7 @@ static enum ts_status hash_instance(struct tsim *sim, const struct ts_instance *
 	ts_str_release(&record);
 	if (inst->style->fingerprint)
 		inst->style->fingerprint(inst, sim, hash);
-	return hash_variables(sim, inst, inst->style->args, hash);
+	return hash_meaning(sim, inst, inst->style->args, hash);
 }
 
 /* Fixes that only look (averages, prints) may come and go: the forces stay what they are. */
@@ -237,39 +294,17 @@ static enum ts_status hash_all(struct tsim *sim, uint64_t *out)
 	return TS_OK;
 }
 
-/* Puts the script back to where it was when the archive was written. */
-static enum ts_status rewind_host(struct tsim *sim, struct ts_archive *written)
-{
-	struct ts_archive *read = ts_archive_new(sim, false);
-	const unsigned char *bytes;
-	enum ts_status status;
-	size_t n;
-
-	if (!read)
-		return ts_nomem(&sim->error);
-	status = ts_archive_bytes(written, &bytes, &n);
-	if (status == TS_OK)
-		status = ts_archive_from(read, bytes, n);
-	if (status == TS_OK)
-		status = sim->host->archive(sim->host_data, read);
-	ts_archive_free(read);
-	return status;
-}
-
-/* Variables are evaluated here, but to look must not change anything: what they draw of random numbers
- * is put back. */
+/* Variables are evaluated here, but to look must not change anything. */
 enum ts_status ts_sim_fingerprint(struct tsim *sim, uint64_t *out)
 {
-	struct ts_archive *host = sim->host && sim->host->archive ? ts_archive_new(sim, true) : NULL;
-	enum ts_status status = TS_OK;
+	const struct ts_draws before = sim->draws;
+	bool looking = sim->looking;
+	enum ts_status status;
 
-	if (!host)
-		return sim->host && sim->host->archive ? ts_nomem(&sim->error) : hash_all(sim, out);
-	status = sim->host->archive(sim->host_data, host);
-	if (status == TS_OK)
-		status = hash_all(sim, out);
-	if (status == TS_OK)
-		status = rewind_host(sim, host);
-	ts_archive_free(host);
+	sim->draws = (struct ts_draws){ LOOKING, 0 };
+	sim->looking = true;
+	status = hash_all(sim, out);
+	sim->looking = looking;
+	sim->draws = before;
 	return status;
 }

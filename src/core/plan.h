@@ -8,6 +8,7 @@
 struct ts_action {
 	ts_hook_fn *hook;
 	struct ts_instance *self;
+	uint64_t site; /* for random numbers: ts_draws in core/sim.h */
 };
 
 struct ts_plan {
@@ -15,6 +16,9 @@ struct ts_plan {
 	size_t n[TS_NSTAGE], capacity[TS_NSTAGE];
 	double seconds[TS_NSTAGE]; /* wall time spent in each stage of this run */
 };
+
+/* Hash of who acts in which stage; never 0. */
+uint64_t ts_plan_site(const struct ts_instance *inst, int stage);
 
 /* Calls init of every live instance, then lists per stage those that have something to do. */
 enum ts_status ts_plan_compile(struct ts_plan *plan, struct tsim *sim);

@@ -35,6 +35,13 @@ struct ts_instances {
 	size_t n, capacity;
 };
 
+/* Random numbers that formulas draw in a run are functions of the seed, the step, who acts and how many he
+ * has drawn in this step: a run cut in two draws what the whole run draws. */
+struct ts_draws {
+	uint64_t site; /* who acts, and in which stage; 0: nobody, numbers come one after the other */
+	uint64_t count;
+};
+
 struct ts_clock {
 	int64_t step;       /* the step counter                                    */
 	int64_t first_step; /* of the current run                                  */
@@ -73,6 +80,8 @@ struct tsim {
 	bool in_setup;     /* forces before the first step: contact history stands still */
 	bool resuming;     /* nothing forces depend on has changed since the last step: the run
 			    * goes on with the forces and the rows of that step */
+	bool looking;      /* a value is read that does not count: next() stays where it is */
+	struct ts_draws draws;
 	struct ts_bill bill;
 	volatile int stop; /* set from a signal handler: finish the step, then stop */
 	uint64_t generation; /* grows when particles are added, deleted, reordered or their columns

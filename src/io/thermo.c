@@ -195,13 +195,19 @@ static enum ts_status ask_next(struct ts_thermo *t, struct tsim *sim)
 	return TS_OK;
 }
 
+/* Rows that only begin or end a run, and those seen already at the end of the run before, take nothing
+ * from files: a run cut in two reads what the whole run reads. */
 static enum ts_status is_due(struct ts_thermo *t, struct tsim *sim, bool *due)
 {
 	const struct ts_clock *c = &sim->clock;
+	bool asked = (!t->variable && t->every && c->step % t->every == 0) ||
+		     (t->variable && c->step == t->next);
 
-	*due = c->step == c->first_step || (c->step == c->last_step && !sim->in_pieces) || sim->stop ||
-	       (!t->variable && t->every && c->step % t->every == 0) ||
-	       (t->variable && c->step == t->next);
+	*due = asked || c->step == c->first_step || (c->step == c->last_step && !sim->in_pieces) ||
+	       sim->stop;
+	sim->looking = !asked || t->counted == c->step + 1;
+	if (asked)
+		t->counted = c->step + 1;
 	if (t->variable && (c->step == c->first_step || c->step == t->next))
 		return ask_next(t, sim);
 	return TS_OK;
@@ -229,6 +235,7 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 	struct ts_thermo *t = self->state;
 	const struct ts_clock *c = &sim->clock;
 	bool first = c->step == c->first_step, due;
+	enum ts_status status;
 
 	if (first) {
 		t->last_row_step = c->step;
@@ -238,11 +245,11 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 			TS_TRY(header(t, sim));
 	}
 	TS_TRY(is_due(t, sim, &due));
-	if (due)
-		TS_TRY(row(t, sim));
+	status = due ? row(t, sim) : TS_OK;
+	sim->looking = false;
 	if (sim->log.progress || sim->log.sink)
 		progress(t, sim);
-	return TS_OK;
+	return status;
 }
 
 static enum ts_status finish(struct ts_instance *self, struct tsim *sim)
@@ -261,6 +268,9 @@ static void fini(struct ts_instance *self)
 	ts_arena_release(&t->arena);
 }
 
+static const struct ts_saved saved[] = { TS_SAVE_I64(struct ts_thermo, counted),
+					 TS_SAVED_ROWS_END };
+
 static void settings(const struct ts_instance *self, const struct tsim *sim, struct ts_str *out)
 {
 	const struct ts_thermo *t = self->state;
@@ -276,6 +286,7 @@ const struct ts_system_style ts_thermo_system = {
 		.kind = TS_KIND_SYSTEM,
 		.summary = "Table of numbers in the log, progress line",
 		.state_size = sizeof(struct ts_thermo),
+		.saved = saved,
 		.init = init,
 		.plan = plan,
 		.hook = {

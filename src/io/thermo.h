@@ -27,6 +27,7 @@ struct ts_thermo {
 	struct ts_str line;
 	double progress_due, last_row_time; /* ts_clock(); seconds since the start of the run */
 	int64_t last_row_step;
+	int64_t counted; /* one more than the step of the last row that its interval asked for */
 };
 
 extern const struct ts_system_style ts_thermo_system;

@@ -65,6 +65,20 @@ static enum ts_status of_numbers(struct ts_expr *e, const struct ts_expr_functio
 	return TS_OK;
 }
 
+/* How far a stream has come: in a run that is said by step, who acts and how often he has drawn, else numbers
+ * come one after the other. */
+static uint64_t advance(struct ts_draws *draws, int64_t step, int64_t *taken)
+{
+	struct ts_hash hash = ts_hash_start();
+
+	if (!draws->site)
+		return (uint64_t)(*taken)++;
+	ts_hash_add(&hash, draws, sizeof *draws);
+	ts_hash_add(&hash, &step, sizeof step);
+	draws->count++;
+	return ts_hash_value(&hash);
+}
+
 /* Random numbers come from one stream per seed. In formulas of particles each draws from a stream of its
  * own, so that the numbers do not depend on the order of particles. */
 static enum ts_status drawn(struct ts_expr *e, const struct ts_expr_function *f, size_t at,
@@ -75,6 +89,7 @@ static enum ts_status drawn(struct ts_expr *e, const struct ts_expr_function *f,
 	struct ts_stream *stream;
 	size_t n = 1;
 	double *to = &out->scalar;
+	uint64_t at_number;
 
 	for (size_t k = 0; k < f->most; k++)
 		if (arg[k].data && (k + 1 == f->most || !each))
@@ -87,16 +102,17 @@ static enum ts_status drawn(struct ts_expr *e, const struct ts_expr_function *f,
 		n = e->rows;
 		to = out->data;
 	}
+	at_number = advance(&e->sim->draws, e->sim->clock.step,
+			    each ? &stream->rounds : &stream->draws);
 	for (size_t i = 0; i < n; i++) {
 		struct ts_rng rng = { (uint64_t)stream->seed, each ? (uint64_t)e->id[i] : 0,
-				      (uint64_t)(each ? stream->rounds : stream->draws) };
+				      at_number };
 
 		for (size_t k = 0; k < f->most; k++)
 			number[k] = arg[k].data ? arg[k].data[i] : arg[k].scalar;
 		TS_TRY(ts_expr_blame(e, f->draw(e, number, &rng, &to[i]), at, e->at));
 		TS_TRY(check_value(e, f, at, number[0], to[i]));
 	}
-	*(each ? &stream->rounds : &stream->draws) += 1;
 	return TS_OK;
 }
 

@@ -38,6 +38,8 @@ struct ts_script {
 	struct ts_words current;  /* the command that runs */
 	struct ts_stream *stream; /* one per seed of random() and normal() */
 	size_t nstreams, stream_capacity;
+	struct ts_variable_state *waiting; /* from a restart file, for variables not yet defined */
+	size_t nwaiting, waiting_capacity;
 	struct ts_script_text *text;
 	struct ts_arena arena; /* of the texts */
 	struct ts_check *check; /* -check: go through all of it, whatever fails */
@@ -77,7 +79,7 @@ enum ts_status ts_expr_vector(struct ts_script *script, const char *text,
 enum ts_status ts_expr_condition(struct ts_script *script, const char *text,
 				 const struct ts_place *place, bool *out);
 
-/* random.c: the stream of a seed, and all streams for a restart file. */
+/* random.c: the stream of a seed; what a restart file keeps of a script, streams and variables. */
 enum ts_status ts_script_stream_of(struct ts_script *script, double seed, struct ts_stream **out);
 enum ts_status ts_script_archive(struct ts_script *script, struct ts_archive *archive);
 

@@ -57,5 +57,5 @@ enum ts_status ts_script_archive(struct ts_script *s, struct ts_archive *archive
 	if (status == TS_OK && !ts_archive_writing(archive))
 		status = restore(s, number, n);
 	ts_free(number);
-	return status;
+	return status == TS_OK ? ts_variables_archive(s, archive) : status;
 }

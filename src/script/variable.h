@@ -7,6 +7,7 @@
 #include <stdint.h>
 
 #include "base/words.h"
+#include "core/archive.h"
 #include "core/value.h"
 
 struct ts_script;
@@ -20,6 +21,7 @@ struct ts_variable;
 	X(universe)                                                                                \
 	X(uloop)                                                                                   \
 	X(string)                                                                                  \
+	X(once)                                                                                    \
 	X(getenv)                                                                                  \
 	X(format)                                                                                  \
 	X(timer)                                                                                   \
@@ -29,6 +31,12 @@ struct ts_variable;
 	X(equal)                                                                                   \
 	X(atom)                                                                                    \
 	X(vector)
+
+/* What a restart file keeps of a variable, for the one of the same style, name and first word. */
+struct ts_variable_state {
+	const char *style, *name, *text;
+	double number; /* what the style makes of it */
+};
 
 /* A slot left NULL: not possible with this style; `number` NULL: the text, read as a number. */
 struct ts_variable_style {
@@ -51,6 +59,10 @@ struct ts_variable_style {
 	/* goes on to the next value; *exhausted: there is none */
 	enum ts_status (*next)(struct ts_script *script, struct ts_variable *variable,
 			       bool *exhausted);
+	/* For restart files; false: there is nothing to keep. */
+	bool (*save)(const struct ts_variable *variable, double *number);
+	enum ts_status (*restore)(struct ts_script *script, struct ts_variable *variable,
+				  double number);
 	void (*release)(struct ts_variable *variable);
 };
 #define TS_VARIABLE_DECLARE(style) extern const struct ts_variable_style ts_var_##style;
@@ -66,13 +78,14 @@ struct ts_variable {
 	struct ts_words values; /* as written */
 	int64_t at, last;	/* index: which value; loop: the number itself */
 	int pad;		/* loop: digits */
-	double number;		/* internal, timer */
+	double number;		/* internal, once, timer */
 	struct ts_variable_feed *feed;
 	struct ts_arena arena;
 	struct ts_place where;
 	bool busy;  /* its formula is being evaluated */
 	bool given; /* from the command line */
 	bool used;
+	bool in_run; /* a run has taken values from its file */
 };
 
 struct ts_variables {
@@ -100,5 +113,11 @@ enum ts_status ts_variable_vector(struct ts_script *script, struct ts_variable *
 				  const struct ts_place *where, struct ts_table *out);
 enum ts_status ts_variable_next(struct ts_script *script, struct ts_variable *variable,
 				const struct ts_place *where, bool *exhausted);
+
+/* Gives a variable that is being defined what a restart file keeps of it; *resumed: there was something. */
+enum ts_status ts_variable_resume(struct ts_script *script, struct ts_variable *variable,
+				  bool *resumed);
+/* The states of all variables, written or read. */
+enum ts_status ts_variables_archive(struct ts_script *script, struct ts_archive *archive);
 
 #endif

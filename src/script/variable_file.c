@@ -2,6 +2,7 @@
  * format is that of LAMMPS: `#` starts a comment, blank lines do not count. */
 #include <errno.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "script/interpreter.h"
@@ -15,6 +16,7 @@ struct ts_variable_feed {
 	struct ts_str text;    /* file: its first word */
 	double *id, *value;    /* atomfile: the present set */
 	size_t n, id_capacity, value_capacity;
+	int64_t position; /* how many values or sets were read */
 };
 
 static void release(struct ts_variable *variable)
@@ -92,6 +94,7 @@ static enum ts_status next_text(struct ts_script *script, struct ts_variable *va
 	if (status == TS_OK && !*exhausted) {
 		ts_str_clear(&feed->text);
 		ts_str_add(&feed->text, words.word[0].text);
+		feed->position++;
 		if (feed->text.failed)
 			status = ts_nomem(&script->sim->error);
 	}
@@ -140,6 +143,7 @@ static enum ts_status next_set(struct ts_script *script, struct ts_variable *var
 
 	if (status == TS_OK && !*exhausted) {
 		feed->n = 0;
+		feed->position++;
 		if (!ts_parse_int(words.word[0].text, &count) || count < 0)
 			status = ts_fail(&script->sim->error, TS_SYNTAX, &words.word[0].place,
 					 "expected the number of values that follow, found '%s'",
@@ -153,11 +157,41 @@ static enum ts_status next_set(struct ts_script *script, struct ts_variable *var
 	return keep_line(script, feed, status);
 }
 
+static bool save_feed(const struct ts_variable *variable, double *number)
+{
+	*number = variable->feed ? (double)variable->feed->position : 0;
+	return variable->in_run;
+}
+
+/* To where the runs before had come. A file that the script itself steps through is the script's. */
+static enum ts_status restore_feed(struct ts_script *script, struct ts_variable *variable,
+				   double number)
+{
+	struct ts_variable_feed *feed = variable->feed;
+	bool exhausted = false;
+
+	if ((double)feed->position > number) {
+		rewind(feed->stream);
+		feed->line.line = 0;
+		feed->position = 0;
+	}
+	while ((double)feed->position < number && !exhausted)
+		TS_TRY(variable->style->next(script, variable, &exhausted));
+	if (exhausted)
+		return ts_fail(&script->sim->error, TS_IO, &variable->where,
+			       "variable '%s': the file '%s' has %lld values, but the run saved in the "
+			       "restart file had come to number %.0f",
+			       variable->name, variable->values.word[0].text,
+			       (long long)feed->position, number);
+	variable->in_run = true;
+	return TS_OK;
+}
+
 static enum ts_status open_feed(struct ts_script *script, struct ts_variable *variable)
 {
 	const struct ts_word *path = &variable->values.word[0];
 	struct ts_error *error = &script->sim->error;
-	bool empty = false;
+	bool empty = false, resumed;
 
 	variable->feed = ts_alloc(1, sizeof *variable->feed);
 	if (!variable->feed)
@@ -173,7 +207,7 @@ static enum ts_status open_feed(struct ts_script *script, struct ts_variable *va
 	if (empty)
 		return ts_fail(error, TS_IO, &path->place, "the file '%s' has no values",
 			       path->text);
-	return TS_OK;
+	return ts_variable_resume(script, variable, &resumed);
 }
 
 static enum ts_status file_text(struct ts_script *script, struct ts_variable *variable,
@@ -184,26 +218,54 @@ static enum ts_status file_text(struct ts_script *script, struct ts_variable *va
 	return TS_OK;
 }
 
+struct named {
+	double id, value;
+	size_t at; /* in the file: the last one wins */
+};
+
+static int by_id(const void *a, const void *b)
+{
+	const struct named *p = a, *q = b;
+
+	if (p->id < q->id || p->id > q->id)
+		return p->id < q->id ? -1 : 1;
+	return p->at < q->at ? -1 : p->at > q->at;
+}
+
+/* The last value of that identity, or 0. */
+static double value_of(const struct named *list, size_t n, double id)
+{
+	size_t lo = 0, hi = n;
+
+	while (lo < hi) {
+		size_t middle = lo + (hi - lo) / 2;
+
+		if (list[middle].id <= id)
+			lo = middle + 1;
+		else
+			hi = middle;
+	}
+	return lo && !(list[lo - 1].id < id) ? list[lo - 1].value : 0;
+}
+
 /* Particles the set does not name have the value 0. */
 static enum ts_status atomfile_peratom(struct ts_script *script, struct ts_variable *variable,
 				       const struct ts_place *where, struct ts_table *out)
 {
 	const struct ts_variable_feed *feed = variable->feed;
-	double greatest = 0, *value;
+	struct named *list;
 
 	(void)where;
 	TS_TRY(ts_quantity_eval(script->sim, "id", out));
-	for (size_t i = 0; i < out->rows; i++)
-		greatest = out->data[i] > greatest ? out->data[i] : greatest;
-	value = ts_alloc((size_t)greatest + 1, sizeof *value);
-	if (!value)
+	list = ts_alloc(feed->n + 1, sizeof *list);
+	if (!list)
 		return ts_nomem(&script->sim->error);
 	for (size_t k = 0; k < feed->n; k++)
-		if (feed->id[k] > 0 && feed->id[k] <= greatest)
-			value[(size_t)feed->id[k]] = feed->value[k];
+		list[k] = (struct named){ feed->id[k], feed->value[k], k };
+	qsort(list, feed->n, sizeof *list, by_id);
 	for (size_t i = 0; i < out->rows; i++)
-		out->data[i] = value[(size_t)out->data[i]];
-	ts_free(value);
+		out->data[i] = value_of(list, feed->n, out->data[i]);
+	ts_free(list);
 	return TS_OK;
 }
 
@@ -217,6 +279,8 @@ const struct ts_variable_style ts_var_file = {
 	.define = open_feed,
 	.text = file_text,
 	.next = next_text,
+	.save = save_feed,
+	.restore = restore_feed,
 	.release = release,
 };
 
@@ -231,5 +295,7 @@ const struct ts_variable_style ts_var_atomfile = {
 	.define = open_feed,
 	.peratom = atomfile_peratom,
 	.next = next_set,
+	.save = save_feed,
+	.restore = restore_feed,
 	.release = release,
 };

@@ -111,6 +111,47 @@ const struct ts_variable_style ts_var_timer = {
 	.number = plain_number,
 };
 
+/* In a script that goes on from a restart file the value is that of before. */
+static enum ts_status define_once(struct ts_script *script, struct ts_variable *variable)
+{
+	const struct ts_word *formula = &variable->values.word[0];
+	bool resumed = false;
+
+	TS_TRY(ts_variable_resume(script, variable, &resumed));
+	return resumed ? TS_OK
+		       : ts_expr_scalar(script, formula->text, &formula->place, &variable->number);
+}
+
+static bool save_once(const struct ts_variable *variable, double *number)
+{
+	*number = variable->number;
+	return true;
+}
+
+static enum ts_status restore_once(struct ts_script *script, struct ts_variable *variable,
+				   double number)
+{
+	variable->number = number;
+	ts_log(&script->sim->log, "Variable %s goes on with %.15g from the restart file\n",
+	       variable->name, number);
+	return TS_OK;
+}
+
+const struct ts_variable_style ts_var_once = {
+	.name = "once",
+	.values = "formula",
+	.help = "the value that a formula has when this line is run first; restart files keep it, and "
+		"a script that goes on from one gets it back",
+	.least = 1,
+	.most = 1,
+	.keeps = true,
+	.define = define_once,
+	.text = plain_text,
+	.number = plain_number,
+	.save = save_once,
+	.restore = restore_once,
+};
+
 static enum ts_status define_internal(struct ts_script *script, struct ts_variable *variable)
 {
 	const struct ts_word *word = variable->values.word;

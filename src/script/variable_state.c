@@ -1,0 +1,128 @@
+/* What a restart file keeps of variables: values found once, and how far runs have come in files. */
+#include <stdio.h>
+#include <string.h>
+
+#include "script/interpreter.h"
+
+#include "base/banned.h"
+
+static const char list_field[] = "variables";
+
+/* Fields of one variable; `what` is one of style, text, number. */
+static void field_name(char *to, size_t size, const char *what, const char *name)
+{
+	snprintf(to, size, "%s of %s", what, name);
+}
+
+static enum ts_status archive_one(struct ts_archive *archive, struct ts_variable_state *state)
+{
+	char field[160];
+
+	field_name(field, sizeof field, "style", state->name);
+	TS_TRY(ts_archive_string(archive, field, &state->style));
+	field_name(field, sizeof field, "text", state->name);
+	TS_TRY(ts_archive_string(archive, field, &state->text));
+	field_name(field, sizeof field, "number", state->name);
+	return ts_archive_fixed(archive, field, TS_SAVED_F64, &state->number, 1);
+}
+
+static bool is_kept(const struct ts_variable *variable, double *number)
+{
+	return variable->style->save && strlen(variable->name) < 128 &&
+	       variable->style->save(variable, number);
+}
+
+static enum ts_status write_states(struct ts_script *script, struct ts_archive *archive)
+{
+	struct ts_str names = { 0 };
+	const char *list;
+	double number;
+	enum ts_status status;
+
+	for (size_t k = 0; k < script->variables.n; k++)
+		if (is_kept(script->variables.item[k], &number))
+			ts_str_addf(&names, "%s ", script->variables.item[k]->name);
+	list = ts_str_text(&names);
+	status = names.failed ? ts_nomem(&script->sim->error)
+			      : ts_archive_string(archive, list_field, &list);
+	ts_str_release(&names);
+	for (size_t k = 0; k < script->variables.n && status == TS_OK; k++) {
+		const struct ts_variable *v = script->variables.item[k];
+		struct ts_variable_state state = { v->style->name, v->name, "", 0 };
+
+		if (!is_kept(v, &state.number))
+			continue;
+		state.text = v->values.word[0].text;
+		status = archive_one(archive, &state);
+	}
+	return status;
+}
+
+static bool is_for(const struct ts_variable_state *state, const struct ts_variable *variable)
+{
+	return ts_streq(state->name, variable->name) &&
+	       ts_streq(state->style, variable->style->name) &&
+	       ts_streq(state->text, variable->values.word[0].text);
+}
+
+enum ts_status ts_variable_resume(struct ts_script *script, struct ts_variable *variable,
+				  bool *resumed)
+{
+	*resumed = false;
+	for (size_t k = 0; k < script->nwaiting; k++) {
+		double number = script->waiting[k].number;
+
+		if (!is_for(&script->waiting[k], variable))
+			continue;
+		*resumed = true;
+		script->waiting[k] = script->waiting[--script->nwaiting];
+		return variable->style->restore(script, variable, number);
+	}
+	return TS_OK;
+}
+
+static enum ts_status read_state(struct ts_script *script, struct ts_archive *archive,
+				 const char *name)
+{
+	struct ts_variable_state state = { .name = name };
+	struct ts_variable *variable = ts_variable_find(script, name);
+	bool resumed;
+
+	TS_TRY(archive_one(archive, &state));
+	if (TS_GROW(script->waiting, script->waiting_capacity, script->nwaiting + 1) != TS_OK)
+		return ts_nomem(&script->sim->error);
+	script->waiting[script->nwaiting++] = state;
+	return variable && variable->style->restore
+		       ? ts_variable_resume(script, variable, &resumed)
+		       : TS_OK;
+}
+
+static enum ts_status read_states(struct ts_script *script, struct ts_archive *archive)
+{
+	struct ts_arena arena = { 0 };
+	struct ts_words names = { 0 };
+	struct ts_place nowhere = { 0 };
+	const char *list;
+	enum ts_status status;
+
+	script->nwaiting = 0;
+	if (!ts_archive_has(archive, list_field))
+		return TS_OK;
+	TS_TRY(ts_archive_string(archive, list_field, &list));
+	status = ts_words_split(&arena, list, &nowhere, &names) == TS_OK
+			 ? TS_OK
+			 : ts_nomem(&script->sim->error);
+	for (size_t k = 0; k < names.n && status == TS_OK; k++) {
+		const char *name = ts_pool_get(script->sim->pool, names.word[k].text);
+
+		status = name ? read_state(script, archive, name) : ts_nomem(&script->sim->error);
+	}
+	ts_arena_release(&arena);
+	return status;
+}
+
+enum ts_status ts_variables_archive(struct ts_script *script, struct ts_archive *archive)
+{
+	return ts_archive_writing(archive) ? write_states(script, archive)
+					   : read_states(script, archive);
+}
