@@ -156,6 +156,8 @@ library_sources = \
 	src/neigh/contact_list.h \
 	src/neigh/gather.c \
 	src/neigh/gather.h \
+	src/neigh/gran_numbers.c \
+	src/neigh/gran_numbers.h \
 	src/neigh/materials.c \
 	src/neigh/materials.h \
 	src/neigh/neigh.c \
@@ -439,6 +441,9 @@ library_sources = \
 	src/styles/fix/wall_reflect.c \
 	src/styles/flow/uniform.c \
 	src/styles/pair/gran.c \
+	src/styles/pair/gran_hertz_history.c \
+	src/styles/pair/gran_hooke.c \
+	src/styles/pair/gran_hooke_history.c \
 	src/styles/pair/spring_dashpot.c \
 	src/styles/region/block.c \
 	src/styles/region/cone.c \

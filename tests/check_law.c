@@ -92,9 +92,9 @@ START_TEST(partners_change_places)
 	const double v[3] = { 0.31, -0.27, -0.83 }, back[3] = { -0.31, 0.27, 0.83 };
 	const double wi[3] = { 3.1, -2.3, 7.7 }, wj[3] = { -1.3, 4.1, -5.9 };
 	struct ts_granular_model m = { .normal = 1 + _i % (TS_NNORMAL - 1),
-				       .tangential = _i / 6 % 3,
-				       .rolling = _i / 18 % 5,
-				       .cohesion = _i / 90 % 3 };
+				       .tangential = _i / 6 % TS_NTANGENTIAL,
+				       .rolling = _i / 24 % 5,
+				       .cohesion = _i / 120 % 3 };
 	double memory[2][TS_GRANULAR_MEMORY] = { { 0 } };
 	signed char sign[TS_GRANULAR_MEMORY + 1];
 	struct ts_touch t = touch(0.0123, 0.0231, 0.00037, false);
@@ -126,8 +126,9 @@ END_TEST
 START_TEST(wall_is_the_limit)
 {
 	const double v[3] = { 0.31, -0.27, -0.83 }, w[3] = { 3.1, -2.3, 7.7 }, still[3] = { 0 };
-	struct ts_granular_model m = { .normal = 1 + _i % (TS_NNORMAL - 1), .tangential = _i / 6 % 3,
-				       .cohesion = _i / 18 % 2 };
+	struct ts_granular_model m = { .normal = 1 + _i % (TS_NNORMAL - 1),
+				       .tangential = _i / 6 % TS_NTANGENTIAL,
+				       .cohesion = _i / 24 % 2 };
 	double memory[2][TS_GRANULAR_MEMORY] = { { 0 } };
 	struct ts_touch pair = touch(0.0123, 1e5, 0.00037, false);
 	struct ts_touch wall = touch(0.0123, 0, 0.00037, true);
@@ -225,8 +226,8 @@ int main(void)
 	int failed;
 
 	tcase_add_test(c, hertz_and_hooke_at_rest);
-	tcase_add_loop_test(c, partners_change_places, 0, 270);
-	tcase_add_loop_test(c, wall_is_the_limit, 0, 36);
+	tcase_add_loop_test(c, partners_change_places, 0, 360);
+	tcase_add_loop_test(c, wall_is_the_limit, 0, 48);
 	tcase_add_loop_test(c, restitution_is_kept, 0, 8);
 	tcase_add_test(c, hysteresis_loses_energy);
 	tcase_add_test(c, friction_is_limited);

@@ -6,6 +6,7 @@ shell_tests = \
 	tests/crosscheck/fixes.sh \
 	tests/crosscheck/granular.sh \
 	tests/crosscheck/lammps.sh \
+	tests/crosscheck/lammps_granular.sh \
 	tests/crosscheck/language.sh \
 	tests/crosscheck/liggghts.sh \
 	tests/crosscheck/space.sh \
@@ -18,6 +19,7 @@ shell_tests = \
 	tests/decks/contact_computes.sh \
 	tests/decks/dumps.sh \
 	tests/decks/fixes.sh \
+	tests/decks/gran_numbers.sh \
 	tests/decks/groups.sh \
 	tests/decks/info.sh \
 	tests/decks/inputs.sh \

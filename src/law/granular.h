@@ -16,7 +16,13 @@ enum ts_normal_law {
 	TS_NORMAL_HOOKE_HYSTERESIS,
 	TS_NNORMAL
 };
-enum ts_tangential_law { TS_TANGENTIAL_OFF, TS_TANGENTIAL_HISTORY, TS_TANGENTIAL_NO_HISTORY };
+enum ts_tangential_law {
+	TS_TANGENTIAL_OFF,
+	TS_TANGENTIAL_HISTORY,
+	TS_TANGENTIAL_NO_HISTORY,
+	TS_TANGENTIAL_SLIDER,
+	TS_NTANGENTIAL
+};
 enum ts_rolling_law {
 	TS_ROLLING_OFF,
 	TS_ROLLING_CDT,
@@ -36,6 +42,7 @@ struct ts_granular_model {
 	bool reduce;  /* tangential_reduce: cohesion lowers the limit of friction */
 	bool torsion; /* torsionTorque: rolling friction resists spinning too */
 	bool plane;   /* two dimensions: discs roll */
+	bool full_arms; /* the arms of torque and slip are the radii, not those less delta/2 */
 };
 
 /* Constants of a pair of materials; each law uses its own few. */

@@ -21,10 +21,24 @@ static inline bool ts_granular_turns(const struct ts_granular_model *m)
 	return m->tangential != TS_TANGENTIAL_OFF || m->rolling != TS_ROLLING_OFF;
 }
 
+/* By how much the arms of the contact fall short of the radii; then the arms. */
+static inline double ts_granular_short(const struct ts_granular_model *m, const struct ts_touch *t)
+{
+	return m->full_arms ? 0 : 0.5 * t->overlap;
+}
+
+static inline void ts_granular_arms(const struct ts_granular_model *m, struct ts_touch *t)
+{
+	double less = ts_granular_short(m, t);
+
+	t->arm[0] = t->radius[0] - less;
+	t->arm[1] = t->wall ? 0 : t->radius[1] - less;
+}
+
 /* The memory of a contact: where each law keeps its part, and how many numbers in all. */
 static inline int ts_granular_rolling_at(const struct ts_granular_model *m)
 {
-	return m->tangential == TS_TANGENTIAL_HISTORY ? 3 : 0;
+	return ts_tangential_remembers(m) ? 3 : 0;
 }
 
 static inline int ts_granular_depth_at(const struct ts_granular_model *m)

@@ -1,8 +1,12 @@
 /* Tangential laws of contact.
  *
  * history      a spring along the slip since the first touch, xi: F_t = -k_t xi - gamma_t v_t, but
- * at the limit mu |F_n| the spring alone, shortened to it, without damping (P. A. Cundall, O. D. L.
- * Strack, Geotechnique 29 (1979) 47) no_history   F_t = -min(gamma_t, mu |F_n| / |v_t|) v_t
+ *              at the limit mu |F_n| the spring alone, shortened to it, without damping
+ *              (P. A. Cundall, O. D. L. Strack, Geotechnique 29 (1979) 47)
+ * slider       the same, but the limit holds for spring and dashpot together, and the spring is
+ *              shortened to what the dashpot leaves of it (L. E. Silbert et al., Phys. Rev. E 64
+ *              (2001) 051302; LAMMPS)
+ * no_history   F_t = -min(gamma_t, mu |F_n| / |v_t|) v_t
  *
  * xi is advanced by v_t h in each step and projected onto the plane of contact. */
 #ifndef TS_LAW_TANGENTIAL_H
@@ -33,6 +37,28 @@ static inline void ts_tangential_history(const struct ts_granular_pair *c, const
 		force[k] = -n->kt * xi[k] - n->gammat * t->slip[k];
 }
 
+static inline void ts_tangential_slider(const struct ts_granular_pair *c, const struct ts_touch *t,
+					const struct ts_normal *n, double step, double xi[3],
+					double force[3])
+{
+	double limit = c->friction * fabs(n->limit), size, share;
+	bool fresh;
+
+	ts_axpy(step, t->slip, xi);
+	fresh = xi[0] == 0 && xi[1] == 0 && xi[2] == 0;
+	if (step > 0)
+		ts_project(t->n, xi);
+	for (int k = 0; k < 3; k++)
+		force[k] = -(n->kt * xi[k] + n->gammat * t->slip[k]);
+	size = ts_norm(force);
+	if (size <= limit)
+		return;
+	share = fresh ? 0 : limit / size;
+	ts_scale(share, force, force);
+	for (int k = 0; k < 3 && n->kt > 0 && !fresh; k++)
+		xi[k] = -(force[k] + n->gammat * t->slip[k]) / n->kt;
+}
+
 static inline void ts_tangential_no_history(const struct ts_granular_pair *c,
 					    const struct ts_touch *t, const struct ts_normal *n,
 					    double force[3])
@@ -44,6 +70,11 @@ static inline void ts_tangential_no_history(const struct ts_granular_pair *c,
 	ts_scale(-gamma, t->slip, force);
 }
 
+static inline bool ts_tangential_remembers(const struct ts_granular_model *m)
+{
+	return m->tangential == TS_TANGENTIAL_HISTORY || m->tangential == TS_TANGENTIAL_SLIDER;
+}
+
 /* The force on i. `step`: by how much time the memory advances, 0 in set-up. */
 static inline void ts_tangential_force(const struct ts_granular_model *m,
 				       const struct ts_granular_pair *c, const struct ts_touch *t,
@@ -52,6 +83,8 @@ static inline void ts_tangential_force(const struct ts_granular_model *m,
 {
 	if (m->tangential == TS_TANGENTIAL_HISTORY)
 		ts_tangential_history(c, t, n, step, xi, force);
+	else if (m->tangential == TS_TANGENTIAL_SLIDER)
+		ts_tangential_slider(c, t, n, step, xi, force);
 	else if (m->tangential == TS_TANGENTIAL_NO_HISTORY)
 		ts_tangential_no_history(c, t, n, force);
 	else

@@ -12,15 +12,20 @@ static int32_t opposite(int32_t winding)
 	return ts_winding(turns);
 }
 
+/* Across a periodic face a pair has two rows, one on either side, equal but for rounding: each keeps its
+ * own. Set in the winding of the row of the larger tag. */
+enum { OTHER_SIDE = 1 << 30 };
+
 /* The key of a row, and whether its i has the larger tag. */
 static struct ts_row_key key_of(const struct ts_rows *rows, size_t r, bool *swapped)
 {
 	int32_t a = rows->tag[0][r], b = rows->tag[1][r];
 	int32_t there = rows->winding[r], back = opposite(there);
+	int32_t side = rows->image[r] == TS_IMAGE_SELF ? 0 : OTHER_SIDE;
 
 	*swapped = a > b || (a == b && there < back);
 	if (*swapped)
-		return (struct ts_row_key){ { b, a }, back };
+		return (struct ts_row_key){ { b, a }, back | side };
 	return (struct ts_row_key){ { a, b }, there };
 }
 
@@ -93,11 +98,8 @@ enum ts_status ts_row_history_take(struct tsim *sim, const struct ts_rows *rows,
 			continue;
 		h->key[h->n] = key_of(rows, r, &swapped);
 		slot = find(h, &h->key[h->n]);
-		if (*slot) { /* the other side's row of a pair with a ghost */
-			if (forces && !swapped)
-				copy_force(h->force[*slot - 1], rows->force[r], false);
+		if (*slot)
 			continue;
-		}
 		if (forces)
 			copy_force(h->force[h->n], rows->force[r], swapped);
 		if (h->width)
@@ -108,12 +110,21 @@ enum ts_status ts_row_history_take(struct tsim *sim, const struct ts_rows *rows,
 	return TS_OK;
 }
 
+/* A pair that has come to a periodic face, or left it, has one row where it had two or two for one. */
+static int32_t find_either(const struct ts_row_history *h, struct ts_row_key key)
+{
+	int32_t slot = *find(h, &key);
+
+	key.winding ^= OTHER_SIDE;
+	return slot ? slot : *find(h, &key);
+}
+
 void ts_row_history_give(const struct ts_row_history *h, struct ts_rows *rows)
 {
 	for (size_t r = 0; h->n && r < rows->n; r++) {
 		bool swapped;
 		struct ts_row_key key = key_of(rows, r, &swapped);
-		int32_t slot = *find(h, &key);
+		int32_t slot = find_either(h, key);
 
 		if (!slot)
 			continue;

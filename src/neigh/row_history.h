@@ -9,7 +9,7 @@ struct ts_row_history {
 	size_t n, width, slots;
 	struct ts_row_key {
 		int32_t tag[2];	 /* smaller first */
-		int32_t winding; /* of the larger, seen from the smaller; ts_winding */
+		int32_t winding; /* of the larger, seen from the smaller, and which row */
 	} * key;
 	double *value;	    /* width numbers each, as seen from the smaller tag */
 	double (*force)[3]; /* on the smaller tag; NULL: not kept */

@@ -90,8 +90,7 @@ static inline __attribute__((always_inline)) void ts_row_touch(const struct ts_p
 		t->n[k] = d[k] * inverse;
 		v[k] = vi[k] - vj[k];
 	}
-	t->arm[0] = t->radius[0] - 0.5 * t->overlap;
-	t->arm[1] = t->radius[1] - 0.5 * t->overlap;
+	ts_granular_arms(m, t);
 	t->vn = ts_dot(v, t->n);
 	for (int k = 0; k < 3; k++)
 		t->slip[k] = t->roll[k] = 0;
@@ -109,7 +108,7 @@ static inline __attribute__((always_inline)) void ts_row_store(struct ts_rows *r
 		rows->force[r][k] = f->force[k];
 	if (!ts_granular_turns(m))
 		return;
-	rows->half[r] = 0.5 * t->overlap;
+	rows->half[r] = ts_granular_short(m, t);
 	for (int k = 0; k < 3; k++) {
 		rows->turn[r][k] = f->turn[k];
 		rows->roll[r][k] = f->roll[k];

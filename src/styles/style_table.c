@@ -189,6 +189,9 @@ TS_STYLE(fix, ts_style, ts_fix_wall_gran)
 TS_STYLE(fix, ts_style, ts_fix_wall_reflect)
 TS_STYLE(flow, ts_flow_style, ts_flow_uniform)
 TS_STYLE(pair, ts_pair_style, ts_pair_gran)
+TS_STYLE(pair, ts_pair_style, ts_pair_gran_hertz_history)
+TS_STYLE(pair, ts_pair_style, ts_pair_gran_hooke)
+TS_STYLE(pair, ts_pair_style, ts_pair_gran_hooke_history)
 TS_STYLE(pair, ts_pair_style, ts_pair_spring_dashpot)
 TS_STYLE(region, ts_region_style, ts_region_block)
 TS_STYLE(region, ts_region_style, ts_region_cone)
@@ -383,6 +386,9 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_wall_reflect,
 	&ts_flow_uniform.style,
 	&ts_pair_gran.style,
+	&ts_pair_gran_hertz_history.style,
+	&ts_pair_gran_hooke.style,
+	&ts_pair_gran_hooke_history.style,
 	&ts_pair_spring_dashpot.style,
 	&ts_region_block.style,
 	&ts_region_cone.style,

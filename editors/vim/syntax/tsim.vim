@@ -80,8 +80,9 @@ syn keyword tsimKeyword  computeElasticPotential computeDissipatedEnergy
 syn keyword tsimKeyword  disableNormalWhenBonded primitive xplane yplane zplane xcylinder
 syn keyword tsimKeyword  ycylinder zcylinder
 syn match tsimKeyword /\<velocity\>/ 
-syn keyword tsimKeyword  store_force xlo xhi ylo yhi zlo zhi viscosity generic restitution
-syn keyword tsimKeyword  side in out open axis center bounds angle0
+syn keyword tsimKeyword  store_force xlo xhi ylo yhi zlo zhi viscosity generic
+syn keyword tsimKeyword  limit_damping restitution side in out open axis center bounds
+syn keyword tsimKeyword  angle0
 
 " numbers of the simulation and of particles
 syn keyword tsimName  id type radius diameter
@@ -133,7 +134,8 @@ syn match tsim_dump /\<restart\>/ contained
 syn keyword tsim_dump contained xyz
 hi def link tsim_dump Type
 syn match tsimHead /^\s*pair_style\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_pair
-syn keyword tsim_pair contained gran spring/dashpot
+syn keyword tsim_pair contained gran gran/hertz/history gran/hooke gran/hooke/history
+syn keyword tsim_pair contained spring/dashpot
 hi def link tsim_pair Type
 syn match tsimHead /^\s*bond_style\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_bond
 syn keyword tsim_bond contained contact

@@ -162,7 +162,8 @@ static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
 }
 
 /* The wall is the limit of an infinitely heavy partner whose surface is flat. */
-static bool touch(const struct wall *w, const struct ts_particles *p, size_t i, struct ts_touch *t)
+static bool touch(const struct wall *w, const struct ts_granular_model *model,
+		  const struct ts_particles *p, size_t i, struct ts_touch *t)
 {
 	static const double at_rest[3] = { 0 };
 	double v[3];
@@ -172,7 +173,7 @@ static bool touch(const struct wall *w, const struct ts_particles *p, size_t i, 
 	t->radius[0] = t->r_eff = p->radius[i];
 	t->mass[0] = t->m_eff = p->mass[i];
 	t->overlap = p->radius[i] - t->distance;
-	t->arm[0] = p->radius[i] - 0.5 * t->overlap;
+	ts_granular_arms(model, t);
 	ts_sub(p->v[i], w->velocity, v);
 	ts_touch_motion(t, v, p->omega ? p->omega[i] : at_rest, at_rest);
 	return t->overlap > 0;
@@ -200,7 +201,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 		struct ts_granular_force f;
 		struct ts_touch t;
 
-		if (!touch(w, p, i, &t)) {
+		if (!touch(w, model, p, i, &t)) {
 			ts_wall_contact_part(&w->contacts, k);
 			continue;
 		}
