@@ -74,6 +74,8 @@ library_sources = \
 	src/geom/pointhash.h \
 	src/geom/primitive.c \
 	src/geom/primitive.h \
+	src/geom/triangles.c \
+	src/geom/triangles.h \
 	src/io/average_file.c \
 	src/io/average_file.h \
 	src/io/chunk_average.c \
@@ -101,6 +103,13 @@ library_sources = \
 	src/io/histogram.h \
 	src/io/lines.c \
 	src/io/lines.h \
+	src/io/mesh_obj.c \
+	src/io/mesh_read.c \
+	src/io/mesh_read.h \
+	src/io/mesh_scan.c \
+	src/io/mesh_scan.h \
+	src/io/mesh_stl.c \
+	src/io/mesh_vtk.c \
 	src/io/newest.c \
 	src/io/newest.h \
 	src/io/replace.c \

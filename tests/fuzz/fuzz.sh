@@ -9,7 +9,7 @@ top_srcdir=$(cd "${top_srcdir:-$(dirname "$0")/../..}" && pwd)
 here=$top_srcdir/tests/fuzz
 folder=${FUZZ_FOLDER:-$top_builddir/fuzzing}
 export top_srcdir TSIM=${TSIM:-$top_builddir/tsim}
-targets=(${*:-script expression restart data})
+targets=(${*:-script expression restart data mesh})
 effort=-seed=$RANDOM
 [ -n "$FUZZ_SECONDS" ] || effort='-seed=20231 -runs=30000'
 # adding 0 to a null pointer is no fault: pointer-overflow is left out below
