@@ -198,6 +198,8 @@ library_sources = \
 	src/particles/chunk_user.c \
 	src/particles/chunk_user.h \
 	src/particles/columns.c \
+	src/particles/comm.c \
+	src/particles/comm.h \
 	src/particles/domain.c \
 	src/particles/domain.h \
 	src/particles/draw.c \

@@ -24,6 +24,7 @@ shell_tests = \
 	tests/decks/info.sh \
 	tests/decks/inputs.sh \
 	tests/decks/mistakes.sh \
+	tests/decks/neigh_words.sh \
 	tests/decks/plane.sh \
 	tests/decks/regions.sh \
 	tests/drilling.sh \

@@ -271,10 +271,19 @@ static enum ts_status read_region(struct parse *p, const struct ts_arg *row,
 	return ts_sim_require(p->sim, TS_KIND_REGION, word, out);
 }
 
+static bool is_named(const struct ts_arg *row, const char *name)
+{
+	size_t n = strlen(row->name) - strlen("NAME");
+
+	if (!(row->flags & TS_NAMED))
+		return ts_streq(row->name, name);
+	return strncmp(row->name, name, n) == 0 && name[n];
+}
+
 static const struct ts_arg *find_keyword(const struct ts_arg *rows, const char *name)
 {
 	for (; rows && rows->type != TS_ARG_END; rows++)
-		if (!(rows->flags & TS_POSITIONAL) && ts_streq(rows->name, name))
+		if (!(rows->flags & TS_POSITIONAL) && is_named(rows, name))
 			return rows;
 	return NULL;
 }
@@ -282,12 +291,17 @@ static const struct ts_arg *find_keyword(const struct ts_arg *rows, const char *
 static enum ts_status read_rest(struct parse *p, const struct ts_arg *row, struct ts_words *out,
 				const struct ts_arg *common)
 {
-	struct ts_words rest = ts_words_from(p->words, p->next);
+	struct ts_words rest;
+	size_t least = row->flags & TS_REPEAT ? 1 : 0; /* one word at least, whatever it is */
 
-	if (row->flags & TS_TO_KEYWORD) /* a repeated one has one word at least, whatever it is */
-		for (size_t k = row->flags & TS_REPEAT ? 1 : 0; k < rest.n; k++)
-			if (find_keyword(common, rest.word[k].text))
-				rest.n = k;
+	if (row->flags & TS_NAMED) {
+		p->next--;
+		least++;
+	}
+	rest = ts_words_from(p->words, p->next);
+	for (size_t k = least; k < rest.n && (row->flags & TS_TO_KEYWORD); k++)
+		if (find_keyword(common, rest.word[k].text))
+			rest.n = k;
 	if (!rest.n && !(row->flags & TS_OPTIONAL))
 		return refuse(p, row, NULL, row->help);
 	p->next += rest.n;

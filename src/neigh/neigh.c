@@ -154,23 +154,47 @@ static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+const double *ts_neigh_molecules(const struct ts_particles *p)
+{
+	size_t k;
+	const struct ts_column *c = ts_particles_named_column(p, "mol", &k);
+
+	return c && c->width == 1 ? c->data : NULL;
+}
+
+static bool same_molecule(const struct ts_particles *p, size_t i, size_t j)
+{
+	const double *molecule = ts_neigh_molecules(p);
+
+	j = j < p->n ? j : (size_t)p->ghost_owner[j - p->n];
+	return molecule && molecule[i] == molecule[j];
+}
+
 static bool excludes(const struct ts_exclude *e, const struct ts_particles *p, size_t i, size_t j)
 {
-	if (e->by_group)
+	bool members;
+
+	if (e->by == TS_EXCLUDE_TYPES)
+		return (p->type[i] == e->a && p->type[j] == e->b) ||
+		       (p->type[i] == e->b && p->type[j] == e->a);
+	if (e->by == TS_EXCLUDE_GROUPS)
 		return (ts_in_group(p, i, e->a) && ts_in_group(p, j, e->b)) ||
 		       (ts_in_group(p, i, e->b) && ts_in_group(p, j, e->a));
-	return (p->type[i] == e->a && p->type[j] == e->b) ||
-	       (p->type[i] == e->b && p->type[j] == e->a);
+	members = ts_in_group(p, i, e->a) && ts_in_group(p, j, e->a);
+	return members && same_molecule(p, i, j) == (e->by == TS_EXCLUDE_WITHIN);
 }
 
 static bool excluded(const struct tsim *sim, size_t i, size_t j)
 {
 	const struct ts_particles *p = sim->particles;
+	const struct ts_neigh *nb = sim->neigh;
 
-	for (int k = 0; k < sim->neigh->nexclude; k++)
-		if (excludes(&sim->neigh->exclude[k], p, i, j))
+	if (!ts_in_group(p, i, nb->include) || !ts_in_group(p, j, nb->include))
+		return true;
+	for (int k = 0; k < nb->nexclude; k++)
+		if (excludes(&nb->exclude[k], p, i, j))
 			return true;
-	return sim->neigh->skip_bonded && ts_bonds_has(sim->bonds, p->tag[i], p->tag[j]);
+	return nb->skip_bonded && ts_bonds_has(sim->bonds, p->tag[i], p->tag[j]);
 }
 
 static double largest_radius(const struct ts_particles *p)
@@ -200,7 +224,7 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 	if (!nb->wanted)
 		return TS_OK;
 	TS_TRY(ts_rows_build(sim, &nb->rows, nb->built_skin,
-			     nb->nexclude || nb->skip_bonded ? excluded : NULL));
+			     nb->include || nb->nexclude || nb->skip_bonded ? excluded : NULL));
 	if (nb->saved.n && nb->saved.width == nb->rows.history_width)
 		ts_row_history_give(&nb->saved, &nb->rows);
 	ts_row_history_release(&nb->saved);
@@ -238,15 +262,27 @@ static enum ts_status archive_bonded(struct ts_neigh *nb, struct ts_archive *a)
 	return TS_OK;
 }
 
+static enum ts_status archive_include(struct ts_neigh *nb, struct ts_archive *a)
+{
+	return ts_archive_has(a, "include") /* older files have none */
+		       ? ts_archive_fixed(a, "include", TS_SAVED_I32, &nb->include, 1)
+		       : TS_OK;
+}
+
+static bool is_group(int32_t bit)
+{
+	return bit >= 0 && bit < TS_MAX_GROUPS;
+}
+
 static bool exclusions_possible(const struct ts_neigh *nb)
 {
-	bool possible = nb->nexclude >= 0 && nb->nexclude <= TS_MAX_EXCLUDE;
+	bool possible = nb->nexclude >= 0 && nb->nexclude <= TS_MAX_EXCLUDE && is_group(nb->include);
 
 	for (int k = 0; possible && k < nb->nexclude; k++) {
 		const struct ts_exclude *e = &nb->exclude[k];
 
-		possible = !e->by_group || (e->a >= 0 && e->a < TS_MAX_GROUPS && e->b >= 0 &&
-					    e->b < TS_MAX_GROUPS);
+		possible = e->by >= TS_EXCLUDE_TYPES && e->by <= TS_EXCLUDE_BETWEEN &&
+			   (e->by == TS_EXCLUDE_TYPES || (is_group(e->a) && is_group(e->b)));
 	}
 	return possible;
 }
@@ -258,6 +294,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	enum ts_status status;
 
 	TS_TRY(archive_bonded(nb, a));
+	TS_TRY(archive_include(nb, a));
 	TS_TRY(ts_archive_fixed(a, "exclude", TS_SAVED_I32, nb->exclude, 3 * TS_MAX_EXCLUDE));
 	if (!exclusions_possible(nb))
 		return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible exclusions of neighbors");
@@ -276,6 +313,7 @@ static void fingerprint(const struct ts_instance *self, const struct tsim *sim,
 
 	(void)sim;
 	ts_hash_add(hash, &nb->skin, sizeof nb->skin);
+	ts_hash_add(hash, &nb->include, sizeof nb->include);
 	ts_hash_add(hash, &nb->nexclude, sizeof nb->nexclude);
 	ts_hash_add(hash, nb->exclude, sizeof nb->exclude);
 	ts_hash_add(hash, &nb->skip_bonded, sizeof nb->skip_bonded);
@@ -328,6 +366,8 @@ static void settings(const struct ts_instance *self, const struct tsim *sim, str
 	if (sim->particles->n)
 		ts_setting(out, !(nb->skin > 0), "neighbor %.6g", ts_neigh_skin(sim));
 	ts_setting(out, nb->nexclude == 0, "excluded %d", (int)nb->nexclude);
+	if (nb->include)
+		ts_setting(out, false, "include %s", ts_group_name(sim, nb->include));
 }
 
 const struct ts_system_style ts_neigh_system = {

@@ -9,15 +9,18 @@
 
 enum { TS_MAX_EXCLUDE = 16 };
 
-/* A pair of types or groups that do not touch each other (neigh_modify exclude). */
+/* Pairs that do not touch each other (neigh_modify exclude): of two types, of two groups, or of a group
+ * whose molecules are the same or different. */
+enum ts_exclude_by { TS_EXCLUDE_TYPES, TS_EXCLUDE_GROUPS, TS_EXCLUDE_WITHIN, TS_EXCLUDE_BETWEEN };
 struct ts_exclude {
-	int32_t by_group; /* 0: types, 1: group bits */
-	int32_t a, b;
+	int32_t by;   /* enum ts_exclude_by */
+	int32_t a, b; /* types or group bits */
 };
 
 struct ts_neigh {
 	double skin;        /* <= 0: chosen from the particles, see ts_neigh_skin */
 	double built_skin;  /* of the rows now in use */
+	int32_t include; /* bit of the group whose members touch each other; 0: all */
 	int32_t nexclude;
 	struct ts_exclude exclude[TS_MAX_EXCLUDE];
 	bool skip_bonded;   /* bonded particles do not touch each other (special_bonds) */
@@ -31,6 +34,8 @@ struct ts_neigh {
 /* The skin in use: as given by `neighbor`, else 0.4 of the smallest radius (at least 0.05 of the
  * largest). */
 double ts_neigh_skin(const struct tsim *sim);
+/* The molecules of particles, as `fix property/atom mol` keeps them; NULL: there are none. */
+const double *ts_neigh_molecules(const struct ts_particles *p);
 
 /* Pressure and counts of searches for the table of the log: neigh/pressure.c. */
 extern const struct ts_keyword ts_neigh_keywords[];

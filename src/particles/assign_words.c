@@ -129,19 +129,65 @@ enum ts_status ts_assign_image(struct tsim *sim, struct ts_words words, const un
 
 /* ---- columns of fixes ---- */
 
-static struct ts_column *find_column(struct ts_particles *p, const char *name)
+static struct ts_column *find_column(struct ts_particles *p, const char *name, size_t n)
 {
 	static const char *const prefixes[] = { "", "f_", "d_", "i_", "property_" };
 
 	for (size_t k = TS_NCOLUMN_BUILTIN; k < p->ncolumns; k++)
 		for (size_t j = 0; j < sizeof prefixes / sizeof *prefixes; j++) {
-			size_t n = strlen(prefixes[j]);
+			const char *known = p->column[k].name;
+			size_t m = strlen(prefixes[j]);
 
-			if (strncmp(p->column[k].name, prefixes[j], n) == 0 &&
-			    ts_streq(p->column[k].name + n, name))
+			if (strncmp(known, prefixes[j], m) == 0 && strlen(known) == m + n &&
+			    strncmp(known + m, name, n) == 0)
 				return &p->column[k];
 		}
 	return NULL;
+}
+
+/* The k of NAME[k], counted from 0; false where it is none from 1 to width. */
+static bool read_index(const char *bracket, size_t width, size_t *k)
+{
+	size_t digits = strcspn(bracket + 1, "]");
+	char number[16] = "";
+	int64_t value = 0;
+
+	if (!digits || digits >= sizeof number || !ts_streq(bracket + 1 + digits, "]"))
+		return false;
+	memcpy(number, bracket + 1, digits);
+	if (!ts_parse_int(number, &value) || value < 1 || (size_t)value > width)
+		return false;
+	*k = (size_t)value - 1;
+	return true;
+}
+
+/* What NAME, or NAME[k], is: the numbers first .. first + n - 1 of each row of the column. */
+struct part_of_column {
+	struct ts_column *column;
+	size_t first, n;
+};
+
+static enum ts_status find_part(struct tsim *sim, const struct ts_word *word,
+				struct part_of_column *out)
+{
+	struct ts_particles *p = sim->particles;
+	size_t length = strcspn(word->text, "[");
+	struct ts_column *c = find_column(p, word->text, length);
+	struct ts_suggest suggest = ts_suggest_start(word->text);
+	bool one = word->text[length] != '\0';
+
+	for (size_t j = TS_NCOLUMN_BUILTIN; j < p->ncolumns; j++)
+		ts_suggest_try(&suggest, p->column[j].name);
+	if (!c || c->type != TS_SAVED_F64)
+		return ts_fail(&sim->error, TS_UNKNOWN, &word->place,
+			       "set: no fix keeps a property '%s' of particles%s", word->text,
+			       ts_suggest_text(&suggest));
+	*out = (struct part_of_column){ c, 0, one ? 1 : c->width };
+	if (one && !read_index(word->text + length, c->width, &out->first))
+		return ts_fail(&sim->error, TS_RANGE, &word->place,
+			       "set: property '%.*s' has the numbers [1] to [%zu], not %s", (int)length,
+			       word->text, c->width, word->text + length);
+	return TS_OK;
 }
 
 static enum ts_status read_value(struct tsim *sim, const struct ts_word *word,
@@ -157,36 +203,67 @@ static enum ts_status read_value(struct tsim *sim, const struct ts_word *word,
 		       "set: property/atom is '%s', expected a number or v_name", word->text);
 }
 
-enum ts_status ts_assign_property(struct tsim *sim, struct ts_words words,
-				  const unsigned char *chosen, size_t *count)
+static enum ts_status assign_number(struct tsim *sim, const struct ts_word *word,
+				    const unsigned char *chosen, const struct part_of_column *to,
+				    size_t k, struct ts_table *value)
 {
-	struct ts_particles *p = sim->particles;
-	struct ts_column *c = find_column(p, words.word[0].text);
-	struct ts_suggest suggest = ts_suggest_start(words.word[0].text);
+	const struct ts_column *c = to->column;
+	bool integer = strncmp(c->name, "i_", 2) == 0 || strncmp(c->name, "i2_", 3) == 0;
+	struct ts_number number;
+
+	TS_TRY(read_value(sim, word, &number));
+	TS_TRY(ts_assign_values(sim, &number, &word->place, value));
+	for (size_t i = 0; i < sim->particles->n; i++) {
+		double x = value->data[i];
+
+		if (chosen[i] && integer && x != floor(x))
+			return ts_fail(&sim->error, TS_RANGE, &word->place,
+				       "set: %s is an integer, found %g", c->name, x);
+		if (chosen[i])
+			((double *)c->data)[i * c->width + to->first + k] = x;
+	}
+	return TS_OK;
+}
+
+/* The words up to the next that is no value. */
+static size_t count_values(struct ts_words words)
+{
+	size_t n = 0;
+	double value;
+
+	while (n < words.n && (strncmp(words.word[n].text, "v_", 2) == 0 ||
+			       ts_parse_real(words.word[n].text, &value)))
+		n++;
+	return n;
+}
+
+static enum ts_status assign_column(struct tsim *sim, struct ts_words words,
+				    const unsigned char *chosen, size_t *used)
+{
+	size_t given = count_values(ts_words_from(words, 1));
 	struct ts_table value = { 0 };
 	enum ts_status status = TS_OK;
+	struct part_of_column to = { 0 };
 
-	for (size_t k = TS_NCOLUMN_BUILTIN; k < p->ncolumns; k++)
-		ts_suggest_try(&suggest, p->column[k].name);
-	if (!c || c->type != TS_SAVED_F64)
-		return ts_fail(&sim->error, TS_UNKNOWN, &words.word[0].place,
-			       "set: no fix keeps a property '%s' of particles%s", words.word[0].text,
-			       ts_suggest_text(&suggest));
-	if (words.n != c->width + 1)
+	TS_TRY(find_part(sim, &words.word[0], &to));
+	if (given < to.n && given + 1 < words.n)
+		given = to.n; /* the message is about the word that is no value */
+	*used = given + 1;
+	if (given != to.n)
 		return ts_fail(&sim->error, TS_SYNTAX, &words.word[0].place,
 			       "set: property '%s' takes %zu number%s, but %zu are given",
-			       words.word[0].text, c->width, c->width > 1 ? "s" : "", words.n - 1);
-	for (size_t k = 0; k < c->width && status == TS_OK; k++) {
-		struct ts_number number;
-
-		status = read_value(sim, &words.word[k + 1], &number);
-		if (status == TS_OK)
-			status = ts_assign_values(sim, &number, &words.word[k + 1].place, &value);
-		for (size_t i = 0; status == TS_OK && i < p->n; i++)
-			if (chosen[i])
-				((double *)c->data)[i * c->width + k] = value.data[i];
-	}
+			       words.word[0].text, to.n, to.n > 1 ? "s" : "", given);
+	for (size_t k = 0; k < to.n && status == TS_OK; k++)
+		status = assign_number(sim, &words.word[k + 1], chosen, &to, k, &value);
 	ts_table_release(&value);
-	*count = count_of(sim, chosen);
 	return status;
+}
+
+enum ts_status ts_assign_properties(struct tsim *sim, struct ts_words words,
+				    const unsigned char *chosen, size_t *count)
+{
+	for (size_t used; words.n; words = ts_words_from(words, used))
+		TS_TRY(assign_column(sim, words, chosen, &used));
+	*count = count_of(sim, chosen);
+	return TS_OK;
 }

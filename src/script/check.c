@@ -141,16 +141,18 @@ static enum ts_status put_box(struct ts_script *script, struct ts_words words)
 	enum ts_status status;
 
 	check->boxless = true;
-	if (ts_sim_has_box(script->sim))
+	if (ts_sim_has_box(script->sim) || check->placing)
 		return TS_OK;
 	if (words.n < 2 || !ts_parse_int(words.word[1].text, &types) || types < 1 || types > 1000)
 		types = 8;
 	snprintf(text, sizeof text,
-		 "region box-of-check block 0 1 0 1 0 1 units box\ncreate_box %d box-of-check\n"
-		 "region box-of-check delete",
-		 (int)types);
+		 "%sregion box-of-check block 0 1 0 1 -0.5 0.5 units box\n"
+		 "create_box %d box-of-check\nregion box-of-check delete",
+		 script->sim->dimension == 2 ? "boundary f f p\n" : "", (int)types);
 	check->weak = false;
+	check->placing = true;
 	status = ts_script_execute(script, text, NULL);
+	check->placing = false;
 	check->weak = true;
 	return status;
 }

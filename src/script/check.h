@@ -31,6 +31,7 @@ struct ts_check {
 	int nerrors, unjudged;
 	bool weak;  /* a line failed that later ones may build on: only what is wrong by itself counts */
 	bool boxless; /* the box is one that was put in for a box that could not be made */
+	bool placing; /* that one is being made */
 	struct ts_map seen;    /* "file:line:column" of errors, "file:line" of lines run */
 	struct ts_map lost;    /* "fix ID" that a failed line would have made */
 	struct ts_map made;    /* directories that the script makes */

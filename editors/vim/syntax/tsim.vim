@@ -20,11 +20,11 @@ syn match tsimComment /#.*$/ contains=@Spell
 
 " keywords and words to choose from
 syn keyword tsimKeyword  all NULL INF EDGE SELF yes no on off then elif else stiffness
-syn keyword tsimKeyword  ultimate damping tilt small large
+syn keyword tsimKeyword  ultimate damping map array hash id first sort tilt small large
 syn match tsimKeyword /\<units\>/ 
 syn match tsimKeyword /\<lattice\>/ 
 syn match tsimKeyword /\<box\>/ 
-syn keyword tsimKeyword  mode single multi vel cutoff
+syn keyword tsimKeyword  mode single multi multi/old vel cutoff cutoff/multi reduce/multi
 syn match tsimKeyword /\<group\>/ 
 syn keyword tsimKeyword  brick tiled
 syn match tsimKeyword /\<region\>/ 
@@ -36,27 +36,28 @@ syn keyword tsimKeyword  extra/angle/per/atom extra/dihedral/per/atom
 syn keyword tsimKeyword  extra/improper/per/atom porosity fraction count
 syn match tsimKeyword /\<variable\>/ 
 syn keyword tsimKeyword  compress bond atom stats any remove special undo move ramp x y z
-syn keyword tsimKeyword  every sort thresh format pad first delay append
+syn keyword tsimKeyword  every thresh format pad delay append
 syn match tsimKeyword /\<label\>/ 
 syn keyword tsimKeyword  time maxfiles element scale image flush pbc binary fileper nfile
 syn keyword tsimKeyword  none screen
 syn match tsimKeyword /\<log\>/ 
-syn keyword tsimKeyword  both type id union subtract intersect empty initialize
+syn keyword tsimKeyword  both type union subtract intersect empty initialize
 syn match tsimKeyword /\<clear\>/ 
 syn keyword tsimKeyword  delete dynamic static
 syn match tsimKeyword /\<include\>/ 
 syn keyword tsimKeyword  molecule sc bcc fcc hcp diamond sq sq2 hex custom origin orient
 syn keyword tsimKeyword  spacing a1 a2 a3 check binsize page one once cluster exclude bin
 syn keyword tsimKeyword  nsq omp grain shift tail mix geometric arithmetic sixthpower file
-syn keyword tsimKeyword  universe add offset nocoeff extra/atom/types extra/bond/types
-syn keyword tsimKeyword  replace trim purge bbox last skip start stop
+syn keyword tsimKeyword  universe grid part numa add offset nocoeff extra/atom/types
+syn keyword tsimKeyword  extra/bond/types replace trim purge bbox last skip start stop
 syn match tsimKeyword /\<dump\>/ 
 syn keyword tsimKeyword  upto pre post unsafe diameter density density/disc
 syn match tsimKeyword /\<mass\>/ 
 syn keyword tsimKeyword  vx vy vz omegax omegay omegaz omega type/fraction type/ratio
-syn keyword tsimKeyword  type/subset property/atom lj coul lj/coul angle dihedral lost
-syn keyword tsimKeyword  ignore warn error lost/bond norm line temp press si cgs micro real
-syn keyword tsimKeyword  metal electron nano index loop world uloop string getenv
+syn keyword tsimKeyword  type/subset property/atom d_NAME i_NAME d2_NAME i2_NAME lj coul
+syn keyword tsimKeyword  lj/coul angle dihedral lost ignore warn error lost/bond norm line
+syn keyword tsimKeyword  temp press si cgs micro real metal electron nano index loop world
+syn keyword tsimKeyword  uloop string getenv
 syn match tsimKeyword /\<timer\>/ 
 syn keyword tsimKeyword  internal atomfile equal vector create dist uniform gaussian mom
 syn keyword tsimKeyword  rot local geom zero linear angular angularIndividual sum pair ii

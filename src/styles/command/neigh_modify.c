@@ -13,6 +13,7 @@ struct state {
 	int64_t every, delay, page, one;
 	bool check, once, cluster;
 	double binsize;
+	int include;
 	struct ts_words exclude;
 };
 
@@ -37,51 +38,82 @@ static enum ts_status read_group(struct tsim *sim, const struct ts_word *word, i
 	return TS_OK;
 }
 
-/* "type m n" or "group a b" */
-static enum ts_status add_pair(struct tsim *sim, struct ts_words words)
+static enum ts_status read_members(struct tsim *sim, struct ts_words words, struct ts_exclude *pair)
+{
+	TS_TRY(read_group(sim, &words.word[1], &pair->a));
+	if (ts_neigh_molecules(sim->particles))
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, &words.word[0].place,
+		       "neigh_modify exclude: particles belong to no molecules: `fix ID all "
+		       "property/atom mol` and `set ... mol` say to which");
+}
+
+static enum ts_status add(struct tsim *sim, const struct ts_exclude *pair, const struct ts_place *where)
 {
 	struct ts_neigh *neigh = sim->neigh;
-	struct ts_exclude pair = { .by_group = ts_streq(words.word[0].text, "group") };
 
-	if (words.n < 3 || !(pair.by_group || ts_streq(words.word[0].text, "type")))
-		return ts_fail(&sim->error, TS_SYNTAX, &words.word[0].place,
-			       "neigh_modify exclude: expected type m n, group a b or none");
-	TS_TRY((pair.by_group ? read_group : read_type)(sim, &words.word[1], &pair.a));
-	TS_TRY((pair.by_group ? read_group : read_type)(sim, &words.word[2], &pair.b));
 	for (int k = 0; k < neigh->nexclude; k++) /* said again, as after read_restart */
-		if (memcmp(&neigh->exclude[k], &pair, sizeof pair) == 0)
+		if (memcmp(&neigh->exclude[k], pair, sizeof *pair) == 0)
 			return TS_OK;
 	if (neigh->nexclude == TS_MAX_EXCLUDE)
-		return ts_fail(&sim->error, TS_RANGE, &words.word[0].place,
+		return ts_fail(&sim->error, TS_RANGE, where,
 			       "neigh_modify exclude: there can be %d pairs", TS_MAX_EXCLUDE);
-	neigh->exclude[neigh->nexclude++] = pair;
+	neigh->exclude[neigh->nexclude++] = *pair;
 	return TS_OK;
+}
+
+static const struct {
+	const char *name;
+	size_t words; /* after the name */
+	enum ts_exclude_by by;
+} kinds[] = {
+	{ "type", 2, TS_EXCLUDE_TYPES },	     { "group", 2, TS_EXCLUDE_GROUPS },
+	{ "molecule/intra", 1, TS_EXCLUDE_WITHIN },  { "molecule", 1, TS_EXCLUDE_WITHIN },
+	{ "molecule/inter", 1, TS_EXCLUDE_BETWEEN },
+};
+
+/* The first of the words and what belongs to it. */
+static enum ts_status exclude(struct tsim *sim, struct ts_words words, size_t *used)
+{
+	const struct ts_word *word = words.word;
+	struct ts_exclude pair = { 0 };
+	size_t kind = 0;
+
+	*used = 1;
+	if (ts_streq(word[0].text, "none")) {
+		sim->neigh->nexclude = 0;
+		return TS_OK;
+	}
+	while (kind < sizeof kinds / sizeof *kinds && !ts_streq(kinds[kind].name, word[0].text))
+		kind++;
+	if (kind == sizeof kinds / sizeof *kinds || words.n <= kinds[kind].words)
+		return ts_fail(&sim->error, TS_SYNTAX, &word[0].place,
+			       "neigh_modify exclude: expected type m n, group a b, molecule/intra a, "
+			       "molecule/inter a or none");
+	pair.by = kinds[kind].by;
+	*used += kinds[kind].words;
+	if (kinds[kind].words == 1) {
+		TS_TRY(read_members(sim, words, &pair));
+	} else {
+		bool group = pair.by == TS_EXCLUDE_GROUPS;
+
+		TS_TRY((group ? read_group : read_type)(sim, &word[1], &pair.a));
+		TS_TRY((group ? read_group : read_type)(sim, &word[2], &pair.b));
+	}
+	return add(sim, &pair, &word[0].place);
 }
 
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct state *s = state;
 	struct ts_words rest = s->exclude;
+	size_t used;
 
 	(void)where;
-	while (rest.n) {
-		size_t used = 3;
-
-		if (ts_streq(rest.word[0].text, "none")) {
-			sim->neigh->nexclude = 0;
-			used = 1;
-		} else {
-			TS_TRY(add_pair(sim, rest));
-		}
-		rest = ts_words_from(rest, used);
-		if (!rest.n)
-			break;
-		if (!ts_streq(rest.word[0].text, "exclude") || rest.n < 2)
-			return ts_fail(
-				&sim->error, TS_SYNTAX, &rest.word[0].place,
-				"neigh_modify: expected another exclude or the end of the line");
-		rest = ts_words_from(rest, 1);
-	}
+	if (s->include >= 0)
+		sim->neigh->include = s->include;
+	for (; rest.n; rest = ts_words_from(rest, used))
+		TS_TRY(exclude(sim, rest, &used));
 	return TS_OK;
 }
 
@@ -90,18 +122,24 @@ static const struct ts_arg args[] = {
 	       .unit = "steps", .help = "no effect: each step is checked"),
 	TS_INT("delay", struct state, delay, .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE,
 	       .unit = "steps", .help = "no effect: each step is checked"),
-	TS_BOOL("check", struct state, check, .fallback = "yes", .help = "no effect"),
+	TS_BOOL("check", struct state, check, .fallback = "yes",
+		.help = "no effect: neighbours are searched when a particle has moved half the skin, which "
+			"is when they must be"),
 	TS_REAL("binsize", struct state, binsize, .flags = TS_OPTIONAL, .unit = "length",
 		.help = "no effect: cells adapt to the radii"),
-	TS_INT("page", struct state, page, .flags = TS_OPTIONAL, .help = "no effect"),
-	TS_INT("one", struct state, one, .flags = TS_OPTIONAL, .help = "no effect"),
-	TS_BOOL("once", struct state, once, .fallback = "no", .help = "no effect"),
-	TS_BOOL("cluster", struct state, cluster, .fallback = "no", .help = "no effect"),
-	{ .name = "exclude",
-	  .type = TS_ARG_REST,
-	  .flags = TS_OPTIONAL,
-	  .offset = offsetof(struct state, exclude),
-	  .help = "type m n, group a b, or none to forget all; repeated, and last" },
+	TS_INT("page", struct state, page, .flags = TS_OPTIONAL,
+	       .help = "no effect: room is made as it is needed"),
+	TS_INT("one", struct state, one, .flags = TS_OPTIONAL,
+	       .help = "no effect: room is made as it is needed"),
+	TS_BOOL("once", struct state, once, .fallback = "no",
+		.help = "no effect: a search is due when contacts could be missed without it"),
+	TS_BOOL("cluster", struct state, cluster, .fallback = "no",
+		.help = "no effect: partners of bonds are found by identity"),
+	TS_GROUP("include", struct state, include, .flags = TS_OPTIONAL,
+		 .help = "particles outside of the group touch nobody; all: forgets that"),
+	TS_SOME_KEYWORD("exclude", struct state, exclude, TS_REPEAT,
+			.help = "type m n, group a b, molecule/intra a (or molecule a), molecule/inter a, or "
+				"none: forgets all given before; may be repeated"),
 	TS_ARGS_END,
 };
 
@@ -113,9 +151,11 @@ const struct ts_command_style ts_command_neigh_modify = {
 		.summary = "Sets which pairs never touch",
 		.doc = "Neighbours are searched anew exactly when a particle has moved half the skin, so that no\n"
 		       "contact is missed: when to look need not be said. exclude takes pairs of particles of two\n"
-		       "types or two groups out of the search: they pass through each other.",
+		       "types or two groups out of the search: they pass through each other. molecule/intra does\n"
+		       "so for members of a group that have the same molecule, molecule/inter for those of\n"
+		       "different ones (`fix property/atom mol`).",
 		.example = "neigh_modify delay 0\n"
-		       "neigh_modify exclude type 1 2 exclude group wall wall",
+		       "neigh_modify exclude type 1 2 exclude group wall wall include bed check yes",
 		.args = args,
 		.state_size = sizeof(struct state),
 	},

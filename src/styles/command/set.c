@@ -32,7 +32,7 @@ enum {
 	NPROPERTIES
 };
 /* Words that take more; they come after the numbers. */
-enum { TYPE_FRACTION, TYPE_RATIO, TYPE_SUBSET, IMAGE, OMEGA, PROPERTY, BOND, NWORDS };
+enum { TYPE_FRACTION, TYPE_RATIO, TYPE_SUBSET, IMAGE, OMEGA, PROPERTY, NAMED, MOLECULES, BOND, NWORDS };
 
 struct state {
 	int mode, group;
@@ -49,7 +49,7 @@ static const char *const names[NPROPERTIES] = {
 };
 static const char *const word_names[NWORDS] = { "type/fraction", "type/ratio", "type/subset",
 						"image",	 "omega",      "property/atom",
-						"bond" };
+						"named numbers", "mol",	       "bond" };
 
 static bool selected(const struct tsim *sim, const struct state *s, size_t i)
 {
@@ -192,6 +192,18 @@ static enum ts_status set_bond(struct tsim *sim, struct ts_words words, const un
 	return TS_OK;
 }
 
+/* What `fix property/atom mol` keeps. */
+static enum ts_status set_molecule(struct tsim *sim, struct ts_words words,
+				   const unsigned char *chosen, size_t *count)
+{
+	struct ts_word both[2] = { { .text = "mol", .place = words.word[0].place }, words.word[0] };
+
+	if (words.n != 1)
+		return ts_fail(&sim->error, TS_SYNTAX, &words.word[0].place,
+			       "set: mol takes one number or v_name");
+	return ts_assign_properties(sim, (struct ts_words){ both, 2 }, chosen, count);
+}
+
 static enum ts_status set_words(struct tsim *sim, const struct state *s, const unsigned char *chosen,
 				int what, size_t *count)
 {
@@ -201,7 +213,10 @@ static enum ts_status set_words(struct tsim *sim, const struct state *s, const u
 	case OMEGA:
 		return set_omega(sim, s->words[what], chosen, count);
 	case PROPERTY:
-		return ts_assign_property(sim, s->words[what], chosen, count);
+	case NAMED:
+		return ts_assign_properties(sim, s->words[what], chosen, count);
+	case MOLECULES:
+		return set_molecule(sim, s->words[what], chosen, count);
 	case BOND:
 		return set_bond(sim, s->words[what], chosen, count);
 	default:
@@ -329,8 +344,17 @@ static const struct ts_arg args[] = {
 	WORDS("type/ratio", TYPE_RATIO,
 	      "type, fraction, seed: exactly this part of them gets the type"),
 	WORDS("type/subset", TYPE_SUBSET, "type, number, seed: so many of them get the type"),
-	WORDS("property/atom", PROPERTY,
-	      "name of a property that a fix keeps, and its numbers or v_names"),
+	TS_SOME_KEYWORD("property/atom", struct state, words[PROPERTY], TS_REPEAT,
+			.help = "name of a property that a fix keeps, and its numbers or v_names"),
+	TS_SOME_KEYWORD("d_NAME", struct state, words[NAMED], TS_REPEAT | TS_NAMED,
+			.help = "number or v_name: for what fix property/atom d_NAME keeps; also d_NAME[k]"),
+	TS_SOME_KEYWORD("i_NAME", struct state, words[NAMED], TS_REPEAT | TS_NAMED,
+			.help = "the same for i_NAME, an integer"),
+	TS_SOME_KEYWORD("d2_NAME", struct state, words[NAMED], TS_REPEAT | TS_NAMED,
+			.help = "the same for one number d2_NAME[k] of several"),
+	TS_SOME_KEYWORD("i2_NAME", struct state, words[NAMED], TS_REPEAT | TS_NAMED,
+			.help = "the same for one integer i2_NAME[k] of several"),
+	WORDS("mol", MOLECULES, "number or v_name of the molecule, for fix property/atom mol"),
 	WORDS("bond", BOND, "type of bonds: for bonds whose partners are both chosen"),
 	TS_ARGS_END,
 };
@@ -348,7 +372,8 @@ const struct ts_command_style ts_command_set = {
 		.example = "set group all diameter 0.005 density 2500\n"
 			   "set type 2 vz -1\n"
 			   "set atom 1*10 diameter v_size\n"
-			   "set group bed type/fraction 2 0.3 86028157",
+			   "set group bed type/fraction 2 0.3 86028157\n"
+			   "set type 1 d_age 2.385 i2_mark[2] 7",
 		.args = args,
 		.state_size = sizeof(struct state),
 	},
