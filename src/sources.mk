@@ -68,6 +68,10 @@ library_sources = \
 	src/core/value.h \
 	src/flow/flow.h \
 	src/geom/box.h \
+	src/geom/mesh.c \
+	src/geom/mesh.h \
+	src/geom/mesh_links.c \
+	src/geom/mesh_links.h \
 	src/geom/pairs.c \
 	src/geom/pairs.h \
 	src/geom/pointhash.c \
@@ -183,6 +187,8 @@ library_sources = \
 	src/neigh/row_loop.h \
 	src/neigh/rows.c \
 	src/neigh/rows.h \
+	src/neigh/wall.c \
+	src/neigh/wall.h \
 	src/neigh/wall_contacts.c \
 	src/neigh/wall_contacts.h \
 	src/particles/assign.c \
@@ -218,6 +224,8 @@ library_sources = \
 	src/particles/integrate.h \
 	src/particles/lattice.c \
 	src/particles/lattice.h \
+	src/particles/mesh_surface.c \
+	src/particles/mesh_surface.h \
 	src/particles/moments.c \
 	src/particles/moments.h \
 	src/particles/particles.c \

@@ -72,6 +72,7 @@ unit_tests = \
 	tests/check_library \
 	tests/check_library_steps \
 	tests/check_math \
+	tests/check_mesh \
 	tests/check_mesh_files \
 	tests/check_neigh \
 	tests/check_order \
@@ -152,6 +153,10 @@ tests_check_library_steps_LDADD = $(tests_ldadd)
 tests_check_math_SOURCES = tests/check_math.c $(tests_common)
 tests_check_math_CFLAGS = $(tests_cflags)
 tests_check_math_LDADD = $(tests_ldadd)
+
+tests_check_mesh_SOURCES = tests/check_mesh.c $(tests_common)
+tests_check_mesh_CFLAGS = $(tests_cflags)
+tests_check_mesh_LDADD = $(tests_ldadd)
 
 tests_check_mesh_files_SOURCES = tests/check_mesh_files.c $(tests_common)
 tests_check_mesh_files_CFLAGS = $(tests_cflags)

@@ -163,6 +163,20 @@ struct ts_instance *ts_sim_only(const struct tsim *sim, enum ts_kind kind)
 	return list->n ? list->item[0] : NULL;
 }
 
+struct ts_instance *ts_sim_next_of(const struct tsim *sim, enum ts_kind kind, const char *family,
+				   size_t *k)
+{
+	const struct ts_instances *list = &sim->instances[kind];
+
+	while (*k < list->n) {
+		struct ts_instance *inst = list->item[(*k)++];
+
+		if (inst->style->family && ts_streq(inst->style->family, family))
+			return inst;
+	}
+	return NULL;
+}
+
 enum ts_status ts_sim_require(struct tsim *sim, enum ts_kind kind, const struct ts_word *id,
 			      struct ts_instance **out)
 {

@@ -144,6 +144,10 @@ struct ts_instance *ts_sim_find(const struct tsim *sim, enum ts_kind kind, const
 /* The same, or an error with a suggestion. */
 enum ts_status ts_sim_require(struct tsim *sim, enum ts_kind kind, const struct ts_word *id,
 			      struct ts_instance **out);
+/* Live styles of a family in script order, from the k-th of the kind on: start with *k = 0, call until
+ * NULL. */
+struct ts_instance *ts_sim_next_of(const struct tsim *sim, enum ts_kind kind, const char *family,
+				   size_t *k);
 /* The one live pair, bond or flow, or NULL. */
 struct ts_instance *ts_sim_only(const struct tsim *sim, enum ts_kind kind);
 

@@ -67,6 +67,9 @@ struct ts_style {
 	const char *doc;      /* paragraphs for the manual page: what it does, equations */
 	const char *example;  /* script lines */
 	const char *cite;     /* source of the method, or NULL */
+	/* What its state begins with, for others that look for live styles of one sort: "wall",
+	 * "mesh" ...; see ts_sim_next_of. NULL: nothing that others know. */
+	const char *family;
 	const struct ts_arg *args;
 	size_t state_size;
 	const struct ts_arg *coeff; /* pair and bond: one line of coefficients; core/coeff.h */

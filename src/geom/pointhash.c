@@ -77,7 +77,7 @@ enum ts_status ts_pointhash_add(struct ts_pointhash *hash, const double x[3])
 	return TS_OK;
 }
 
-bool ts_pointhash_near(const struct ts_pointhash *hash, const double x[3], double distance)
+int32_t ts_pointhash_find(const struct ts_pointhash *hash, const double x[3], double distance)
 {
 	int64_t home[3];
 
@@ -88,9 +88,14 @@ bool ts_pointhash_near(const struct ts_pointhash *hash, const double x[3], doubl
 
 		for (int32_t i = hash->bucket[bucket_of(hash, cell)]; i >= 0; i = hash->next[i])
 			if (ts_distance2(x, hash->x[i]) < distance * distance)
-				return true;
+				return i;
 	}
-	return false;
+	return -1;
+}
+
+bool ts_pointhash_near(const struct ts_pointhash *hash, const double x[3], double distance)
+{
+	return ts_pointhash_find(hash, x, distance) >= 0;
 }
 
 bool ts_pointhash_near_periodic(const struct ts_pointhash *hash, const struct ts_box *box,

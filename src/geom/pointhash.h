@@ -25,7 +25,9 @@ enum ts_status ts_pointhash_start(struct ts_pointhash *hash, double cell);
 void ts_pointhash_release(struct ts_pointhash *hash);
 enum ts_status ts_pointhash_add(struct ts_pointhash *hash, const double x[3]);
 
-/* Is a point nearer to x than distance (<= cell)? */
+/* The number, from 0 in the order of adding, of a point nearer to x than distance (<= cell); -1: none. */
+int32_t ts_pointhash_find(const struct ts_pointhash *hash, const double x[3], double distance);
+/* Is there one? */
 bool ts_pointhash_near(const struct ts_pointhash *hash, const double x[3], double distance);
 /* The same with the images of x across the periodic faces of the box. */
 bool ts_pointhash_near_periodic(const struct ts_pointhash *hash, const struct ts_box *box,

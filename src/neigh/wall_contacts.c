@@ -11,7 +11,7 @@ void ts_wall_contacts_start(struct ts_wall_contacts *c, struct ts_wall_rebuild *
 			    size_t width)
 {
 	rebuild->old = *c;
-	*c = (struct ts_wall_contacts){ .width = width };
+	*c = (struct ts_wall_contacts){ .width = width, .want_reports = rebuild->old.want_reports };
 }
 
 enum ts_status ts_wall_contacts_add(struct tsim *sim, struct ts_wall_contacts *c, size_t i,
@@ -21,13 +21,16 @@ enum ts_status ts_wall_contacts_add(struct tsim *sim, struct ts_wall_contacts *c
 
 	if (TS_GROW(c->row, c->row_capacity, n) != TS_OK ||
 	    TS_GROW(c->key, c->key_capacity, n) != TS_OK ||
-	    TS_GROW(c->memory, c->memory_capacity, n * c->width) != TS_OK)
+	    TS_GROW(c->memory, c->memory_capacity, n * c->width) != TS_OK ||
+	    (c->want_reports && TS_GROW(c->report, c->report_capacity, n) != TS_OK))
 		return ts_nomem(&sim->error);
 	c->row[c->n] = (int32_t)i;
 	c->key[c->n][0] = sim->particles->tag[i];
 	c->key[c->n][1] = element;
 	for (size_t k = 0; k < c->width; k++)
 		c->memory[c->n * c->width + k] = 0;
+	if (c->want_reports)
+		c->report[c->n] = (struct ts_wall_report){ 0 };
 	c->n++;
 	return TS_OK;
 }
@@ -57,22 +60,31 @@ static int32_t (*sorted_keys(const struct ts_wall_contacts *c))[3]
 	return list;
 }
 
+/* Contact k of one list was contact `was` of the other. */
+static void carry(struct ts_wall_contacts *c, size_t k, const struct ts_wall_contacts *old, size_t was)
+{
+	if (c->width && c->width == old->width)
+		memcpy(ts_wall_memory(c, k), ts_wall_memory(old, was),
+		       c->width * sizeof *c->memory);
+	if (c->report && old->report)
+		c->report[k] = old->report[was];
+}
+
 enum ts_status ts_wall_contacts_finish(struct tsim *sim, struct ts_wall_contacts *c,
 				       struct ts_wall_rebuild *rebuild)
 {
 	const struct ts_wall_contacts *old = &rebuild->old;
-	bool carry = old->n && c->n && c->width && old->width == c->width;
-	int32_t(*list)[3] = carry ? sorted_keys(old) : NULL;
+	bool remembers = old->n && c->n && ((c->width && old->width == c->width) || old->report);
+	int32_t(*list)[3] = remembers ? sorted_keys(old) : NULL;
 
 	for (size_t k = 0; list && k < c->n; k++) {
 		const int32_t *found = bsearch(c->key[k], list, old->n, sizeof *list, compare);
 
 		if (found)
-			memcpy(ts_wall_memory(c, k), ts_wall_memory(old, (size_t)found[2]),
-			       c->width * sizeof *c->memory);
+			carry(c, k, old, (size_t)found[2]);
 	}
 	ts_wall_contacts_release(&rebuild->old);
-	if (carry && !list)
+	if (remembers && !list)
 		return ts_nomem(&sim->error);
 	ts_free(list);
 	return TS_OK;
@@ -82,6 +94,23 @@ void ts_wall_contact_part(struct ts_wall_contacts *c, size_t k)
 {
 	if (c->width)
 		memset(ts_wall_memory(c, k), 0, c->width * sizeof *c->memory);
+	if (c->report)
+		c->report[k].touching = 0;
+}
+
+/* Reports are there only if somebody wanted them. */
+static enum ts_status archive_reports(struct ts_archive *archive, struct tsim *sim,
+				      struct ts_wall_contacts *c)
+{
+	bool there = ts_archive_writing(archive) ? c->report != NULL
+						 : ts_archive_has(archive, "contact_reports");
+
+	if (!there)
+		return TS_OK;
+	if (TS_GROW(c->report, c->report_capacity, c->n) != TS_OK)
+		return ts_nomem(&sim->error);
+	return ts_archive_fixed(archive, "contact_reports", TS_SAVED_F64, c->report,
+				c->n * TS_WALL_REPORT);
 }
 
 enum ts_status ts_wall_contacts_archive(struct ts_archive *archive, struct tsim *sim,
@@ -104,8 +133,9 @@ enum ts_status ts_wall_contacts_archive(struct ts_archive *archive, struct tsim 
 			return ts_nomem(&sim->error);
 	}
 	TS_TRY(ts_archive_fixed(archive, "contact_keys", TS_SAVED_I32, c->key, 2 * c->n));
-	return ts_archive_fixed(archive, "contact_memory", TS_SAVED_F64, c->memory,
-				c->n * c->width);
+	TS_TRY(ts_archive_fixed(archive, "contact_memory", TS_SAVED_F64, c->memory,
+				c->n * c->width));
+	return archive_reports(archive, sim, c);
 }
 
 void ts_wall_contacts_release(struct ts_wall_contacts *c)
@@ -113,5 +143,6 @@ void ts_wall_contacts_release(struct ts_wall_contacts *c)
 	ts_free(c->row);
 	ts_free(c->key);
 	ts_free(c->memory);
-	*c = (struct ts_wall_contacts){ 0 };
+	ts_free(c->report);
+	*c = (struct ts_wall_contacts){ .want_reports = c->want_reports };
 }

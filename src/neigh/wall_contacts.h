@@ -5,13 +5,25 @@
 
 #include "core/sim.h"
 
+/* What a contact did in the last force computation; all zero where they do not touch. Seen from the
+ * particle: the wall gets the opposite force at the point. */
+struct ts_wall_report {
+	double touching; /* 1 */
+	double overlap;
+	double force[3], torque[3]; /* on the particle; torque about its centre */
+	double point[3];	    /* of the surface, nearest to the centre */
+};
+enum { TS_WALL_REPORT = sizeof(struct ts_wall_report) / sizeof(double) };
+
 struct ts_wall_contacts {
 	size_t n;
 	int32_t *row;	   /* of the particle */
 	int32_t (*key)[2]; /* identity of the particle, number of the element */
 	double *memory;	   /* width numbers each; zero where they do not touch */
 	size_t width;
-	size_t row_capacity, key_capacity, memory_capacity;
+	bool want_reports;
+	struct ts_wall_report *report; /* one each, if somebody wants them; else NULL */
+	size_t row_capacity, key_capacity, memory_capacity, report_capacity;
 };
 
 /* A rebuild: start, add those that may touch before the next one, finish. What is near again keeps
@@ -25,6 +37,13 @@ enum ts_status ts_wall_contacts_add(struct tsim *sim, struct ts_wall_contacts *c
 				    int element);
 enum ts_status ts_wall_contacts_finish(struct tsim *sim, struct ts_wall_contacts *c,
 				       struct ts_wall_rebuild *rebuild);
+
+/* NULL if they do not touch, or nobody wanted reports. */
+static inline const struct ts_wall_report *ts_wall_report(const struct ts_wall_contacts *c,
+							  size_t k)
+{
+	return c->report && c->report[k].touching > 0 ? &c->report[k] : NULL;
+}
 
 static inline double *ts_wall_memory(const struct ts_wall_contacts *c, size_t k)
 {

@@ -1,0 +1,184 @@
+#include "geom/mesh_links.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/alloc.h"
+#include "geom/pointhash.h"
+#include "math/vec3.h"
+
+#include "base/banned.h"
+
+static enum ts_status number_corner(struct ts_mesh *m, struct ts_pointhash *places, size_t c,
+				    double precision)
+{
+	const double *x = m->x[c / 3][c % 3];
+	int32_t *number = &m->vertex[c / 3][c % 3];
+
+	*number = ts_pointhash_find(places, x, precision);
+	if (*number >= 0)
+		return TS_OK;
+	*number = (int32_t)places->n;
+	return ts_pointhash_add(places, x);
+}
+
+static enum ts_status number_vertices(struct ts_mesh *m, double precision)
+{
+	double distance = fmax(precision, 1e-300);
+	struct ts_pointhash places;
+	enum ts_status status = ts_pointhash_start(&places, distance);
+
+	for (size_t c = 0; status == TS_OK && c < 3 * m->n; c++)
+		status = number_corner(m, &places, c, distance);
+	m->nvertices = places.n;
+	ts_pointhash_release(&places);
+	return status;
+}
+
+/* Edges by their vertices, to find those that are the same. */
+struct edge {
+	int32_t lo, hi, triangle, k;
+};
+
+static int by_vertices(const void *a, const void *b)
+{
+	const struct edge *p = a, *q = b;
+
+	if (p->lo != q->lo)
+		return p->lo < q->lo ? -1 : 1;
+	if (p->hi != q->hi)
+		return p->hi < q->hi ? -1 : 1;
+	return (p->triangle > q->triangle) - (p->triangle < q->triangle);
+}
+
+static bool flat(const struct ts_mesh *m, int32_t a, int32_t b)
+{
+	return fabs(ts_dot(m->normal[a], m->normal[b])) > m->flat;
+}
+
+static void set_edge(struct ts_mesh *m, const struct edge *e, bool active)
+{
+	m->active[e->triangle] = (uint8_t)((m->active[e->triangle] & ~(1u << e->k)) |
+					   (unsigned)active << e->k);
+}
+
+/* n triangles share an edge: the last one has it, unless it has a flat neighbour there. */
+static void share_edge(struct ts_mesh *m, const struct edge *e, size_t n)
+{
+	for (size_t a = 0; a < n; a++) {
+		bool active = a + 1 == n;
+
+		for (size_t b = 0; b < n; b++)
+			active &= a == b || !flat(m, e[a].triangle, e[b].triangle);
+		set_edge(m, &e[a], active);
+		m->neighbour[e[a].triangle][e[a].k] = n == 1   ? -1
+						      : n == 2 ? e[1 - a].triangle
+							       : TS_MESH_MANY;
+	}
+}
+
+static enum ts_status share_edges(struct ts_mesh *m)
+{
+	size_t n = 3 * m->n;
+	struct edge *list = ts_alloc(n, sizeof *list);
+
+	if (!list)
+		return TS_NOMEM;
+	for (size_t c = 0; c < n; c++) {
+		int32_t a = m->vertex[c / 3][c % 3], b = m->vertex[c / 3][(c + 1) % 3];
+
+		list[c] = (struct edge){ a < b ? a : b, a < b ? b : a, (int32_t)(c / 3),
+					 (int32_t)(c % 3) };
+	}
+	qsort(list, n, sizeof *list, by_vertices);
+	for (size_t k = 0, same; k < n; k += same) {
+		for (same = 1; k + same < n && list[k].lo == list[k + same].lo &&
+			       list[k].hi == list[k + same].hi;)
+			same++;
+		share_edge(m, &list[k], same);
+	}
+	ts_free(list);
+	return TS_OK;
+}
+
+/* Triangles by the vertices they have. */
+struct around {
+	uint32_t *start; /* nvertices + 1 */
+	int32_t *corner; /* 3 * triangle + k, ascending for each vertex */
+};
+
+static enum ts_status list_around(const struct ts_mesh *m, struct around *a)
+{
+	a->start = ts_alloc(m->nvertices + 2, sizeof *a->start);
+	a->corner = ts_alloc(3 * m->n, sizeof *a->corner);
+	if (!a->start || !a->corner)
+		return TS_NOMEM;
+	for (size_t c = 0; c < 3 * m->n; c++)
+		a->start[m->vertex[c / 3][c % 3] + 2]++;
+	for (size_t v = 2; v < m->nvertices + 2; v++)
+		a->start[v] += a->start[v - 1];
+	for (size_t c = 0; c < 3 * m->n; c++)
+		a->corner[a->start[m->vertex[c / 3][c % 3] + 1]++] = (int32_t)c;
+	return TS_OK;
+}
+
+/* The two edges of a triangle that meet in its corner k, as directions away from there. */
+static void leaving(const struct ts_mesh *m, int32_t corner, double out[2][3])
+{
+	int32_t t = corner / 3, k = corner % 3;
+
+	ts_scale(1, m->along[t][k], out[0]);
+	ts_scale(-1, m->along[t][(k + 2) % 3], out[1]);
+}
+
+static bool goes_straight(const struct ts_mesh *m, const int32_t *corner, size_t n)
+{
+	double a[2][3], b[2][3];
+
+	for (size_t i = 0; i < n; i++) {
+		leaving(m, corner[i], a);
+		for (size_t j = 0; j < i; j++) {
+			leaving(m, corner[j], b);
+			for (int k = 0; k < 4; k++)
+				if (ts_dot(a[k / 2], b[k % 2]) < -m->flat)
+					return true;
+		}
+	}
+	return false;
+}
+
+static bool any_edge_active(const struct ts_mesh *m, const int32_t *corner, size_t n)
+{
+	for (size_t i = 0; i < n; i++) {
+		int32_t t = corner[i] / 3, k = corner[i] % 3;
+
+		if (ts_mesh_edge_active(m, (size_t)t, k) ||
+		    ts_mesh_edge_active(m, (size_t)t, (k + 2) % 3))
+			return true;
+	}
+	return false;
+}
+
+static enum ts_status share_corners(struct ts_mesh *m)
+{
+	struct around a = { 0 };
+	enum ts_status status = list_around(m, &a);
+
+	for (size_t v = 0; status == TS_OK && v < m->nvertices; v++) {
+		const int32_t *corner = a.corner + a.start[v];
+		size_t n = a.start[v + 1] - a.start[v];
+
+		if (any_edge_active(m, corner, n) && !goes_straight(m, corner, n))
+			m->active[corner[n - 1] / 3] |= (uint8_t)(8u << corner[n - 1] % 3);
+	}
+	ts_free(a.start);
+	ts_free(a.corner);
+	return status;
+}
+
+enum ts_status ts_mesh_link(struct ts_mesh *m, double precision)
+{
+	TS_TRY(number_vertices(m, precision));
+	TS_TRY(share_edges(m));
+	return share_corners(m);
+}

@@ -1,0 +1,12 @@
+/* How the triangles of a mesh hang together: shared corners, neighbours, active edges and corners. */
+#ifndef TS_GEOM_MESH_LINKS_H
+#define TS_GEOM_MESH_LINKS_H
+
+#include "geom/mesh.h"
+
+#define TS_MESH_PI 3.14159265358979323846
+
+/* Fills vertex, neighbour and active of a mesh whose shape is known. */
+enum ts_status ts_mesh_link(struct ts_mesh *mesh, double precision);
+
+#endif

@@ -1,0 +1,239 @@
+#include "neigh/wall.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "core/plan.h"
+
+#include "base/banned.h"
+
+enum ts_status ts_wall_init(struct tsim *sim, struct ts_wall *w)
+{
+	w->own_model = w->words.normal != TS_NORMAL_OFF;
+	if (!w->own_model)
+		return TS_OK;
+	w->model = ts_granular_model_of(sim, &w->words);
+	return ts_granular_turns(&w->model)
+		       ? ts_particles_need(sim, TS_NEED(OMEGA) | TS_NEED(TORQUE))
+		       : TS_OK;
+}
+
+static const struct ts_pair *pair_of(const struct tsim *sim)
+{
+	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
+
+	return pair ? pair->state : NULL;
+}
+
+static const struct ts_granular_model *model_of(const struct ts_wall *w, const struct tsim *sim)
+{
+	return w->own_model ? &w->model : &pair_of(sim)->model;
+}
+
+static const struct ts_granular_pair *law_of(const struct ts_wall *w, const struct tsim *sim,
+					     int wall, int particle)
+{
+	return w->own_model ? &w->law[wall * (w->ntypes + 1) + particle]
+			    : ts_pair_law(pair_of(sim), particle, wall);
+}
+
+bool ts_wall_has_law(const struct ts_wall *w, const struct tsim *sim)
+{
+	return w->own_model || pair_of(sim);
+}
+
+/* Room for the constants of all types that the wall may have. */
+static enum ts_status reserve(struct ts_instance *self, struct tsim *sim, int type)
+{
+	struct ts_wall *w = self->state;
+	int most = sim->particles->ntypes > type ? sim->particles->ntypes : type;
+	size_t n = (size_t)most + 1;
+
+	if (w->law && w->ntypes >= most)
+		return TS_OK;
+	w->law = ts_arena_alloc(&self->arena, n * n, sizeof *w->law);
+	w->ntypes = most;
+	return w->law ? TS_OK : ts_nomem(&sim->error);
+}
+
+enum ts_status ts_wall_make_law(struct ts_instance *self, struct tsim *sim, int type)
+{
+	struct ts_wall *w = self->state;
+	const struct ts_particles *p = sim->particles;
+	char who[80];
+	int most = 0;
+
+	if (!w->own_model)
+		return TS_OK;
+	TS_TRY(reserve(self, sim, type));
+	for (size_t i = 0; i < p->n; i++)
+		most = p->type[i] > most ? p->type[i] : most;
+	snprintf(who, sizeof who, "fix %s", self->style->name);
+	for (int t = 1; t <= most; t++)
+		TS_TRY(ts_granular_material(sim, &w->model, t, type, who, &self->where,
+					    &w->law[type * (w->ntypes + 1) + t]));
+	return TS_OK;
+}
+
+void ts_wall_rebuild_start(struct ts_wall *w, const struct tsim *sim,
+			   struct ts_wall_rebuild *rebuild)
+{
+	ts_wall_contacts_start(&w->contacts, rebuild,
+			       (size_t)ts_granular_memory(model_of(w, sim)));
+}
+
+enum ts_status ts_wall_rebuild_finish(struct ts_wall *w, struct tsim *sim,
+				      struct ts_wall_rebuild *rebuild, enum ts_status status)
+{
+	if (status == TS_OK)
+		return ts_wall_contacts_finish(sim, &w->contacts, rebuild);
+	ts_wall_contacts_release(&rebuild->old);
+	return status;
+}
+
+/* The wall is the limit of an infinitely heavy partner whose surface is flat. */
+static void touch(const struct ts_granular_model *model, const struct ts_particles *p, size_t i,
+		  const struct ts_wall_spot *spot, struct ts_touch *t)
+{
+	static const double at_rest[3] = { 0 };
+	double v[3];
+
+	*t = (struct ts_touch){ .wall = true, .distance = spot->distance };
+	for (int k = 0; k < 3; k++)
+		t->n[k] = spot->n[k];
+	t->radius[0] = t->r_eff = p->radius[i];
+	t->mass[0] = t->m_eff = p->mass[i];
+	t->overlap = p->radius[i] - t->distance;
+	ts_granular_arms(model, t);
+	ts_sub(p->v[i], spot->velocity, v);
+	ts_touch_motion(t, v, p->omega ? p->omega[i] : at_rest, at_rest);
+}
+
+static void report(struct ts_wall_report *r, const struct ts_particles *p, size_t i,
+		   const struct ts_touch *t, const struct ts_granular_force *f)
+{
+	r->touching = 1;
+	r->overlap = t->overlap;
+	for (int k = 0; k < 3; k++) {
+		r->force[k] = f->force[k];
+		r->torque[k] = t->arm[0] * f->turn[k] + f->roll[k];
+		r->point[k] = p->x[i][k] - t->distance * t->n[k];
+	}
+}
+
+void ts_wall_push(struct ts_wall *w, struct tsim *sim, size_t k, const struct ts_wall_spot *spot)
+{
+	const struct ts_granular_model *model = model_of(w, sim);
+	struct ts_particles *p = sim->particles;
+	size_t i = (size_t)w->contacts.row[k];
+	struct ts_granular_force f;
+	struct ts_touch t;
+
+	touch(model, p, i, spot, &t);
+	ts_granular_contact(model, law_of(w, sim, spot->type, p->type[i]), &t, sim->clock.dt,
+			    !sim->in_setup, ts_wall_memory(&w->contacts, k), &f);
+	ts_add(p->f[i], f.force, p->f[i]);
+	ts_sub(w->force, f.force, w->force);
+	for (int d = 0; d < 3 && ts_granular_turns(model); d++)
+		p->torque[i][d] += t.arm[0] * f.turn[d] + f.roll[d];
+	if (w->contacts.report)
+		report(&w->contacts.report[k], p, i, &t, &f);
+}
+
+static enum ts_status setup_check(struct ts_instance *self, struct tsim *sim, int type)
+{
+	const struct ts_wall *w = self->state;
+	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
+	const struct ts_pair *state;
+
+	if (w->own_model)
+		return TS_OK;
+	if (!pair)
+		return ts_fail(
+			&sim->error, TS_STATE, &self->where,
+			"fix %s takes the contact law of the pair_style, and there is none",
+			self->style->name);
+	state = pair->state;
+	if (type > state->ntypes)
+		return ts_fail(&sim->error, TS_RANGE, &self->where,
+			       "fix %s: type %d does not exist, create_box made %d",
+			       self->style->name, type, state->ntypes);
+	for (size_t i = 0; i < sim->particles->n; i++) {
+		int met = sim->particles->type[i];
+
+		if (ts_in_group(sim->particles, i, self->group) &&
+		    !state->coeffs.given[met * (state->ntypes + 1) + type])
+			return ts_fail(
+				&sim->error, TS_STATE, &self->where,
+				"a wall of type %d meets particles of type %d, but there is no "
+				"`pair_coeff %d %d ...`",
+				type, met, met, type);
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_wall_plan(struct ts_instance *self, struct tsim *sim, int type,
+			    struct ts_plan_report *plan)
+{
+	const struct ts_wall *w = self->state;
+	const struct ts_particles *p = sim->particles;
+	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
+	double least = INFINITY;
+	int lightest = 0;
+
+	TS_TRY(setup_check(self, sim, type));
+	for (size_t i = 0; i < p->n; i++) {
+		if (!ts_in_group(p, i, self->group) || !(p->mass[i] < least))
+			continue;
+		least = p->mass[i];
+		lightest = p->type[i];
+	}
+	if (!lightest || w->own_model || !ts_pair_style_of(pair)->limit)
+		return TS_OK;
+	return ts_report_limit(
+		plan,
+		ts_pair_style_of(pair)->limit(ts_pair_law(pair->state, lightest, type), least,
+					      sim->explicit_euler),
+		!sim->explicit_euler, &self->where, "a contact with wall %s (m* = %.4g)", self->id,
+		least);
+}
+
+enum ts_status ts_wall_eval_force(struct ts_instance *self, const struct tsim *sim,
+				  struct ts_table *out)
+{
+	const struct ts_wall *w = self->state;
+
+	(void)sim;
+	for (int k = 0; k < 3; k++)
+		out->data[k] = w->force[k];
+	return TS_OK;
+}
+
+const char *const ts_wall_force_names[] = { "fx", "fy", "fz" };
+
+struct ts_wall *ts_walls_next(const struct tsim *sim, size_t *k, const struct ts_instance **by)
+{
+	const struct ts_instance *inst = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_WALL, k);
+
+	if (by)
+		*by = inst;
+	return inst ? inst->state : NULL;
+}
+
+void ts_walls_want_reports(const struct tsim *sim)
+{
+	struct ts_wall *w;
+
+	for (size_t k = 0; (w = ts_walls_next(sim, &k, NULL));)
+		w->contacts.want_reports = true;
+}
+
+enum ts_status ts_wall_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	return ts_wall_contacts_archive(a, sim, &((struct ts_wall *)self->state)->contacts);
+}
+
+void ts_wall_fini(struct ts_instance *self)
+{
+	ts_wall_contacts_release(&((struct ts_wall *)self->state)->contacts);
+}

@@ -1,0 +1,83 @@
+/* Walls: rigid bodies, infinitely heavy, that particles touch with a contact law. The shape belongs to
+ * the style; from "the particle touches here" on, all walls are the same:
+ *
+ *   POST_BUILD  ts_wall_rebuild_start, ts_wall_contacts_add for each particle and element (a plane,
+ *               a triangle) that may touch before the next rebuild, ts_wall_rebuild_finish
+ *   POST_FORCE  w->force = 0, then for each contact k where it touches ts_wall_push, where not
+ *               ts_wall_contact_part
+ *
+ * Who wants to know each contact - its force, place, overlap - asks for reports:
+ * ts_walls_want_reports in its init, then reads them by ts_walls_next and ts_wall_report
+ * (neigh/wall_contacts.h) from POST_FORCE on. */
+#ifndef TS_NEIGH_WALL_H
+#define TS_NEIGH_WALL_H
+
+#include "law/granular_force.h"
+#include "neigh/materials.h"
+#include "neigh/pair.h"
+#include "neigh/wall_contacts.h"
+
+/* First member of the state of every wall with contact laws; its style is of TS_FAMILY_WALL. */
+struct ts_wall {
+	struct ts_granular_words words; /* `model ...`; off: the model of the pair style */
+	struct ts_wall_contacts contacts;
+	double force[3]; /* on the wall, in the last step */
+
+	bool own_model;
+	struct ts_granular_model model; /* the own one */
+	struct ts_granular_pair *law;	/* of the own model: type of the wall * (ntypes + 1) + type
+					 * of the particle */
+	int ntypes;
+};
+
+#define TS_FAMILY_WALL "wall"
+
+/* Where the surface is nearest to a particle. */
+struct ts_wall_spot {
+	double distance;    /* of the particle's centre, >= 0 */
+	double n[3];	    /* unit vector from the surface to the centre; 0 where there is none */
+	double velocity[3]; /* of the surface there */
+	int type;	    /* particle type whose material the surface has */
+};
+
+/* In the style's init. */
+enum ts_status ts_wall_init(struct tsim *sim, struct ts_wall *w);
+
+/* Checks that the law exists for particles of the group and a wall of this type, and reports the
+ * largest step that contacts allow. */
+enum ts_status ts_wall_plan(struct ts_instance *self, struct tsim *sim, int type,
+			    struct ts_plan_report *report);
+
+/* Whether there is a contact law at all; if not, nothing is near and the plan refuses the run. */
+bool ts_wall_has_law(const struct ts_wall *w, const struct tsim *sim);
+/* The law for particles that meet a surface of this type; before pushes, after each rebuild. */
+enum ts_status ts_wall_make_law(struct ts_instance *self, struct tsim *sim, int type);
+/* Starts a rebuild of w->contacts, see ts_wall_contacts_start. */
+void ts_wall_rebuild_start(struct ts_wall *w, const struct tsim *sim,
+			   struct ts_wall_rebuild *rebuild);
+/* `status` of listing: if it is an error the old contacts are dropped and it is returned. */
+enum ts_status ts_wall_rebuild_finish(struct ts_wall *w, struct tsim *sim,
+				      struct ts_wall_rebuild *rebuild, enum ts_status status);
+
+/* The contact k touches at the spot: force and torque on the particle, force on the wall. */
+void ts_wall_push(struct ts_wall *w, struct tsim *sim, size_t k, const struct ts_wall_spot *spot);
+
+/* The k-th wall in script order, start with *k = 0; NULL: no more. `by` may be NULL. */
+struct ts_wall *ts_walls_next(const struct tsim *sim, size_t *k, const struct ts_instance **by);
+/* Walls keep reports of their contacts from the next rebuild on: to be called in init. */
+void ts_walls_want_reports(const struct tsim *sim);
+
+/* For the slots of the styles. */
+enum ts_status ts_wall_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a);
+void ts_wall_fini(struct ts_instance *self);
+
+enum ts_status ts_wall_eval_force(struct ts_instance *self, const struct tsim *sim,
+				  struct ts_table *out);
+extern const char *const ts_wall_force_names[];
+#define TS_WALL_FORCE_VALUE                                                                        \
+	{                                                                                          \
+		"force", "force", "total force on the wall", TS_VECTOR, 3, ts_wall_force_names,    \
+			ts_wall_eval_force                                                         \
+	}
+
+#endif

@@ -1,0 +1,35 @@
+/* Meshes by name, as `fix mesh/surface` and its kin give them. Fixes that need a mesh - walls, moves,
+ * stresses, insertion faces, dumps - find it here by the id of its fix:
+ *
+ *   struct ts_mesh_surface *surface;
+ *   TS_TRY(ts_mesh_surface_require(sim, &word, &surface));
+ *
+ * in init (which is called again before each run): the mesh lives until its fix is deleted or given anew. All of
+ * them in script order: ts_mesh_surface_next. */
+#ifndef TS_PARTICLES_MESH_SURFACE_H
+#define TS_PARTICLES_MESH_SURFACE_H
+
+#include "core/sim.h"
+#include "geom/mesh.h"
+
+#define TS_FAMILY_MESH "mesh"
+
+/* First member of the state of every style of TS_FAMILY_MESH. */
+struct ts_mesh_surface {
+	struct ts_mesh mesh; /* as it stands now */
+	int64_t type;	     /* particle type whose material it has */
+	/* Velocity of the surface at each corner, [triangle][corner]; within a triangle it is linear.
+	 * NULL: at rest. */
+	double (*v)[3][3];
+};
+
+/* NULL: there is no mesh of that id. */
+struct ts_mesh_surface *ts_mesh_surface_find(const struct tsim *sim, const char *id);
+/* The same, or an error at the word with a suggestion. */
+enum ts_status ts_mesh_surface_require(struct tsim *sim, const struct ts_word *id,
+				       struct ts_mesh_surface **out);
+/* The k-th in script order, start with *k = 0; NULL: no more. `by` may be NULL: its fix. */
+struct ts_mesh_surface *ts_mesh_surface_next(const struct tsim *sim, size_t *k,
+					     struct ts_instance **by);
+
+#endif

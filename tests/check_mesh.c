@@ -1,0 +1,88 @@
+/* Triangle meshes: shapes and how triangles hang together. */
+#include <check.h>
+#include <math.h>
+
+#include "geom/mesh.h"
+#include "math/vec3.h"
+
+/* A cuboid of 12 triangles, as corner numbers: bit 0 x, bit 1 y, bit 2 z. */
+static const int cuboid[12][3] = {
+	{ 0, 2, 3 }, { 0, 3, 1 }, { 4, 5, 7 }, { 4, 7, 6 }, { 0, 1, 5 }, { 0, 5, 4 },
+	{ 2, 6, 7 }, { 2, 7, 3 }, { 0, 4, 6 }, { 0, 6, 2 }, { 1, 3, 7 }, { 1, 7, 5 },
+};
+static const double half[3] = { 0.5, 0.4, 0.3 };
+
+static void make_cuboid(struct ts_mesh *m)
+{
+	double soup[12][3][3];
+
+	for (int t = 0; t < 12; t++)
+		for (int k = 0; k < 9; k++)
+			soup[t][k / 3][k % 3] =
+				(cuboid[t][k / 3] >> k % 3 & 1 ? 1 : -1) * half[k % 3];
+	ck_assert(ts_mesh_build(m, (const double(*)[3][3])soup, 12, 1e-8, 0.256235) == TS_OK);
+}
+
+static int count(const struct ts_mesh *m, size_t t, int first)
+{
+	int n = 0;
+
+	for (int k = first; k < first + 3; k++)
+		n += m->active[t] >> k & 1;
+	return n;
+}
+
+START_TEST(cuboid_has_its_shape)
+{
+	struct ts_mesh m;
+	double lo[3], hi[3];
+
+	make_cuboid(&m);
+	ck_assert_double_eq_tol(ts_mesh_area(&m), 8 * (0.2 + 0.12 + 0.15), 1e-15);
+	ts_mesh_bounds(&m, lo, hi);
+	for (int d = 0; d < 3; d++) {
+		ck_assert(lo[d] == -half[d]);
+		ck_assert(hi[d] == half[d]);
+	}
+	for (size_t t = 0; t < 12; t++) /* normals point outwards */
+		ck_assert_double_gt(ts_dot(m.normal[t], m.centre[t]), 0.29);
+	ck_assert_int_eq((int)m.nvertices, 8);
+	ts_mesh_release(&m);
+}
+END_TEST
+
+/* Each of the 12 edges and 8 corners is active once, in the last triangle that has it. */
+START_TEST(cuboid_has_every_edge_once)
+{
+	static const int edges[12] = { 0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2 },
+			 corners[12] = { 0, 0, 0, 0, 0, 0, 0, 0, 1, 3, 1, 3 };
+	struct ts_mesh m;
+
+	make_cuboid(&m);
+	for (size_t t = 0; t < 12; t++) {
+		ck_assert_int_eq(count(&m, t, 0), edges[t]);
+		ck_assert_int_eq(count(&m, t, 3), corners[t]);
+		for (int k = 0; k < 3; k++)
+			ck_assert_int_ge(m.neighbour[t][k], 0);
+	}
+	ck_assert(ts_mesh_flat_neighbours(&m, 0, 1));
+	ck_assert(!ts_mesh_flat_neighbours(&m, 0, 4));
+	ts_mesh_release(&m);
+}
+END_TEST
+
+int main(void)
+{
+	Suite *suite = suite_create("mesh");
+	TCase *tc = tcase_create("triangles");
+	SRunner *runner = srunner_create(suite);
+	int failed;
+
+	tcase_add_test(tc, cuboid_has_its_shape);
+	tcase_add_test(tc, cuboid_has_every_edge_once);
+	suite_add_tcase(suite, tc);
+	srunner_run_all(runner, CK_ENV);
+	failed = srunner_ntests_failed(runner);
+	srunner_free(runner);
+	return failed ? 1 : 0;
+}
