@@ -27,6 +27,7 @@ enum option_id {
 	OPT_SCREEN,
 	OPT_ECHO,
 	OPT_THREADS,
+	OPT_LEGACY,
 	OPT_SHELL,
 	OPT_CHECK,
 	OPT_SIGNAL,
@@ -48,6 +49,7 @@ static const struct {
 	[OPT_SCREEN] = { "screen", "FILE|none", "write there what else goes to the screen", 1 },
 	[OPT_ECHO] = { "echo", "none|screen|log|both", "where input lines are shown (log)", 1 },
 	[OPT_THREADS] = { "threads", "N", "number of threads (OMP_NUM_THREADS, else 1)", 1 },
+	[OPT_LEGACY] = { "legacy", "", "the numbers of LIGGGHTS where they differ, see -help legacy", 0 },
 	[OPT_SHELL] = { "shell", "yes|no", "whether `shell` may start programs (no)", 1 },
 	[OPT_CHECK] = { "check", "", "run nothing: tell all errors and what the script would do", 0 },
 	[OPT_SIGNAL] = { "restart-on-signal", "FILE|none", "where an interrupted run saves its state", 1 },
@@ -278,6 +280,9 @@ static int apply(struct tsim *sim, struct setup *setup, enum option_id id, char 
 		return set_echo(sim, value[0]);
 	case OPT_THREADS:
 		return set_threads(sim, value[0]);
+	case OPT_LEGACY:
+		sim->legacy = true;
+		break;
 	case OPT_SIGNAL:
 		sim->restart_on_signal = ts_streq(value[0], "none") ? "" : value[0];
 		break;

@@ -322,6 +322,7 @@ library_sources = \
 	src/styles/command/hard_particles.c \
 	src/styles/command/info.c \
 	src/styles/command/lattice.c \
+	src/styles/command/legacy.c \
 	src/styles/command/mass.c \
 	src/styles/command/modify_timing.c \
 	src/styles/command/neigh_modify.c \

@@ -8,6 +8,7 @@ shell_tests = \
 	tests/crosscheck/lammps.sh \
 	tests/crosscheck/lammps_granular.sh \
 	tests/crosscheck/language.sh \
+	tests/crosscheck/legacy.sh \
 	tests/crosscheck/liggghts.sh \
 	tests/crosscheck/space.sh \
 	tests/crosscheck/text.sh \
@@ -23,6 +24,7 @@ shell_tests = \
 	tests/decks/groups.sh \
 	tests/decks/info.sh \
 	tests/decks/inputs.sh \
+	tests/decks/legacy.sh \
 	tests/decks/mistakes.sh \
 	tests/decks/neigh_words.sh \
 	tests/decks/plane.sh \

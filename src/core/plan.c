@@ -103,7 +103,7 @@ static enum ts_status set_up(struct ts_plan *plan, struct tsim *sim)
 	uint64_t fingerprint;
 
 	TS_TRY(ts_sim_fingerprint(sim, &fingerprint));
-	sim->resuming = fingerprint == sim->fingerprint;
+	sim->resuming = !sim->legacy && fingerprint == sim->fingerprint;
 	if (!sim->resuming)
 		TS_TRY(ts_plan_stage(plan, sim, TS_STAGE_EXCHANGE));
 	TS_TRY(ts_plan_stages(plan, sim, TS_STAGE_BUILD, TS_STAGE_POST_BUILD));

@@ -70,6 +70,7 @@ struct tsim {
 	bool planned;      /* -check: a run would have changed the state by now */
 	bool unreached;    /* -check: reads a line that is not run: names are not looked up */
 	char from_run[48]; /* -check: a value read by this line that only a run can give */
+	bool legacy;       /* LIGGGHTS' numbers: see the command of this name */
 	bool unsafe;       /* this run only warns of a step beyond the stability limit */
 	bool running;      /* inside a run */
 	bool in_pieces;    /* this run is stepped from outside, its end not known: core/stepping.h */

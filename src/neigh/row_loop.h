@@ -16,6 +16,7 @@ struct ts_row_task {
 	const struct ts_pair *pair;
 	double dt;
 	bool advance; /* contacts remember: false in the set-up of a run */
+	bool keep;    /* a pair that parts remembers until the next rebuild */
 };
 
 /* Rows are looked at in blocks: first which of them touch, then the forces of those. Whether a row
@@ -32,8 +33,9 @@ ts_row_distance2(const struct ts_particles *p, size_t i, size_t j, double d[3])
 	return d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
 }
 
-/* A row that does not touch has no force and no history; the gather adds it all the same. */
-static inline void ts_row_part(struct ts_rows *rows, size_t r)
+/* A row that does not touch has no force and no history; the gather adds it all the same. `keep`: the
+ * history stays until the next rebuild. */
+static inline void ts_row_part(struct ts_rows *rows, size_t r, bool keep)
 {
 	rows->touching[r] = 0;
 	for (int k = 0; k < 3; k++) {
@@ -41,15 +43,14 @@ static inline void ts_row_part(struct ts_rows *rows, size_t r)
 		if (rows->turn)
 			rows->turn[r][k] = rows->roll[r][k] = 0;
 	}
-	for (size_t k = 0; k < rows->history_width; k++)
+	for (size_t k = 0; k < rows->history_width && !keep; k++)
 		rows->history[r * rows->history_width + k] = 0;
 }
 
 /* Lists the touching ones of the rows from .. to-1; returns how many. */
-static inline __attribute__((always_inline)) size_t ts_row_find(const struct ts_particles *p,
-								struct ts_rows *rows, size_t from,
-								size_t to,
-								uint32_t list[TS_ROW_BLOCK])
+static inline __attribute__((always_inline)) size_t
+ts_row_find(const struct ts_particles *p, struct ts_rows *rows, size_t from, size_t to, bool keep,
+	    uint32_t list[TS_ROW_BLOCK])
 {
 	size_t n = 0;
 
@@ -61,7 +62,7 @@ static inline __attribute__((always_inline)) size_t ts_row_find(const struct ts_
 		list[n] = (uint32_t)r;
 		n += touching;
 		if (rows->touching[r] > touching)
-			ts_row_part(rows, r);
+			ts_row_part(rows, r, keep);
 	}
 	return n;
 }
@@ -128,7 +129,7 @@ static inline __attribute__((always_inline)) void ts_row_share(const struct ts_r
 
 	for (; from < to; from += TS_ROW_BLOCK) {
 		size_t end = to - from < TS_ROW_BLOCK ? to : from + TS_ROW_BLOCK;
-		size_t n = ts_row_find(&p, &rows, from, end, list);
+		size_t n = ts_row_find(&p, &rows, from, end, task->keep, list);
 
 		for (size_t k = 0; k < n; k++) {
 			size_t r = list[k], i = (size_t)rows.i[r], j = (size_t)rows.j[r];
@@ -148,7 +149,8 @@ static inline __attribute__((always_inline)) void ts_row_share(const struct ts_r
 static inline void ts_row_loop(struct tsim *sim, const struct ts_pair *pair, ts_share_fn *share)
 {
 	struct ts_rows *rows = &sim->neigh->rows;
-	struct ts_row_task task = { sim->particles, rows, pair, sim->clock.dt, !sim->in_setup };
+	struct ts_row_task task = { sim->particles, rows, pair, sim->clock.dt, !sim->in_setup,
+				    sim->legacy };
 
 	ts_parallel(ts_team(sim, rows->n), rows->n, share, &task);
 	ts_gather_forces(sim, &rows->gather, (const double(*)[3])rows->force);

@@ -44,6 +44,7 @@ TS_STYLE(command, ts_command_style, ts_command_info)
 TS_STYLE(command, ts_command_style, ts_command_jump)
 TS_STYLE(command, ts_command_style, ts_command_label)
 TS_STYLE(command, ts_command_style, ts_command_lattice)
+TS_STYLE(command, ts_command_style, ts_command_legacy)
 TS_STYLE(command, ts_command_style, ts_command_log)
 TS_STYLE(command, ts_command_style, ts_command_mass)
 TS_STYLE(command, ts_command_style, ts_command_modify_timing)
@@ -241,6 +242,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_command_jump.style,
 	&ts_command_label.style,
 	&ts_command_lattice.style,
+	&ts_command_legacy.style,
 	&ts_command_log.style,
 	&ts_command_mass.style,
 	&ts_command_modify_timing.style,

@@ -156,7 +156,8 @@ static const char gran_doc[] =
 	"round-off as "
 	"long as a pair that parts has met a rebuild of neighbours before it meets again: LIGGGHTS "
 	"keeps "
-	"the tangential spring of a lost contact until then, here it ends with the contact.";
+	"the memory of a lost contact until then, here it ends with the contact, unless `legacy yes` "
+	"is set.";
 
 TS_STYLE(pair, ts_pair_style, ts_pair_gran)
 const struct ts_pair_style ts_pair_gran = {

@@ -1,0 +1,42 @@
+/* Command legacy: the numbers of LIGGGHTS where its way and tsim's differ. */
+#include "core/sim.h"
+
+#include "base/banned.h"
+
+struct legacy {
+	bool on;
+};
+
+static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	(void)where;
+	sim->legacy = ((const struct legacy *)state)->on;
+	return TS_OK;
+}
+
+static const struct ts_arg args[] = {
+	TS_BOOL("on", struct legacy, on, .flags = TS_POSITIONAL,
+		.help = "whether runs and contacts behave as in LIGGGHTS"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(command, ts_command_style, ts_command_legacy)
+const struct ts_command_style ts_command_legacy = {
+	.style = { .name = "legacy",
+		   .kind = TS_KIND_COMMAND,
+		   .summary = "the numbers of LIGGGHTS where its way and tsim's differ",
+		   .doc = "There are two differences. With `legacy yes`:\n\n"
+			  "A pair that parts keeps the memory of its contact (tangential and rolling springs, "
+			  "the depth of hooke/hysteresis) until the next rebuild of neighbours, and takes it "
+			  "up again if it meets before that: results depend on the skin. Otherwise the memory "
+			  "ends with the contact, as it does at walls in either case.\n\n"
+			  "Each `run` computes the forces of its first step anew, from the velocities of the "
+			  "full step, so that `run 100` twice is not `run 200`, nor is a run cut by a restart "
+			  "file the whole. Otherwise a run that goes on has the forces of the last step.\n\n"
+			  "`-legacy` on the command line does the same for scripts that LIGGGHTS shall read, "
+			  "too.",
+		   .example = "legacy yes",
+		   .args = args,
+		   .state_size = sizeof(struct legacy) },
+	.run = run,
+};
