@@ -220,6 +220,8 @@ library_sources = \
 	src/particles/group_function.c \
 	src/particles/group_spin.c \
 	src/particles/group_spin.h \
+	src/particles/identity.c \
+	src/particles/identity.h \
 	src/particles/integrate.c \
 	src/particles/integrate.h \
 	src/particles/lattice.c \

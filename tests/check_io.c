@@ -1,9 +1,11 @@
 /* Saved state, files written, formats. */
 #include <check.h>
+#include <fcntl.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "core/pending.h"
@@ -179,17 +181,17 @@ START_TEST(text_file)
 	char path[128];
 
 	path_in(path, sizeof path, "plain");
-	ck_assert_int_eq(ts_textfile_open(&file, &sim->error, NULL, path, false), TS_OK);
+	ck_assert_int_eq(ts_textfile_open(&file, sim, NULL, path, false), TS_OK);
 	ck_assert_int_eq(ts_textfile_printf(&file, "%d %s\n", 12, "a"), TS_OK);
 	ck_assert_int_eq(ts_textfile_close(&file), TS_OK);
-	ck_assert_int_eq(ts_textfile_open(&file, &sim->error, NULL, path, true), TS_OK);
+	ck_assert_int_eq(ts_textfile_open(&file, sim, NULL, path, true), TS_OK);
 	ck_assert_int_eq(ts_textfile_write(&file, "xyz", 3), TS_OK);
 	ck_assert_int_eq(ts_textfile_close(&file), TS_OK);
 	text = slurp(path);
 	ck_assert_str_eq(text.text, "12 a\nxyz");
 	ts_str_release(&text);
 	path_in(path, sizeof path, "packed.gz");
-	ck_assert_int_eq(ts_textfile_open(&file, &sim->error, NULL, path, false), TS_OK);
+	ck_assert_int_eq(ts_textfile_open(&file, sim, NULL, path, false), TS_OK);
 	ck_assert_int_eq(ts_textfile_write(&file, "abc", 3), TS_OK);
 	ck_assert_int_eq(ts_textfile_close(&file), TS_OK);
 	text = slurp(path);
@@ -205,7 +207,7 @@ START_TEST(text_file_disk_full)
 
 	if (access("/dev/full", W_OK) != 0)
 		return;
-	ck_assert_int_eq(ts_textfile_open(&file, &sim->error, NULL, "/dev/full", false), TS_OK);
+	ck_assert_int_eq(ts_textfile_open(&file, sim, NULL, "/dev/full", false), TS_OK);
 	status = ts_textfile_printf(&file, "some text\n");
 	if (status == TS_OK)
 		status = ts_textfile_flush(&file);
@@ -220,7 +222,7 @@ START_TEST(text_file_no_folder)
 {
 	struct ts_textfile file = { 0 };
 
-	ck_assert_int_eq(ts_textfile_open(&file, &sim->error, NULL, "none/such/file", false),
+	ck_assert_int_eq(ts_textfile_open(&file, sim, NULL, "none/such/file", false),
 			 TS_IO);
 	ck_assert_ptr_nonnull(strstr(sim->error.message, "shell mkdir none/such"));
 }
@@ -234,18 +236,47 @@ START_TEST(replace_keeps_old)
 
 	path_in(path, sizeof path, "kept");
 	spit(path, "old", 3);
-	ck_assert_int_eq(ts_replace_begin(&r, &sim->error, NULL, path), TS_OK);
+	ck_assert_int_eq(ts_replace_begin(&r, sim, NULL, path), TS_OK);
 	ck_assert_int_eq(ts_replace_write(&r, "half", 4), TS_OK);
 	ts_replace_abandon(&r);
 	text = slurp(path);
 	ck_assert_str_eq(text.text, "old");
 	ts_str_release(&text);
-	ck_assert_int_eq(ts_replace_begin(&r, &sim->error, NULL, path), TS_OK);
+	ck_assert_int_eq(ts_replace_begin(&r, sim, NULL, path), TS_OK);
 	ck_assert_int_eq(ts_replace_write(&r, "new text", 8), TS_OK);
 	ck_assert_int_eq(ts_replace_commit(&r, true), TS_OK);
 	text = slurp(path);
 	ck_assert_str_eq(text.text, "new text");
 	ts_str_release(&text);
+}
+END_TEST
+
+/* What a killed process has left goes when the same file is written again, not what a living one writes. */
+START_TEST(stale_parts_go)
+{
+	struct ts_replace r = { 0 };
+	char path[128], dead[160], fresh[160], alive[160], other[160];
+	const struct timespec old[2] = { { 1000000000, 0 }, { 1000000000, 0 } };
+
+	path_in(path, sizeof path, "again");
+	snprintf(dead, sizeof dead, "%s.tmp.2147483647", path); /* beyond the largest process */
+	snprintf(fresh, sizeof fresh, "%s.tmp.2147483646", path);
+	snprintf(alive, sizeof alive, "%s.tmp.1", path);
+	snprintf(other, sizeof other, "%s.tmp.2147483647x", path);
+	spit(dead, "half", 4);
+	spit(fresh, "half", 4); /* may be of another machine */
+	spit(alive, "half", 4);
+	spit(other, "half", 4);
+	ck_assert_int_eq(utimensat(AT_FDCWD, dead, old, 0), 0);
+	ck_assert_int_eq(utimensat(AT_FDCWD, alive, old, 0), 0);
+	ck_assert_int_eq(utimensat(AT_FDCWD, other, old, 0), 0);
+	ck_assert_int_eq(ts_replace_begin(&r, sim, NULL, path), TS_OK);
+	ck_assert_int_eq(ts_replace_write(&r, "whole", 5), TS_OK);
+	ck_assert_int_eq(ts_replace_commit(&r, true), TS_OK);
+	ck_assert_int_ne(access(dead, F_OK), 0);
+	ck_assert_int_eq(access(fresh, F_OK), 0);
+	ck_assert_int_eq(access(alive, F_OK), 0);
+	ck_assert_int_eq(access(other, F_OK), 0);
 }
 END_TEST
 
@@ -368,6 +399,7 @@ int main(void)
 	tcase_add_test(tests, text_file_disk_full);
 	tcase_add_test(tests, text_file_no_folder);
 	tcase_add_test(tests, replace_keeps_old);
+	tcase_add_test(tests, stale_parts_go);
 	tcase_add_test(tests, step_paths);
 	tcase_add_test(tests, restart_damaged);
 	tcase_add_test(tests, restart_cannot_be_written);

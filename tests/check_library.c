@@ -104,6 +104,12 @@ START_TEST(variables)
 	ck_assert_int_eq(tsim_variable_number(sim, "third", NAN), TSIM_RANGE);
 	tsim_error_clear(sim);
 	ck_assert_int_eq(tsim_variable_set(sim, "a b", "equal", "1"), TSIM_SYNTAX);
+	tsim_error_clear(sim);
+	ck_assert_int_ne(tsim_variable_set(sim, "name", "eqal", "1"), 0); /* the old one stays */
+	tsim_error_clear(sim);
+	ck_assert_int_ne(tsim_variable_set(sim, "name", "file", "no/such/file"), 0);
+	tsim_error_clear(sim);
+	DECK_NEAR(deck_value(sim, "v_name"), 4.77, 1e-15);
 }
 END_TEST
 

@@ -37,6 +37,7 @@ shell_tests = \
 	tests/grammar.sh \
 	tests/granular.sh \
 	tests/house.sh \
+	tests/identities.sh \
 	tests/install.sh \
 	tests/kill.sh \
 	tests/layers.sh \

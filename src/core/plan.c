@@ -69,6 +69,16 @@ void ts_plan_release(struct ts_plan *plan)
 	*plan = (struct ts_plan){ 0 };
 }
 
+/* Outputs only look: what one has evaluated holds for the next. The program around may do anything. */
+static void begin_action(struct tsim *sim, const struct ts_action *action, enum ts_stage stage)
+{
+	sim->draws = (struct ts_draws){ action->site, 0 };
+	if (action->self == sim->outside)
+		sim->epoch = 0;
+	else if (stage != TS_STAGE_OUTPUT || !sim->epoch)
+		sim->epoch = ++sim->epochs;
+}
+
 enum ts_status ts_plan_stage(struct ts_plan *plan, struct tsim *sim, enum ts_stage stage)
 {
 	enum ts_status status = TS_OK;
@@ -80,10 +90,11 @@ enum ts_status ts_plan_stage(struct ts_plan *plan, struct tsim *sim, enum ts_sta
 	for (size_t k = 0; k < plan->n[stage] && status == TS_OK; k++) {
 		const struct ts_action *action = &plan->actions[stage][k];
 
-		sim->draws = (struct ts_draws){ action->site, 0 };
+		begin_action(sim, action, stage);
 		status = action->hook(action->self, sim);
 	}
 	sim->draws = (struct ts_draws){ 0 };
+	sim->epoch = 0;
 	plan->seconds[stage] += ts_clock() - start;
 	return status;
 }

@@ -146,7 +146,7 @@ static enum ts_status extent(struct tsim *sim, const struct ts_ref_input *input,
 		*n = value->columns;
 		if (*n)
 			return TS_OK;
-		TS_TRY(ts_value_eval(input->ref.inst, sim, value, table));
+		TS_TRY(ts_value_held(input->ref.inst, sim, value));
 		*n = parts[k].whole == TS_VECTOR ? table->rows * table->columns : table->columns;
 		return TS_OK;
 	}

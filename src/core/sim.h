@@ -83,6 +83,9 @@ struct tsim {
 			    * goes on with the forces and the rows of that step */
 	bool looking;      /* a value is read that does not count: next() stays where it is */
 	struct ts_draws draws;
+	uint64_t epoch; /* while somebody acts in a stage, nothing changes that he reads: outputs are
+			 * evaluated once. 0: something may change at any time */
+	uint64_t epochs;
 	struct ts_bill bill;
 	volatile int stop; /* set from a signal handler: finish the step, then stop */
 	uint64_t generation; /* grows when particles are added, deleted, reordered or their columns

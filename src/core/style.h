@@ -103,6 +103,8 @@ struct ts_instance {
 	struct ts_words words; /* its arguments as written */
 	struct ts_arena arena; /* strings of its arguments */
 	struct ts_table table; /* for its outputs */
+	const struct ts_value *held; /* what the table holds, since sim->epoch was held_since */
+	uint64_t held_since;
 	int64_t every;         /* dumps: interval in steps */
 };
 

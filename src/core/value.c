@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/sim.h"
+#include "core/plan.h"
 
 #include "base/banned.h"
 
@@ -58,6 +58,24 @@ enum ts_status ts_value_eval(struct ts_instance *inst, struct tsim *sim, const s
 	return status == TS_NOMEM ? ts_nomem(&sim->error) : status;
 }
 
+enum ts_status ts_value_held(struct ts_instance *inst, struct tsim *sim, const struct ts_value *value)
+{
+	const struct ts_draws draws = sim->draws;
+	enum ts_status status;
+
+	if (sim->epoch && inst->held == value && inst->held_since == sim->epoch)
+		return TS_OK;
+	inst->held = NULL;
+	if (draws.site) /* random numbers in it do not depend on who reads it first */
+		sim->draws = (struct ts_draws){ ts_plan_site(inst, TS_NSTAGE), 0 };
+	status = ts_value_eval(inst, sim, value, &inst->table);
+	sim->draws = draws;
+	if (status == TS_OK) {
+		inst->held = value;
+		inst->held_since = sim->epoch;
+	}
+	return status;
+}
 
 const struct ts_keyword *ts_keyword_find(const struct tsim *sim, const char *name)
 {
@@ -325,7 +343,7 @@ static enum ts_status instance_element(struct tsim *sim, const struct ts_ref *re
 
 	if (!value)
 		return no_such_output(sim, ref, where, "array");
-	TS_TRY(ts_value_eval(ref->inst, sim, value, table));
+	TS_TRY(ts_value_held(ref->inst, sim, value));
 	if (ref->index > (long)table->rows || ref->column > (long)table->columns)
 		return ts_fail(&sim->error, TS_RANGE, where,
 			       "%s %s: element [%ld][%ld] asked for, the array has %zu rows and %zu "
@@ -347,7 +365,7 @@ static enum ts_status instance_scalar(struct tsim *sim, const struct ts_ref *ref
 	if (!value)
 		return no_such_output(sim, ref, where,
 				      ref->index ? "vector" : "scalar (use an index [k]?)");
-	TS_TRY(ts_value_eval(ref->inst, sim, value, table));
+	TS_TRY(ts_value_held(ref->inst, sim, value));
 	count = table->rows * table->columns;
 	if (ref->index > (long)count)
 		return ts_fail(&sim->error, TS_RANGE, where,
@@ -411,12 +429,25 @@ static enum ts_status one_column(struct tsim *sim, const struct ts_ref *ref,
 				      shape == TS_LOCAL	  ? "local"
 				      : shape == TS_ARRAY ? "array"
 							  : "per-particle");
-	TS_TRY(ts_value_eval(ref->inst, sim, value, &ref->inst->table));
+	TS_TRY(ts_value_held(ref->inst, sim, value));
 	TS_TRY(pick_column(sim, ref, where, table->columns, &column));
 	if (ts_table_resize(out, table->rows, 1) != TS_OK)
 		return ts_nomem(&sim->error);
 	for (size_t i = 0; i < table->rows; i++)
 		out->data[i] = table->data[i * table->columns + column];
+	return TS_OK;
+}
+
+static enum ts_status copy_held(struct tsim *sim, struct ts_instance *inst,
+				const struct ts_value *value, struct ts_table *out)
+{
+	const struct ts_table *table = &inst->table;
+
+	TS_TRY(ts_value_held(inst, sim, value));
+	if (ts_table_resize(out, table->rows, table->columns) != TS_OK)
+		return ts_nomem(&sim->error);
+	if (table->rows && table->columns)
+		memcpy(out->data, table->data, table->rows * table->columns * sizeof *out->data);
 	return TS_OK;
 }
 
@@ -462,7 +493,7 @@ enum ts_status ts_ref_vector(struct tsim *sim, const struct ts_ref *ref,
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "expected a compute or fix with a vector output, or a variable of "
 			       "style vector");
-	return ts_value_eval(now.inst, sim, value, out);
+	return copy_held(sim, now.inst, value, out);
 }
 
 enum ts_status ts_ref_local(struct tsim *sim, const struct ts_ref *ref,

@@ -48,6 +48,9 @@ const struct ts_value *ts_value_find(const struct ts_instance *inst, enum ts_sha
 enum ts_status ts_value_eval(struct ts_instance *inst, struct tsim *sim, const struct ts_value *value,
 			     struct ts_table *out);
 
+/* The same into the table of the instance, where it stays as long as nothing changes. */
+enum ts_status ts_value_held(struct ts_instance *inst, struct tsim *sim, const struct ts_value *value);
+
 /* A name that stands for a number or a list of numbers. */
 enum ts_ref_kind { TS_REF_KEYWORD, TS_REF_COMPUTE, TS_REF_FIX, TS_REF_VARIABLE };
 struct ts_keyword;

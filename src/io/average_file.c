@@ -33,7 +33,7 @@ enum ts_status ts_average_file_begin(struct ts_instance *self, struct tsim *sim,
 	if (f->overwrite)
 		TS_TRY(ts_textfile_close(&f->out));
 	*titles = !ts_textfile_is_open(&f->out);
-	return *titles ? ts_textfile_open(&f->out, &sim->error, ts_instance_word(self, path), path,
+	return *titles ? ts_textfile_open(&f->out, sim, ts_instance_word(self, path), path,
 					  f->append != NULL)
 		       : TS_OK;
 }

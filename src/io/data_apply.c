@@ -6,6 +6,7 @@
 #include "io/data.h"
 #include "particles/body.h"
 #include "particles/domain.h"
+#include "particles/identity.h"
 #include "particles/particles.h"
 
 #include "base/banned.h"
@@ -50,11 +51,9 @@ static enum ts_status check_atoms(struct tsim *sim, const struct ts_data *data,
 				  const struct ts_box *box, int ntypes,
 				  const struct ts_data_options *o)
 {
-	const struct ts_particles *p = sim->particles;
-	const int32_t *row = NULL;
+	struct ts_identities map;
 
-	if (p->n)
-		TS_TRY(ts_particles_map(sim, &row));
+	TS_TRY(ts_identities(sim, false, &map));
 	for (size_t k = 0; k < data->n; k++) {
 		const struct ts_data_atom *a = &data->atom[k];
 		int64_t tag = a->tag + o->tag_offset, type = a->type + o->type_offset;
@@ -66,7 +65,7 @@ static enum ts_status check_atoms(struct tsim *sim, const struct ts_data *data,
 			return refuse(sim, data, a->line,
 				      "type %d with its offset is more than the %d there are",
 				      (int)a->type, ntypes);
-		if (row && tag <= p->max_tag && row[tag] >= 0)
+		if (ts_row_of(&map, tag) >= 0)
 			return refuse(sim, data, a->line,
 				      "there is a particle %lld already: use `add append`",
 				      (long long)tag);

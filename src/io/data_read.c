@@ -8,7 +8,7 @@
 #include "base/banned.h"
 
 /* Identities index a table, so there is a largest one. */
-enum { LARGEST_TAG = 1 << 28, MOST_TYPES = 10000 };
+enum { LARGEST_TAG = INT32_MAX - 1, MOST_TYPES = 10000 };
 
 struct reader {
 	struct tsim *sim;

@@ -5,6 +5,7 @@
 
 #include "particles/body.h"
 #include "particles/domain.h"
+#include "particles/identity.h"
 #include "particles/particles.h"
 
 #include "base/banned.h"
@@ -107,22 +108,20 @@ enum ts_status ts_data_write(struct tsim *sim, struct ts_textfile *out, struct t
 	struct ts_particles *p = sim->particles;
 	bool hybrid = counts.bond_types > 0;
 	struct ts_str text = { 0 };
-	const int32_t *row;
+	struct ts_identities map;
 	enum ts_status status = TS_OK;
 
-	TS_TRY(ts_particles_map(sim, &row));
+	TS_TRY(ts_identities(sim, true, &map));
 	add_header(sim, &text, counts);
 	for (int section = 0; p->n && section < 2 && status == TS_OK; section++) {
 		ts_str_add(&text, section ? "\nVelocities\n\n"
 				  : hybrid ? "\nAtoms # hybrid sphere bond\n\n"
 					   : "\nAtoms # sphere\n\n");
-		for (int32_t tag = 1; tag <= p->max_tag && status == TS_OK; tag++) {
-			if (row[tag] < 0)
-				continue;
+		for (size_t k = 0; k < map.n && status == TS_OK; k++) {
 			if (section)
-				add_velocity(&text, p, (size_t)row[tag]);
+				add_velocity(&text, p, (size_t)map.row[k]);
 			else
-				add_atom(&text, sim, (size_t)row[tag], hybrid);
+				add_atom(&text, sim, (size_t)map.row[k], hybrid);
 			if (text.length < 1 << 16)
 				continue;
 			status = ts_textfile_write(out, ts_str_text(&text), text.length);

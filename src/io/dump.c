@@ -58,7 +58,7 @@ enum ts_status ts_dump_open(struct ts_instance *self, struct tsim *sim)
 	ts_step_path(&d->path, d->file, (long long)sim->clock.step, (int)d->pad);
 	if (d->path.failed)
 		return ts_nomem(&sim->error);
-	return ts_textfile_open(&d->out, &sim->error, ts_instance_word(self, d->file), ts_str_text(&d->path),
+	return ts_textfile_open(&d->out, sim, ts_instance_word(self, d->file), ts_str_text(&d->path),
 				d->append && !one_file_per_frame(d));
 }
 
@@ -134,12 +134,12 @@ static enum ts_status drop_oldest(struct ts_dump_common *d)
 	return *slot ? TS_OK : TS_NOMEM;
 }
 
-enum ts_status ts_dump_frame_done(struct ts_dump_common *d)
+enum ts_status ts_dump_frame_done(struct ts_dump_common *d, const struct tsim *sim)
 {
 	if (!one_file_per_frame(d))
 		return ts_textfile_flush(&d->out);
 	TS_TRY(ts_textfile_close(&d->out));
-	return d->nold ? drop_oldest(d) : TS_OK;
+	return d->nold && !sim->explain ? drop_oldest(d) : TS_OK;
 }
 
 enum ts_status ts_dump_frame(struct ts_instance *self, struct tsim *sim, bool local)
@@ -154,7 +154,7 @@ enum ts_status ts_dump_frame(struct ts_instance *self, struct tsim *sim, bool lo
 	TS_TRY(ts_dump_open(self, sim));
 	ts_dump_header(d, sim, local ? "ENTRIES" : "ATOMS");
 	TS_TRY(ts_dump_write_rows(d, sim, true));
-	return ts_dump_frame_done(d);
+	return ts_dump_frame_done(d, sim);
 }
 
 void ts_dump_fini(struct ts_instance *self)

@@ -3,6 +3,7 @@
 
 #include "io/frames.h"
 #include "particles/domain.h"
+#include "particles/identity.h"
 #include "particles/particles.h"
 
 #include "base/banned.h"
@@ -44,17 +45,17 @@ static enum ts_status find_id(const struct use *u, int *column)
 static enum ts_status match(struct use *u, unsigned char *missing)
 {
 	const struct ts_particles *p = u->sim->particles;
-	const int32_t *map;
+	struct ts_identities map;
 	int id;
 
 	TS_TRY(find_id(u, &id));
-	TS_TRY(ts_particles_map(u->sim, &map));
+	TS_TRY(ts_identities(u->sim, false, &map));
 	for (size_t i = 0; i < p->n; i++)
 		missing[i] = 1;
 	for (size_t r = 0; r < u->f->n; r++) {
 		double tag = at(u, r, id);
 
-		u->row[r] = tag <= p->max_tag ? map[(int32_t)tag] : -1;
+		u->row[r] = tag <= p->max_tag ? ts_row_of(&map, (int32_t)tag) : -1;
 		if (u->row[r] >= 0)
 			missing[u->row[r]] = 0;
 	}

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "math/exactsum.h"
+#include "particles/identity.h"
 #include "particles/particles.h"
 
 #include "base/banned.h"
@@ -112,7 +113,7 @@ static enum ts_status add_input(struct ts_instance *self, struct tsim *sim, size
 	struct ts_histogram *h = self->state;
 	const struct ts_ref_input *input = &h->input.item[k];
 	const struct ts_particles *p = sim->particles;
-	const int32_t *row = NULL;
+	struct ts_identities map = { 0 };
 	size_t n;
 
 	TS_TRY(evaluate(self, sim, k, &h->values));
@@ -125,11 +126,11 @@ static enum ts_status add_input(struct ts_instance *self, struct tsim *sim, size
 				       h->weights.rows * h->weights.columns, n);
 	}
 	if (input->shape == TS_PERATOM)
-		TS_TRY(ts_particles_map(sim, &row));
-	for (size_t at = 0; at < (row ? (size_t)p->max_tag : n); at++) {
-		int64_t i = row ? row[at + 1] : (int64_t)at;
+		TS_TRY(ts_identities(sim, true, &map));
+	for (size_t at = 0; at < n; at++) {
+		size_t i = map.row ? (size_t)map.row[at] : at;
 
-		if (i >= 0 && (!row || ts_in_group(p, (size_t)i, self->group)))
+		if (!map.row || ts_in_group(p, i, self->group))
 			count(h, h->values.data[i], h->weighted ? h->weights.data[i] : 1);
 	}
 	return TS_OK;

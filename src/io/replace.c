@@ -1,8 +1,12 @@
 #include "io/replace.h"
 
+#include <dirent.h>
 #include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "io/textfile.h"
@@ -13,7 +17,7 @@ static enum ts_status failed(struct ts_replace *r)
 {
 	int code = errno;
 	enum ts_status status =
-		ts_fail(r->err, TS_IO, &r->where, "writing '%s' failed: %s", ts_str_text(&r->path),
+		ts_fail(&r->sim->error, TS_IO, &r->where, "writing '%s' failed: %s", ts_str_text(&r->path),
 			code ? strerror(code) : "unknown reason");
 
 	ts_replace_abandon(r);
@@ -28,24 +32,74 @@ static bool replaceable(const char *path)
 	return stat(path, &there) != 0 || S_ISREG(there.st_mode);
 }
 
-enum ts_status ts_replace_begin(struct ts_replace *r, struct ts_error *err,
+/* The folder of a path. */
+static enum ts_status folder_of(const char *path, struct ts_str *out)
+{
+	const char *slash = strrchr(path, '/');
+
+	if (slash)
+		ts_str_add_n(out, path, slash == path ? 1 : (size_t)(slash - path));
+	else
+		ts_str_add(out, ".");
+	return out->failed ? TS_NOMEM : TS_OK;
+}
+
+/* NAME.tmp.PROCESS of a process that is no more. Processes of other machines are not seen from here, but they
+ * go on writing. */
+static bool is_stale(int folder, const char *name, const char *entry)
+{
+	enum { IDLE = 600 }; /* seconds */
+	size_t n = strlen(name);
+	struct stat info;
+	int64_t process;
+
+	if (strncmp(entry, name, n) != 0 || strncmp(entry + n, ".tmp.", 5) != 0 ||
+	    !ts_parse_int(entry + n + 5, &process) || process < 1 || process > INT32_MAX)
+		return false;
+	return kill((pid_t)process, 0) != 0 && errno == ESRCH &&
+	       fstatat(folder, entry, &info, AT_SYMLINK_NOFOLLOW) == 0 && S_ISREG(info.st_mode) &&
+	       difftime(time(NULL), info.st_mtime) > IDLE;
+}
+
+static void remove_stale(const char *path)
+{
+	const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+	struct ts_str folder = { 0 };
+	struct dirent *entry;
+	DIR *list;
+
+	list = folder_of(path, &folder) == TS_OK ? opendir(ts_str_text(&folder)) : NULL;
+	while (list && (entry = readdir(list)))
+		if (is_stale(dirfd(list), name, entry->d_name))
+			unlinkat(dirfd(list), entry->d_name, 0);
+	if (list)
+		closedir(list);
+	ts_str_release(&folder);
+}
+
+enum ts_status ts_replace_begin(struct ts_replace *r, struct tsim *sim,
 				const struct ts_place *where, const char *path)
 {
 	ts_replace_abandon(r);
-	if (!replaceable(path))
-		return ts_fail(err, TS_IO, where, "cannot write '%s': it is not a plain file",
-			       path);
-	r->err = err;
+	r->sim = sim;
 	r->where = where ? *where : (struct ts_place){ 0 };
+	if (sim->explain) {
+		r->file = fopen("/dev/null", "wb");
+		return r->file ? TS_OK : ts_open_failed(&sim->error, where, "/dev/null");
+	}
+	if (!replaceable(path))
+		return ts_fail(&sim->error, TS_IO, where,
+			       "cannot write '%s': it is not a plain file", path);
+	remove_stale(path);
 	ts_str_add(&r->path, path);
 	ts_str_addf(&r->temporary, "%s.tmp.%ld", path, (long)getpid());
 	if (r->path.failed || r->temporary.failed) {
 		ts_replace_abandon(r);
-		return ts_nomem(err);
+		return ts_nomem(&sim->error);
 	}
 	r->file = fopen(ts_str_text(&r->temporary), "wb");
 	if (!r->file) {
-		enum ts_status status = ts_open_failed(err, where, path);
+		enum ts_status status = ts_open_failed(&sim->error, where, path);
 
 		ts_replace_abandon(r);
 		return status;
@@ -59,19 +113,38 @@ enum ts_status ts_replace_write(struct ts_replace *r, const void *bytes, size_t 
 	return fwrite(bytes, 1, n, r->file) == n ? TS_OK : failed(r);
 }
 
+/* The new name is safe when the folder is on the disk. Some file systems know no such thing. */
+static void sync_folder(const char *path)
+{
+	struct ts_str folder = { 0 };
+	int at = folder_of(path, &folder) == TS_OK
+			 ? open(ts_str_text(&folder), O_RDONLY | O_DIRECTORY)
+			 : -1;
+
+	if (at >= 0) {
+		fsync(at);
+		close(at);
+	}
+	ts_str_release(&folder);
+}
+
 enum ts_status ts_replace_commit(struct ts_replace *r, bool durable)
 {
 	FILE *file = r->file;
+	bool nowhere = !r->temporary.length;
 
 	errno = 0;
-	if (fflush(file) != 0 || (durable && fsync(fileno(file)) != 0))
+	if (fflush(file) != 0 || (durable && !nowhere && fsync(fileno(file)) != 0))
 		return failed(r);
 	r->file = NULL;
-	if (fclose(file) != 0 || rename(ts_str_text(&r->temporary), ts_str_text(&r->path)) != 0) {
+	if (fclose(file) != 0 ||
+	    (!nowhere && rename(ts_str_text(&r->temporary), ts_str_text(&r->path)) != 0)) {
 		failed(r);
 		return TS_IO;
 	}
 	ts_str_clear(&r->temporary);
+	if (durable && !nowhere)
+		sync_folder(ts_str_text(&r->path));
 	ts_replace_abandon(r);
 	return TS_OK;
 }

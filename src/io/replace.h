@@ -5,21 +5,23 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-#include "base/str.h"
+#include "core/sim.h"
 
 /* Zero-initialise. */
 struct ts_replace {
 	FILE *file;
 	struct ts_str path, temporary;
-	struct ts_error *err;
+	struct tsim *sim;
 	struct ts_place where;
 };
 
-/* Opens PATH.tmp.<process>. */
-enum ts_status ts_replace_begin(struct ts_replace *r, struct ts_error *err,
+/* Opens PATH.tmp.<process>; what killed processes have left of the same file is removed. With -explain all
+ * goes nowhere. */
+enum ts_status ts_replace_begin(struct ts_replace *r, struct tsim *sim,
 				const struct ts_place *where, const char *path);
 enum ts_status ts_replace_write(struct ts_replace *r, const void *bytes, size_t n);
-/* Puts the file in its place. `durable`: waits until it is on the disk before. On failure the old
+/* Puts the file in its place. `durable`: waits until it is on the disk, and after
+ * that its name too. On failure the old
  * file is untouched and the temporary one gone. */
 enum ts_status ts_replace_commit(struct ts_replace *r, bool durable);
 /* Forgets what was written. Harmless after commit. */

@@ -187,7 +187,7 @@ enum ts_status ts_restart_write(struct tsim *sim, const char *path, const struct
 	/* between two steps of a run the forces belong to the state as it is now */
 	if (sim->running)
 		TS_TRY(ts_sim_fingerprint(sim, &sim->fingerprint));
-	TS_TRY(ts_replace_begin(&w.out, &sim->error, where, path));
+	TS_TRY(ts_replace_begin(&w.out, sim, where, path));
 	status = put_all(&w);
 	if (status == TS_OK)
 		status = ts_replace_commit(&w.out, true);

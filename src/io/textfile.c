@@ -22,27 +22,28 @@ enum ts_status ts_open_failed(struct ts_error *err, const struct ts_place *where
 	return ts_fail(err, TS_IO, where, "cannot open '%s': %s", path, strerror(code));
 }
 
-enum ts_status ts_textfile_open(struct ts_textfile *file, struct ts_error *err,
+enum ts_status ts_textfile_open(struct ts_textfile *file, struct tsim *sim,
 				const struct ts_place *where, const char *path, bool append)
 {
+	const char *target = sim->explain ? "/dev/null" : path;
 	bool gz = ts_ends_with(path, ".gz");
 
 	ts_textfile_close(file);
-	file->err = err;
+	file->err = &sim->error;
 	file->where = where ? *where : (struct ts_place){ 0 };
 	file->path = ts_strdup(path);
 	if (!file->path)
-		return ts_nomem(err);
+		return ts_nomem(&sim->error);
 	errno = 0;
 	if (gz)
-		file->gz = gzopen(path, append ? "ab" : "wb");
+		file->gz = gzopen(target, append ? "ab" : "wb");
 	else
-		file->plain = fopen(path, append ? "a" : "w");
+		file->plain = fopen(target, append ? "a" : "w");
 	if (ts_textfile_is_open(file))
 		return TS_OK;
 	ts_free(file->path);
 	file->path = NULL;
-	return errno ? ts_open_failed(err, where, path) : ts_nomem(err);
+	return errno ? ts_open_failed(&sim->error, where, path) : ts_nomem(&sim->error);
 }
 
 bool ts_textfile_is_open(const struct ts_textfile *file)

@@ -8,7 +8,7 @@
 #include <stdio.h>
 
 #include "base/status.h"
-#include "base/str.h"
+#include "core/sim.h"
 
 /* Zero-initialise. */
 struct ts_textfile {
@@ -19,8 +19,8 @@ struct ts_textfile {
 	struct ts_place where; /* blamed for later errors */
 };
 
-/* Writes anew or appends. Creates no folders: a missing one is an error. */
-enum ts_status ts_textfile_open(struct ts_textfile *file, struct ts_error *err,
+/* Writes anew or appends. Creates no folders: a missing one is an error. With -explain all goes nowhere. */
+enum ts_status ts_textfile_open(struct ts_textfile *file, struct tsim *sim,
 				const struct ts_place *where, const char *path, bool append);
 bool ts_textfile_is_open(const struct ts_textfile *file);
 enum ts_status ts_textfile_write(struct ts_textfile *file, const char *bytes, size_t n);

@@ -165,7 +165,7 @@ static enum ts_status put_file(struct tsim *sim, const char *path, const struct 
 {
 	struct ts_replace file = { 0 };
 
-	TS_TRY(ts_replace_begin(&file, &sim->error, where, path));
+	TS_TRY(ts_replace_begin(&file, sim, where, path));
 	TS_TRY(ts_replace_write(&file, ts_str_text(text), text->length));
 	return ts_replace_commit(&file, false);
 }

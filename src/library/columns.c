@@ -1,6 +1,7 @@
 /* Per-particle quantities: copied by name, and stored columns without copying. */
 #include "library/library.h"
 
+#include "particles/identity.h"
 #include "particles/particles.h"
 
 #include "base/banned.h"
@@ -34,21 +35,18 @@ static enum ts_status check_count(struct tsim *sim, size_t n)
 
 enum ts_status ts_library_rows(struct tsim *sim, const int32_t *id, size_t n, int32_t **rows)
 {
-	const struct ts_particles *p = sim->particles;
-	const int32_t *row_of_tag;
-	size_t filled = 0;
+	struct ts_identities map;
 
 	if (!id)
 		TS_TRY(check_count(sim, n));
-	TS_TRY(ts_particles_map(sim, &row_of_tag));
+	TS_TRY(ts_identities(sim, !id, &map));
 	*rows = ts_alloc(n, sizeof **rows);
 	if (!*rows)
 		return ts_nomem(&sim->error);
-	for (int32_t tag = 1; !id && tag <= p->max_tag; tag++)
-		if (row_of_tag[tag] >= 0)
-			(*rows)[filled++] = row_of_tag[tag];
+	for (size_t k = 0; !id && k < map.n; k++)
+		(*rows)[k] = map.row[k];
 	for (size_t k = 0; id && k < n; k++) {
-		(*rows)[k] = id[k] >= 1 && id[k] <= p->max_tag ? row_of_tag[id[k]] : -1;
+		(*rows)[k] = ts_row_of(&map, id[k]);
 		if ((*rows)[k] < 0) {
 			ts_free(*rows);
 			*rows = NULL;

@@ -144,25 +144,11 @@ int tsim_variable(struct tsim *sim, const char *name, const char *value)
 	return ts_library_settle(sim, status);
 }
 
-/* The command `variable` with these words, as they are: nothing is substituted. */
-static enum ts_status command(struct tsim *sim, const char *name, const char *style,
-			      const char *value)
-{
-	const struct ts_word word[] = { { .text = "variable" },
-					{ .text = name },
-					{ .text = style },
-					{ .text = value } };
-
-	return ts_sim_command(sim, (struct ts_words){ word, value ? 4 : 3 });
-}
-
 static enum ts_status define(struct tsim *sim, const char *name, const char *style,
 			     const char *value)
 {
 	TS_TRY(before_change(sim));
-	if (sim->host->has_variable(sim->host_data, name))
-		TS_TRY(command(sim, name, "delete", NULL));
-	return command(sim, name, style, value);
+	return ts_script_define(sim->host_data, name, style, value);
 }
 
 int tsim_variable_set(struct tsim *sim, const char *name, const char *style, const char *value)

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "core/plan.h"
+#include "particles/identity.h"
 #include "particles/particles.h"
 
 #include "base/banned.h"
@@ -118,14 +119,15 @@ void ts_bonds_delete(struct ts_bonds *b, const unsigned char *flag)
 	b->n = kept;
 }
 
-static enum ts_status drop_lost(struct tsim *sim, struct ts_bonds *b, const int32_t *row_of_tag)
+static enum ts_status drop_lost(struct tsim *sim, struct ts_bonds *b,
+				const struct ts_identities *map)
 {
 	unsigned char *lost = ts_alloc(b->n, 1);
 
 	if (!lost)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < b->n; k++) {
-		lost[k] = row_of_tag[b->tag[k][0]] < 0 || row_of_tag[b->tag[k][1]] < 0;
+		lost[k] = ts_row_of(map, b->tag[k][0]) < 0 || ts_row_of(map, b->tag[k][1]) < 0;
 		b->gone += lost[k];
 	}
 	ts_bonds_delete(b, lost);
@@ -156,15 +158,15 @@ enum ts_status ts_bonds_index(struct tsim *sim)
 static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_bonds *b = self->state;
-	const int32_t *row_of_tag;
+	struct ts_identities map;
 
 	if (!b->n)
 		return TS_OK;
-	TS_TRY(ts_particles_map(sim, &row_of_tag));
-	TS_TRY(drop_lost(sim, b, row_of_tag));
+	TS_TRY(ts_identities(sim, false, &map));
+	TS_TRY(drop_lost(sim, b, &map));
 	for (size_t k = 0; k < b->n; k++)
 		for (int s = 0; s < 2; s++)
-			b->row[k][s] = row_of_tag[b->tag[k][s]];
+			b->row[k][s] = ts_row_of(&map, b->tag[k][s]);
 	return ts_bonds_index(sim);
 }
 

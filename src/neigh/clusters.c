@@ -4,6 +4,7 @@
 #include "math/unionfind.h"
 #include "neigh/bonds.h"
 #include "particles/domain.h"
+#include "particles/identity.h"
 #include "particles/particles.h"
 
 #include "base/banned.h"
@@ -27,11 +28,11 @@ static void join(void *context, size_t i, size_t j, const double d[3])
 static enum ts_status join_bonds(struct tsim *sim, const struct task *t)
 {
 	const struct ts_bonds *bonds = sim->bonds;
-	const int32_t *row;
+	struct ts_identities map;
 
-	TS_TRY(ts_particles_map(sim, &row));
+	TS_TRY(ts_identities(sim, false, &map));
 	for (size_t b = 0; b < bonds->n; b++) {
-		int32_t i = row[bonds->tag[b][0]], j = row[bonds->tag[b][1]];
+		int32_t i = ts_row_of(&map, bonds->tag[b][0]), j = ts_row_of(&map, bonds->tag[b][1]);
 
 		if (i >= 0 && j >= 0)
 			join((void *)(uintptr_t)t, i < j ? (size_t)i : (size_t)j,
@@ -48,7 +49,7 @@ static enum ts_status find(const struct tsim *sim, const struct task *t, double 
 	if (cutoff > 0)
 		TS_TRY(ts_pairs_visit(&sim->domain->box, (const double(*)[3])p->x, p->n, cutoff, join,
 				      (void *)(uintptr_t)t));
-	/* the map is scratch memory of the particles */
+	/* the table of identities is scratch memory of the particles */
 	return bonds ? join_bonds((struct tsim *)(uintptr_t)sim, t) : TS_OK;
 }
 

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "particles/identity.h"
 #include "particles/particles.h"
 
 #include "base/banned.h"
@@ -47,19 +48,15 @@ static size_t cell_of(const struct grid *g, const double x[3])
 }
 
 /* Counting sort, the particles taken by identity. */
-static void sort(const struct ts_particles *p, const struct grid *g, const int32_t *row_of_tag,
-		 int32_t *start, int32_t *order)
+static void sort(const struct ts_particles *p, const struct grid *g,
+		 const struct ts_identities *map, int32_t *start, int32_t *order)
 {
 	for (size_t i = 0; i < p->n; i++)
 		start[cell_of(g, p->x[i]) + 1]++;
 	for (size_t c = 0; c < g->n; c++)
 		start[c + 1] += start[c];
-	for (int32_t tag = 1; tag <= p->max_tag; tag++) {
-		int32_t row = row_of_tag[tag];
-
-		if (row >= 0)
-			order[start[cell_of(g, p->x[row])]++] = row;
-	}
+	for (size_t k = 0; k < map->n; k++)
+		order[start[cell_of(g, p->x[map->row[k]])]++] = map->row[k];
 }
 
 static bool in_order(const int32_t *order, size_t n)
@@ -73,21 +70,21 @@ static bool in_order(const int32_t *order, size_t n)
 enum ts_status ts_order_by_place(struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
-	const int32_t *row_of_tag;
+	struct ts_identities map;
 	struct grid g;
 	int32_t *start, *order;
 	enum ts_status status = TS_OK;
 
 	if (p->n < TS_ORDER_LEAST)
 		return TS_OK;
-	TS_TRY(ts_particles_map(sim, &row_of_tag));
+	TS_TRY(ts_identities(sim, true, &map));
 	g = grid_of(p);
 	start = ts_alloc(g.n + 1, sizeof *start);
 	order = ts_alloc(p->n, sizeof *order);
 	if (!start || !order) {
 		status = ts_nomem(&sim->error);
 	} else {
-		sort(p, &g, row_of_tag, start, order);
+		sort(p, &g, &map, start, order);
 		if (!in_order(order, p->n))
 			status = ts_particles_reorder(sim, order);
 	}

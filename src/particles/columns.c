@@ -1,4 +1,5 @@
 /* Storage of the particle columns: growth, adding, deleting, reordering of rows. */
+#include "particles/identity.h"
 #include "particles/particles.h"
 
 #include <string.h>
@@ -116,13 +117,12 @@ void ts_particles_fill_initial(struct ts_column *column, size_t from, size_t to)
 static enum ts_status distribute(struct tsim *sim, const struct ts_column *c, const int32_t *tag,
 				 size_t n, const double *data)
 {
-	const struct ts_particles *p = sim->particles;
-	const int32_t *row_of_tag;
+	struct ts_identities map;
 
-	TS_TRY(ts_particles_map(sim, &row_of_tag));
+	TS_TRY(ts_identities(sim, false, &map));
 	for (size_t k = 0; k < n; k++)
-		if (tag[k] > 0 && tag[k] <= p->max_tag && row_of_tag[tag[k]] >= 0)
-			memcpy(column_row(c, (size_t)row_of_tag[tag[k]]), data + k * c->width,
+		if (ts_row_of(&map, tag[k]) >= 0)
+			memcpy(column_row(c, (size_t)ts_row_of(&map, tag[k])), data + k * c->width,
 			       c->width * c->element);
 	return TS_OK;
 }
@@ -240,19 +240,6 @@ enum ts_status ts_particles_reorder(struct tsim *sim, const int32_t *order)
 		c->data = data;
 		bind(c);
 	}
-	return TS_OK;
-}
-
-enum ts_status ts_particles_map(struct tsim *sim, const int32_t **row_of_tag)
-{
-	struct ts_particles *p = sim->particles;
-
-	if (TS_GROW(p->map, p->map_capacity, (size_t)p->max_tag + 1) != TS_OK)
-		return ts_nomem(&sim->error);
-	memset(p->map, 0xff, ((size_t)p->max_tag + 1) * sizeof *p->map); /* -1 */
-	for (size_t i = 0; i < p->n; i++)
-		p->map[p->tag[i]] = (int32_t)i;
-	*row_of_tag = p->map;
 	return TS_OK;
 }
 

@@ -53,6 +53,7 @@ static void fini(struct ts_instance *self)
 	ts_free(p->ghost_owner);
 	ts_free(p->ghost_shift);
 	ts_free(p->map);
+	ts_free(p->by_tag);
 }
 
 static enum ts_status archive_groups(struct ts_particles *p, struct ts_archive *a)

@@ -101,8 +101,10 @@ struct ts_particles {
 	bool lost_warned;
 
 	struct ts_holds *holds; /* of the simulation: columns that are looked at from outside */
-	int32_t *map; /* row of tag, made by ts_particles_map */
+	int32_t *map; /* row of tag, and the tags there are with their rows: particles/identity.h */
 	size_t map_capacity;
+	int32_t *by_tag;
+	size_t by_tag_capacity;
 	/* Says whom particle i touches; set by who keeps the contacts. */
 	void (*describe_contacts)(struct tsim *sim, size_t i, struct ts_str *out);
 };
@@ -131,10 +133,6 @@ void ts_particles_fill_initial(struct ts_column *column, size_t from, size_t to)
  * again only after particles have come and gone. Such columns are not TS_COL_SAVED. */
 enum ts_status ts_particles_archive_column(struct ts_archive *archive, struct tsim *sim,
 					   const char *name, size_t index);
-
-/* A table row_of_tag[tag]: local row, -1 if there is no such particle. Valid until particles are
- * added, deleted or reordered. */
-enum ts_status ts_particles_map(struct tsim *sim, const int32_t **row_of_tag);
 
 /* Room for so many rows, ghosts included. */
 enum ts_status ts_particles_reserve(struct tsim *sim, size_t rows);

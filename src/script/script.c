@@ -402,6 +402,30 @@ enum ts_status ts_script_set(struct ts_script *script, const char *name, const c
 	return status;
 }
 
+enum ts_status ts_script_define(struct ts_script *script, const char *name, const char *style,
+				const char *value)
+{
+	const struct ts_word word[] = { { .text = "variable" },
+					{ .text = name },
+					{ .text = style },
+					{ .text = value } };
+	struct ts_variable *old = ts_variable_find(script, name);
+	const char *kept = old ? old->name : NULL;
+	enum ts_status status;
+
+	if (old && old->busy)
+		return ts_fail(&script->sim->error, TS_STATE, NULL,
+			       "variable '%s' cannot change while it is evaluated", name);
+	if (old)
+		old->name = ""; /* hidden until the new one is there */
+	status = ts_sim_command(script->sim, (struct ts_words){ word, value ? 4 : 3 });
+	if (old && status == TS_OK)
+		ts_variable_delete(script, old);
+	else if (old)
+		old->name = kept;
+	return status;
+}
+
 const char *ts_script_variable(const struct ts_script *script, size_t k)
 {
 	return k < script->variables.n ? script->variables.item[k]->name : NULL;

@@ -23,6 +23,10 @@ enum ts_status ts_script_string(struct ts_script *script, const char *text, cons
  * the file name in messages. */
 enum ts_status ts_script_set(struct ts_script *script, const char *name, const char *const *values,
 			     size_t n, const char *origin);
+/* The line `variable NAME STYLE VALUE` as it is, nothing substituted, in place of a variable of any style, which
+ * stays if the line is wrong. value NULL: none. */
+enum ts_status ts_script_define(struct ts_script *script, const char *name, const char *style,
+				const char *value);
 /* Name of the k-th variable; NULL: there are no more. */
 const char *ts_script_variable(const struct ts_script *script, size_t k);
 /* A number by an expression: "v_x", "2*PI", "c_ke", "step" ... */

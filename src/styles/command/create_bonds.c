@@ -6,6 +6,7 @@
 #include "neigh/cells.h"
 #include "particles/domain.h"
 #include "particles/exchange.h"
+#include "particles/identity.h"
 #include "particles/particles.h"
 
 #include "base/banned.h"
@@ -103,20 +104,20 @@ static enum ts_status bond_many(struct tsim *sim, const struct create_bonds *c)
 static enum ts_status bond_single(struct tsim *sim, const struct create_bonds *c,
 				  const struct ts_place *where)
 {
-	const int32_t *row_of_tag;
+	struct ts_identities map;
 	int64_t tags[2] = { c->tag_a, c->tag_b };
 
-	TS_TRY(ts_particles_map(sim, &row_of_tag));
+	TS_TRY(ts_identities(sim, false, &map));
 	for (int k = 0; k < 2; k++)
-		if (tags[k] > sim->particles->max_tag || row_of_tag[tags[k]] < 0)
+		if (ts_row_of(&map, tags[k]) < 0)
 			return ts_fail(&sim->error, TS_RANGE, where,
 				       "create_bonds: there is no particle %" PRId64, tags[k]);
 	if (c->tag_a == c->tag_b)
 		return ts_fail(&sim->error, TS_RANGE, where,
 			       "create_bonds: a particle cannot be bonded to itself");
 	return ts_bonds_add(sim, (int32_t)c->tag_a, (int32_t)c->tag_b, (int)c->type,
-			    distance(sim, (size_t)row_of_tag[c->tag_a],
-				     (size_t)row_of_tag[c->tag_b]));
+			    distance(sim, (size_t)ts_row_of(&map, c->tag_a),
+				     (size_t)ts_row_of(&map, c->tag_b)));
 }
 
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)

@@ -6,6 +6,7 @@
 #include "particles/domain.h"
 #include "particles/draw.h"
 #include "particles/group_dynamic.h"
+#include "particles/identity.h"
 #include "particles/particles.h"
 #include "particles/region.h"
 
@@ -32,20 +33,20 @@ static enum ts_status mark_overlaps(struct tsim *sim, const struct state *s,
 				    struct ts_pointhash *hash, unsigned char *flag)
 {
 	struct ts_particles *p = sim->particles;
-	const int32_t *row;
+	struct ts_identities map;
 
-	TS_TRY(ts_particles_map(sim, &row));
+	TS_TRY(ts_identities(sim, true, &map));
 	for (size_t i = 0; i < p->n; i++)
 		if (ts_in_group(p, i, s->other) && !ts_in_group(p, i, s->group) &&
 		    ts_pointhash_add(hash, p->x[i]) != TS_OK)
 			return ts_nomem(&sim->error);
-	for (int32_t tag = 1; tag <= p->max_tag; tag++) {
-		int32_t i = row[tag];
+	for (size_t k = 0; k < map.n; k++) {
+		size_t i = (size_t)map.row[k];
 
-		if (i < 0 || !ts_in_group(p, (size_t)i, s->group))
+		if (!ts_in_group(p, i, s->group))
 			continue;
 		flag[i] = ts_pointhash_near_periodic(hash, &sim->domain->box, p->x[i], s->cutoff);
-		if (!flag[i] && ts_in_group(p, (size_t)i, s->other) &&
+		if (!flag[i] && ts_in_group(p, i, s->other) &&
 		    ts_pointhash_add(hash, p->x[i]) != TS_OK)
 			return ts_nomem(&sim->error);
 	}

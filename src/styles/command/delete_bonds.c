@@ -1,4 +1,5 @@
 #include "neigh/bonds.h"
+#include "particles/identity.h"
 #include "particles/particles.h"
 
 #include "base/banned.h"
@@ -40,7 +41,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	const struct delete_bonds *c = state;
 	struct ts_bonds *b = sim->bonds;
 	unsigned char *drop;
-	const int32_t *row_of_tag;
+	struct ts_identities map;
 	size_t before = b->n;
 
 	if (c->undo)
@@ -51,12 +52,13 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 		ts_log(&sim->log, "%zu bonds of %d types\n", b->n, b->ntypes);
 		return TS_OK;
 	}
-	TS_TRY(ts_particles_map(sim, &row_of_tag));
+	TS_TRY(ts_identities(sim, false, &map));
 	drop = ts_alloc(b->n, 1);
 	if (!drop)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < b->n; k++)
-		drop[k] = goes(c, sim, k, row_of_tag[b->tag[k][0]], row_of_tag[b->tag[k][1]]);
+		drop[k] = goes(c, sim, k, ts_row_of(&map, b->tag[k][0]),
+			       ts_row_of(&map, b->tag[k][1]));
 	ts_bonds_delete(b, drop);
 	ts_free(drop);
 	ts_log(&sim->log, "Deleted %zu bonds, total bonds = %zu\n", before - b->n, b->n);

@@ -4,6 +4,7 @@
 #include "io/data.h"
 #include "neigh/bonds.h"
 #include "particles/domain.h"
+#include "particles/identity.h"
 #include "particles/particles.h"
 
 #include "base/banned.h"
@@ -94,11 +95,11 @@ static enum ts_status make_bonds(struct tsim *sim, const struct ts_data *data,
 	struct ts_bonds *b = sim->bonds;
 	const struct ts_particles *p = sim->particles;
 	int64_t ntypes = data->nbond_types + o->bond_type_offset + o->extra_bond_types;
-	const int32_t *row;
+	struct ts_identities map;
 
 	if (ntypes > b->ntypes)
 		b->ntypes = (int)ntypes;
-	TS_TRY(ts_particles_map(sim, &row));
+	TS_TRY(ts_identities(sim, false, &map));
 	for (size_t k = 0; k < data->nbond; k++) {
 		const struct ts_data_bond *from = &data->bond[k];
 		struct ts_place place = { .file = data->file, .line = from->line };
@@ -112,7 +113,7 @@ static enum ts_status make_bonds(struct tsim *sim, const struct ts_data *data,
 				       "type %d of the bond with its offset is %lld", from->type,
 				       (long long)type);
 		for (int dim = 0; dim < 3; dim++)
-			d[dim] = p->x[row[i]][dim] - p->x[row[j]][dim];
+			d[dim] = p->x[ts_row_of(&map, i)][dim] - p->x[ts_row_of(&map, j)][dim];
 		ts_box_nearest(&sim->domain->box, d);
 		TS_TRY(ts_bonds_add(sim, i, j, (int)type, sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2])));
 	}

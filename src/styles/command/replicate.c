@@ -7,6 +7,7 @@
 #include "neigh/bonds.h"
 #include "particles/domain.h"
 #include "particles/exchange.h"
+#include "particles/identity.h"
 #include "particles/particles.h"
 
 #include "base/banned.h"
@@ -158,18 +159,19 @@ static enum ts_status copy_bonds(struct tsim *sim, const struct before *b)
 	struct ts_bonds *bonds = sim->bonds;
 	size_t n = bonds->n;
 	unsigned char *old;
-	const int32_t *row;
+	struct ts_identities map;
 
 	if (!n)
 		return TS_OK;
-	TS_TRY(ts_particles_map(sim, &row));
+	TS_TRY(ts_identities(sim, false, &map));
 	for (size_t k = 0; k < n; k++) {
 		const int32_t tag[2] = { bonds->tag[k][0], bonds->tag[k][1] };
+		const int32_t row[2] = { ts_row_of(&map, tag[0]), ts_row_of(&map, tag[1]) };
 		int64_t turns[3];
 
-		if (row[tag[0]] < 0 || row[tag[1]] < 0)
+		if (row[0] < 0 || row[1] < 0)
 			continue;
-		bond_turns(b, (size_t)row[tag[0]], (size_t)row[tag[1]], turns);
+		bond_turns(b, (size_t)row[0], (size_t)row[1], turns);
 		TS_TRY(copy_bond(sim, b, tag, turns, bonds->type[k], bonds->rest[k]));
 	}
 	old = ts_alloc(bonds->n, 1);

@@ -6,6 +6,7 @@
 #include "neigh/bonds.h"
 #include "particles/assign_words.h"
 #include "particles/body.h"
+#include "particles/identity.h"
 #include "particles/particles.h"
 #include "particles/region.h"
 
@@ -173,16 +174,16 @@ static enum ts_status set_bond(struct tsim *sim, struct ts_words words, const un
 			       size_t *count)
 {
 	struct ts_bonds *b = sim->bonds;
-	const int32_t *row;
+	struct ts_identities map;
 	int64_t type;
 
 	if (words.n != 1 || !ts_parse_int(words.word[0].text, &type) || type < 1 ||
 	    type > b->ntypes)
 		return ts_fail(&sim->error, TS_RANGE, &words.word[0].place,
 			       "set: bond takes a type of bonds from 1 to %d", b->ntypes);
-	TS_TRY(ts_particles_map(sim, &row));
+	TS_TRY(ts_identities(sim, false, &map));
 	for (size_t k = *count = 0; k < b->n; k++) {
-		int32_t i = row[b->tag[k][0]], j = row[b->tag[k][1]];
+		int32_t i = ts_row_of(&map, b->tag[k][0]), j = ts_row_of(&map, b->tag[k][1]);
 
 		if (i < 0 || j < 0 || !chosen[i] || !chosen[j])
 			continue;

@@ -15,7 +15,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	if (sim->explain)
 		return TS_OK;
 	TS_TRY(ts_textfile_close(&sim->thermo->file));
-	return ts_textfile_open(&sim->thermo->file, &sim->error, where, s->file, false);
+	return ts_textfile_open(&sim->thermo->file, sim, where, s->file, false);
 }
 
 static const struct ts_arg args[] = {

@@ -112,7 +112,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 		return TS_OK;
 	ts_step_path(&path, c->file, (long long)sim->clock.step, 0);
 	status = path.failed ? ts_nomem(&sim->error)
-			     : ts_textfile_open(&out, &sim->error, where, ts_str_text(&path), false);
+			     : ts_textfile_open(&out, sim, where, ts_str_text(&path), false);
 	ts_str_release(&path);
 	TS_TRY(status);
 	status = write(sim, c, &out);

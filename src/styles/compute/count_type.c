@@ -1,5 +1,6 @@
 /* Compute: how many particles or bonds there are of each type. */
 #include "neigh/bonds.h"
+#include "particles/identity.h"
 #include "particles/particles.h"
 
 #include "base/banned.h"
@@ -31,11 +32,11 @@ static enum ts_status count_bonds(const struct ts_instance *self, struct tsim *s
 {
 	const struct ts_bonds *bonds = sim->bonds;
 	const struct ts_particles *p = sim->particles;
-	const int32_t *row;
+	struct ts_identities map;
 
-	TS_TRY(ts_particles_map(sim, &row));
+	TS_TRY(ts_identities(sim, false, &map));
 	for (size_t b = 0; b < bonds->n; b++) {
-		int32_t i = row[bonds->tag[b][0]], j = row[bonds->tag[b][1]];
+		int32_t i = ts_row_of(&map, bonds->tag[b][0]), j = ts_row_of(&map, bonds->tag[b][1]);
 
 		if (i >= 0 && j >= 0 && ts_in_group(p, (size_t)i, self->group) &&
 		    ts_in_group(p, (size_t)j, self->group))

@@ -1,5 +1,6 @@
 /* Compute: number of bonds of each particle. */
 #include "neigh/bonds.h"
+#include "particles/identity.h"
 #include "particles/particles.h"
 
 #include "base/banned.h"
@@ -20,15 +21,15 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	const struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
 	const struct ts_bonds *bonds = sim->bonds;
-	const int32_t *row;
+	struct ts_identities map;
 
 	TS_TRY(ts_table_resize(out, p->n, 1));
-	TS_TRY(ts_particles_map(s->sim, &row));
+	TS_TRY(ts_identities(s->sim, false, &map));
 	for (size_t i = 0; i < p->n; i++)
 		out->data[i] = 0;
 	for (size_t b = 0; b < bonds->n; b++) {
 		for (int side = 0; side < 2; side++) {
-			int32_t i = row[bonds->tag[b][side]];
+			int32_t i = ts_row_of(&map, bonds->tag[b][side]);
 
 			if (i >= 0 && ts_in_group(p, (size_t)i, self->group) &&
 			    (s->type == INT64_MIN || bonds->type[b] == s->type))

@@ -2,6 +2,7 @@
 #include "core/sim.h"
 #include "io/dump_vtk.h"
 #include "particles/domain.h"
+#include "particles/identity.h"
 #include "particles/particles.h"
 
 #include <math.h>
@@ -27,12 +28,9 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 }
 
 static enum ts_status find_row(struct ts_instance *self, struct tsim *sim,
-			       const int32_t *row_of_tag, double id, int32_t *row)
+			       const struct ts_identities *map, double id, int32_t *row)
 {
-	if (id >= 1 && id <= sim->particles->max_tag && floor(id) == id)
-		*row = row_of_tag[(int32_t)id];
-	else
-		*row = -1;
+	*row = id >= 1 && id <= map->max && floor(id) == id ? ts_row_of(map, (int32_t)id) : -1;
 	if (*row >= 0)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, &self->where,
@@ -61,17 +59,17 @@ static enum ts_status fill_points(struct ts_instance *self, struct tsim *sim)
 	struct ts_dump_vtk *s = &state->vtk;
 	const struct ts_dump_common *d = &s->common;
 	const double(*x)[3] = (const double(*)[3])sim->particles->x;
-	const int32_t *row_of_tag;
+	struct ts_identities map;
 	int32_t i, j;
 
 	if (ts_table_resize(&s->points, 2 * d->nrows, 3) != TS_OK)
 		return ts_nomem(&sim->error);
-	TS_TRY(ts_particles_map(sim, &row_of_tag));
+	TS_TRY(ts_identities(sim, false, &map));
 	for (size_t row = 0; row < d->nrows; row++) {
 		int32_t from = d->order[row];
 
-		TS_TRY(find_row(self, sim, row_of_tag, d->column[0].values.data[from], &i));
-		TS_TRY(find_row(self, sim, row_of_tag, d->column[1].values.data[from], &j));
+		TS_TRY(find_row(self, sim, &map, d->column[0].values.data[from], &i));
+		TS_TRY(find_row(self, sim, &map, d->column[1].values.data[from], &j));
 		place_ends(sim, x[i], x[j], &s->points.data[6 * row]);
 	}
 	return TS_OK;

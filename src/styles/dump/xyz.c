@@ -34,7 +34,7 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 		ts_str_addf(&d->text, " Time: %f", ts_sim_time(sim));
 	ts_str_add(&d->text, "\n");
 	TS_TRY(ts_dump_write_rows(d, sim, false));
-	return ts_dump_frame_done(d);
+	return ts_dump_frame_done(d, sim);
 }
 
 static const struct ts_arg args[] = { TS_DUMP_ARGS(struct state), TS_ARGS_END };

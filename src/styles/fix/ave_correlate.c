@@ -164,7 +164,7 @@ static enum ts_status write_result(struct ts_instance *self, struct tsim *sim)
 		TS_TRY(ts_textfile_close(&s->out));
 	ts_str_clear(&s->text);
 	if (!ts_textfile_is_open(&s->out)) {
-		TS_TRY(ts_textfile_open(&s->out, &sim->error, &self->where, s->file, false));
+		TS_TRY(ts_textfile_open(&s->out, sim, &self->where, s->file, false));
 		add_titles(self);
 	}
 	ts_str_addf(&s->text, "%lld %lld\n", (long long)sim->clock.step, (long long)s->repeat);

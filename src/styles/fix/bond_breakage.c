@@ -18,7 +18,7 @@ static enum ts_status open_file(struct ts_instance *self, struct tsim *sim)
 
 	if (ts_textfile_is_open(&s->file) || !s->path || sim->explain)
 		return TS_OK;
-	TS_TRY(ts_textfile_open(&s->file, &sim->error, ts_instance_word(self, s->path), s->path, s->written > 0));
+	TS_TRY(ts_textfile_open(&s->file, sim, ts_instance_word(self, s->path), s->path, s->written > 0));
 	if (!s->written)
 		TS_TRY(ts_textfile_printf(&s->file, "# step time i j type x y z force\n"));
 	return TS_OK;

@@ -11,6 +11,7 @@
 #include "core/each.h"
 #include "neigh/bonds.h"
 #include "particles/domain.h"
+#include "particles/identity.h"
 #include "particles/particles.h"
 
 #include "base/banned.h"
@@ -35,13 +36,14 @@ static enum ts_status longest_bond(struct ts_instance *self, struct tsim *sim, d
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_bonds *bonds = sim->bonds;
-	const int32_t *row;
+	struct ts_identities map;
 
 	(void)self;
 	*out = 0;
-	TS_TRY(ts_particles_map(sim, &row));
+	TS_TRY(ts_identities(sim, false, &map));
 	for (size_t b = 0; b < bonds->n; b++) {
-		const double *x = p->x[row[bonds->tag[b][0]]], *y = p->x[row[bonds->tag[b][1]]];
+		const double *x = p->x[ts_row_of(&map, bonds->tag[b][0])];
+		const double *y = p->x[ts_row_of(&map, bonds->tag[b][1])];
 		double d[3] = { x[0] - y[0], x[1] - y[1], x[2] - y[2] };
 
 		ts_box_nearest(&sim->domain->box, d);

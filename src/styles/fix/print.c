@@ -33,7 +33,7 @@ static enum ts_status open_file(struct ts_instance *self, struct tsim *sim)
 
 	if (!path || ts_textfile_is_open(&s->out))
 		return TS_OK;
-	TS_TRY(ts_textfile_open(&s->out, &sim->error, ts_instance_word(self, path), path, s->append != NULL));
+	TS_TRY(ts_textfile_open(&s->out, sim, ts_instance_word(self, path), path, s->append != NULL));
 	if (!s->title)
 		return ts_textfile_printf(&s->out, "# Fix print output for fix %s\n", self->id);
 	if (ts_streq(s->title, "none"))
