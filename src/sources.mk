@@ -70,6 +70,10 @@ library_sources = \
 	src/geom/box.h \
 	src/geom/mesh.c \
 	src/geom/mesh.h \
+	src/geom/mesh_cracks.c \
+	src/geom/mesh_cracks.h \
+	src/geom/mesh_doctor.c \
+	src/geom/mesh_doctor.h \
 	src/geom/mesh_links.c \
 	src/geom/mesh_links.h \
 	src/geom/pairs.c \
@@ -107,6 +111,8 @@ library_sources = \
 	src/io/histogram.h \
 	src/io/lines.c \
 	src/io/lines.h \
+	src/io/mesh_admit.c \
+	src/io/mesh_admit.h \
 	src/io/mesh_obj.c \
 	src/io/mesh_read.c \
 	src/io/mesh_read.h \

@@ -76,6 +76,7 @@ unit_tests = \
 	tests/check_library_steps \
 	tests/check_math \
 	tests/check_mesh \
+	tests/check_mesh_doctor \
 	tests/check_mesh_files \
 	tests/check_neigh \
 	tests/check_order \
@@ -160,6 +161,10 @@ tests_check_math_LDADD = $(tests_ldadd)
 tests_check_mesh_SOURCES = tests/check_mesh.c $(tests_common)
 tests_check_mesh_CFLAGS = $(tests_cflags)
 tests_check_mesh_LDADD = $(tests_ldadd)
+
+tests_check_mesh_doctor_SOURCES = tests/check_mesh_doctor.c $(tests_common)
+tests_check_mesh_doctor_CFLAGS = $(tests_cflags)
+tests_check_mesh_doctor_LDADD = $(tests_ldadd)
 
 tests_check_mesh_files_SOURCES = tests/check_mesh_files.c $(tests_common)
 tests_check_mesh_files_CFLAGS = $(tests_cflags)

@@ -214,12 +214,11 @@ enum ts_status ts_scan_real(struct ts_scan *s, const char *what, double *out)
 	return ts_scan_this_real(s, what, out);
 }
 
-enum ts_status ts_scan_int(struct ts_scan *s, const char *what, int64_t lo, int64_t hi,
-			   int64_t *out)
+enum ts_status ts_scan_this_int(struct ts_scan *s, const char *what, int64_t lo, int64_t hi,
+				int64_t *out)
 {
 	char text[LONGEST_NUMBER + 1];
 
-	ts_scan_word(s);
 	if (!s->length || !number_text(s, text) || !ts_parse_int(text, out))
 		return ts_scan_fail(s, TS_SYNTAX, "%s should be an integer, but here is %s", what,
 				    ts_scan_found(s).text);
@@ -228,6 +227,13 @@ enum ts_status ts_scan_int(struct ts_scan *s, const char *what, int64_t lo, int6
 	return ts_scan_fail(s, TS_RANGE,
 			    "%s is %" PRId64 ", expected an integer from %" PRId64 " to %" PRId64,
 			    what, *out, lo, hi);
+}
+
+enum ts_status ts_scan_int(struct ts_scan *s, const char *what, int64_t lo, int64_t hi,
+			   int64_t *out)
+{
+	ts_scan_word(s);
+	return ts_scan_this_int(s, what, lo, hi, out);
 }
 
 enum ts_status ts_scan_expect(struct ts_scan *s, const char *text)

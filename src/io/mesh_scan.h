@@ -52,6 +52,8 @@ struct ts_scan_found ts_scan_found(const struct ts_scan *s);
 /* The last word as a number, or the next one; `what` names it in the complaint. */
 enum ts_status ts_scan_this_real(struct ts_scan *s, const char *what, double *out);
 enum ts_status ts_scan_real(struct ts_scan *s, const char *what, double *out);
+enum ts_status ts_scan_this_int(struct ts_scan *s, const char *what, int64_t lo, int64_t hi,
+				int64_t *out);
 enum ts_status ts_scan_int(struct ts_scan *s, const char *what, int64_t lo, int64_t hi,
 			   int64_t *out);
 /* The next word must be this one. */
