@@ -36,6 +36,8 @@ library_sources = \
 	src/core/definition.h \
 	src/core/each.c \
 	src/core/each.h \
+	src/core/energy.c \
+	src/core/energy.h \
 	src/core/group.h \
 	src/core/help.c \
 	src/core/help.h \
@@ -134,6 +136,7 @@ library_sources = \
 	src/io/vtk.c \
 	src/io/vtk.h \
 	src/law/cohesion.h \
+	src/law/energy.h \
 	src/law/granular.h \
 	src/law/granular_force.h \
 	src/law/normal.h \
@@ -173,6 +176,8 @@ library_sources = \
 	src/neigh/clusters.h \
 	src/neigh/contact_list.c \
 	src/neigh/contact_list.h \
+	src/neigh/energy.c \
+	src/neigh/energy.h \
 	src/neigh/gather.c \
 	src/neigh/gather.h \
 	src/neigh/gran_numbers.c \
@@ -398,6 +403,8 @@ library_sources = \
 	src/styles/compute/omega_chunk.c \
 	src/styles/compute/pair_gran_local.c \
 	src/styles/compute/pair_local.c \
+	src/styles/compute/pe.c \
+	src/styles/compute/pe_atom.c \
 	src/styles/compute/pressure.c \
 	src/styles/compute/property_atom.c \
 	src/styles/compute/property_chunk.c \

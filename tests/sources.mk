@@ -19,6 +19,7 @@ shell_tests = \
 	tests/decks/computes.sh \
 	tests/decks/contact_computes.sh \
 	tests/decks/dumps.sh \
+	tests/decks/energy.sh \
 	tests/decks/fixes.sh \
 	tests/decks/gran_numbers.sh \
 	tests/decks/groups.sh \

@@ -88,6 +88,11 @@ struct ts_style {
 	unsigned columns; /* particle columns it needs: bits of particles/particles.h */
 	ts_hook_fn *init;
 	ts_hook_fn *hook[TS_NSTAGE];
+	/* Potential energy; NULL: there is none. Of a fix it counts as far as fix_modify says so. */
+	enum ts_status (*energy)(struct ts_instance *self, struct tsim *sim, double *out);
+	/* The words of fix_modify that are its own: reads the first ones, says how many. */
+	enum ts_status (*modify)(struct ts_instance *self, struct tsim *sim, struct ts_words words,
+				 size_t *used);
 	/* Appends limits of the time step and other lines to the plan; see core/plan.h. */
 	enum ts_status (*plan)(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *);
 	void (*fini)(struct ts_instance *self);
@@ -106,6 +111,7 @@ struct ts_instance {
 	const struct ts_value *held; /* what the table holds, since sim->epoch was held_since */
 	uint64_t held_since;
 	int64_t every;         /* dumps: interval in steps */
+	bool counts_energy;    /* fixes: fix_modify energy yes */
 };
 
 /* The place of the argument written so, for messages; of the line if there is none. */

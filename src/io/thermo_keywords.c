@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "base/clock.h"
+#include "core/energy.h"
 #include "math/exactsum.h"
 #include "particles/body.h"
 #include "particles/domain.h"
@@ -61,6 +62,16 @@ static enum ts_status spcpu(struct tsim *sim, double *out)
 {
 	TS_TRY(tpcpu(sim, out));
 	*out = sim->clock.dt > 0 ? *out / sim->clock.dt : 0;
+	return TS_OK;
+}
+
+/* Cundall's number: particles times steps by the wall time, of the run so far. */
+static enum ts_status cundall(struct tsim *sim, double *out)
+{
+	double steps = (double)(sim->clock.step - sim->clock.first_step);
+
+	TS_TRY(cpu(sim, out));
+	*out = *out > 0 ? (double)sim->particles->n * steps / *out : 0;
 	return TS_OK;
 }
 
@@ -125,6 +136,39 @@ static enum ts_status temp(struct tsim *sim, double *out)
 	return TS_OK;
 }
 
+static enum ts_status energy_of(struct tsim *sim, struct ts_energy_parts parts, double *out)
+{
+	TS_TRY(ts_potential_energy(sim, &parts, out));
+	normalise(sim, out);
+	return TS_OK;
+}
+
+static enum ts_status pe(struct tsim *sim, double *out)
+{
+	return energy_of(sim, (struct ts_energy_parts){ true, true, true }, out);
+}
+
+static enum ts_status epair(struct tsim *sim, double *out)
+{
+	return energy_of(sim, (struct ts_energy_parts){ .pair = true }, out);
+}
+
+static enum ts_status ebond(struct tsim *sim, double *out)
+{
+	return energy_of(sim, (struct ts_energy_parts){ .bond = true }, out);
+}
+
+/* As in LAMMPS, without rotation. */
+static enum ts_status etotal(struct tsim *sim, double *out)
+{
+	double kinetic;
+
+	TS_TRY(pe(sim, out));
+	TS_TRY(ke(sim, &kinetic));
+	*out += kinetic;
+	return TS_OK;
+}
+
 static enum ts_status zero(struct tsim *sim, double *out)
 {
 	(void)sim;
@@ -180,6 +224,19 @@ static enum ts_status vol(struct tsim *sim, double *out)
 	return TS_OK;
 }
 
+static enum ts_status enthalpy(struct tsim *sim, double *out)
+{
+	double pressure, volume;
+
+	TS_TRY(ts_keyword_find(sim, "press")->eval(sim, &pressure));
+	TS_TRY(vol(sim, &volume));
+	volume *= pressure;
+	normalise(sim, &volume);
+	TS_TRY(etotal(sim, out));
+	*out += volume;
+	return TS_OK;
+}
+
 static enum ts_status density(struct tsim *sim, double *out)
 {
 	double mass = ts_exactsum_of(sim->particles->mass, sim->particles->n, 1);
@@ -221,9 +278,27 @@ const struct ts_keyword ts_thermo_keywords[] = {
 	{ "tpcpu", "T/CPU", "time/s", "simulated time per second since the row before", 0, tpcpu },
 	{ "spcpu", "S/CPU", "1/s", "steps per second since the row before", 0, spcpu },
 	{ "cpuremain", "CPULeft", "s", "wall time the rest of the run will take", 0, cpuremain },
+	{ "timeremain", "TimeoutLeft", "s", "wall time that `timer timeout` leaves; 0 without it", 0, zero },
+	{ "cu", "Cu", "1/s", "particles times steps by the wall time of the run so far", 0, cundall },
 	{ "atoms", "Atoms", "", "number of particles", 1, atoms },
 	{ "ke", "KinEng", "energy", "kinetic energy of translation", 0, ke },
 	{ "erotate", "RotEng", "energy", "kinetic energy of rotation", 0, erotate },
+	{ "pe", "PotEng", "energy", "potential energy, see compute pe", 0, pe },
+	{ "etotal", "TotEng", "energy", "pe + ke, without rotation", 0, etotal },
+	{ "epair", "E_pair", "energy", "elastic energy of contacts, see compute pe", 0, epair },
+	{ "evdwl", "E_vdwl", "energy", "the same as epair", 0, epair },
+	{ "emol", "E_mol", "energy", "elastic energy of bonds", 0, ebond },
+	{ "ebond", "E_bond", "energy", "the same as emol", 0, ebond },
+	{ "enthalpy", "Enthalpy", "energy", "etotal + press vol", 0, enthalpy },
+	{ "ecoul", "E_coul", "energy", "of charges: 0", 0, zero },
+	{ "elong", "E_long", "energy", "of charges far away: 0", 0, zero },
+	{ "etail", "E_tail", "energy", "of what lies beyond a cutoff: 0", 0, zero },
+	{ "eangle", "E_angle", "energy", "of angles: 0", 0, zero },
+	{ "edihed", "E_dihed", "energy", "of dihedrals: 0", 0, zero },
+	{ "eimp", "E_impro", "energy", "of impropers: 0", 0, zero },
+	{ "angles", "Angles", "", "number of angles: 0", 1, zero },
+	{ "dihedrals", "Diheds", "", "number of dihedrals: 0", 1, zero },
+	{ "impropers", "Impros", "", "number of impropers: 0", 1, zero },
 	{ "temp", "Temp", "temperature", "sum m v^2 / (D (N - 1) k)", 0, temp },
 	{ "fmax", "Fmax", "force", "largest component of a force on a particle", 0, fmax_now },
 	{ "fnorm", "Fnorm", "force", "length of the vector of all forces", 0, fnorm },

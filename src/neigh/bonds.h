@@ -52,6 +52,8 @@ struct ts_bond_style {
 	enum ts_status (*complete)(struct tsim *sim, void *coeff, const struct ts_place *where);
 	ts_count_fn *share; /* ts_bond_share with its law: neigh/bond_loop.h */
 	double (*stiffness)(const void *coeff);
+	/* Elastic energy at this extension; NULL: the law has no potential. */
+	double (*energy)(const void *coeff, double extension);
 	/* Largest stable time step of one bond with reduced mass m*. */
 	double (*limit)(const void *coeff, double mass, bool explicit_euler);
 };

@@ -119,6 +119,8 @@ TS_STYLE(compute, ts_style, ts_compute_nbond_atom)
 TS_STYLE(compute, ts_style, ts_compute_omega_chunk)
 TS_STYLE(compute, ts_style, ts_compute_pair_gran_local)
 TS_STYLE(compute, ts_style, ts_compute_pair_local)
+TS_STYLE(compute, ts_style, ts_compute_pe)
+TS_STYLE(compute, ts_style, ts_compute_pe_atom)
 TS_STYLE(compute, ts_style, ts_compute_pressure)
 TS_STYLE(compute, ts_style, ts_compute_property_atom)
 TS_STYLE(compute, ts_style, ts_compute_property_chunk)
@@ -317,6 +319,8 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_omega_chunk,
 	&ts_compute_pair_gran_local,
 	&ts_compute_pair_local,
+	&ts_compute_pe,
+	&ts_compute_pe_atom,
 	&ts_compute_pressure,
 	&ts_compute_property_atom,
 	&ts_compute_property_chunk,

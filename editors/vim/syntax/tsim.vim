@@ -91,10 +91,12 @@ syn match tsimName /\<mass\>/
 syn keyword tsimName  density x y z vx vy vz fx fy fz omegax omegay omegaz tqx tqy tqz
 syn keyword tsimName  xu yu zu xs ys zs xsu ysu zsu ix iy iz proc press pxx pyy pzz pxy
 syn keyword tsimName  pxz pyz nbuild ndanger bonds numbonds brokenbonds gonebonds step
-syn keyword tsimName  elapsed elaplong part time dt cpu tpcpu spcpu cpuremain atoms ke
-syn keyword tsimName  erotate temp fmax fnorm vol lx ly lz xlo xhi ylo yhi zlo zhi xy xz
-syn keyword tsimName  yz xlat ylat zlat cella cellb cellc cellalpha cellbeta cellgamma
-syn keyword tsimName  PI yes no true false on off
+syn keyword tsimName  elapsed elaplong part time dt cpu tpcpu spcpu cpuremain timeremain
+syn keyword tsimName  cu atoms ke erotate pe etotal epair evdwl emol ebond enthalpy
+syn keyword tsimName  ecoul elong etail eangle edihed eimp angles dihedrals impropers
+syn keyword tsimName  temp fmax fnorm vol lx ly lz xlo xhi ylo yhi zlo zhi xy xz yz xlat
+syn keyword tsimName  ylat zlat cella cellb cellc cellalpha cellbeta cellgamma PI yes no
+syn keyword tsimName  true false on off
 
 syn match tsimFunction /\<\%(sqrt\|exp\|ln\|log\|abs\|sign\|sin\|cos\|tan\|asin\|acos\|atan\|atan2\|ceil\|floor\|round\|ternary\|random\|normal\|ramp\|vdisplace\|swiggle\|cwiggle\|stagger\|logfreq\|logfreq2\|logfreq3\|stride\|stride2\|sum\|ave\|min\|max\|trap\|slope\|stderr\|sort\|rsort\|next\|is_file\|is_os\|is_defined\|is_active\|is_available\|extract_setting\|volume\|count\|mass\|ke\|gyration\|xcm\|vcm\|fcm\|angmom\|torque\|inertia\|omega\|bound\|gmask\|rmask\|grmask\)\ze(/
 
@@ -121,9 +123,9 @@ syn keyword tsim_compute contained cluster/atom com com/chunk contact/atom conta
 syn keyword tsim_compute contained count/type displace/atom erotate/sphere erotate/sphere/atom
 syn keyword tsim_compute contained fragment/atom group/group gyration gyration/chunk inertia/chunk ke
 syn keyword tsim_compute contained ke/atom leave msd msd/chunk nbond/atom omega/chunk pair/gran/local
-syn keyword tsim_compute contained pair/local pressure property/atom property/chunk property/local
-syn keyword tsim_compute contained rdf reduce reduce/region slice stress/atom temp temp/chunk
-syn keyword tsim_compute contained temp/com torque/chunk vacf vcm/chunk
+syn keyword tsim_compute contained pair/local pe pe/atom pressure property/atom property/chunk
+syn keyword tsim_compute contained property/local rdf reduce reduce/region slice stress/atom temp
+syn keyword tsim_compute contained temp/chunk temp/com torque/chunk vacf vcm/chunk
 hi def link tsim_compute Type
 syn match tsimHead /^\s*region\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_region
 syn keyword tsim_region contained block cone cylinder ellipsoid intersect plane prism sphere union

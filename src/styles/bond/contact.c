@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "law/spring_dashpot.h"
+#include "neigh/energy.h"
 
 #include "base/banned.h"
 
@@ -39,6 +40,11 @@ static long share(void *task, size_t from, size_t to)
 static double stiffness(const void *coeff)
 {
 	return ((const struct coeff *)coeff)->stiffness;
+}
+
+static double energy(const void *coeff, double extension)
+{
+	return 0.5 * ((const struct coeff *)coeff)->stiffness * extension * extension;
 }
 
 static double limit(const void *coeff, double mass, bool explicit_euler)
@@ -82,11 +88,13 @@ const struct ts_bond_style ts_bond_contact = {
 		   .fingerprint = ts_bond_fingerprint,
 		   .init = ts_bond_init,
 		   .hook = { [TS_STAGE_FORCE] = ts_bond_force },
+		   .energy = ts_bond_energy,
 		   .plan = ts_bond_plan,
 		   .fini = ts_bond_fini },
 	.coeff_size = sizeof(struct coeff),
 	.complete = complete,
 	.share = share,
 	.stiffness = stiffness,
+	.energy = energy,
 	.limit = limit,
 };

@@ -1,4 +1,5 @@
 #include "core/each.h"
+#include "core/energy.h"
 #include "particles/chosen.h"
 #include "particles/moments.h"
 #include "particles/tally.h"
@@ -150,6 +151,7 @@ const struct ts_style ts_fix_addforce = {
 	.state_size = sizeof(struct addforce),
 	.archive = archive,
 	.values = values,
+	.energy = ts_energy_output,
 	.init = init,
 	.hook = { [TS_STAGE_POST_FORCE] = post_force },
 	.fini = fini,

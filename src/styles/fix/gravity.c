@@ -1,8 +1,10 @@
+#include "core/energy.h"
 #include "core/plan.h"
 
 #include <math.h>
 
-#include "particles/particles.h"
+#include "math/vec3.h"
+#include "particles/moments.h"
 
 #include "base/banned.h"
 
@@ -13,6 +15,7 @@ struct gravity {
 	int mode;
 	double vector[3], angle, phi, theta;
 	double direction[3]; /* unit vector */
+	struct tsim *sim;
 };
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -21,6 +24,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	const double degree = 3.14159265358979323846 / 180;
 	double *d = g->direction, length;
 
+	g->sim = sim;
 	if (g->mode == VECTOR) {
 		for (int k = 0; k < 3; k++)
 			d[k] = g->vector[k];
@@ -59,6 +63,35 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+struct weights {
+	double g[3];
+};
+
+static void weight(const struct tsim *sim, size_t i, void *context, double *out)
+{
+	double x[3];
+
+	ts_unwrapped(sim, i, x);
+	*out = -sim->particles->mass[i] * ts_dot(((const struct weights *)context)->g, x);
+}
+
+static enum ts_status energy(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	const struct gravity *g = self->state;
+	struct weights weights;
+	double magnitude;
+
+	TS_TRY(ts_number_now(g->sim, &g->magnitude, &self->where, &magnitude));
+	ts_scale(magnitude, g->direction, weights.g);
+	ts_group_sum(sim, self->group, 1, weight, &weights, out->data);
+	return TS_OK;
+}
+
+static const struct ts_value values[] = {
+	{ "energy", "energy", "-sum m g.x over the group, positions unwrapped", TS_SCALAR, 1, NULL, energy },
+	{ .name = NULL },
+};
+
 static const struct ts_arg vector_rows[] = {
 	TS_VEC3("direction", struct gravity, vector, .flags = TS_POSITIONAL,
 		.help = "where it points; normalised"),
@@ -96,10 +129,13 @@ const struct ts_style ts_fix_gravity = {
 	.kind = TS_KIND_FIX,
 	.summary = "constant acceleration of all particles of the group",
 	.doc = "f += m g. The direction is given by `vector x y z` (normalised), `chute angle` "
-	       "(from -z towards +x, in degrees) or `spherical phi theta`.",
+	       "(from -z towards +x, in degrees) or `spherical phi theta`. f_ID is the potential energy, which\n"
+	       "`fix_modify ID energy yes` counts in pe.",
 	.example = "fix g all gravity 9.81 vector 0.0 0.0 -1.0",
 	.args = args,
 	.state_size = sizeof(struct gravity),
+	.values = values,
 	.init = init,
 	.hook = { [TS_STAGE_POST_FORCE] = post_force },
+	.energy = ts_energy_output,
 };

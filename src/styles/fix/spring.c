@@ -1,4 +1,5 @@
 /* Fix spring: a spring between the centre of mass of a group and a point or another group. */
+#include "core/energy.h"
 #include "core/plan.h"
 
 #include <math.h>
@@ -163,6 +164,7 @@ const struct ts_style ts_fix_spring = {
 	.state_size = sizeof(struct state),
 	.saved = saved,
 	.values = values,
+	.energy = ts_energy_output,
 	.hook[TS_STAGE_POST_FORCE] = post_force,
 	.plan = plan,
 };

@@ -1,4 +1,5 @@
 /* Fix spring/self: a spring from each particle to where it was. */
+#include "core/energy.h"
 #include "core/plan.h"
 
 #include <math.h>
@@ -139,6 +140,7 @@ const struct ts_style ts_fix_spring_self = {
 	.state_size = sizeof(struct state),
 	.archive = archive,
 	.values = values,
+	.energy = ts_energy_output,
 	.init = init,
 	.hook = {
 		[TS_STAGE_POST_BUILD] = take_in,

@@ -1,3 +1,4 @@
+#include "neigh/energy.h"
 #include "neigh/gran_numbers.h"
 
 #include "base/banned.h"
@@ -50,6 +51,7 @@ const struct ts_pair_style ts_pair_gran_hooke = {
 		   .fingerprint = ts_pair_fingerprint,
 		   .init = init,
 		   .hook = { [TS_STAGE_FORCE] = force },
+		   .energy = ts_pair_energy,
 		   .plan = ts_pair_plan,
 		   .fini = ts_pair_fini },
 	.coeff_size = sizeof(struct ts_granular_pair),

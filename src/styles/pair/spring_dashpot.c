@@ -1,5 +1,6 @@
 #include "law/spring_dashpot.h"
 
+#include "neigh/energy.h"
 #include "neigh/pair.h"
 #include "neigh/row_loop.h"
 
@@ -97,6 +98,7 @@ const struct ts_pair_style ts_pair_spring_dashpot = {
 		   .fingerprint = ts_pair_fingerprint,
 		   .init = init,
 		   .hook = { [TS_STAGE_FORCE] = force },
+		   .energy = ts_pair_energy,
 		   .plan = ts_pair_plan,
 		   .fini = ts_pair_fini },
 	.coeff_size = sizeof(struct ts_spring_dashpot),
