@@ -175,6 +175,21 @@ END
 grep -q 'left out' out
 report 'says that messages were left out' $? out
 
+# a lost name in quotes does not make an error one that follows: it must be what is missing
+check alike.in <<'END'
+variable stif equal 1 2
+region b block 0 1 0 1 0 1 units box
+create_box 1 b
+pair_style spring/dashpot
+pair_coeff * * stif 2385 restitution 0.5
+compute stif all ky
+END
+errors 'misspelt words that are like a lost name' <<'END'
+1:23: a variable of style equal takes one word
+5:16: unknown keyword 'stif'
+6:18: unknown compute style 'ky'
+END
+
 printf 'units si\nprnt\nunits sj\n' | "$TSIM" -check >out 2>err
 [ $? = 1 ] && [ "$(grep -c '^stdin:' err)" = 2 ]
 report 'standard input' $? err

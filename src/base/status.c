@@ -70,6 +70,20 @@ enum ts_status ts_fail_at(struct ts_error *err, enum ts_status code, const struc
 	return code;
 }
 
+enum ts_status ts_missing_at(struct ts_error *err, const char *kind, const char *name,
+			     const struct ts_place *place, const char *source, int source_line,
+			     const char *format, ...)
+{
+	va_list args;
+
+	if (err->status == TS_OK)
+		snprintf(err->missing, sizeof err->missing, "%s %s", kind, name);
+	va_start(args, format);
+	ts_vfail_at(err, TS_UNKNOWN, place, source, source_line, format, args);
+	va_end(args);
+	return TS_UNKNOWN;
+}
+
 void ts_error_clear(struct ts_error *err)
 {
 	*err = (struct ts_error){ 0 };

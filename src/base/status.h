@@ -38,12 +38,19 @@ struct ts_error {
 	const char *source; /* C file and line that reported it, for developers */
 	int source_line;
 	char message[1024];
+	char missing[96]; /* "compute total": what was named and is not there; "": nothing was */
 };
 
 /* Records the message unless one is already there; returns code, so one writes
  * `return ts_fail(&sim->error, TS_RANGE, &word->place, "...", ...);`. place may be NULL. */
 #define ts_fail(err, code, place, ...)                                                             \
 	ts_fail_at(err, code, place, __FILE__, __LINE__, __VA_ARGS__)
+/* TS_UNKNOWN: no thing of this kind (variable, fix, group ...) has this name. */
+#define ts_missing(err, kind, name, place, ...)                                                    \
+	ts_missing_at(err, kind, name, place, __FILE__, __LINE__, __VA_ARGS__)
+enum ts_status ts_missing_at(struct ts_error *err, const char *kind, const char *name,
+			     const struct ts_place *place, const char *source, int source_line,
+			     const char *format, ...) __attribute__((format(printf, 7, 8)));
 enum ts_status ts_fail_at(struct ts_error *err, enum ts_status code, const struct ts_place *place,
 			  const char *source, int source_line, const char *format, ...)
 	__attribute__((format(printf, 6, 7)));

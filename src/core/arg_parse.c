@@ -181,9 +181,9 @@ static enum ts_status read_number(struct parse *p, const struct ts_arg *row, str
 		if (!host || !host->has_variable(p->sim->host_data, word->text + 2)) {
 			if (host)
 				host->suggest_variable(p->sim->host_data, &suggest);
-			return ts_fail(&p->sim->error, TS_UNKNOWN, &word->place,
-				       "%s: %s names an unknown variable '%s'%s", p->what, row->name,
-				       word->text + 2, ts_suggest_text(&suggest));
+			return ts_missing(&p->sim->error, "variable", word->text + 2, &word->place,
+					  "%s: %s names an unknown variable '%s'%s", p->what,
+					  row->name, word->text + 2, ts_suggest_text(&suggest));
 		}
 		out->variable = ts_arena_strdup(p->arena, word->text + 2);
 		return out->variable ? TS_OK : ts_nomem(&p->sim->error);

@@ -188,8 +188,9 @@ enum ts_status ts_sim_require(struct tsim *sim, enum ts_kind kind, const struct 
 		return TS_OK;
 	for (size_t k = 0; k < list->n; k++)
 		ts_suggest_try(&suggest, list->item[k]->id);
-	return ts_fail(&sim->error, TS_UNKNOWN, &id->place, "there is no %s '%s'%s",
-		       ts_kind_name(kind), id->text, ts_suggest_text(&suggest));
+	return ts_missing(&sim->error, ts_kind_name(kind), id->text, &id->place,
+			  "there is no %s '%s'%s", ts_kind_name(kind), id->text,
+			  ts_suggest_text(&suggest));
 }
 
 /* Pair and bond get their coefficients later; all others can be checked when they are made. */

@@ -194,8 +194,8 @@ static enum ts_status resolve_variable(struct tsim *sim, const char *name,
 		suggest = ts_suggest_start(plain);
 		if (sim->host)
 			sim->host->suggest_variable(sim->host_data, &suggest);
-		return ts_fail(&sim->error, TS_UNKNOWN, where, "unknown variable '%s'%s", plain,
-			       ts_suggest_text(&suggest));
+		return ts_missing(&sim->error, "variable", plain, where, "unknown variable '%s'%s",
+				  plain, ts_suggest_text(&suggest));
 	}
 	if (ref->index && !sim->host->is_vector(sim->host_data, plain))
 		return ts_fail(&sim->error, TS_SYNTAX, where,

@@ -119,7 +119,7 @@ static enum ts_status write_exclusions(struct admission *a)
 	struct ts_textfile file = { 0 };
 	enum ts_status status, closed;
 
-	status = ts_textfile_open(&file, &a->sim->error, a->where, a->how->exclude, false);
+	status = ts_textfile_open(&file, a->sim, a->where, a->how->exclude, false);
 	for (size_t k = 0; status == TS_OK && k < a->findings.n; k++) {
 		const struct ts_mesh_finding *f = &a->findings.list[k];
 

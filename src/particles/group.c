@@ -32,8 +32,8 @@ enum ts_status ts_group_require(struct tsim *sim, const struct ts_word *name, in
 	for (int g = 0; g < TS_MAX_GROUPS; g++)
 		if (p->group[g])
 			ts_suggest_try(&suggest, p->group[g]);
-	return ts_fail(&sim->error, TS_UNKNOWN, &name->place, "there is no group '%s'%s",
-		       name->text, ts_suggest_text(&suggest));
+	return ts_missing(&sim->error, "group", name->text, &name->place, "there is no group '%s'%s",
+			  name->text, ts_suggest_text(&suggest));
 }
 
 enum ts_status ts_group_make(struct tsim *sim, const char *name, const struct ts_place *where,

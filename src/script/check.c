@@ -59,31 +59,10 @@ static bool is_harmless(const char *command)
 	return false;
 }
 
-/* Does the message say that a thing is unknown which a failed line would have made? Such messages put
- * the name in quotes behind the kind. */
-static bool names_lost(const struct ts_check *check, const struct ts_error *error)
-{
-	char name[128];
-	const char *quote = error->message, *end;
-
-	if (error->status != TS_UNKNOWN)
-		return false;
-	while ((quote = strchr(quote, '\'')) && (end = strchr(quote + 1, '\''))) {
-		for (size_t k = 0; k < sizeof makes / sizeof *makes; k++) {
-			snprintf(name, sizeof name, "%s %.*s", makes[k].kind,
-				 (int)(end - quote - 1), quote + 1);
-			if (ts_map_get(&check->lost, name))
-				return true;
-		}
-		quote = end + 1;
-	}
-	return false;
-}
-
 /* Whether the error may be there only because of an earlier one. */
 static bool follows(const struct ts_check *check, const struct ts_error *error)
 {
-	if (names_lost(check, error))
+	if (error->missing[0] && ts_map_get(&check->lost, error->missing))
 		return true;
 	if (error->status == TS_STATE || error->status == TS_PHYSICS)
 		return check->weak || check->boxless;

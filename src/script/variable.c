@@ -32,8 +32,8 @@ enum ts_status ts_variable_require(struct ts_script *script, const char *name,
 	}
 	for (size_t k = 0; k < script->variables.n; k++)
 		ts_suggest_try(&suggest, script->variables.item[k]->name);
-	return ts_fail(&script->sim->error, TS_UNKNOWN, where, "unknown variable '%s'%s", name,
-		       ts_suggest_text(&suggest));
+	return ts_missing(&script->sim->error, "variable", name, where, "unknown variable '%s'%s", name,
+			  ts_suggest_text(&suggest));
 }
 
 static void release(struct ts_variable *variable)

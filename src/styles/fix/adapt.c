@@ -65,8 +65,8 @@ static enum ts_status take_variable(struct ts_instance *self, struct tsim *sim,
 		return TS_OK;
 	if (sim->host)
 		sim->host->suggest_variable(sim->host_data, &suggest);
-	return ts_fail(&sim->error, TS_UNKNOWN, &word->place, "fix adapt: unknown variable '%s'%s",
-		       name, ts_suggest_text(&suggest));
+	return ts_missing(&sim->error, "variable", name, &word->place,
+			  "fix adapt: unknown variable '%s'%s", name, ts_suggest_text(&suggest));
 }
 
 /* atom diameter|density|mass v_NAME */

@@ -96,8 +96,8 @@ static enum ts_status use_variable(struct ts_instance *self, struct tsim *sim, c
 	if (!sim->host || !sim->host->has_variable(sim->host_data, name)) {
 		if (sim->host)
 			sim->host->suggest_variable(sim->host_data, &suggest);
-		return ts_fail(&sim->error, TS_UNKNOWN, &self->where,
-			       "fix halt: unknown variable '%s'%s", name, ts_suggest_text(&suggest));
+		return ts_missing(&sim->error, "variable", name, &self->where,
+				  "fix halt: unknown variable '%s'%s", name, ts_suggest_text(&suggest));
 	}
 	s->number.variable = name;
 	s->measure = variable;
