@@ -11,6 +11,7 @@
 #include "core/help.h"
 #include "core/price.h"
 #include "core/sim.h"
+#include "crosscheck/crosscheck.h"
 #include "script/manual.h"
 #include "io/restart.h"
 #include "script/script.h"
@@ -32,6 +33,7 @@ enum option_id {
 	OPT_CHECK,
 	OPT_SIGNAL,
 	OPT_EXPLAIN,
+	OPT_CROSSCHECK,
 	OPT_HELP,
 	OPT_DOC,
 	OPT_GRAMMAR,
@@ -54,10 +56,17 @@ static const struct {
 	[OPT_CHECK] = { "check", "", "run nothing: tell all errors and what the script would do", 0 },
 	[OPT_SIGNAL] = { "restart-on-signal", "FILE|none", "where an interrupted run saves its state", 1 },
 	[OPT_EXPLAIN] = { "explain", "", "run nothing: print the plan of each run", 0 },
+	[OPT_CROSSCHECK] = { "crosscheck", "PROGRAM [WORDS]",
+			     "run the script with liggghts or lammps too and compare all outputs", 1 },
 	[OPT_HELP] = { "help", "[KIND] [NAME]", "manual page, e.g. -help fix gravity, -help ave/time", 0 },
 	[OPT_DOC] = { "doc", "DIR", "write all manual pages to the directory as Markdown", 1 },
 	[OPT_GRAMMAR] = { "grammar", "vim|vscode", "print the grammar file for that editor", 1 },
 	[OPT_VERSION] = { "version", "", "print the version", 0 },
+};
+
+struct word_list {
+	struct ts_word word[2 * MOST_VALUES];
+	size_t n;
 };
 
 struct setup {
@@ -65,6 +74,7 @@ struct setup {
 	FILE *screen_file;
 	bool help, version, log_given, check, explain;
 	const char *help_kind, *help_style;
+	struct word_list crosscheck, variables, own; /* the last two: for the programs that it runs */
 };
 
 /* A signal handler can reach the simulation by no other way. */
@@ -112,21 +122,6 @@ static int usage_error(const char *format, const char *what, const char *more)
 	return EXIT_USAGE;
 }
 
-static void print_usage(void)
-{
-	puts("usage: tsim [options] -in FILE\n\noptions");
-	for (int k = 0; k < NOPTIONS; k++)
-		printf("  -%s %-*s %s\n", options[k].name, 30 - (int)strlen(options[k].name),
-		       options[k].values, options[k].help);
-	puts("\nmanual pages: tsim -help NAME for anything that has a name, tsim -help KIND for a "
-	     "list of its styles,\ntsim -help KIND STYLE for one of them. Kinds are");
-	for (int kind = TS_KIND_COMMAND; kind < TS_NKIND; kind++)
-		printf("  %s\n", ts_kind_name((enum ts_kind)kind));
-	puts("and further pages");
-	for (const struct ts_topic *t = ts_topics; t->name; t++)
-		printf("  %-12s %s\n", t->name, t->summary);
-}
-
 static int print_text(struct ts_str *text)
 {
 	bool bad = text->failed;
@@ -134,6 +129,26 @@ static int print_text(struct ts_str *text)
 	fputs(ts_str_text(text), stdout);
 	ts_str_release(text);
 	return bad ? EXIT_FAILURE : EXIT_SUCCESS;
+}
+
+static void print_usage(void)
+{
+	struct ts_str text = { 0 };
+
+	puts("usage: tsim [options] -in FILE\n\noptions");
+	for (int k = 0; k < NOPTIONS; k++)
+		printf("  -%s %-*s %s\n", options[k].name, 30 - (int)strlen(options[k].name),
+		       options[k].values, options[k].help);
+	puts("\nafter -crosscheck liggghts or -crosscheck lammps");
+	ts_crosscheck_help(&text);
+	print_text(&text);
+	puts("\nmanual pages: tsim -help NAME for anything that has a name, tsim -help KIND for a "
+	     "list of its styles,\ntsim -help KIND STYLE for one of them. Kinds are");
+	for (int kind = TS_KIND_COMMAND; kind < TS_NKIND; kind++)
+		printf("  %s\n", ts_kind_name((enum ts_kind)kind));
+	puts("and further pages");
+	for (const struct ts_topic *t = ts_topics; t->name; t++)
+		printf("  %-12s %s\n", t->name, t->summary);
 }
 
 static int help(const struct setup *setup)
@@ -260,6 +275,19 @@ static int set_variable(struct tsim *sim, char *const *value, int n)
 	return EXIT_USAGE;
 }
 
+static int add_words(struct word_list *list, const char *option, char *const *value, int n)
+{
+	size_t most = sizeof list->word / sizeof *list->word;
+
+	if (list->n + (size_t)n + 1 > most)
+		return usage_error("too many words at '%s'%s", value[0], "");
+	if (option)
+		list->word[list->n++] = (struct ts_word){ .text = option };
+	for (int k = 0; k < n; k++)
+		list->word[list->n++] = (struct ts_word){ .text = value[k] };
+	return 0;
+}
+
 static int apply(struct tsim *sim, struct setup *setup, enum option_id id, char *const *value,
 		 int n)
 {
@@ -268,7 +296,10 @@ static int apply(struct tsim *sim, struct setup *setup, enum option_id id, char 
 		setup->input = value[0];
 		break;
 	case OPT_VAR:
-		return set_variable(sim, value, n);
+		return add_words(&setup->variables, "-var", value, n) ||
+				       set_variable(sim, value, n)
+			       ? EXIT_USAGE
+			       : 0;
 	case OPT_LOG:
 		setup->log = value[0];
 		setup->log_given = true;
@@ -279,7 +310,9 @@ static int apply(struct tsim *sim, struct setup *setup, enum option_id id, char 
 	case OPT_ECHO:
 		return set_echo(sim, value[0]);
 	case OPT_THREADS:
-		return set_threads(sim, value[0]);
+		return add_words(&setup->own, "-threads", value, n) || set_threads(sim, value[0])
+			       ? EXIT_USAGE
+			       : 0;
 	case OPT_LEGACY:
 		sim->legacy = true;
 		break;
@@ -287,13 +320,17 @@ static int apply(struct tsim *sim, struct setup *setup, enum option_id id, char 
 		sim->restart_on_signal = ts_streq(value[0], "none") ? "" : value[0];
 		break;
 	case OPT_SHELL:
-		return set_shell(sim, value[0]);
+		return add_words(&setup->own, "-shell", value, n) || set_shell(sim, value[0])
+			       ? EXIT_USAGE
+			       : 0;
 	case OPT_EXPLAIN:
 		sim->explain = setup->explain = true;
 		break;
 	case OPT_CHECK:
 		setup->check = true;
 		return ts_script_check(sim->host_data) == TS_OK ? 0 : EXIT_USAGE;
+	case OPT_CROSSCHECK:
+		return add_words(&setup->crosscheck, NULL, value, n);
 	case OPT_HELP:
 		setup->help = true;
 		setup->help_kind = n > 0 ? value[0] : NULL;
@@ -350,7 +387,7 @@ static int read_options(struct tsim *sim, struct setup *setup, int argc, char **
 			id++;
 		if (id == NOPTIONS)
 			return unknown_option(text);
-		variadic = id == OPT_VAR || id == OPT_HELP;
+		variadic = id == OPT_VAR || id == OPT_HELP || id == OPT_CROSSCHECK;
 		while (k + n < argc && !is_option(argv[k + n]) &&
 		       (variadic || n < options[id].least))
 			n++;
@@ -496,6 +533,24 @@ static int run(struct tsim *sim, struct setup *setup)
 	return quit;
 }
 
+static struct ts_words words_of(const struct word_list *list)
+{
+	return (struct ts_words){ list->word, list->n };
+}
+
+/* The exit status is the verdict. */
+static int crosscheck(struct tsim *sim, const struct setup *setup, const char *called)
+{
+	struct ts_crosscheck_input input = { setup->input, called, words_of(&setup->crosscheck),
+					     words_of(&setup->variables), words_of(&setup->own) };
+	struct ts_str text = { 0 };
+	int verdict = (int)ts_crosscheck(sim, &input, &text);
+
+	if (sim->error.status)
+		fputs(tsim_error(sim), stderr);
+	return print_text(&text) ? EXIT_FAILURE : verdict;
+}
+
 static int act(struct tsim *sim, struct setup *setup, int argc, char **argv)
 {
 	int status = read_options(sim, setup, argc, argv);
@@ -512,6 +567,8 @@ static int act(struct tsim *sim, struct setup *setup, int argc, char **argv)
 		return print_grammar(setup->grammar);
 	if (setup->doc)
 		return write_manual(setup->doc);
+	if (setup->crosscheck.n)
+		return crosscheck(sim, setup, argv[0]);
 	return run(sim, setup);
 }
 

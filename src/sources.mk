@@ -15,6 +15,8 @@ library_sources = \
 	src/base/map.h \
 	src/base/parallel.c \
 	src/base/parallel.h \
+	src/base/process.c \
+	src/base/process.h \
 	src/base/status.c \
 	src/base/status.h \
 	src/base/str.c \
@@ -68,6 +70,19 @@ library_sources = \
 	src/core/uses.h \
 	src/core/value.c \
 	src/core/value.h \
+	src/crosscheck/compare.c \
+	src/crosscheck/compare.h \
+	src/crosscheck/crosscheck.c \
+	src/crosscheck/crosscheck.h \
+	src/crosscheck/folder.c \
+	src/crosscheck/folder.h \
+	src/crosscheck/frame.c \
+	src/crosscheck/frame.h \
+	src/crosscheck/inputs.c \
+	src/crosscheck/inputs.h \
+	src/crosscheck/outputs.c \
+	src/crosscheck/reader.c \
+	src/crosscheck/report.c \
 	src/flow/flow.h \
 	src/geom/box.h \
 	src/geom/mesh.c \

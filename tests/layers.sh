@@ -15,6 +15,7 @@ allowed() {
 	neigh) echo base math geom core particles law neigh ;;
 	flow) echo base math geom core particles law flow ;;
 	io) echo base math geom core particles io ;;
+	crosscheck) echo base math core io crosscheck ;;
 	library) echo base math geom core particles script library tsim.h ;;
 	styles) echo base math law geom core particles neigh flow io ;;
 	esac

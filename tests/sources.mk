@@ -12,6 +12,7 @@ shell_tests = \
 	tests/crosscheck/liggghts.sh \
 	tests/crosscheck/space.sh \
 	tests/crosscheck/text.sh \
+	tests/crosscheck_mode.sh \
 	tests/data_files.sh \
 	tests/decks/averages.sh \
 	tests/decks/box.sh \
@@ -69,6 +70,7 @@ unit_tests = \
 	tests/accuracy/check_settling \
 	tests/check_alloc \
 	tests/check_args \
+	tests/check_crosscheck \
 	tests/check_formulas \
 	tests/check_geom \
 	tests/check_io \
@@ -130,6 +132,10 @@ tests_check_alloc_LDADD = $(tests_ldadd)
 tests_check_args_SOURCES = tests/check_args.c $(tests_common)
 tests_check_args_CFLAGS = $(tests_cflags)
 tests_check_args_LDADD = $(tests_ldadd)
+
+tests_check_crosscheck_SOURCES = tests/check_crosscheck.c $(tests_common)
+tests_check_crosscheck_CFLAGS = $(tests_cflags)
+tests_check_crosscheck_LDADD = $(tests_ldadd)
 
 tests_check_formulas_SOURCES = tests/check_formulas.c $(tests_common)
 tests_check_formulas_CFLAGS = $(tests_cflags)

@@ -98,6 +98,11 @@ enum ts_status ts_formats_change(struct ts_formats *f, struct ts_error *err, str
 			words = ts_words_from(words, 1);
 			continue;
 		}
+		if (strchr(kind, '%')) { /* LIGGGHTS: always a line */
+			TS_TRY(set_line(f, err, arena, &words.word[0], columns));
+			words = ts_words_from(words, 1);
+			continue;
+		}
 		if (words.n < 2)
 			return ts_fail(err, TS_SYNTAX, &words.word[0].place,
 				       "%s: format %s lacks its text", what, kind);

@@ -20,7 +20,7 @@ struct ts_formats {
 	struct ts_words line;				  /* one for each column */
 	struct ts_words column;				  /* pairs: number from 1, format */
 };
-/* Words in pairs: float F, int F, line "F F ...", N F; or none, which forgets all. They are kept in the
+/* Words in pairs: float F, int F, line "F F ..." or only "F F ...", N F; or none, which forgets all. They are kept in the
  * arena. Earlier ones stay where they are not replaced. */
 enum ts_status ts_formats_change(struct ts_formats *formats, struct ts_error *err,
 				 struct ts_arena *arena, const char *what, struct ts_words words,

@@ -1,0 +1,124 @@
+#include "base/process.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "base/clock.h"
+
+#include "base/banned.h"
+
+enum { LONGEST_PATH = 4096 };
+
+/* In the child: becomes the program, or tells the parent why not. */
+_Noreturn static void become(const struct ts_process *p, int in, int out, int report)
+{
+	ssize_t told;
+	int code;
+
+	if (dup2(in, STDIN_FILENO) >= 0 && dup2(out, STDOUT_FILENO) >= 0 &&
+	    dup2(out, STDERR_FILENO) >= 0 && (!p->folder || chdir(p->folder) == 0))
+		execvp(p->words[0], (char *const *)p->words);
+	code = errno;
+	told = write(report, &code, sizeof code);
+	_exit(told == (ssize_t)sizeof code ? 127 : 126);
+}
+
+/* What the child wrote before it became the program: 0, or why it could not. */
+static int heard(int report)
+{
+	int code = 0;
+	ssize_t n;
+
+	do
+		n = read(report, &code, sizeof code);
+	while (n < 0 && errno == EINTR);
+	return n == (ssize_t)sizeof code ? code : 0;
+}
+
+static int start(struct ts_process *p, int in, int out, pid_t *child)
+{
+	int report[2], code;
+
+	if (pipe(report) != 0)
+		return errno;
+	fcntl(report[0], F_SETFD, FD_CLOEXEC);
+	fcntl(report[1], F_SETFD, FD_CLOEXEC);
+	*child = fork();
+	if (*child == 0)
+		become(p, in, out, report[1]);
+	code = *child < 0 ? errno : 0;
+	close(report[1]);
+	if (!code)
+		code = heard(report[0]);
+	close(report[0]);
+	return code;
+}
+
+enum ts_status ts_process_run(struct ts_process *p, struct ts_error *err)
+{
+	int in = open("/dev/null", O_RDONLY | O_CLOEXEC), status = 0, code;
+	int out = open(p->output, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+	double begin = ts_clock();
+	pid_t child = -1;
+
+	code = in < 0 || out < 0 ? errno : start(p, in, out, &child);
+	if (child > 0)
+		while (waitpid(child, &status, 0) < 0 && errno == EINTR)
+			;
+	if (in >= 0)
+		close(in);
+	if (out >= 0)
+		close(out);
+	if (code)
+		return ts_fail(err, TS_IO, NULL, "cannot start '%s': %s", p->words[0],
+			       strerror(code));
+	p->status = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+	p->seconds = ts_clock() - begin;
+	return TS_OK;
+}
+
+/* A path that stays good when the program runs in another folder. */
+static bool add_path(const char *name, struct ts_str *path)
+{
+	char here[LONGEST_PATH];
+
+	if (name[0] != '/' && getcwd(here, sizeof here))
+		ts_str_addf(path, "%s/", here);
+	ts_str_add(path, name);
+	return !path->failed && access(path->text, X_OK) == 0;
+}
+
+bool ts_process_find(const char *name, struct ts_str *path)
+{
+	const char *folder = getenv("PATH"), *end;
+
+	ts_str_clear(path);
+	if (strchr(name, '/'))
+		return add_path(name, path);
+	for (; folder && *folder; folder = *end ? end + 1 : end) {
+		end = strchr(folder, ':');
+		end = end ? end : folder + strlen(folder);
+		ts_str_clear(path);
+		ts_str_add_n(path, folder, (size_t)(end - folder));
+		ts_str_addf(path, "/%s", name);
+		if (!path->failed && access(path->text, X_OK) == 0)
+			return true;
+	}
+	return false;
+}
+
+void ts_process_self(const char *called, struct ts_str *path)
+{
+	char file[LONGEST_PATH];
+	ssize_t n = readlink("/proc/self/exe", file, sizeof file);
+
+	ts_str_clear(path);
+	if (n > 0 && n < (ssize_t)sizeof file)
+		ts_str_add_n(path, file, (size_t)n);
+	else if (!ts_process_find(called, path))
+		ts_str_add(path, called);
+}

@@ -1,0 +1,439 @@
+#include "crosscheck/crosscheck.h"
+
+#include <inttypes.h>
+#include <string.h>
+
+#include "base/process.h"
+#include "core/arg.h"
+#include "core/price.h"
+#include "crosscheck/folder.h"
+#include "crosscheck/inputs.h"
+
+#include "base/banned.h"
+
+enum { MOST_WORDS = 600, LAST_LINES = 6 };
+
+struct options {
+	int program;
+	const char *peer, *keep;
+	double tolerance, statistics;
+	int64_t until;
+	bool legacy;
+};
+
+/* How a peer may be called, and how it is installed. */
+static const char *const program_names[] = { "liggghts", "lammps", NULL };
+static const struct {
+	const char *const *commands, *package;
+	bool legacy; /* tsim has a mode with its numbers */
+} peers[] = {
+	{ (const char *const[]){ "liggghts", "lmp_liggghts", "lmp_auto", NULL }, "liggghts", true },
+	{ (const char *const[]){ "lmp", "lmp_serial", "lmp_mpi", "lammps", NULL }, "lammps", false },
+};
+
+static const struct ts_arg rows[] = {
+	TS_ENUM("program", struct options, program, program_names, .flags = TS_POSITIONAL,
+		.help = "the program to compare with"),
+	TS_REAL("tolerance", struct options, tolerance, .fallback = "1e-6", .unit = "",
+		.range = TS_POSITIVE,
+		.help = "from which difference on, in units of a column's range, it parts"),
+	TS_INT("until", struct options, until, .flags = TS_OPTIONAL, .unit = "step",
+	       .range = TS_NOT_NEGATIVE,
+	       .help = "runs that part after this step are compared by their statistics alone"),
+	TS_REAL("statistics", struct options, statistics, .fallback = "0.05", .unit = "",
+		.range = TS_POSITIVE,
+		.help = "how far apart mean, spread and profile may be then"),
+	TS_BOOL("legacy", struct options, legacy, .fallback = "yes",
+		.help = "beside liggghts tsim runs with -legacy"),
+	TS_WORD("peer", struct options, peer, .flags = TS_OPTIONAL,
+		.help = "file or command of the other program, if it has an unusual name"),
+	TS_WORD("keep", struct options, keep, .flags = TS_OPTIONAL,
+		.help = "a new folder to run in, which is kept; else all is removed at the end"),
+	TS_ARGS_END,
+};
+
+struct crosscheck {
+	struct tsim *sim;
+	const struct ts_crosscheck_input *in;
+	struct options o;
+	struct ts_str *text;
+	struct ts_arena arena;
+	struct ts_inputs inputs;
+	struct ts_outputs outputs;
+	struct ts_pairing thermo;
+	const char *name[TS_BOTH], *command[TS_BOTH], *place[TS_BOTH], *screen[TS_BOTH];
+	struct ts_process process[TS_BOTH];
+	const char *root;
+	int64_t parts_at;	 /* -1: nowhere, or at no known step */
+	const char *parts_in[2]; /* column and output where it was noticed; NULL: nowhere */
+};
+
+static enum ts_status keep_text(struct crosscheck *c, struct ts_str *text, const char **out)
+{
+	*out = text->failed ? NULL : ts_arena_strdup(&c->arena, ts_str_text(text));
+	ts_str_clear(text);
+	return *out ? TS_OK : ts_nomem(&c->sim->error);
+}
+
+static bool find_peer(struct crosscheck *c, struct ts_str *path)
+{
+	const char *const *command = peers[c->o.program].commands;
+
+	if (c->o.peer)
+		return ts_process_find(c->o.peer, path);
+	while (*command && !ts_process_find(*command, path))
+		command++;
+	return *command != NULL;
+}
+
+static void say_absent(struct crosscheck *c)
+{
+	const char *const *command = peers[c->o.program].commands;
+
+	if (c->o.peer) {
+		ts_str_addf(c->text, "there is no program '%s'\n", c->o.peer);
+		return;
+	}
+	ts_str_addf(c->text, "%s is not installed: there is no program", c->name[TS_PEER]);
+	for (; *command; command++)
+		ts_str_addf(c->text, " %s%s", *command, command[1] ? "," : "");
+	ts_str_addf(c->text,
+		    " in the PATH. Install it (apt-get install %s), or say where it is: "
+		    "-crosscheck %s peer FILE\n",
+		    peers[c->o.program].package, c->name[TS_PEER]);
+}
+
+/* A program that is ended by MPI_Abort loses what it has not handed over: lines are, with stdbuf. */
+static enum ts_status words_of(struct crosscheck *c, int who)
+{
+	const struct ts_crosscheck_input *in = c->in;
+	const char **words = ts_arena_alloc(&c->arena, MOST_WORDS + 12, sizeof *words);
+	struct ts_str path = { 0 };
+	size_t n = 0;
+
+	if (!words)
+		return ts_nomem(&c->sim->error);
+	if (who == TS_PEER && ts_process_find("stdbuf", &path)) {
+		TS_TRY(keep_text(c, &path, &words[n++]));
+		words[n++] = "-oL";
+	}
+	ts_str_release(&path);
+	words[n++] = c->command[who];
+	words[n++] = "-in";
+	words[n++] = in->script;
+	for (size_t k = 0; k < in->vars.n && n < MOST_WORDS; k++)
+		words[n++] = in->vars.word[k].text;
+	for (size_t k = 0; who == TS_HERE && k < in->own.n && n < MOST_WORDS; k++)
+		words[n++] = in->own.word[k].text;
+	if (who == TS_HERE && c->o.legacy && peers[c->o.program].legacy)
+		words[n++] = "-legacy";
+	c->process[who].words = words;
+	return TS_OK;
+}
+
+/* The last lines of what a program printed; those with its errors if there are such. */
+static enum ts_status add_last_words(struct crosscheck *c, int who)
+{
+	struct ts_lines l = { 0 };
+	const char *last[LAST_LINES] = { NULL };
+	size_t n = 0, errors = 0;
+	enum ts_status status;
+	bool more = true;
+
+	status = ts_lines_open(&l, &c->sim->error, c->sim->pool, NULL, c->screen[who]);
+	while (status == TS_OK && more) {
+		struct ts_str line = { 0 };
+		bool error;
+
+		status = ts_lines_next_filled(&l, &more);
+		if (status != TS_OK || !more)
+			break;
+		ts_str_addf(&line, "%*s", l.nwords ? 4 + (int)(l.word[0] - l.line) : 0, "");
+		for (size_t k = 0; k < l.nwords; k++)
+			ts_str_addf(&line, "%s%s", k ? " " : "", l.word[k]);
+		error = strstr(ts_str_text(&line), "ERROR") || strstr(ts_str_text(&line), "error:");
+		if (error && !errors)
+			n = 0;
+		errors += error;
+		if (error || !errors || n < 3)
+			status = keep_text(c, &line, &last[n++ % LAST_LINES]);
+		ts_str_release(&line);
+	}
+	ts_lines_close(&l);
+	for (size_t k = n > LAST_LINES ? n - LAST_LINES : 0; k < n && status == TS_OK; k++)
+		ts_str_addf(c->text, "%s\n", last[k % LAST_LINES]);
+	return status;
+}
+
+/* In a copy of what the script reads, in the folder ROOT/PROGRAM. */
+static enum ts_status run_one(struct crosscheck *c, int who)
+{
+	struct ts_str text = { 0 };
+	struct ts_process *p = &c->process[who];
+	const char *base;
+	enum ts_status status;
+
+	ts_str_addf(&text, "%s/%s", c->root, c->name[who]);
+	status = keep_text(c, &text, &base);
+	if (status == TS_OK)
+		status = ts_inputs_copy(&c->inputs, base, &text);
+	if (status == TS_OK)
+		status = keep_text(c, &text, &c->place[who]);
+	ts_str_addf(&text, "%s/%s.screen", c->root, c->name[who]);
+	if (status == TS_OK)
+		status = keep_text(c, &text, &c->screen[who]);
+	ts_str_release(&text);
+	TS_TRY(status);
+	*p = (struct ts_process){ .folder = c->place[who], .output = c->screen[who] };
+	TS_TRY(words_of(c, who));
+	TS_TRY(ts_process_run(p, &c->sim->error));
+	ts_str_addf(c->text, "%-10s %s in %.2f s\n", c->name[who],
+		    p->status ? "failed" : "ran", p->seconds);
+	if (!p->status)
+		return TS_OK;
+	ts_str_addf(c->text, "    exit status %d; its last words:\n", p->status);
+	return add_last_words(c, who);
+}
+
+/* The tables on the screens, then the files. */
+static enum ts_status pair_outputs(struct crosscheck *c)
+{
+	struct ts_outputs *o = &c->outputs;
+	struct ts_pairing *thermo = &c->thermo;
+
+	*thermo = (struct ts_pairing){ .name = "thermo", .kind = TS_FRAMES_THERMO };
+	for (int who = 0; who < TS_BOTH; who++) {
+		const char **files = ts_arena_alloc(&c->arena, 2, sizeof *files);
+		struct ts_str name = { 0 };
+
+		if (!files)
+			return ts_nomem(&c->sim->error);
+		ts_str_addf(&name, "%s.screen", c->name[who]);
+		TS_TRY(keep_text(c, &name, &files[0]));
+		ts_str_release(&name);
+		thermo->folder[who] = c->root;
+		thermo->file[who] = files;
+		TS_TRY(ts_folder_list(c->place[who], TS_INPUT_DATE, &o->listing[who], c->sim->pool,
+				      &c->sim->error));
+	}
+	return ts_outputs_pair(o, c->place, &c->sim->error, c->sim->pool);
+}
+
+static struct ts_pairing *pairing(struct crosscheck *c, size_t k)
+{
+	return k ? &c->outputs.pairing[k - 1] : &c->thermo;
+}
+
+static void take_parting(struct crosscheck *c, const struct ts_pairing *p, int64_t step,
+			 const char *column)
+{
+	if (p->lines ? c->parts_in[0] != NULL : c->parts_at >= 0 && step >= c->parts_at)
+		return;
+	c->parts_at = p->lines ? -1 : step;
+	c->parts_in[0] = column;
+	c->parts_in[1] = p->name;
+}
+
+/* Where an output parts first; -1: nowhere. */
+static int64_t parting(struct crosscheck *c, const struct ts_pairing *p)
+{
+	int64_t first = p->alone_at;
+
+	if (p->alone_at >= 0)
+		take_parting(c, p, p->alone_at, "rows");
+	for (size_t k = 0; k < p->columns; k++) {
+		const struct ts_compared *column = &p->column[k];
+
+		if (!column->parts)
+			continue;
+		take_parting(c, p, column->parts_at, column->name);
+		first = first < 0 || column->parts_at < first ? column->parts_at : first;
+	}
+	return first;
+}
+
+static enum ts_status compare_all(struct crosscheck *c)
+{
+	struct ts_error *err = &c->sim->error;
+	size_t n = c->outputs.n + 1;
+	int64_t *first = ts_arena_alloc(&c->arena, n, sizeof *first);
+
+	if (!first)
+		return ts_nomem(err);
+	c->parts_at = -1;
+	for (size_t k = 0; k < n; k++) {
+		TS_TRY(ts_compare(pairing(c, k), c->o.tolerance, err, c->sim->pool));
+		first[k] = parting(c, pairing(c, k));
+	}
+	for (size_t k = 0; k < n; k++) {
+		struct ts_pairing *p = pairing(c, k);
+		int64_t from = p->lines ? first[k] : c->parts_at;
+
+		if (from >= 0)
+			TS_TRY(ts_compare_statistics(p, from, err, c->sim->pool));
+	}
+	return TS_OK;
+}
+
+static void list_files(const char *what, const char **name, size_t n, struct ts_str *out)
+{
+	for (size_t k = 0; k < n && k < 10; k++)
+		ts_str_addf(out, "%s%s", k ? ", " : what, name[k]);
+	if (n > 10)
+		ts_str_addf(out, " and %zu more", n - 10);
+	if (n)
+		ts_str_add(out, "\n");
+}
+
+/* Whether the statistics of all columns are near each other. */
+static bool statistics_near(struct crosscheck *c, struct ts_str *worst)
+{
+	double most = 0;
+
+	for (size_t k = 0; k <= c->outputs.n; k++) {
+		const struct ts_pairing *p = pairing(c, k);
+
+		for (size_t m = 0; m < p->columns; m++) {
+			const struct ts_compared *column = &p->column[m];
+			double far = fmax(column->mean, fmax(column->spread, column->profile));
+
+			if (far <= most)
+				continue;
+			most = far;
+			ts_str_clear(worst);
+			ts_str_addf(worst, "%.2g (%s of %s)", far, column->name, p->name);
+		}
+	}
+	return most <= c->o.statistics;
+}
+
+static enum ts_verdict judge_statistics(struct crosscheck *c)
+{
+	struct ts_str worst = { 0 };
+	bool near = statistics_near(c, &worst);
+	bool good = near && c->o.until != INT64_MIN && c->parts_at > c->o.until;
+
+	ts_str_addf(c->text, "%s: %s of %s is off by more than %g of its range",
+		    good ? "agree" : "part", c->parts_in[0], c->parts_in[1], c->o.tolerance);
+	if (c->parts_at >= 0)
+		ts_str_addf(c->text, " at step %" PRId64, c->parts_at);
+	ts_str_addf(c->text, "; from there statistics within %s\n",
+		    worst.length ? ts_str_text(&worst) : "0");
+	ts_str_release(&worst);
+	return good ? TS_AGREE : TS_PART;
+}
+
+static enum ts_verdict judge(struct crosscheck *c)
+{
+	struct ts_outputs *o = &c->outputs;
+	size_t columns = 0;
+	bool lost = o->nonly[TS_HERE] || o->nonly[TS_PEER];
+
+	for (size_t k = 0; k <= o->n; k++)
+		columns += pairing(c, k)->columns;
+	ts_str_add(c->text, "\n");
+	list_files("only tsim wrote ", o->only[TS_HERE], o->nonly[TS_HERE], c->text);
+	list_files(c->o.program ? "only lammps wrote " : "only liggghts wrote ", o->only[TS_PEER],
+		   o->nonly[TS_PEER], c->text);
+	list_files("not text, not compared: ", o->skipped, o->nskipped, c->text);
+	if (!columns) {
+		ts_str_add(c->text, "failed: there is nothing to compare\n");
+		return TS_FAILED;
+	}
+	if (lost) {
+		ts_str_add(c->text, "failed: outputs are missing\n");
+		return TS_FAILED;
+	}
+	if (!c->parts_in[0]) {
+		ts_str_addf(c->text, "agree: %zu columns within %g of their range\n", columns,
+			    c->o.tolerance);
+		return TS_AGREE;
+	}
+	return judge_statistics(c);
+}
+
+static enum ts_verdict compare(struct crosscheck *c)
+{
+	if (c->process[TS_HERE].status || c->process[TS_PEER].status) {
+		ts_str_addf(c->text, "failed: %s\n",
+			    !c->process[TS_PEER].status	  ? "only the other program runs the script"
+			    : !c->process[TS_HERE].status ? "only tsim runs the script"
+							  : "neither runs the script");
+		return TS_FAILED;
+	}
+	if (pair_outputs(c) != TS_OK || compare_all(c) != TS_OK)
+		return TS_FAILED;
+	for (size_t k = 0; k <= c->outputs.n; k++)
+		if (pairing(c, k)->columns)
+			ts_report_pairing(pairing(c, k), c->parts_in[0] != NULL,
+					  c->name[TS_PEER], c->text);
+	return judge(c);
+}
+
+static enum ts_verdict run_both(struct crosscheck *c, struct ts_str *path)
+{
+	struct ts_error *err = &c->sim->error;
+	enum ts_verdict verdict;
+
+	if (!find_peer(c, path)) {
+		say_absent(c);
+		return TS_ABSENT;
+	}
+	if (keep_text(c, path, &c->command[TS_PEER]) != TS_OK)
+		return TS_FAILED;
+	ts_process_self(c->in->called, path);
+	if (keep_text(c, path, &c->command[TS_HERE]) != TS_OK ||
+	    ts_inputs_find(&c->inputs, c->in->script, c->in->vars) != TS_OK)
+		return TS_FAILED;
+	if (c->o.keep)
+		c->root = ts_folder_new(c->o.keep, err) == TS_OK ? c->o.keep : NULL;
+	else if (ts_folder_scratch(path, err) != TS_OK || keep_text(c, path, &c->root) != TS_OK)
+		c->root = NULL;
+	if (!c->root)
+		return TS_FAILED;
+	verdict = run_one(c, TS_HERE) == TS_OK && run_one(c, TS_PEER) == TS_OK ? compare(c)
+										: TS_FAILED;
+	if (c->o.keep)
+		ts_str_addf(c->text, "all is kept in %s\n", c->root);
+	else
+		ts_folder_remove(c->root);
+	return verdict;
+}
+
+enum ts_verdict ts_crosscheck(struct tsim *sim, const struct ts_crosscheck_input *input,
+			      struct ts_str *text)
+{
+	struct crosscheck c = { .sim = sim, .in = input, .text = text,
+				.inputs = { .err = &sim->error, .pool = sim->pool } };
+	struct ts_place where = { .file = "-crosscheck" };
+	struct ts_str path = { 0 };
+	enum ts_verdict verdict = TS_USAGE;
+
+	if (!input->script) {
+		ts_fail(&sim->error, TS_SYNTAX, NULL, "-crosscheck needs a script: -in FILE");
+	} else if (ts_args_parse(sim, "-crosscheck", rows, input->words, &where, &c.arena, &c.o) ==
+		   TS_OK) {
+		c.name[TS_HERE] = "tsim";
+		c.name[TS_PEER] = program_names[c.o.program];
+		verdict = run_both(&c, &path);
+	}
+	ts_str_release(&path);
+	ts_inputs_release(&c.inputs);
+	ts_outputs_release(&c.outputs);
+	ts_compare_release(&c.thermo);
+	ts_arena_release(&c.arena);
+	return verdict;
+}
+
+void ts_crosscheck_help(struct ts_str *out)
+{
+	for (const struct ts_arg *row = rows + 1; row->type != TS_ARG_END; row++) {
+		struct ts_str synopsis = { 0 };
+
+		ts_arg_synopsis(row, &synopsis);
+		ts_str_addf(out, "  %-22s %s", ts_str_text(&synopsis), row->help);
+		ts_str_addf(out, row->fallback ? " (%s)\n" : "\n", row->fallback);
+		out->failed |= synopsis.failed;
+		ts_str_release(&synopsis);
+	}
+}

@@ -1,0 +1,59 @@
+/* What a program wrote, frame by frame: rows of a table of thermodynamic output, particles of a dump, lines
+ * of an averaging fix. Numbers remember how finely they were printed. */
+#ifndef TS_CROSSCHECK_FRAME_H
+#define TS_CROSSCHECK_FRAME_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "io/lines.h"
+
+/* A word of an output. */
+struct ts_printed {
+	double value; /* of a word that is no number: one that differs where the word does */
+	int digits;   /* significant ones */
+	int decimals; /* behind the point; -1: no point, no exponent */
+	bool padded;  /* ends in a zero behind the point, without exponent: a fixed format such as %.3f */
+};
+struct ts_printed ts_printed(const char *word);
+bool ts_printed_is_number(const char *word);
+
+enum ts_frame_kind {
+	TS_FRAMES_THERMO, /* the tables on the screen */
+	TS_FRAMES_DUMP,
+	TS_FRAMES_TEXT, /* any other text with numbers */
+};
+
+struct ts_frame {
+	int64_t step;
+	bool line; /* no step is known: it is the number of the line */
+	const char **name;
+	size_t columns, rows;
+	struct ts_printed *cell; /* cell[row * columns + column] */
+	bool entries;		 /* rows of a dump that is not of particles */
+	size_t name_capacity, cell_capacity;
+};
+/* Which column has the name; SIZE_MAX: none. Names are those of the string pool. */
+size_t ts_frame_column(const struct ts_frame *frame, const char *name);
+
+/* Zero-initialise. Reads the files one after the other. */
+struct ts_reader {
+	enum ts_frame_kind kind;
+	struct ts_error *err;
+	struct ts_pool *pool;
+	const char *folder;
+	const char *const *file; /* closed by NULL */
+	struct ts_frame frame;
+	/* the rest is for reader.c */
+	struct ts_lines lines;
+	bool open, table;       /* a file; a table in it */
+	struct ts_frame title; /* the words above, which may be names */
+	struct ts_frame inner; /* the same, of the last comment */
+	int64_t line;
+};
+enum ts_status ts_reader_open(struct ts_reader *reader);
+/* The next frame; *got is false after the last. */
+enum ts_status ts_reader_next(struct ts_reader *reader, bool *got);
+void ts_reader_close(struct ts_reader *reader);
+
+#endif

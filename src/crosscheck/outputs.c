@@ -1,0 +1,154 @@
+/* Which files two runs wrote, and which of them belong together. */
+#include <ctype.h>
+#include <string.h>
+#include <zlib.h>
+
+#include "crosscheck/crosscheck.h"
+
+#include "base/banned.h"
+
+enum { PROBE = 512 };
+
+enum sort { SORT_TEXT, SORT_DUMP, SORT_LOG, SORT_BINARY };
+
+/* By how the file begins. */
+static enum sort sort_of(const char *folder, const char *name)
+{
+	static const char *const logs[] = { "tsim ", "LIGGGHTS (", "LAMMPS (" };
+	char bytes[PROBE + 1] = "";
+	struct ts_str path = { 0 };
+	gzFile file;
+	int n;
+
+	ts_str_addf(&path, "%s/%s", folder, name);
+	file = path.failed ? NULL : gzopen(path.text, "rb");
+	ts_str_release(&path);
+	n = file ? gzread(file, bytes, PROBE) : 0;
+	if (file)
+		gzclose(file);
+	for (int k = 0; k < n; k++)
+		if (!isprint((unsigned char)bytes[k]) && !isspace((unsigned char)bytes[k]) &&
+		    !(bytes[k] & 0x80))
+			return SORT_BINARY;
+	for (size_t k = 0; k < sizeof logs / sizeof *logs; k++)
+		if (strncmp(bytes, logs[k], strlen(logs[k])) == 0)
+			return SORT_LOG;
+	return strncmp(bytes, "ITEM:", 5) == 0 ? SORT_DUMP : SORT_TEXT;
+}
+
+/* "post/dump100.txt" -> "post/dump*.txt" */
+static const char *pattern_of(const char *name, struct ts_pool *pool)
+{
+	const char *base = strrchr(name, '/'), *end, *begin;
+	struct ts_str text = { 0 };
+	const char *kept;
+
+	base = base ? base + 1 : name;
+	end = base + strlen(base);
+	while (end > base && !isdigit((unsigned char)end[-1]))
+		end--;
+	begin = end;
+	while (begin > base && isdigit((unsigned char)begin[-1]))
+		begin--;
+	ts_str_add_n(&text, name, (size_t)(begin - name));
+	ts_str_add(&text, end > begin ? "*" : "");
+	ts_str_add(&text, end);
+	kept = text.failed ? NULL : ts_pool_get(pool, ts_str_text(&text));
+	ts_str_release(&text);
+	return kept;
+}
+
+static bool has(const struct ts_listing *list, const char *name)
+{
+	for (size_t k = 0; k < list->n; k++)
+		if (list->name[k] == name)
+			return true;
+	return false;
+}
+
+static bool is_log(const char *folder, const char *name)
+{
+	return strncmp(name, "log.", 4) == 0 || sort_of(folder, name) == SORT_LOG;
+}
+
+static enum ts_status keep(const char ***list, size_t *n, size_t *capacity, const char *name,
+			   struct ts_error *err)
+{
+	if (TS_GROW(*list, *capacity, *n + 1) != TS_OK)
+		return ts_nomem(err);
+	(*list)[(*n)++] = name;
+	return TS_OK;
+}
+
+/* All files in both folders that have the pattern of the k-th name; that one only, if it is the first. */
+static enum ts_status pair(struct ts_outputs *o, const char *const folder[TS_BOTH], size_t k,
+			   enum sort sort, struct ts_error *err, struct ts_pool *pool)
+{
+	const struct ts_listing *list = &o->listing[TS_HERE];
+	const char *pattern = pattern_of(list->name[k], pool), **names;
+	struct ts_pairing *p;
+	size_t n = 0;
+
+	names = ts_arena_alloc(&o->arena, list->n + 1, sizeof *names);
+	if (!pattern || !names)
+		return ts_nomem(err);
+	for (size_t m = 0; m < list->n; m++) {
+		const char *name = list->name[m], *other = pattern_of(name, pool);
+
+		if (!other)
+			return ts_nomem(err);
+		if (other != pattern || !has(&o->listing[TS_PEER], name))
+			continue;
+		if (m < k)
+			return TS_OK; /* came with that one */
+		names[n++] = name;
+	}
+	if (TS_GROW(o->pairing, o->capacity, o->n + 1) != TS_OK)
+		return ts_nomem(err);
+	p = &o->pairing[o->n++];
+	*p = (struct ts_pairing){ .name = n > 1 ? pattern : names[0],
+				  .kind = sort == SORT_DUMP ? TS_FRAMES_DUMP : TS_FRAMES_TEXT };
+	for (int who = 0; who < TS_BOTH; who++) {
+		p->folder[who] = folder[who];
+		p->file[who] = names;
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_outputs_pair(struct ts_outputs *o, const char *const folder[TS_BOTH],
+			       struct ts_error *err, struct ts_pool *pool)
+{
+	for (int who = 0; who < TS_BOTH; who++) {
+		const struct ts_listing *list = &o->listing[who];
+
+		for (size_t k = 0; k < list->n; k++)
+			if (!has(&o->listing[!who], list->name[k]) && !is_log(folder[who], list->name[k]))
+				TS_TRY(keep(&o->only[who], &o->nonly[who], &o->only_capacity[who],
+					    list->name[k], err));
+	}
+	for (size_t k = 0; k < o->listing[TS_HERE].n; k++) {
+		const char *name = o->listing[TS_HERE].name[k];
+		enum sort sort = sort_of(folder[TS_HERE], name);
+
+		if (!has(&o->listing[TS_PEER], name) || is_log(folder[TS_HERE], name))
+			continue;
+		if (sort == SORT_BINARY)
+			TS_TRY(keep(&o->skipped, &o->nskipped, &o->skipped_capacity, name, err));
+		else
+			TS_TRY(pair(o, folder, k, sort, err, pool));
+	}
+	return TS_OK;
+}
+
+void ts_outputs_release(struct ts_outputs *o)
+{
+	for (size_t k = 0; k < o->n; k++)
+		ts_compare_release(&o->pairing[k]);
+	for (int who = 0; who < TS_BOTH; who++) {
+		ts_free(o->listing[who].name);
+		ts_free(o->only[who]);
+	}
+	ts_free(o->pairing);
+	ts_free(o->skipped);
+	ts_arena_release(&o->arena);
+}

@@ -1,0 +1,333 @@
+/* -crosscheck: outputs of two programs read, paired and compared. */
+#include <check.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "crosscheck/crosscheck.h"
+#include "crosscheck/inputs.h"
+#include "base/process.h"
+
+static struct tsim *sim;
+static struct ts_str root;
+static long balance;
+
+static void set_up(void)
+{
+	balance = ts_alloc_balance();
+	sim = ts_sim_new();
+	ck_assert_ptr_nonnull(sim);
+	ck_assert_int_eq(ts_folder_scratch(&root, &sim->error), TS_OK);
+	ck_assert_int_eq(chdir(root.text), 0);
+	mkdir("a", 0777);
+	mkdir("b", 0777);
+}
+
+static void tear_down(void)
+{
+	ck_assert_int_eq(chdir("/"), 0);
+	ts_folder_remove(root.text);
+	ck_assert_int_ne(access(root.text, F_OK), 0);
+	ts_str_release(&root);
+	ts_sim_free(sim);
+	ck_assert_int_eq(ts_alloc_balance(), balance);
+}
+
+static void put(const char *path, const char *text)
+{
+	FILE *file = fopen(path, "w");
+
+	ck_assert_ptr_nonnull(file);
+	ck_assert_int_ge(fputs(text, file), 0);
+	ck_assert_int_eq(fclose(file), 0);
+}
+
+static const char *const one_file[] = { "out", NULL };
+
+static struct ts_pairing compared(enum ts_frame_kind kind, const char *a, const char *b)
+{
+	struct ts_pairing p = { .name = "out", .kind = kind, .folder = { "a", "b" },
+				.file = { one_file, one_file } };
+
+	put("a/out", a);
+	put("b/out", b);
+	ck_assert_msg(ts_compare(&p, 1e-6, &sim->error, sim->pool) == TS_OK, "%s",
+		      sim->error.message);
+	return p;
+}
+
+static const struct ts_compared *column(const struct ts_pairing *p, const char *name)
+{
+	for (size_t k = 0; k < p->columns; k++)
+		if (ts_streq(p->column[k].name, name))
+			return &p->column[k];
+	ck_abort_msg("no column %s", name);
+	return NULL;
+}
+
+START_TEST(digits_of_words)
+{
+	static const struct {
+		const char *word;
+		double value;
+		int digits, decimals;
+		bool padded;
+	} cases[] = {
+		{ "2.385", 2.385, 4, 3, false },  { "-0.00120", -0.0012, 3, 5, true },
+		{ "17", 17, 2, -1, false },	   { "1e+06", 1e6, 1, 0, false },
+		{ "1.50e-3", 1.5e-3, 3, 2, false }, { "0", 0, 0, -1, false },
+	};
+
+	for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+		struct ts_printed p = ts_printed(cases[k].word);
+
+		ck_assert_msg(p.value == cases[k].value && p.digits == cases[k].digits &&
+				      p.decimals == cases[k].decimals && p.padded == cases[k].padded,
+			      "%s: %g %d %d %d", cases[k].word, p.value, p.digits, p.decimals,
+			      p.padded);
+	}
+	ck_assert(ts_printed("nan").value == ts_printed("-nan").value);
+	ck_assert(ts_printed("Fe").value != ts_printed("Al").value);
+}
+END_TEST
+
+/* What stands between the tables is passed over, of whichever program. */
+START_TEST(thermo_of_screens)
+{
+	struct ts_pairing p = compared(
+		TS_FRAMES_THERMO,
+		"tsim 0.1.0\n    Step KinEng CPU 1\n 0 1.5 0 7\nhello 3\n 10 2.5 0.1 7\n"
+		"Loop time of 3 on 1 procs\n4605.6 ns per step\nNlocal: 1\n"
+		"  Step Atoms\n 10 5\n 20 5\nLoop time of 1\n",
+		"LIGGGHTS (Version)\nMemory usage = 5 Mbytes\n    Step KinEng CPU 1\n 0 1.5 0 7\n"
+		" 10 2.50003 0.2 7\nLoop time of 3 on 1 procs\nHistogram: 1 0 0 0 0 0 0\n"
+		"  Step Atoms\n 10 5\n 20 6\nLoop time of 1\n");
+	const struct ts_compared *ke = column(&p, "KinEng"), *atoms = column(&p, "Atoms");
+
+	ck_assert_uint_eq(p.frames, 4);
+	ck_assert(p.left_out);
+	ck_assert_uint_eq(p.columns, 4);
+	ck_assert_int_eq(ke->at, 10);
+	/* 3e-5 minus one unit of the sixth digit, over a range of 1.00003 */
+	ck_assert_double_eq_tol(ke->most, (3e-5 - 1e-5) / 1.00003, 1e-9);
+	ck_assert(ke->parts && atoms->parts && !column(&p, "1")->parts);
+	ck_assert_int_eq(atoms->parts_at, 20);
+	ck_assert_double_eq_tol(atoms->most, 1, 1e-12);
+	ts_compare_release(&p);
+}
+END_TEST
+
+#define DUMP(step, n, rows)                                                                        \
+	"ITEM: TIMESTEP\n" step "\nITEM: NUMBER OF ATOMS\n" n                                      \
+	"\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\nITEM: ATOMS id vx vy \n" rows
+
+/* Rows are matched by identity, frames by step. */
+START_TEST(dumps)
+{
+	struct ts_pairing p = compared(
+		TS_FRAMES_DUMP,
+		DUMP("0", "2", "1 1.25 0\n2 2.385 0\n") DUMP("5", "1", "1 1 0\n")
+			DUMP("10", "2", "1 4.5 1e-17\n2 3.25 0\n"),
+		DUMP("0", "2", "2 2.385 0\n1 1.25 0\n")
+			DUMP("10", "3", "3 0 0\n2 3.75 0\n1 4.5 0\n"));
+	const struct ts_compared *vx = column(&p, "vx"), *vy = column(&p, "vy");
+
+	ck_assert_uint_eq(p.frames, 2);
+	ck_assert_uint_eq(p.alone[TS_HERE], 1);
+	ck_assert_uint_eq(p.alone[TS_PEER], 0);
+	ck_assert_uint_eq(p.rows_alone, 1);
+	ck_assert_int_eq(p.alone_at, 5);
+	ck_assert_double_eq_tol(vx->most, 0.5 / 4.5, 1e-4);
+	ck_assert_int_eq(vx->at, 10);
+	ck_assert_msg(vy->most < 1e-15 && !vy->parts, "round-off in a component that is zero");
+	ts_compare_release(&p);
+}
+END_TEST
+
+/* Mean, spread and distribution after parting: the same values in another order have the same profile. */
+START_TEST(statistics)
+{
+	struct ts_pairing p = compared(TS_FRAMES_DUMP,
+				       DUMP("0", "4", "1 1 0\n2 2 0\n3 3 0\n4 4 0\n"),
+				       DUMP("0", "4", "1 4 0\n2 3 1\n3 2 1\n4 1 0\n"));
+	const struct ts_compared *vx = column(&p, "vx"), *vy = column(&p, "vy");
+
+	ck_assert(vx->parts);
+	ck_assert_int_eq(ts_compare_statistics(&p, 0, &sim->error, sim->pool), TS_OK);
+	ck_assert_double_eq_tol(vx->most, 1, 1e-12);
+	ck_assert_double_eq_tol(vx->mean + vx->spread + vx->profile, 0, 1e-12);
+	/* vy and vx have one scale, 3 */
+	ck_assert_double_eq_tol(vy->mean, 0.5 / 3, 1e-12);
+	ck_assert_double_eq_tol(vy->spread, 0.5 / 3, 1e-12);
+	ck_assert_double_eq_tol(vy->profile, 0.5 / 3, 1e-12);
+	ts_compare_release(&p);
+}
+END_TEST
+
+/* Rows of fix ave/time and of blocks have the names of the comment above them. */
+START_TEST(averages)
+{
+	struct ts_pairing p = compared(TS_FRAMES_TEXT,
+				       "# Time-averaged data for fix a\n# TimeStep c_e v_q\n100 2 7\n200 3 7\n",
+				       "# Time-averaged data for fix a\n# TimeStep c_e v_q\n100 2 7\n200 4 7\n");
+
+	ck_assert_int_eq(column(&p, "c_e")->parts_at, 200);
+	ck_assert(!column(&p, "v_q")->parts);
+	ts_compare_release(&p);
+	p = compared(TS_FRAMES_TEXT,
+		     "# Chunks\n# Timestep Number-of-chunks\n# Chunk vx\n100 2\n1 0.5\n2 0.75\n200 1\n1 2.5\n",
+		     "# Chunks\n# Timestep Number-of-chunks\n# Chunk vx\n100 2\n1 0.5\n2 0.75\n200 1\n1 2.75\n");
+	ck_assert_uint_eq(p.frames, 2);
+	ck_assert_int_eq(column(&p, "vx")->parts_at, 200);
+	ck_assert(!column(&p, "Chunk")->parts);
+	ts_compare_release(&p);
+}
+END_TEST
+
+/* Any text: words are the same or not, numbers are compared. */
+START_TEST(texts)
+{
+	struct ts_pairing p = compared(TS_FRAMES_TEXT, "solid tsim\nvertex 1.5 2 3\nvertex 1 2 4\n",
+				       "solid STL\nvertex 1.5 2 3\nvertex 1 2 5\n");
+
+	ck_assert(column(&p, "word vertex")->parts == false);
+	ck_assert_int_eq(column(&p, "vertex (3)")->parts_at, 3);
+	ck_assert(!column(&p, "vertex (2)")->parts);
+	ts_compare_release(&p);
+	p = compared(TS_FRAMES_TEXT, "ke v\n1.5 2\nat 3 end\n", "ke v\n1.5 3\nat 3 stop\n");
+	ck_assert(column(&p, "v")->parts && !column(&p, "ke")->parts && !column(&p, "at")->parts);
+	ck_assert(column(&p, "word end")->side[TS_PEER].n == 0);
+	ts_compare_release(&p);
+}
+END_TEST
+
+static bool has(const char *const *list, size_t n, const char *name)
+{
+	for (size_t k = 0; k < n; k++)
+		if (ts_streq(list[k], name))
+			return true;
+	return false;
+}
+
+/* What a script mentions is found: by name, by pattern, in what it includes, above the folder. */
+START_TEST(inputs)
+{
+	struct ts_word words[] = { { .text = "-var" }, { .text = "which" }, { .text = "more" } };
+	struct ts_inputs in = { .err = &sim->error, .pool = sim->pool };
+	struct ts_str place = { 0 };
+	struct stat info;
+
+	mkdir("case", 0777);
+	mkdir("case/post", 0777);
+	ck_assert_int_eq(chdir("case"), 0);
+	put("in.main", "include in.${which} # in.comment\nfix m all mesh/surface file ../a/m.stl\n"
+		       "pair_coeff * *\nread_data 'd.${n}'\ndump d all custom 1 post/old*.txt id\n");
+	put("in.more", "molecule m mol.x\n");
+	put("in.comment", "");
+	put("mol.x", "");
+	put("d.3", "");
+	put("unused", "");
+	put("post/old1.txt", "");
+	put("../a/m.stl", "");
+	ck_assert_int_eq(ts_inputs_find(&in, "in.main", (struct ts_words){ words, 3 }), TS_OK);
+	ck_assert(has(in.file, in.files, "in.main") && has(in.file, in.files, "in.more"));
+	ck_assert(has(in.file, in.files, "mol.x") && has(in.file, in.files, "d.3"));
+	ck_assert(has(in.file, in.files, "../a/m.stl") && has(in.folder, in.folders, "post"));
+	ck_assert_uint_eq(in.files, 5);
+	ck_assert_int_eq(in.up, 1);
+	ck_assert_int_eq(ts_inputs_copy(&in, "copy", &place), TS_OK);
+	ck_assert_str_eq(ts_str_text(&place), "copy/1");
+	ck_assert(stat("copy/1/in.more", &info) == 0 && info.st_mtime == TS_INPUT_DATE);
+	ck_assert(stat("copy/a/m.stl", &info) == 0 && stat("copy/1/post", &info) == 0);
+	ts_str_release(&place);
+	ts_inputs_release(&in);
+	ck_assert_int_eq(chdir(".."), 0);
+}
+END_TEST
+
+START_TEST(numbered_files_go_together)
+{
+	static const char *const folder[] = { "a", "b" };
+	static const char *const names[] = { "d9.txt", "d10.txt", "log.x", "r" };
+	struct ts_outputs o = { 0 };
+	char path[40];
+
+	for (int who = 0; who < 2; who++) {
+		for (size_t k = 0; k < 4; k++) {
+			snprintf(path, sizeof path, "%s/%s", folder[who], names[k]);
+			put(path, k == 3 ? "\x01\x02" : k == 2 ? "tsim 0\n" : "ITEM: TIMESTEP\n");
+		}
+		put(who ? "b/theirs" : "a/ours", "1\n");
+		ck_assert_int_eq(ts_folder_list(folder[who], 0, &o.listing[who], sim->pool,
+						&sim->error),
+				 TS_OK);
+	}
+	ck_assert_int_eq(ts_outputs_pair(&o, folder, &sim->error, sim->pool), TS_OK);
+	ck_assert_uint_eq(o.n, 1);
+	ck_assert_str_eq(o.pairing[0].name, "d*.txt");
+	ck_assert_int_eq(o.pairing[0].kind, TS_FRAMES_DUMP);
+	ck_assert_str_eq(o.pairing[0].file[0][0], "d9.txt");
+	ck_assert_str_eq(o.pairing[0].file[0][1], "d10.txt");
+	ck_assert_uint_eq(o.nskipped, 1);
+	ck_assert_str_eq(o.only[TS_HERE][0], "ours");
+	ck_assert_str_eq(o.only[TS_PEER][0], "theirs");
+	ts_outputs_release(&o);
+}
+END_TEST
+
+/* No shell reads the words; the exit status and the signal come through. */
+START_TEST(processes)
+{
+	static const char *const quoted[] = { "printf", "%s|", "a b", "$HOME;x", NULL };
+	static const char *const status[] = { "sh", "-c", "exit 7", NULL };
+	static const char *const killed[] = { "sh", "-c", "kill -9 $$", NULL };
+	static const char *const nothing[] = { "/no/such/program", NULL };
+	const char *const *calls[] = { quoted, status, killed };
+	int expected[] = { 0, 7, 137 };
+	char text[40] = "";
+	FILE *file;
+
+	for (size_t k = 0; k < 3; k++) {
+		struct ts_process p = { .words = calls[k], .folder = "a", .output = "said" };
+
+		ck_assert_int_eq(ts_process_run(&p, &sim->error), TS_OK);
+		ck_assert_int_eq(p.status, expected[k]);
+		if (k == 0) {
+			file = fopen("said", "r");
+			ck_assert_uint_gt(fread(text, 1, sizeof text - 1, file), 0);
+			fclose(file);
+			ck_assert_str_eq(text, "a b|$HOME;x|");
+		}
+	}
+	ck_assert_int_eq(ts_process_run(&(struct ts_process){ .words = nothing, .output = "said" },
+					&sim->error),
+			 TS_IO);
+}
+END_TEST
+
+int main(void)
+{
+	Suite *suite = suite_create("crosscheck");
+	TCase *tc = tcase_create("crosscheck");
+	SRunner *runner = srunner_create(suite);
+	int failed;
+
+	tcase_add_checked_fixture(tc, set_up, tear_down);
+	tcase_add_test(tc, digits_of_words);
+	tcase_add_test(tc, thermo_of_screens);
+	tcase_add_test(tc, dumps);
+	tcase_add_test(tc, statistics);
+	tcase_add_test(tc, averages);
+	tcase_add_test(tc, texts);
+	tcase_add_test(tc, inputs);
+	tcase_add_test(tc, numbered_files_go_together);
+	tcase_add_test(tc, processes);
+	suite_add_tcase(suite, tc);
+	srunner_run_all(runner, CK_NORMAL);
+	failed = srunner_ntests_failed(runner);
+	srunner_free(runner);
+	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
