@@ -10,6 +10,7 @@ shell_tests = \
 	tests/crosscheck/language.sh \
 	tests/crosscheck/legacy.sh \
 	tests/crosscheck/liggghts.sh \
+	tests/crosscheck/scripts.sh \
 	tests/crosscheck/space.sh \
 	tests/crosscheck/text.sh \
 	tests/crosscheck_mode.sh \
