@@ -93,6 +93,11 @@ library_sources = \
 	src/geom/mesh_doctor.h \
 	src/geom/mesh_links.c \
 	src/geom/mesh_links.h \
+	src/geom/mesh_touch.c \
+	src/geom/mesh_touch.h \
+	src/geom/mesh_tree.c \
+	src/geom/mesh_tree.h \
+	src/geom/motion.h \
 	src/geom/pairs.c \
 	src/geom/pairs.h \
 	src/geom/pointhash.c \
@@ -130,6 +135,8 @@ library_sources = \
 	src/io/lines.h \
 	src/io/mesh_admit.c \
 	src/io/mesh_admit.h \
+	src/io/mesh_load.c \
+	src/io/mesh_load.h \
 	src/io/mesh_obj.c \
 	src/io/mesh_read.c \
 	src/io/mesh_read.h \
@@ -199,6 +206,8 @@ library_sources = \
 	src/neigh/gran_numbers.h \
 	src/neigh/materials.c \
 	src/neigh/materials.h \
+	src/neigh/mesh_wall.c \
+	src/neigh/mesh_wall.h \
 	src/neigh/neigh.c \
 	src/neigh/neigh.h \
 	src/neigh/order.c \
@@ -466,6 +475,7 @@ library_sources = \
 	src/styles/fix/halt.c \
 	src/styles/fix/langevin.c \
 	src/styles/fix/lineforce.c \
+	src/styles/fix/mesh_surface.c \
 	src/styles/fix/momentum.c \
 	src/styles/fix/move.c \
 	src/styles/fix/nve.c \

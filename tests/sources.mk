@@ -10,6 +10,7 @@ shell_tests = \
 	tests/crosscheck/language.sh \
 	tests/crosscheck/legacy.sh \
 	tests/crosscheck/liggghts.sh \
+	tests/crosscheck/meshes.sh \
 	tests/crosscheck/scripts.sh \
 	tests/crosscheck/space.sh \
 	tests/crosscheck/text.sh \
@@ -45,6 +46,7 @@ shell_tests = \
 	tests/kill.sh \
 	tests/layers.sh \
 	tests/manual_current.sh \
+	tests/meshes.sh \
 	tests/price.sh \
 	tests/python.sh \
 	tests/rerun.sh \

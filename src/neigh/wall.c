@@ -75,11 +75,11 @@ enum ts_status ts_wall_make_law(struct ts_instance *self, struct tsim *sim, int 
 	return TS_OK;
 }
 
-void ts_wall_rebuild_start(struct ts_wall *w, const struct tsim *sim,
+void ts_wall_rebuild_start(struct ts_wall *w, const struct tsim *sim, size_t own,
 			   struct ts_wall_rebuild *rebuild)
 {
 	ts_wall_contacts_start(&w->contacts, rebuild,
-			       (size_t)ts_granular_memory(model_of(w, sim)));
+			       (size_t)ts_granular_memory(model_of(w, sim)) + own);
 }
 
 enum ts_status ts_wall_rebuild_finish(struct ts_wall *w, struct tsim *sim,

@@ -52,8 +52,9 @@ enum ts_status ts_wall_plan(struct ts_instance *self, struct tsim *sim, int type
 bool ts_wall_has_law(const struct ts_wall *w, const struct tsim *sim);
 /* The law for particles that meet a surface of this type; before pushes, after each rebuild. */
 enum ts_status ts_wall_make_law(struct ts_instance *self, struct tsim *sim, int type);
-/* Starts a rebuild of w->contacts, see ts_wall_contacts_start. */
-void ts_wall_rebuild_start(struct ts_wall *w, const struct tsim *sim,
+/* Starts a rebuild of w->contacts, see ts_wall_contacts_start. `own`: how many numbers a contact
+ * remembers, after those of its law, for the style. */
+void ts_wall_rebuild_start(struct ts_wall *w, const struct tsim *sim, size_t own,
 			   struct ts_wall_rebuild *rebuild);
 /* `status` of listing: if it is an error the old contacts are dropped and it is returned. */
 enum ts_status ts_wall_rebuild_finish(struct ts_wall *w, struct tsim *sim,

@@ -5,6 +5,7 @@
 
 #include "core/plan.h"
 #include "core/settings.h"
+#include "particles/mesh_surface.h"
 #include "particles/particles.h"
 #include "particles/region.h"
 
@@ -52,8 +53,10 @@ static double margin_of(const struct ts_domain *d, int dim)
 	return SHRINK_MARGIN * (d->first_hi[dim] - d->first_lo[dim]);
 }
 
-static void shrink_dimension(struct ts_domain *d, const struct ts_particles *p, int dim)
+static void shrink_dimension(const struct tsim *sim, int dim)
 {
+	struct ts_domain *d = sim->domain;
+	const struct ts_particles *p = sim->particles;
 	double margin = margin_of(d, dim);
 	double lo = INFINITY, hi = -INFINITY;
 
@@ -61,6 +64,7 @@ static void shrink_dimension(struct ts_domain *d, const struct ts_particles *p, 
 		lo = fmin(lo, p->x[i][dim]);
 		hi = fmax(hi, p->x[i][dim]);
 	}
+	ts_mesh_surface_extent(sim, dim, &lo, &hi);
 	if (!(lo <= hi))
 		return;
 	if (d->box.face[dim][0] == TS_FACE_SHRINK)
@@ -76,7 +80,7 @@ static void shrink_dimension(struct ts_domain *d, const struct ts_particles *p, 
 void ts_domain_shrink(struct tsim *sim)
 {
 	for (int dim = 0; dim < 3; dim++)
-		shrink_dimension(sim->domain, sim->particles, dim);
+		shrink_dimension(sim, dim);
 }
 
 /* "p", "f", "fs": one letter for both faces of a dimension, or one for each. */

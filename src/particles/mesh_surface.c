@@ -1,6 +1,62 @@
 #include "particles/mesh_surface.h"
 
+#include <math.h>
+
+#include "particles/domain.h"
+
 #include "base/banned.h"
+
+void ts_mesh_surface_release(struct ts_mesh_surface *s)
+{
+	ts_mesh_release(&s->mesh);
+	ts_free(s->v);
+	s->v = NULL;
+}
+
+static bool is_outside(const struct ts_box *box, const double x[3])
+{
+	bool outside = false;
+
+	for (int d = 0; d < 3; d++)
+		outside |= (box->face[d][0] == TS_FACE_FIXED && x[d] < box->lo[d]) ||
+			   (box->face[d][1] == TS_FACE_FIXED && x[d] > box->hi[d]);
+	return outside;
+}
+
+enum ts_status ts_mesh_surface_check_box(const struct ts_instance *by, struct tsim *sim,
+					 const struct ts_mesh_surface *s)
+{
+	const struct ts_mesh *m = &s->mesh;
+	size_t lost = 0, first = 0;
+
+	for (size_t t = m->n; t-- > 0;) {
+		if (!is_outside(&sim->domain->box, m->centre[t]))
+			continue;
+		first = t;
+		lost++;
+	}
+	if (!lost)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_RANGE, &by->where,
+		       "mesh %s: %zu of %zu triangles have their centre outside the box, the first is "
+		       "triangle %zu at (%g, %g, %g); scale or move the mesh, take a larger box, or "
+		       "`boundary m m m`, which follows the mesh",
+		       by->id, lost, m->n, first + 1, m->centre[first][0], m->centre[first][1],
+		       m->centre[first][2]);
+}
+
+void ts_mesh_surface_extent(const struct tsim *sim, int dim, double *lo, double *hi)
+{
+	const struct ts_mesh_surface *s;
+
+	for (size_t k = 0; (s = ts_mesh_surface_next(sim, &k, NULL));) {
+		double least[3], most[3];
+
+		ts_mesh_bounds(&s->mesh, least, most);
+		*lo = fmin(*lo, least[dim]);
+		*hi = fmax(*hi, most[dim]);
+	}
+}
 
 struct ts_mesh_surface *ts_mesh_surface_next(const struct tsim *sim, size_t *k,
 					     struct ts_instance **by)

@@ -21,7 +21,16 @@ struct ts_mesh_surface {
 	/* Velocity of the surface at each corner, [triangle][corner]; within a triangle it is linear.
 	 * NULL: at rest. */
 	double (*v)[3][3];
+	uint64_t moves; /* grows whenever the mesh changes its place */
 };
+
+void ts_mesh_surface_release(struct ts_mesh_surface *surface);
+
+/* Before a run: every triangle has its centre in the box, or beyond a periodic or moving face. */
+enum ts_status ts_mesh_surface_check_box(const struct ts_instance *by, struct tsim *sim,
+					 const struct ts_mesh_surface *surface);
+/* Widens lo..hi of one dimension to hold all meshes. */
+void ts_mesh_surface_extent(const struct tsim *sim, int dim, double *lo, double *hi);
 
 /* NULL: there is no mesh of that id. */
 struct ts_mesh_surface *ts_mesh_surface_find(const struct tsim *sim, const char *id);

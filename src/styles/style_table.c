@@ -167,6 +167,7 @@ TS_STYLE(fix, ts_style, ts_fix_gravity)
 TS_STYLE(fix, ts_style, ts_fix_halt)
 TS_STYLE(fix, ts_style, ts_fix_langevin)
 TS_STYLE(fix, ts_style, ts_fix_lineforce)
+TS_STYLE(fix, ts_style, ts_fix_mesh_surface)
 TS_STYLE(fix, ts_style, ts_fix_momentum)
 TS_STYLE(fix, ts_style, ts_fix_move)
 TS_STYLE(fix, ts_style, ts_fix_nve)
@@ -367,6 +368,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_halt,
 	&ts_fix_langevin,
 	&ts_fix_lineforce,
+	&ts_fix_mesh_surface,
 	&ts_fix_momentum,
 	&ts_fix_move,
 	&ts_fix_nve,

@@ -69,17 +69,18 @@ syn keyword tsimKeyword  overwrite title1 title2 title3 auto upper lower auto/up
 syn keyword tsimKeyword  auto/lower full prefactor scalar kind global beyond end extra
 syn keyword tsimKeyword  final delta erate trate volume wiggle xy xz yz v flip axes xyz
 syn keyword tsimKeyword  scheme explicit exact wob spring body clearance chute spherical
-syn keyword tsimKeyword  hard soft continue message path rescale transrot inertia
-syn keyword tsimKeyword  by_dimension sphere disc title ghost writedata peratomtype
-syn keyword tsimKeyword  peratomtypepair matrix tether couple model hooke hertz
-syn keyword tsimKeyword  hooke/stiffness hertz/stiffness hooke/hysteresis tangential
-syn keyword tsimKeyword  history no_history rolling_friction cdt epsd epsd2 epsd3 cohesion
-syn keyword tsimKeyword  sjkr sjkr2 surface limitForce tangential_damping absolute_damping
-syn keyword tsimKeyword  ktToKnUser viscous tangential_reduce torsionTorque
-syn keyword tsimKeyword  heating_normal_hertz heating_tangential_history
-syn keyword tsimKeyword  computeElasticPotential computeDissipatedEnergy
-syn keyword tsimKeyword  disableNormalWhenBonded primitive xplane yplane zplane xcylinder
-syn keyword tsimKeyword  ycylinder zcylinder
+syn keyword tsimKeyword  hard soft continue message path precision curvature
+syn keyword tsimKeyword  curvature_tolerant heal auto_remove_duplicates verbose surface_vel
+syn keyword tsimKeyword  surface_ang_vel rescale transrot inertia by_dimension sphere disc
+syn keyword tsimKeyword  title ghost writedata peratomtype peratomtypepair matrix tether
+syn keyword tsimKeyword  couple model hooke hertz hooke/stiffness hertz/stiffness
+syn keyword tsimKeyword  hooke/hysteresis tangential history no_history rolling_friction
+syn keyword tsimKeyword  cdt epsd epsd2 epsd3 cohesion sjkr sjkr2 surface limitForce
+syn keyword tsimKeyword  tangential_damping absolute_damping ktToKnUser viscous
+syn keyword tsimKeyword  tangential_reduce torsionTorque heating_normal_hertz
+syn keyword tsimKeyword  heating_tangential_history computeElasticPotential
+syn keyword tsimKeyword  computeDissipatedEnergy disableNormalWhenBonded primitive n_meshes
+syn keyword tsimKeyword  meshes xplane yplane zplane xcylinder ycylinder zcylinder
 syn match tsimKeyword /\<velocity\>/ 
 syn keyword tsimKeyword  store_force xlo xhi ylo yhi zlo zhi viscosity generic
 syn keyword tsimKeyword  limit_damping restitution side in out open axis center bounds
@@ -110,8 +111,8 @@ syn keyword tsim_fix contained ave/histo/weight ave/spatial ave/time aveforce
 syn match tsim_fix /\<balance\>/ contained
 syn keyword tsim_fix contained bond/breakage controller deform drag drag/stokes drill/bit
 syn keyword tsim_fix contained enforce2d evaporate freeze gravity halt langevin lineforce
-syn keyword tsim_fix contained momentum move nve nve/euler nve/limit nve/noforce nve/sphere
-syn keyword tsim_fix contained nve/symplectic planeforce
+syn keyword tsim_fix contained mesh/surface momentum move nve nve/euler nve/limit nve/noforce
+syn keyword tsim_fix contained nve/sphere nve/symplectic planeforce
 syn match tsim_fix /\<print\>/ contained
 syn keyword tsim_fix contained property/atom property/global recenter setforce spring spring/self
 syn keyword tsim_fix contained store/force store/state vector viscous viscous/sphere wall/gran

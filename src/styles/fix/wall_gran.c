@@ -1,4 +1,5 @@
 #include "geom/primitive.h"
+#include "neigh/mesh_wall.h"
 #include "neigh/wall.h"
 #include "particles/domain.h"
 #include "particles/particles.h"
@@ -13,13 +14,15 @@ enum { NSHAPES = 6 };
 
 struct wall {
 	struct ts_wall wall;
-	bool primitive_word;
-	int64_t type;
+	bool primitive_word, mesh_word;
+	int64_t type, nmeshes;
+	struct ts_words meshes;
 	double plane[3], cylinder[3][3]; /* as given; NaN: not given */
 	double velocity[3];
 	bool store_force;
 	int shape; /* enum ts_primitive_shape */
 	struct ts_primitive primitive;
+	struct ts_mesh_wall mesh;
 };
 
 /* Which of the shapes is given; the first two are an error. */
@@ -40,8 +43,11 @@ static enum ts_status choose_shape(struct ts_instance *self, struct tsim *sim)
 		w->primitive.centre[1] = k < 3 ? 0 : value[2];
 	}
 	w->primitive.shape = (enum ts_primitive_shape)w->shape;
-	if (given == 1)
+	if (given == !w->mesh_word)
 		return TS_OK;
+	if (w->mesh_word)
+		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+			       "fix wall/gran: a wall is a mesh or a primitive, not both");
 	return ts_fail(
 		&sim->error, TS_SYNTAX, &self->where,
 		"fix wall/gran: expected one of xplane, yplane, zplane, xcylinder, ycylinder, "
@@ -54,6 +60,9 @@ static enum ts_status check_shape(struct ts_instance *self, struct tsim *sim)
 	const struct wall *w = self->state;
 	int dim = w->shape % 3;
 
+	if (w->type == INT64_MIN)
+		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+			       "fix wall/gran primitive: which `type`?");
 	if (w->shape >= TS_XCYLINDER && !(w->primitive.radius > 0))
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
 			       "fix wall/gran: the radius of a cylinder must be > 0");
@@ -64,12 +73,29 @@ static enum ts_status check_shape(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+static enum ts_status find_meshes(struct ts_instance *self, struct tsim *sim)
+{
+	struct wall *w = self->state;
+
+	if (!w->meshes.n)
+		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+			       "fix wall/gran mesh: which meshes? `n_meshes 1 meshes ID`");
+	if (w->nmeshes != INT64_MIN && w->nmeshes != (int64_t)w->meshes.n)
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "n_meshes"),
+			       "fix wall/gran: n_meshes is %d, but %zu meshes are named",
+			       (int)w->nmeshes, w->meshes.n);
+	if (w->type != INT64_MIN)
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "type"),
+			       "fix wall/gran: each mesh has the type that its fix says");
+	return ts_mesh_wall_find(self, sim, &w->mesh, w->meshes);
+}
+
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct wall *w = self->state;
 
 	TS_TRY(choose_shape(self, sim));
-	TS_TRY(check_shape(self, sim));
+	TS_TRY(w->mesh_word ? find_meshes(self, sim) : check_shape(self, sim));
 	return ts_wall_init(sim, &w->wall);
 }
 
@@ -90,6 +116,17 @@ static enum ts_status list_near(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+/* The particle types whose materials the wall has: one of each mesh. */
+static size_t ntypes(const struct wall *w)
+{
+	return w->mesh_word ? w->mesh.nmeshes : 1;
+}
+
+static int type_of(const struct wall *w, size_t k)
+{
+	return (int)(w->mesh_word ? w->mesh.mesh[k].surface->type : w->type);
+}
+
 static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
 {
 	struct wall *w = self->state;
@@ -97,19 +134,21 @@ static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
 
 	if (!ts_wall_has_law(&w->wall, sim))
 		return TS_OK; /* refused by the plan */
-	TS_TRY(ts_wall_make_law(self, sim, (int)w->type));
-	ts_wall_rebuild_start(&w->wall, sim, &rebuild);
-	return ts_wall_rebuild_finish(&w->wall, sim, &rebuild, list_near(self, sim));
+	for (size_t k = 0; k < ntypes(w); k++)
+		TS_TRY(ts_wall_make_law(self, sim, type_of(w, k)));
+	ts_wall_rebuild_start(&w->wall, sim, w->mesh_word ? TS_MESH_MEMORY : 0, &rebuild);
+	return ts_wall_rebuild_finish(&w->wall, sim, &rebuild,
+				      w->mesh_word
+					      ? ts_mesh_wall_list(self, sim, &w->wall, &w->mesh)
+					      : list_near(self, sim));
 }
 
-static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+static void push_from_primitive(struct tsim *sim, struct wall *w)
 {
-	struct wall *w = self->state;
 	struct ts_wall *wall = &w->wall;
 	const struct ts_particles *p = sim->particles;
 	struct ts_wall_spot spot = { .type = (int)w->type };
 
-	wall->force[0] = wall->force[1] = wall->force[2] = 0;
 	for (int d = 0; d < 3; d++)
 		spot.velocity[d] = w->velocity[d];
 	for (size_t k = 0; k < wall->contacts.n; k++) {
@@ -121,13 +160,34 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 		else
 			ts_wall_contact_part(&wall->contacts, k);
 	}
+}
+
+static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+{
+	struct wall *w = self->state;
+
+	w->wall.force[0] = w->wall.force[1] = w->wall.force[2] = 0;
+	if (w->mesh_word)
+		ts_mesh_wall_push(sim, &w->wall, &w->mesh);
+	else
+		push_from_primitive(sim, w);
 	return TS_OK;
 }
 
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 			   struct ts_plan_report *report)
 {
-	return ts_wall_plan(self, sim, (int)((const struct wall *)self->state)->type, report);
+	const struct wall *w = self->state;
+
+	for (size_t k = 0; k < ntypes(w); k++)
+		TS_TRY(ts_wall_plan(self, sim, type_of(w, k), report));
+	return TS_OK;
+}
+
+static void fini(struct ts_instance *self)
+{
+	ts_mesh_wall_release(&((struct wall *)self->state)->mesh);
+	ts_wall_fini(self);
 }
 
 #define PLANE(axis, k)                                                                             \
@@ -142,8 +202,13 @@ static const struct ts_arg args[] = {
 	TS_GRANULAR_ARGS(struct wall, wall.words),
 	TS_FLAG("primitive", struct wall, primitive_word,
 		.help = "the wall is a plane or cylinder"),
-	TS_INT("type", struct wall, type, .range = TS_POSITIVE,
-	       .help = "particle type whose material the wall has"),
+	TS_INT("type", struct wall, type, .flags = TS_OPTIONAL, .range = TS_POSITIVE,
+	       .help = "primitive: particle type whose material the wall has"),
+	TS_FLAG("mesh", struct wall, mesh_word, .help = "the wall is made of meshes"),
+	TS_INT("n_meshes", struct wall, nmeshes, .flags = TS_OPTIONAL, .range = TS_POSITIVE,
+	       .help = "mesh: how many"),
+	TS_SOME_KEYWORD("meshes", struct wall, meshes, TS_STATEFUL,
+			.help = "mesh: IDs of their fixes; each has the material of its own type"),
 	PLANE("x", 0),
 	PLANE("y", 1),
 	PLANE("z", 2),
@@ -184,10 +249,15 @@ const struct ts_style ts_fix_wall_gran = {
 	       "centre "
 	       "of a cylinder is given along the next two axes in cyclic order: xcylinder y z, "
 	       "ycylinder "
-	       "z x, zcylinder x y.",
+	       "z x, zcylinder x y.\n\n"
+	       "A wall of meshes is met in faces, edges and corners, from both sides; particles of the groups of\n"
+	       "both fixes meet it. fix mesh/surface says which edges and corners count. A contact that moves\n"
+	       "from one triangle to a flat neighbour goes on with what it remembers.",
 	.example = "fix floor all wall/gran model hertz tangential history primitive type 1 zplane "
 		   "0.0\n"
-		   "fix drum all wall/gran primitive type 2 zcylinder 0.05 0.0 0.0",
+		   "fix drum all wall/gran primitive type 2 zcylinder 0.05 0.0 0.0\n"
+		   "fix walls all wall/gran model hertz tangential history mesh n_meshes 2 meshes cad1 "
+		   "cad2",
 	.args = args,
 	.family = TS_FAMILY_WALL,
 	.state_size = sizeof(struct wall),
@@ -197,5 +267,5 @@ const struct ts_style ts_fix_wall_gran = {
 	.saved = saved,
 	.hook = { [TS_STAGE_POST_BUILD] = post_build, [TS_STAGE_POST_FORCE] = post_force },
 	.plan = plan,
-	.fini = ts_wall_fini,
+	.fini = fini,
 };

@@ -1,0 +1,55 @@
+/* From the words of `fix mesh/surface` and its kin to a mesh: the file, its scaling, moves and
+ * rotations in the order they are written, and what is checked of triangles. */
+#ifndef TS_IO_MESH_LOAD_H
+#define TS_IO_MESH_LOAD_H
+
+#include "core/sim.h"
+#include "particles/mesh_surface.h"
+
+struct ts_mesh_words {
+	const char *file;
+	struct ts_words scale, move, rotate; /* where they stand says the order */
+	struct ts_words surface_vel, surface_ang_vel, exclusion;
+	double precision, curvature, min_feature_length;
+	int heal;
+	bool curvature_tolerant, verbose;
+};
+
+extern const char *const ts_mesh_heal_names[];
+/* `f`: the field of the state that is a struct ts_mesh_words, `s`: the one that is a struct ts_mesh_surface. */
+#define TS_MESH_ARGS(T, f, s)                                                                      \
+	TS_WORD("file", T, f.file, .help = "file of triangles: STL, OBJ or legacy VTK"),           \
+		TS_INT("type", T, s.type, .range = TS_POSITIVE,                                    \
+		       .help = "particle type whose material the mesh has"),                       \
+		TS_SOME_KEYWORD("scale", T, f.scale, TS_REPEAT | TS_STATEFUL,                      \
+				.help = "factor for all coordinates"),                             \
+		TS_SOME_KEYWORD("move", T, f.move, TS_REPEAT | TS_STATEFUL,                        \
+				.help = "x y z: shifts the mesh"),                                 \
+		TS_SOME_KEYWORD("rotate", T, f.rotate, TS_REPEAT | TS_STATEFUL,                    \
+				.help = "axis ax ay az angle degrees: turns it about an axis "     \
+					"through the origin. scale, move and rotate act in the "   \
+					"order they are written, and may be given again"),         \
+		TS_REAL("precision", T, f.precision, .fallback = "1e-8", .range = TS_POSITIVE,     \
+			.unit = "length", .help = "corners nearer than this are the same"),        \
+		TS_REAL("curvature", T, f.curvature, .fallback = "0.256235", .range = TS_WITHIN,   \
+			.lo = 0, .hi = 90, .unit = "degrees",                                      \
+			.help = "triangles whose planes include less than this are one flat "      \
+				"surface"),                                                        \
+		TS_BOOL("curvature_tolerant", T, f.curvature_tolerant, .fallback = "no",           \
+			.help = "whether curvature may be larger than an angle of a triangle"),    \
+		TS_ENUM("heal", T, f.heal, ts_mesh_heal_names, .fallback = "no",                   \
+			.help = "whether triangles given twice are dropped, or refused"),          \
+		TS_BOOL("verbose", T, f.verbose, .fallback = "no",                                 \
+			.help = "tells of each questionable triangle, not only how many"),         \
+		TS_SOME_KEYWORD("surface_vel", T, f.surface_vel, 0,                                \
+				.help = "vx vy vz: the surface moves like a conveyor belt, in the "  \
+					"plane of each triangle; the mesh stays"),                 \
+		TS_SOME_KEYWORD("surface_ang_vel", T, f.surface_ang_vel, 0,                        \
+				.help = "origin ox oy oz axis ax ay az omega om: the surface "      \
+					"turns about an axis, om in radian/time; the mesh stays")
+
+/* Reads and builds surface->mesh, and sets the velocity of the surface. */
+enum ts_status ts_mesh_load(struct ts_instance *self, struct tsim *sim,
+			    const struct ts_mesh_words *words, struct ts_mesh_surface *surface);
+
+#endif

@@ -1,0 +1,57 @@
+/* Walls made of meshes: which particle is near which triangle, and how a particle that slides from one
+ * triangle to the next keeps its contact.
+ *
+ * A sphere that touches a flat surface touches it once: of the faces of flat neighbours that it touches
+ * at the same time - its centre is over their common edge - the first has the contact. A new contact takes over what
+ * the contact with a flat neighbour remembers. */
+#ifndef TS_NEIGH_MESH_WALL_H
+#define TS_NEIGH_MESH_WALL_H
+
+#include "geom/mesh_tree.h"
+#include "neigh/wall.h"
+#include "particles/mesh_surface.h"
+
+/* One of the wall's meshes. */
+struct ts_mesh_part_of_wall {
+	const struct ts_instance *by;
+	const struct ts_mesh_surface *surface;
+	size_t first; /* number of its first triangle among those of all meshes */
+	struct ts_mesh_tree tree;
+	uint64_t moves; /* surface->moves when the tree was built */
+};
+
+/* Which triangle a contact of the wall is about. */
+struct ts_mesh_near {
+	int32_t mesh, triangle;
+	int32_t shift[3]; /* it is the image so many box lengths away */
+	bool done;	  /* touches in this step */
+};
+
+struct ts_mesh_wall {
+	struct ts_mesh_part_of_wall *mesh;
+	size_t nmeshes;
+	struct ts_mesh_near *near; /* of each contact */
+	size_t near_capacity;
+	struct ts_mesh_list list; /* for searches */
+};
+
+/* Numbers that a contact with a mesh remembers besides those of its law: whether there is one. */
+enum { TS_MESH_MEMORY = 1 };
+
+/* The meshes of these names; to be called in init, again before each run. */
+enum ts_status ts_mesh_wall_find(struct ts_instance *self, struct tsim *sim, struct ts_mesh_wall *mw,
+				 struct ts_words names);
+/* Between ts_wall_rebuild_start and _finish: lists particles of the group of the wall and the mesh. */
+enum ts_status ts_mesh_wall_list(struct ts_instance *self, struct tsim *sim, struct ts_wall *w,
+				 struct ts_mesh_wall *mw);
+/* All forces. */
+void ts_mesh_wall_push(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw);
+void ts_mesh_wall_release(struct ts_mesh_wall *mw);
+
+/* Mesh and triangle of the contact k, for who reads reports. */
+static inline const struct ts_mesh_near *ts_mesh_wall_near(const struct ts_mesh_wall *mw, size_t k)
+{
+	return &mw->near[k];
+}
+
+#endif

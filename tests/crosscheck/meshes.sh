@@ -1,0 +1,62 @@
+#!/bin/bash
+# Walls of triangles against LIGGGHTS 3.8, an independent program: faces, edges, corners, flat edges that
+# are slid over, conveyors, motions of meshes.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+. "$top_srcdir/tests/lib_meshes.sh"
+if ! command -v liggghts >/dev/null || [ ! -x /usr/bin/python3 ]; then
+	echo 'skipped: needs liggghts and python3 (apt-get install liggghts python3)'
+	exit 77
+fi
+decks=$top_srcdir/tests/crosscheck
+plate 8 0 >plate.stl
+cuboid 0.5 0.4 0.3 >cube.stl
+funnel 12 >funnel.stl
+echo '-0.5 -0.5 0 0.5 -0.5 0 0 0.5 0' | solid >one.stl
+
+# agrees WHAT STEPS MESHES PLACE VELOCITY [LINES OF THE SCRIPT...]
+agrees() {
+	local what=$1 steps=$2 meshes=$3 place=$4 velocity=$5
+	shift 5
+	{
+		printf '%s\n' "$@"
+		echo "fix wall all wall/gran model hertz tangential history rolling_friction epsd2 mesh" \
+			"n_meshes $(echo "$meshes" | wc -w) meshes $meshes"
+		[ -n "$place" ] && echo "create_atoms 1 single $place units box
+			set group all diameter 0.1 density 2385
+			velocity all set $velocity units box"
+	} >in.case
+	set -- -in "$decks/in.mesh" -var decks "$decks" -var steps "$steps"
+	# (without a log LIGGGHTS crashes where it reads a mesh)
+	liggghts "$@" -var program liggghts >err 2>&1
+	report "$what: LIGGGHTS" $? err
+	"$TSIM" "$@" -var program tsim -log none -screen none 2>err
+	report "$what: tsim" $? err
+	/usr/bin/python3 "$decks/compare.py" liggghts.dump tsim.dump "$steps" 1e-12 >deviation 2>&1
+	report "$what" $? deviation
+	echo "$what: $(cat deviation)"
+	rm -f ./*.dump
+}
+cad='fix cad all mesh/surface file'
+
+agrees 'over flat edges' 20000 cad '-0.31 -0.22 0.0501' '1 0.77 -0.1' "$cad plate.stl type 2"
+agrees 'over the rim' 20000 cad '0.3 0.1 0.0501' '1 0.3 -0.1' "$cad plate.stl type 2"
+agrees 'over an edge' 20000 cad '0.3 0.1 0.3501' '1 0.3 -0.1' "$cad cube.stl type 1"
+agrees 'at a corner' 10000 cad '0.52 0.41 0.375' '-0.5 -0.3 -0.1' "$cad cube.stl type 2"
+agrees 'in a box' 20000 cad '-0.3 0.1 0' '-1.1 0.9 -0.7' "$cad cube.stl type 2"
+agrees 'over a triangle' 10000 cad '0 -0.4 0.0501' '0.1 -1.5 -0.1' "$cad one.stl type 2"
+agrees 'transformed' 20000 cad '0 0 0.6' '0.5 0.3 -1' "$cad cube.stl type 2 scale 0.8 \
+	rotate axis 1 2 3 angle 33 move 0.01 0.02 0.03 scale 1.1 rotate axis 0 0 1 angle -20"
+agrees 'conveyor' 10000 cad '0 -0.2 0.0501' '0 0 0' "$cad plate.stl type 2 surface_vel 0.3 0.1 0.2"
+agrees 'turntable' 10000 cad '0 -0.2 0.0501' '0 0 0' \
+	"$cad plate.stl type 2 surface_ang_vel origin 0.1 0 0 axis 0 0.1 2 omega 3.5"
+agrees 'two meshes' 10000 'cad2 cad' '0.36 0 0.0501' '-1 0.2 0' "$cad plate.stl type 2" \
+	'fix cad2 all mesh/surface file cube.stl type 1 scale 0.5 rotate axis 0 1 0 angle 10'
+agrees 'in a pipe' 20000 cad '0.02 0.03 0.5' '2 1.7 0' "$cad funnel.stl type 2 curvature 31 curvature_tolerant yes"
+agrees 'not of the group' 3000 cad '0 -0.2 0.0501' '0 0 0' 'group nobody id 77' \
+	'fix cad nobody mesh/surface file plate.stl type 2'
+agrees 'through a funnel' 5000 cad '' '' "$cad funnel.stl type 2" 'lattice sc 0.12' \
+	'region heap block -0.25 0.25 -0.25 0.25 -0.1 0.5 units box' 'create_atoms 1 region heap' \
+	'set group all diameter 0.097 density 2385' 'set atom 5 diameter 0.073 density 2470' \
+	'velocity all set 0.3 0.2 -0.5 units box'
+finish
