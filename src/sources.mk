@@ -161,6 +161,8 @@ library_sources = \
 	src/law/energy.h \
 	src/law/granular.h \
 	src/law/granular_force.h \
+	src/law/heat.h \
+	src/law/lens.h \
 	src/law/normal.h \
 	src/law/rolling.h \
 	src/law/spring_dashpot.h \
@@ -204,6 +206,9 @@ library_sources = \
 	src/neigh/gather.h \
 	src/neigh/gran_numbers.c \
 	src/neigh/gran_numbers.h \
+	src/neigh/heat.c \
+	src/neigh/heat.h \
+	src/neigh/heat_step.c \
 	src/neigh/materials.c \
 	src/neigh/materials.h \
 	src/neigh/mesh_wall.c \
@@ -473,6 +478,8 @@ library_sources = \
 	src/styles/fix/freeze.c \
 	src/styles/fix/gravity.c \
 	src/styles/fix/halt.c \
+	src/styles/fix/heat_gran.c \
+	src/styles/fix/heat_gran_conduction.c \
 	src/styles/fix/langevin.c \
 	src/styles/fix/lineforce.c \
 	src/styles/fix/mesh_surface.c \

@@ -5,6 +5,7 @@ shell_tests = \
 	tests/crosscheck/data_files.sh \
 	tests/crosscheck/fixes.sh \
 	tests/crosscheck/granular.sh \
+	tests/crosscheck/heat.sh \
 	tests/crosscheck/lammps.sh \
 	tests/crosscheck/lammps_granular.sh \
 	tests/crosscheck/language.sh \
@@ -26,6 +27,7 @@ shell_tests = \
 	tests/decks/fixes.sh \
 	tests/decks/gran_numbers.sh \
 	tests/decks/groups.sh \
+	tests/decks/heat.sh \
 	tests/decks/info.sh \
 	tests/decks/inputs.sh \
 	tests/decks/legacy.sh \
@@ -66,6 +68,7 @@ shell_tests = \
 	tests/vtk.sh
 unit_tests = \
 	tests/accuracy/check_breakage \
+	tests/accuracy/check_heat \
 	tests/accuracy/check_invariance \
 	tests/accuracy/check_momentum \
 	tests/accuracy/check_oscillator \
@@ -107,6 +110,10 @@ tests_common = \
 tests_accuracy_check_breakage_SOURCES = tests/accuracy/check_breakage.c $(tests_common)
 tests_accuracy_check_breakage_CFLAGS = $(tests_cflags)
 tests_accuracy_check_breakage_LDADD = $(tests_ldadd)
+
+tests_accuracy_check_heat_SOURCES = tests/accuracy/check_heat.c $(tests_common)
+tests_accuracy_check_heat_CFLAGS = $(tests_cflags)
+tests_accuracy_check_heat_LDADD = $(tests_ldadd)
 
 tests_accuracy_check_invariance_SOURCES = tests/accuracy/check_invariance.c $(tests_common)
 tests_accuracy_check_invariance_CFLAGS = $(tests_cflags)

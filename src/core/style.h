@@ -136,6 +136,7 @@ struct ts_system_style {
 	const struct ts_function *functions;
 	/* Per-particle numbers by script name (x, vy, radius ...): one row per local particle. */
 	bool (*has_quantity)(const struct tsim *sim, const char *name);
+	bool (*keeps_quantity)(const struct tsim *sim, const char *name); /* for a fix */
 	enum ts_status (*quantity)(struct tsim *sim, const char *name, struct ts_table *out);
 	void (*suggest_quantity)(struct ts_suggest *suggest);
 	const struct ts_quantity *(*quantity_text)(size_t k); /* NULL: there are no more */

@@ -111,6 +111,15 @@ bool ts_quantity_has(const struct tsim *sim, const char *name)
 	return quantity_owner(sim, name) != NULL;
 }
 
+bool ts_quantity_kept(const struct tsim *sim, const char *name)
+{
+	bool kept = false;
+
+	for (const struct ts_system_style *const *s = ts_system_table; *s; s++)
+		kept |= (*s)->keeps_quantity && (*s)->keeps_quantity(sim, name);
+	return kept;
+}
+
 enum ts_status ts_quantity_eval(struct tsim *sim, const char *name, struct ts_table *out)
 {
 	const struct ts_system_style *owner = quantity_owner(sim, name);
@@ -234,6 +243,11 @@ static enum ts_status resolve_instance(struct tsim *sim, const char *name, enum 
 		return ts_fail(&sim->error, TS_SYNTAX, where,
 			       "'%s' is malformed, expected %.2sID, %.2sID[k] or %.2sID[i][j]", name,
 			       name, name, name);
+	if (kind == TS_KIND_FIX && !ts_sim_find(sim, kind, id) && ts_quantity_kept(sim, name + 2)) {
+		ref->kind = TS_REF_COLUMN;
+		ref->quantity = name + 2;
+		return TS_OK;
+	}
 	TS_TRY(ts_sim_require(sim, kind, &word, &ref->inst));
 	if (!ref->inst->style->values)
 		return ts_fail(&sim->error, TS_STATE, where, "%s %s (%s) has no output to read",
@@ -300,6 +314,8 @@ unsigned ts_ref_shapes(const struct tsim *sim, const struct ts_ref *ref)
 		return 1u << TS_SCALAR;
 	if (ref->kind == TS_REF_VARIABLE)
 		return variable_shape(sim, ref);
+	if (ref->kind == TS_REF_COLUMN)
+		return 1u << TS_PERATOM;
 	inst = ref->inst;
 	if (ref->removals != sim->removals)
 		inst = find_again(sim, ref);
@@ -407,6 +423,10 @@ enum ts_status ts_ref_scalar(struct tsim *sim, const struct ts_ref *ref,
 		return ref->keyword->eval(sim, out);
 	case TS_REF_VARIABLE:
 		return variable_scalar(sim, ref, where, out);
+	case TS_REF_COLUMN:
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "'%s' is a number of each particle; compute reduce makes one of them",
+			       ref->name);
 	case TS_REF_COMPUTE:
 	case TS_REF_FIX:
 		break;
@@ -474,6 +494,8 @@ enum ts_status ts_ref_peratom(struct tsim *sim, const struct ts_ref *ref,
 		return repeat_scalar(sim, ref, where, out);
 	if (ref->kind == TS_REF_VARIABLE)
 		return sim->host->peratom(sim->host_data, ref->variable, where, out);
+	if (now.kind == TS_REF_COLUMN)
+		return ts_quantity_eval(sim, now.quantity, out);
 	return one_column(sim, &now, where, TS_PERATOM, out);
 }
 

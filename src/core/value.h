@@ -52,7 +52,13 @@ enum ts_status ts_value_eval(struct ts_instance *inst, struct tsim *sim, const s
 enum ts_status ts_value_held(struct ts_instance *inst, struct tsim *sim, const struct ts_value *value);
 
 /* A name that stands for a number or a list of numbers. */
-enum ts_ref_kind { TS_REF_KEYWORD, TS_REF_COMPUTE, TS_REF_FIX, TS_REF_VARIABLE };
+enum ts_ref_kind {
+	TS_REF_KEYWORD,
+	TS_REF_COMPUTE,
+	TS_REF_FIX,
+	TS_REF_VARIABLE,
+	TS_REF_COLUMN /* f_NAME: what some fix keeps of each particle under that name */
+};
 struct ts_keyword;
 struct ts_ref {
 	enum ts_ref_kind kind;
@@ -60,7 +66,7 @@ struct ts_ref {
 	uint64_t removals;        /* sim->removals when it was resolved */
 	struct ts_instance *inst; /* compute or fix */
 	const struct ts_keyword *keyword;
-	const char *variable;
+	const char *variable, *quantity;
 	long index;  /* k of [k], counted from 1; 0: none given */
 	long column; /* j of [i][j]; 0: none given */
 };
@@ -96,6 +102,8 @@ const struct ts_keyword *ts_keyword_find(const struct tsim *sim, const char *nam
 /* Per-particle numbers by script name (x, vy, radius ...), from whichever system has them. */
 bool ts_quantity_has(const struct tsim *sim, const char *name);
 enum ts_status ts_quantity_eval(struct tsim *sim, const char *name, struct ts_table *out);
+/* Whether a fix keeps numbers of particles under the name NAME or NAME[k]. */
+bool ts_quantity_kept(const struct tsim *sim, const char *name);
 void ts_quantity_suggest(struct ts_suggest *suggest);
 struct ts_quantity {
 	const char *name, *unit, *help;

@@ -7,16 +7,15 @@
 #ifndef TS_LAW_COHESION_H
 #define TS_LAW_COHESION_H
 
+#include "law/lens.h"
 #include "law/normal.h"
 
 /* The circle in which two overlapping spheres cut each other, or a sphere and a plane. */
 static inline double ts_lens_area(const struct ts_touch *t)
 {
-	double r = t->distance, ri = t->radius[0], rj = t->radius[1];
-
 	if (t->wall)
-		return TS_PI * (ri * ri - r * r);
-	return -TS_PI / 4 * (r - ri - rj) * (r + ri - rj) * (r - ri + rj) * (r + ri + rj) / (r * r);
+		return ts_lens_of_plane(t->distance, t->radius[0]);
+	return ts_lens_of_spheres(t->distance, t->radius[0], t->radius[1]);
 }
 
 /* The force to be added to F_n. */

@@ -17,6 +17,7 @@
 #include <math.h>
 
 #include "law/granular.h"
+#include "law/lens.h"
 #include "law/touch.h"
 
 struct ts_normal {
@@ -25,7 +26,6 @@ struct ts_normal {
 	double limit; /* what friction is limited by */
 };
 
-#define TS_PI 3.14159265358979323846
 #define TS_SQRT_5_6 0.91287092917527685576
 
 static inline void ts_normal_hertz(const struct ts_granular_pair *c, const struct ts_touch *t,

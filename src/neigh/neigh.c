@@ -197,6 +197,13 @@ static bool excluded(const struct tsim *sim, size_t i, size_t j)
 	return nb->skip_bonded && ts_bonds_has(sim->bonds, p->tag[i], p->tag[j]);
 }
 
+ts_excluded_fn *ts_neigh_excluded(const struct tsim *sim)
+{
+	const struct ts_neigh *nb = sim->neigh;
+
+	return nb->include || nb->nexclude || nb->skip_bonded ? excluded : NULL;
+}
+
 static double largest_radius(const struct ts_particles *p)
 {
 	double most = 0;
@@ -223,8 +230,7 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 	nb->stale &= sim->resuming; /* a run that goes on rebuilds where the whole would */
 	if (!nb->wanted)
 		return TS_OK;
-	TS_TRY(ts_rows_build(sim, &nb->rows, nb->built_skin,
-			     nb->include || nb->nexclude || nb->skip_bonded ? excluded : NULL));
+	TS_TRY(ts_rows_build(sim, &nb->rows, nb->built_skin, ts_neigh_excluded(sim)));
 	if (nb->saved.n && nb->saved.width == nb->rows.history_width)
 		ts_row_history_give(&nb->saved, &nb->rows);
 	ts_row_history_release(&nb->saved);

@@ -37,6 +37,9 @@ double ts_neigh_skin(const struct tsim *sim);
 /* The molecules of particles, as `fix property/atom mol` keeps them; NULL: there are none. */
 const double *ts_neigh_molecules(const struct ts_particles *p);
 
+/* The pairs that neigh_modify exclude and special_bonds leave out; NULL: none. */
+ts_excluded_fn *ts_neigh_excluded(const struct tsim *sim);
+
 /* Pressure and counts of searches for the table of the log: neigh/pressure.c. */
 extern const struct ts_keyword ts_neigh_keywords[];
 extern const struct ts_system_style ts_neigh_system;

@@ -22,6 +22,7 @@ struct search {
 	const struct ts_particles *p;
 	const struct ts_cells *cells;
 	double skin;
+	bool both_held;
 	ts_excluded_fn *excluded;
 };
 
@@ -61,8 +62,8 @@ static void search_run(const struct search *s, const struct ts_level *level, siz
 
 		if (j == i || !owns(s, i, j) || !near(s, i, j))
 			continue;
-		if (s->p->imass[i] == 0 && s->p->imass[j] == 0)
-			continue; /* neither can move */
+		if ((s->p->imass[i] == 0 && s->p->imass[j] == 0) != s->both_held)
+			continue;
 		if (s->excluded && s->excluded(s->sim, i, j))
 			continue;
 		keep(found, i, j);
@@ -260,7 +261,7 @@ enum ts_status ts_rows_build(struct tsim *sim, struct ts_rows *rows, double skin
 			     ts_excluded_fn *excluded)
 {
 	struct ts_cells cells = { 0 };
-	struct search s = { sim, sim->particles, &cells, skin, excluded };
+	struct search s = { sim, sim->particles, &cells, skin, rows->both_held, excluded };
 	int shares = ts_team(sim, sim->particles->n);
 	struct found *found = ts_alloc((size_t)shares, sizeof *found);
 	enum ts_status status;

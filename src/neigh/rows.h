@@ -18,6 +18,7 @@
 
 struct ts_rows {
 	size_t n, capacity;
+	bool both_held;	    /* the pairs of which neither can move, instead of all others */
 	size_t particles;   /* how many there were when the rows were built */
 	int32_t *i, *j;	    /* rows of the particle columns; i local, j local or ghost */
 	int32_t *tag[2];    /* identities of i and j */
@@ -49,7 +50,7 @@ static inline int32_t ts_winding(const int32_t turns[3])
 }
 
 /* Builds rows of all pairs of particles (xhold) nearer than r_i + r_j + skin, at least one of them
- * of finite mass; carries history over from the rows before. `excluded` may be NULL. */
+ * of finite mass (or none, if both_held says so); carries history over from the rows before. `excluded` may be NULL. */
 typedef bool ts_excluded_fn(const struct tsim *sim, size_t i, size_t j);
 enum ts_status ts_rows_build(struct tsim *sim, struct ts_rows *rows, double skin,
 			     ts_excluded_fn *excluded);

@@ -191,6 +191,7 @@ const struct ts_system_style ts_particles_system = {
 	.slot = offsetof(struct tsim, particles),
 	.functions = ts_group_functions,
 	.has_property = ts_property_given,
+	.keeps_quantity = ts_particles_keeps_quantity,
 	.has_quantity = ts_particles_has_quantity,
 	.quantity = ts_particles_quantity,
 	.suggest_quantity = ts_particles_suggest_quantity,

@@ -143,6 +143,7 @@ void ts_particles_inverse_mass(struct ts_particles *p);
  * one value for each local particle. */
 enum ts_status ts_particles_quantity(struct tsim *sim, const char *name, struct ts_table *out);
 bool ts_particles_has_quantity(const struct tsim *sim, const char *name);
+bool ts_particles_keeps_quantity(const struct tsim *sim, const char *name);
 void ts_particles_suggest_quantity(struct ts_suggest *suggest);
 
 /* A column that a style keeps under the name, NAME or NAME[k]; *k counted from 0. NULL: none. */

@@ -168,7 +168,7 @@ const struct ts_column *ts_particles_named_column(const struct ts_particles *p, 
 		if (digits < 2 || digits > sizeof index || !ts_streq(name + n + digits, "]"))
 			return NULL;
 		memcpy(index, name + n + 1, digits - 1);
-		if (!ts_parse_int(index, &column) || column < 1)
+		if (!ts_parse_int(index, &column) || column < 0)
 			return NULL;
 	}
 	for (size_t j = TS_NCOLUMN_BUILTIN; j < p->ncolumns; j++) {
@@ -177,7 +177,7 @@ const struct ts_column *ts_particles_named_column(const struct ts_particles *p, 
 		if (!(c->flags & TS_COL_NAMED) || strlen(c->name) != n ||
 		    strncmp(c->name, name, n) != 0)
 			continue;
-		if (!name[n])
+		if (!name[n] || !column) /* LIGGGHTS: [0] is the number where there is one */
 			return c->width == 1 ? c : NULL;
 		*k = (size_t)column - 1;
 		return *k < c->width ? c : NULL;
@@ -190,6 +190,13 @@ bool ts_particles_has_quantity(const struct tsim *sim, const char *name)
 	size_t k;
 
 	return find(name) || ts_particles_named_column(sim->particles, name, &k);
+}
+
+bool ts_particles_keeps_quantity(const struct tsim *sim, const char *name)
+{
+	size_t k;
+
+	return !find(name) && ts_particles_named_column(sim->particles, name, &k);
 }
 
 void ts_particles_suggest_quantity(struct ts_suggest *suggest)

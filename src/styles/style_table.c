@@ -165,6 +165,8 @@ TS_STYLE(fix, ts_style, ts_fix_evaporate)
 TS_STYLE(fix, ts_style, ts_fix_freeze)
 TS_STYLE(fix, ts_style, ts_fix_gravity)
 TS_STYLE(fix, ts_style, ts_fix_halt)
+TS_STYLE(fix, ts_style, ts_fix_heat_gran)
+TS_STYLE(fix, ts_style, ts_fix_heat_gran_conduction)
 TS_STYLE(fix, ts_style, ts_fix_langevin)
 TS_STYLE(fix, ts_style, ts_fix_lineforce)
 TS_STYLE(fix, ts_style, ts_fix_mesh_surface)
@@ -366,6 +368,8 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_freeze,
 	&ts_fix_gravity,
 	&ts_fix_halt,
+	&ts_fix_heat_gran,
+	&ts_fix_heat_gran_conduction,
 	&ts_fix_langevin,
 	&ts_fix_lineforce,
 	&ts_fix_mesh_surface,

@@ -1,0 +1,114 @@
+/* Temperatures of particles and the heat that touching particles and walls conduct: what the names of
+ * fix heat/gran share, and what walls need of it. The law is in law/heat.h. */
+#ifndef TS_NEIGH_HEAT_H
+#define TS_NEIGH_HEAT_H
+
+#include "core/sim.h"
+#include "law/heat.h"
+#include "neigh/rows.h"
+#include "particles/particles.h"
+
+/* Conductances of a list of pairs. */
+struct ts_heat_pairs {
+	const struct ts_rows *rows;
+	double *conductance; /* h of each row; 0 where it does not touch */
+	size_t capacity;
+};
+
+enum ts_heat_scheme { TS_HEAT_EULER, TS_HEAT_EXACT };
+
+#define TS_FAMILY_HEAT "heat"
+
+/* The state of a fix of that family. */
+struct ts_heat {
+	double initial;
+	struct ts_words area_words;
+	bool correction, store;
+	int scheme; /* enum ts_heat_scheme */
+
+	struct ts_heat_contact contact;
+	bool ready; /* the columns exist */
+	/* columns: temperature, heat per time into the particle by conduction, by its source, as a vector */
+	size_t temperature, flux, source, directed;
+	size_t contacts, area, wall_flux; /* with store_contact_data */
+	size_t wall_conductance;	  /* sum of h over the walls that it touches */
+	size_t rate;			  /* a stage of scheme exact */
+
+	int ntypes;
+	double *conductivity, *capacity; /* by type */
+	double *pair;			 /* 4 k_i k_j / (k_i + k_j), by pair of types */
+	double *softening;		 /* of the overlap, by pair of types; NULL: 1 */
+
+	struct ts_rows held; /* pairs of which neither moves: they have no contact row */
+	struct ts_heat_pairs pairs[2];
+	double *work; /* of scheme exact: two numbers a particle */
+	size_t work_capacity;
+	bool examine;	/* the contacts are new: is the step below the limit? */
+	bool warned;
+	double bound;	/* temperatures beyond it are looked at twice */
+	struct tsim *sim; /* evaluation may fail */
+};
+
+/* `overlap`, `constant A` or `projection`; also a word of walls. */
+enum ts_status ts_heat_read_area(struct tsim *sim, const char *who, struct ts_words words,
+				 struct ts_heat_contact *out);
+
+#define TS_HEAT_AREA_ARG(T, f)                                                                     \
+	TS_SOME_KEYWORD("contact_area", T, f, 0,                                                   \
+			.help = "overlap (where the surfaces cut, the default), constant A, or "  \
+				"projection (of the larger sphere)")
+
+/* The live fix heat/gran; NULL: there is none. */
+struct ts_heat *ts_heat_of(const struct tsim *sim);
+enum ts_status ts_heat_conductivity(struct tsim *sim, int type, const char *who,
+				    const struct ts_place *where, double *out);
+/* Particle i touches a wall of this temperature: h from the law. In stage POST_FORCE. */
+void ts_heat_from_wall(const struct ts_heat *heat, struct tsim *sim, size_t i, double conductance,
+		       double temperature);
+
+extern const char *const ts_heat_schemes[];
+#define TS_HEAT_ARGS                                                                               \
+	TS_REAL("initial_temperature", struct ts_heat, initial, .unit = "temperature",             \
+		.help = "of particles that have none yet"),                                        \
+		TS_HEAT_AREA_ARG(struct ts_heat, area_words),                                      \
+		TS_BOOL("area_correction", struct ts_heat, correction, .fallback = "no",           \
+			.help = "overlaps as they would be with youngsModulusOriginal"),           \
+		TS_BOOL("store_contact_data", struct ts_heat, store, .fallback = "no",             \
+			.help = "columns nContactsConduction, contactAreaConduction and "          \
+				"wallHeatFlux"),                                                   \
+		TS_ENUM("scheme", struct ts_heat, scheme, ts_heat_schemes, .fallback = "euler",    \
+			.help = "euler as LIGGGHTS, or exact over each step"),                     \
+		TS_ARGS_END
+
+/* Slots of struct ts_style. */
+extern const struct ts_value ts_heat_values[];
+enum ts_status ts_heat_init(struct ts_instance *self, struct tsim *sim);
+enum ts_status ts_heat_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a);
+enum ts_status ts_heat_plan(struct ts_instance *self, struct tsim *sim,
+			    struct ts_plan_report *report);
+void ts_heat_fini(struct ts_instance *self);
+/* Stages. */
+enum ts_status ts_heat_built(struct ts_instance *self, struct tsim *sim);
+enum ts_status ts_heat_clear(struct ts_instance *self, struct tsim *sim);
+enum ts_status ts_heat_conduct(struct ts_instance *self, struct tsim *sim);
+enum ts_status ts_heat_start(struct ts_instance *self, struct tsim *sim);
+enum ts_status ts_heat_advance(struct ts_instance *self, struct tsim *sim);
+
+#define TS_HEAT_HOOKS                                                                              \
+	{                                                                                          \
+		[TS_STAGE_POST_BUILD] = ts_heat_built, [TS_STAGE_PRE_FORCE] = ts_heat_clear,       \
+		[TS_STAGE_POST_FORCE] = ts_heat_conduct,                                           \
+		[TS_STAGE_FINAL_INTEGRATE] = ts_heat_advance, [TS_STAGE_SETUP] = ts_heat_start     \
+	}
+
+/* Inside: a column; the conductances of all contacts as particles lie now; of particle i the sum of
+ * h (value_j - value_i) over its contacts, and of h, walls included. */
+static inline double *ts_heat_column(const struct tsim *sim, size_t column)
+{
+	return sim->particles->column[column].data;
+}
+void ts_heat_find(const struct ts_instance *self, struct tsim *sim);
+double ts_heat_sum(const struct ts_heat *heat, size_t i, const double *value);
+double ts_heat_conductances(const struct ts_heat *heat, const struct tsim *sim, size_t i);
+
+#endif

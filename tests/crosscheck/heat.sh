@@ -1,0 +1,52 @@
+#!/bin/bash
+# Conduction of heat by LIGGGHTS 3.8, an independent program: a chain, a plane and a cube of spheres that stand
+# still, then spheres that push each other apart; each area of contact; walls.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+if ! command -v liggghts >/dev/null || [ ! -x /usr/bin/python3 ]; then
+	echo 'skipped: needs liggghts and python3 (apt-get install liggghts python3)'
+	exit 77
+fi
+
+columns='id type x f_Temp f_heatFlux[0] f_heatSource[0] f_directionalHeatFlux[1] f_directionalHeatFlux[2]'
+# agrees WHAT X Y Z STEP WARMS MODEL WORDS LINES...: the last ones more lines of the script
+agrees() {
+	local what=$1 x=$2 y=$3 z=$4 h=$5 warms=$6 model=$7 words=$8
+	shift 8
+	printf '%s\n' "$@" >in.more
+	set -- -in "$top_srcdir/tests/crosscheck/in.heat" -log none -screen none -var x "$x" -var y "$y" \
+		-var z "$z" -var h "$h" -var warms "$warms" -var model "$model" -var words "$words"
+	{
+		echo "dump d all custom 40 liggghts.dump $columns"
+		echo 'dump_modify d sort id format "%d %d %.17g %.17g %.17g %.17g %.17g %.17g"'
+	} >in.dump
+	liggghts "$@" >err 2>&1
+	report "$what: LIGGGHTS" $? err
+	{
+		echo "dump d all custom 40 tsim.dump $columns"
+		echo 'dump_modify d sort id format float %.17g'
+	} >in.dump
+	"$TSIM" "$@" 2>err
+	report "$what: tsim" $? err
+	sed -i '/BOX BOUNDS/,+3d' liggghts.dump tsim.dump # of other precision
+	/usr/bin/python3 "$top_srcdir/tests/crosscheck/columns.py" liggghts.dump tsim.dump 1e-12 >deviation 2>&1
+	report "$what" $? deviation
+	echo "$what: $(cat deviation)"
+	rm -f ./*.dump
+}
+line=0.0001
+plane=0.0037
+
+agrees chain $plane $line $line 1e-3 all hertz 'contact_area overlap'
+agrees 'plane, hot one held' $plane $plane $line 1e-3 cold hertz 'contact_area overlap'
+agrees 'cube, hot one held' $plane $plane $plane 1e-3 cold hertz 'contact_area overlap'
+agrees constant $plane $plane $line 1e-3 all hertz 'contact_area constant 1.3e-7'
+agrees projection $plane $plane $line 1e-3 all hertz 'contact_area projection'
+for model in hertz hooke; do
+	agrees "$model, area corrected" $plane $plane $line 1e-3 all $model 'area_correction yes'
+done
+agrees 'moving spheres' $plane $plane $plane 1e-6 all hertz 'contact_area overlap' \
+	'fix move all nve/sphere' 'velocity hot set 1.3 0.7 -0.3'
+agrees 'frozen spheres' $plane $line $line 1e-3 all hertz 'contact_area overlap' \
+	'fix hold cold freeze'
+finish

@@ -1,0 +1,259 @@
+#!/bin/bash
+# Heat between particles: closed forms of one step, names of the numbers, cuts by restart files, threads,
+# warnings, and what is refused.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+
+# Two spheres, h = 4 k k'/(k + k') sqrt(A).
+cat >in.material <<'END'
+fix k all property/global thermalConductivity peratomtype 43 17
+fix c all property/global thermalCapacity peratomtype 490 800
+END
+cat >in.two <<'END'
+units si
+region box block -1 1 -1 1 -1 1 units box
+create_box 2 box
+neighbor 0.01 bin
+create_atoms 1 single 0 0 0 units box
+create_atoms 2 single 0.19 0.03 0 units box
+set type 1 diameter 0.2 density 2470
+set type 2 diameter 0.23 density 1830
+include in.material
+timestep 0.01
+variable m1 equal 2470*PI*0.2^3/6
+variable m2 equal 1830*PI*0.23^3/6
+variable r equal sqrt(0.19^2+0.03^2)
+variable lens equal -PI/4*(v_r-0.215)*(v_r-0.015)*(v_r+0.015)*(v_r+0.215)/v_r^2
+variable kk equal 4*43*17/60
+END
+cat >in.measure <<'END'
+compute T all reduce max f_Temp
+compute t all reduce min f_Temp[0]
+END
+
+# area WORDS FORMULA
+area() {
+	agree "contact_area $1" "include in.two
+fix heat all heat/gran initial_temperature 273.15 contact_area $1
+include in.measure
+set atom 1 property/atom Temp 773.15
+set atom 2 property/atom heatSource 11.3
+run 1
+variable q equal v_kk*sqrt($2)*500
+print \"is T \$(c_T:%.17g) \$(773.15-0.01*v_q/v_m1/490:%.17g)\"
+print \"is t \$(c_t:%.17g) \$(273.15+0.01*(v_q+11.3)/v_m2/800:%.17g)\"
+print \"is heat \$(f_heat/1e5:%.17g) \$((v_m1*490*773.15+v_m2*800*273.15+0.01*11.3)/1e5:%.17g)\"
+compute q all reduce sum f_heatFlux f_directionalHeatFlux[1] f_directionalHeatFlux[2] f_heatSource
+print \"is q[1] \$(c_q[1]:%.17g) 0\"
+print \"is q[2] \$(c_q[2]:%.17g) \$(v_q*0.19:%.17g)\"
+print \"is q[3] \$(c_q[3]:%.17g) \$(v_q*0.03:%.17g)\"
+print \"is q[4] \$(c_q[4]:%.17g) 11.3\""
+}
+area overlap v_lens
+area 'constant 0.02385' 0.02385
+area projection 'PI*0.115^2'
+agree 'one inside the other' 'include in.two
+set atom 2 x 0.05 y 0 diameter 0.11
+fix heat all heat/gran initial_temperature 273.15
+include in.measure
+set atom 1 property/atom Temp 773.15
+run 1
+compute q all reduce max f_heatFlux
+print "is q $(c_q:%.17g) $(v_kk*sqrt(PI*0.055^2)*500:%.17g)"'
+agree 'area_correction: a linear spring where there is no pair style' 'include in.two
+fix y all property/global youngsModulus peratomtype 1e7 2e7
+fix y0 all property/global youngsModulusOriginal peratomtype 1e9 1e9
+fix nu all property/global poissonsRatio peratomtype 0.3 0.2
+fix heat all heat/gran initial_temperature 273.15 area_correction yes
+include in.measure
+set atom 1 property/atom Temp 773.15
+variable y equal 1/(0.91/1e7+0.96/2e7)*(0.91+0.96)/1e9
+variable r equal 0.215-v_y*(0.215-sqrt(0.19^2+0.03^2))
+run 1
+compute q all reduce max f_heatFlux
+print "is q $(c_q/1e3:%.17g) $(v_kk*sqrt(v_lens)/2:%.17g)"'
+agree 'data of contacts; particles outside the group keep their temperature' 'include in.two
+group first id 1
+create_atoms 1 single -0.5 0 0 units box
+set atom 3 diameter 0.1 density 1000
+fix heat first heat/gran/conduction initial_temperature 300 store_contact_data yes
+include in.measure
+set atom 1 property/atom Temp 400
+run 3
+compute s all reduce sum f_nContactsConduction f_contactAreaConduction f_wallHeatFlux
+print "is s[1] $(c_s[1]) 2"
+print "is s[2] $(c_s[2]:%.17g) $(2*v_lens:%.17g)"
+print "is s[3] $(c_s[3]) 0"
+print "is t $(c_t) 300"
+print "is T $(c_T<400) 1"'
+agree 'frozen spheres conduct, late ones start with the initial temperature' 'include in.two
+fix hold all freeze
+fix heat all heat/gran initial_temperature 300
+include in.measure
+set atom 1 property/atom Temp 400
+run 1
+create_atoms 1 single -0.5 0 0 units box
+print "is T $(c_T<400) 1"
+print "is t $(c_t) 300"'
+agree 'the temperature of the user comes first' 'include in.two
+fix mine all property/atom Temp scalar yes yes no 333
+fix heat all heat/gran initial_temperature 300
+include in.measure
+print "is T $(c_T) 333"
+print "is t $(c_t) 333"'
+
+# periodic SCHEME FORMULA: of the hot one's part of the difference
+periodic() {
+	agree "across a periodic face, $1" "units si
+boundary p p p
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+create_atoms 1 single 0.05 0.5 0.5 units box
+create_atoms 1 single 0.87 0.5 0.5 units box
+set type 1 diameter 0.2 density 2470
+include in.material
+fix heat all heat/gran initial_temperature 300 scheme $1
+include in.measure
+set atom 1 property/atom Temp 400
+compute q all reduce sum f_directionalHeatFlux[1]
+timestep 1
+run 1
+variable h equal 86*sqrt(PI*(0.1^2-0.09^2))
+variable m equal 2470*PI*0.2^3/6
+print \"is q \$(c_q:%.17g) \$(-v_h*100*0.18:%.17g)\"
+print \"is T \$(c_T:%.17g) \$($2:%.17g)\""
+}
+periodic euler '400-100*v_h/v_m/490'
+periodic exact '350+50*exp(-2*v_h/v_m/490)'
+
+# sum of heats mean, difference d: dd/dt = S/(m c) - (h/c*) d
+agree 'exact: a source' 'include in.two
+fix heat all heat/gran initial_temperature 300 scheme exact
+include in.measure
+set atom 1 property/atom heatSource 2385
+timestep 1000
+run 2
+variable c1 equal v_m1*490
+variable c2 equal v_m2*800
+variable rate equal v_kk*sqrt(v_lens)*(1/v_c1+1/v_c2)
+variable d equal 2385/v_c1/v_rate*(1-exp(-v_rate*2000))
+variable mean equal 300+2385*2000/(v_c1+v_c2)
+print "is T $(c_T:%.17g) $(v_mean+v_d*v_c2/(v_c1+v_c2):%.17g)"
+print "is t $(c_t:%.17g) $(v_mean-v_d*v_c1/(v_c1+v_c2):%.17g)"'
+
+# the limit: a warning beyond it before the run or when contacts form, the end where temperatures grow
+# without bound
+cat >in.limit <<'END'
+include in.two
+variable limit equal v_m1*490/(v_kk*sqrt(v_lens))
+fix heat all heat/gran initial_temperature 300
+set atom 1 property/atom Temp 400
+timestep $(v_factor*v_limit)
+END
+prints 'variable factor equal 1.01
+include in.limit
+run 2' 'larger than' 'the limit of explicit conduction of heat, m c / sum h'
+prints 'variable factor equal 1.01
+include in.limit
+neighbor 1e-5 bin
+set atom 2 x 0.216 y 0 vx $(-0.001/dt)
+fix move all nve
+run 30' 'the time step' 'the limit of explicit conduction of heat (m c / sum h)'
+echo 'variable factor equal 2.1
+include in.limit
+run 5000' >in.script
+refused 'beyond twice the limit' 'use a smaller one, a smaller thermalConductivity or `scheme exact`' \
+	-in in.script
+echo 'variable factor equal 0.99
+include in.limit
+run 5' >in.script
+"$TSIM" -in in.script -log none >out 2>&1 && ! grep -q larger out
+report 'no warning below the limit' $? out
+
+rejects 'include in.two
+fix heat all heat/gran initial_temperature 300 contact_area lens' "contact_area is 'lens', expected overlap"
+rejects 'include in.two
+fix heat all heat/gran initial_temperature 300 contact_area constant' 'constant takes one number'
+rejects 'include in.two
+fix heat all heat/gran initial_temperature 300 contact_area constant -1' 'expected an area > 0'
+rejects 'include in.two
+fix heat all heat/gran initial_temperature 300 contact_area projection area_correction yes' \
+	'area_correction is for contact_area overlap'
+rejects 'include in.two
+fix heat all heat/gran initial_temperature 300
+fix again all heat/gran initial_temperature 300' 'particles have one temperature'
+rejects 'include in.two
+unfix k
+fix heat all heat/gran initial_temperature 300
+run 1' 'fix heat/gran needs `fix ID all property/global thermalConductivity'
+rejects 'include in.two
+fix c all property/global thermalCapacity peratomtype 490 0
+fix heat all heat/gran initial_temperature 300
+run 1' 'thermalCapacity must be > 0'
+rejects 'include in.two
+fix k all property/global thermalConductivity peratomtype 490 -1
+fix heat all heat/gran initial_temperature 300
+run 1' 'thermalConductivity must be >= 0'
+rejects 'include in.two
+fix heat all heat/gran initial_temperature 300
+print "$(f_Temp)"' 'is a number of each particle'
+
+# cut by a restart file, and threads
+cat >in.grains <<'END'
+units si
+boundary p p p
+newton off
+communicate single vel yes
+region box block 0 1 0 1.2 0 0.9 units box
+create_box 2 box
+create_atoms 1 random 200 86028157 NULL overlap 0.08
+create_atoms 2 random 200 49979687 NULL overlap 0.08
+set type 1 diameter 0.1365 density 2470
+set type 2 diameter 0.1285 density 1830
+velocity all create 1e21 67867967
+END
+cat >in.rest <<'END'
+include in.material
+fix k all property/global thermalConductivity peratomtype 43000 17000
+pair_style spring/dashpot
+pair_coeff * * stiffness 20000 restitution 0.7
+group held id 3 7 9
+group free subtract all held
+fix n free nve/sphere
+fix hold held freeze
+fix heat free heat/gran initial_temperature 300 scheme ${scheme} store_contact_data yes
+timestep 1e-5
+package omp ${threads} grain 20
+dump d all custom 10 ${out}.dump id x f_Temp f_heatFlux f_directionalHeatFlux[2] nContactsConduction
+dump_modify d sort id format float %.17g append yes
+END
+cat >in.heat <<'END'
+set type 1 property/atom Temp 400
+set atom 5 property/atom heatSource 2.385
+END
+# scripted NAME SCHEME THREADS OUT LINES...
+scripted() {
+	local name=$1 scheme=$2 threads=$3 out=$4
+	shift 4
+	printf '%s\n' "$@" >in.script
+	"$TSIM" -in in.script -log none -var scheme "$scheme" -var threads "$threads" -var out "$out" \
+		>out 2>&1
+	report "$scheme, $name" $? out
+}
+for scheme in euler exact; do
+	rm -f ./*.dump
+	for threads in 1 2; do
+		scripted "$threads threads" $scheme $threads whole$threads 'include in.grains' \
+			'include in.rest' 'include in.heat' 'run 60' 'write_restart ${out}.restart'
+	done
+	scripted 'first part' $scheme 1 parts 'include in.grains' 'include in.rest' 'include in.heat' \
+		'run 23' 'write_restart cut.restart'
+	scripted 'second part' $scheme 1 parts 'read_restart cut.restart' 'include in.rest' 'run 37' \
+		'write_restart ${out}.restart'
+	same "$scheme: dump, cut" whole1.dump parts.dump
+	same "$scheme: state, cut" whole1.restart parts.restart
+	same "$scheme: dump, threads" whole1.dump whole2.dump
+	awk '$3 > 300 && $3 < 400 { n++ } END { exit n < 100 }' whole1.dump
+	report "$scheme: heat has spread" $?
+done
+finish
