@@ -55,7 +55,7 @@ enum ts_status ts_heat_read_area(struct tsim *sim, const char *who, struct ts_wo
 
 /* ---- columns ---- */
 
-/* A fix property/atom of the user's that keeps this name: the first values are there. */
+/* A fix property/atom of the user's keeps this name: it says what particles start with. */
 static bool is_users(const struct tsim *sim, const char *name)
 {
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
@@ -67,18 +67,21 @@ static bool is_users(const struct tsim *sim, const char *name)
 	return false;
 }
 
+/* Values that are there stay: of an earlier fix heat/gran. */
 static enum ts_status add_column(struct tsim *sim, const char *name, size_t width, unsigned flags,
 				 double initial, size_t *column)
 {
 	struct ts_particles *p = sim->particles;
 	double first[3] = { initial, initial, initial };
+	size_t known = p->ncolumns;
 
 	TS_TRY(ts_particles_add_column(sim, name, width, flags, column));
 	p->column[*column].flags |= flags;
 	if (is_users(sim, name))
 		return TS_OK;
 	TS_TRY(ts_particles_column_initial(sim, *column, first));
-	ts_particles_fill_initial(&p->column[*column], 0, p->n);
+	if (*column == known)
+		ts_particles_fill_initial(&p->column[*column], 0, p->n);
 	return TS_OK;
 }
 

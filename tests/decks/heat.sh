@@ -101,6 +101,18 @@ fix heat all heat/gran initial_temperature 300
 include in.measure
 print "is T $(c_T) 333"
 print "is t $(c_t) 333"'
+agree 'the temperatures of an earlier fix stay' 'include in.two
+fix heat all heat/gran initial_temperature 300
+set atom 1 property/atom Temp 400
+unfix heat
+fix heat all heat/gran initial_temperature 350
+include in.measure
+print "is T $(c_T) 400"
+print "is t $(c_t) 300"
+create_atoms 1 single -0.5 0 0 units box
+variable late atom "(id==3)*f_Temp"
+compute late all reduce max v_late
+print "is late $(c_late) 350"'
 
 # periodic SCHEME FORMULA: of the hot one's part of the difference
 periodic() {
