@@ -69,7 +69,8 @@ syn keyword tsimKeyword  overwrite title1 title2 title3 auto upper lower auto/up
 syn keyword tsimKeyword  auto/lower full prefactor scalar kind global beyond end extra
 syn keyword tsimKeyword  final delta erate trate volume wiggle xy xz yz v flip axes xyz
 syn keyword tsimKeyword  scheme explicit exact wob spring body clearance chute spherical
-syn keyword tsimKeyword  hard soft continue message path precision curvature
+syn keyword tsimKeyword  hard soft continue message path initial_temperature contact_area
+syn keyword tsimKeyword  area_correction store_contact_data euler precision curvature
 syn keyword tsimKeyword  curvature_tolerant heal auto_remove_duplicates verbose surface_vel
 syn keyword tsimKeyword  surface_ang_vel rescale transrot inertia by_dimension sphere disc
 syn keyword tsimKeyword  title ghost writedata peratomtype peratomtypepair matrix tether
@@ -110,9 +111,10 @@ syn keyword tsim_fix contained adapt addforce ave/atom ave/chunk ave/correlate a
 syn keyword tsim_fix contained ave/histo/weight ave/spatial ave/time aveforce
 syn match tsim_fix /\<balance\>/ contained
 syn keyword tsim_fix contained bond/breakage controller deform drag drag/stokes drill/bit
-syn keyword tsim_fix contained enforce2d evaporate freeze gravity halt langevin lineforce
-syn keyword tsim_fix contained mesh/surface momentum move nve nve/euler nve/limit nve/noforce
-syn keyword tsim_fix contained nve/sphere nve/symplectic planeforce
+syn keyword tsim_fix contained enforce2d evaporate freeze gravity halt heat/gran
+syn keyword tsim_fix contained heat/gran/conduction langevin lineforce mesh/surface momentum move
+syn keyword tsim_fix contained nve nve/euler nve/limit nve/noforce nve/sphere nve/symplectic
+syn keyword tsim_fix contained planeforce
 syn match tsim_fix /\<print\>/ contained
 syn keyword tsim_fix contained property/atom property/global recenter setforce spring spring/self
 syn keyword tsim_fix contained store/force store/state vector viscous viscous/sphere wall/gran
