@@ -104,6 +104,8 @@ library_sources = \
 	src/geom/pointhash.h \
 	src/geom/primitive.c \
 	src/geom/primitive.h \
+	src/geom/spherehash.c \
+	src/geom/spherehash.h \
 	src/geom/triangles.c \
 	src/geom/triangles.h \
 	src/io/average_file.c \
@@ -182,8 +184,12 @@ library_sources = \
 	src/math/fit.h \
 	src/math/gsl.c \
 	src/math/gsl.h \
+	src/math/minstd.c \
+	src/math/minstd.h \
 	src/math/rng.c \
 	src/math/rng.h \
+	src/math/spread.c \
+	src/math/spread.h \
 	src/math/symmetric3.c \
 	src/math/symmetric3.h \
 	src/math/tally.c \
@@ -246,6 +252,8 @@ library_sources = \
 	src/particles/columns.c \
 	src/particles/comm.c \
 	src/particles/comm.h \
+	src/particles/distribution.c \
+	src/particles/distribution.h \
 	src/particles/domain.c \
 	src/particles/domain.h \
 	src/particles/draw.c \
@@ -262,6 +270,10 @@ library_sources = \
 	src/particles/group_spin.h \
 	src/particles/identity.c \
 	src/particles/identity.h \
+	src/particles/insertion.c \
+	src/particles/insertion.h \
+	src/particles/insertion_region.c \
+	src/particles/insertion_region.h \
 	src/particles/integrate.c \
 	src/particles/integrate.h \
 	src/particles/lattice.c \
@@ -289,6 +301,8 @@ library_sources = \
 	src/particles/tally.h \
 	src/particles/temperature.c \
 	src/particles/temperature.h \
+	src/particles/template.c \
+	src/particles/template.h \
 	src/particles/type_factors.c \
 	src/particles/type_factors.h \
 	src/script/check.c \
@@ -480,6 +494,7 @@ library_sources = \
 	src/styles/fix/halt.c \
 	src/styles/fix/heat_gran.c \
 	src/styles/fix/heat_gran_conduction.c \
+	src/styles/fix/insert_pack.c \
 	src/styles/fix/langevin.c \
 	src/styles/fix/lineforce.c \
 	src/styles/fix/mesh_surface.c \
@@ -491,6 +506,10 @@ library_sources = \
 	src/styles/fix/nve_noforce.c \
 	src/styles/fix/nve_sphere.c \
 	src/styles/fix/nve_symplectic.c \
+	src/styles/fix/particledistribution_discrete.c \
+	src/styles/fix/particledistribution_discrete_massbased.c \
+	src/styles/fix/particledistribution_discrete_numberbased.c \
+	src/styles/fix/particletemplate_sphere.c \
 	src/styles/fix/planeforce.c \
 	src/styles/fix/print.c \
 	src/styles/fix/property_atom.c \

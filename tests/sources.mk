@@ -6,6 +6,7 @@ shell_tests = \
 	tests/crosscheck/fixes.sh \
 	tests/crosscheck/granular.sh \
 	tests/crosscheck/heat.sh \
+	tests/crosscheck/insertion.sh \
 	tests/crosscheck/lammps.sh \
 	tests/crosscheck/lammps_granular.sh \
 	tests/crosscheck/language.sh \
@@ -30,6 +31,7 @@ shell_tests = \
 	tests/decks/heat.sh \
 	tests/decks/info.sh \
 	tests/decks/inputs.sh \
+	tests/decks/insertion.sh \
 	tests/decks/legacy.sh \
 	tests/decks/mistakes.sh \
 	tests/decks/neigh_words.sh \
@@ -79,6 +81,7 @@ unit_tests = \
 	tests/check_crosscheck \
 	tests/check_formulas \
 	tests/check_geom \
+	tests/check_insertion \
 	tests/check_io \
 	tests/check_law \
 	tests/check_library \
@@ -154,6 +157,10 @@ tests_check_formulas_LDADD = $(tests_ldadd)
 tests_check_geom_SOURCES = tests/check_geom.c $(tests_common)
 tests_check_geom_CFLAGS = $(tests_cflags)
 tests_check_geom_LDADD = $(tests_ldadd)
+
+tests_check_insertion_SOURCES = tests/check_insertion.c $(tests_common)
+tests_check_insertion_CFLAGS = $(tests_cflags)
+tests_check_insertion_LDADD = $(tests_ldadd)
 
 tests_check_io_SOURCES = tests/check_io.c $(tests_common)
 tests_check_io_CFLAGS = $(tests_cflags)

@@ -37,7 +37,7 @@ static enum ts_status step(struct trial *t)
 	sim->clock.step++;
 	TS_TRY(ts_plan_stages(t->plan, sim, TS_STAGE_INITIAL_INTEGRATE, TS_STAGE_CHECK));
 	if (sim->rebuild)
-		TS_TRY(ts_plan_stages(t->plan, sim, TS_STAGE_EXCHANGE, TS_STAGE_POST_BUILD));
+		TS_TRY(ts_plan_stages(t->plan, sim, TS_STAGE_PRE_EXCHANGE, TS_STAGE_POST_BUILD));
 	else
 		TS_TRY(ts_plan_stage(t->plan, sim, TS_STAGE_FORWARD));
 	sim->rebuild = false;

@@ -34,13 +34,15 @@ enum ts_kind { TS_KIND_LIST(TS_KIND_ENUM) TS_NKIND };
 #undef TS_KIND_ENUM
 const char *ts_kind_name(enum ts_kind kind);
 
-/* The stages of a run, in order. SETUP comes once, after the first forces. Of a step, EXCHANGE, BUILD
- * and POST_BUILD are done when sim->rebuild is set (CHECK decides), else FORWARD. Within a stage
+/* The stages of a run, in order. SETUP comes once, after the first forces. Of a step, PRE_EXCHANGE to
+ * POST_BUILD are done when sim->rebuild is set (CHECK decides), else FORWARD. Particles are made in
+ * PRE_EXCHANGE, which a set-up does not have. Within a stage
  * systems act first, then pair, bond, flow, fixes in script order, computes, dumps. */
 #define TS_STAGE_LIST(X)                                                                           \
 	X(INITIAL_INTEGRATE)                                                                       \
 	X(POST_INTEGRATE)                                                                          \
 	X(CHECK)                                                                                   \
+	X(PRE_EXCHANGE)                                                                            \
 	X(EXCHANGE)                                                                                \
 	X(BUILD)                                                                                   \
 	X(POST_BUILD)                                                                              \

@@ -46,6 +46,22 @@ static inline bool ts_box_wrap(const struct ts_box *box, int dim, double *x, int
 	return true;
 }
 
+/* The k-th (0..26) image of x across periodic faces, itself for k = 13; false if there is none within
+ * reach of the box. */
+static inline bool ts_box_image(const struct ts_box *box, const double x[3], int k, double reach,
+				double image[3])
+{
+	const int shift[3] = { k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1 };
+
+	for (int d = 0; d < 3; d++) {
+		image[d] = x[d] + shift[d] * ts_box_length(box, d);
+		if (shift[d] && (!ts_box_periodic(box, d) || image[d] <= box->lo[d] - reach ||
+				 image[d] >= box->hi[d] + reach))
+			return false;
+	}
+	return true;
+}
+
 /* Turns the difference of two positions into the one to the nearest periodic image. */
 static inline void ts_box_nearest(const struct ts_box *box, double d[3])
 {

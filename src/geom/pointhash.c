@@ -77,20 +77,76 @@ enum ts_status ts_pointhash_add(struct ts_pointhash *hash, const double x[3])
 	return TS_OK;
 }
 
-int32_t ts_pointhash_find(const struct ts_pointhash *hash, const double x[3], double distance)
+/* More cells than points: better look at all points. */
+static int32_t visit_all(const struct ts_pointhash *hash, ts_pointhash_fn *visit, void *context)
 {
-	int64_t home[3];
+	for (size_t k = 0; k < hash->n; k++)
+		if (visit(context, k))
+			return (int32_t)k;
+	return -1;
+}
 
+/* Whether no point of the cell lies within reach of x; false too where cells cannot be told apart. */
+static bool too_far(const struct ts_pointhash *hash, const double x[3], const int64_t cell[3],
+		    double reach)
+{
+	double gap2 = 0;
+
+	for (int d = 0; d < 3; d++) {
+		double lo = (double)cell[d] * hash->cell, hi = lo + hash->cell;
+		double gap = fmax(0, fmax(lo - x[d], x[d] - hi));
+
+		if (!(fabs(lo) < 0x1p40 * hash->cell))
+			return false;
+		gap2 += gap * gap;
+	}
+	return gap2 > 1.0001 * reach * reach;
+}
+
+/* From the cell of x itself on: most who ask look for any point, and there it is found soonest. */
+int32_t ts_pointhash_visit(const struct ts_pointhash *hash, const double x[3], double reach,
+			   ts_pointhash_fn *visit, void *context)
+{
+	double steps = fmax(1, ceil(reach / hash->cell)), wide = 2 * steps + 1;
+	int64_t home[3], n, cells;
+
+	if (!(wide * wide * wide <= 27 + (double)hash->n))
+		return visit_all(hash, visit, context);
+	n = (int64_t)wide;
+	cells = n * n * n;
 	cell_of(hash, x, home);
-	for (int k = 0; k < 27; k++) {
-		const int64_t cell[3] = { home[0] + k % 3 - 1, home[1] + k / 3 % 3 - 1,
-					  home[2] + k / 9 - 1 };
+	for (int64_t j = 0; j < cells; j++) {
+		const int64_t k = (j + cells / 2) % cells;
+		const int64_t cell[3] = { home[0] + k % n - n / 2, home[1] + k / n % n - n / 2,
+					  home[2] + k / (n * n) - n / 2 };
 
+		if (too_far(hash, x, cell, reach))
+			continue;
 		for (int32_t i = hash->bucket[bucket_of(hash, cell)]; i >= 0; i = hash->next[i])
-			if (ts_distance2(x, hash->x[i]) < distance * distance)
+			if (visit(context, (size_t)i))
 				return i;
 	}
 	return -1;
+}
+
+struct nearer {
+	const struct ts_pointhash *hash;
+	const double *x;
+	double distance2;
+};
+
+static bool is_nearer(void *context, size_t k)
+{
+	const struct nearer *c = context;
+
+	return ts_distance2(c->x, c->hash->x[k]) < c->distance2;
+}
+
+int32_t ts_pointhash_find(const struct ts_pointhash *hash, const double x[3], double distance)
+{
+	struct nearer c = { hash, x, distance * distance };
+
+	return ts_pointhash_visit(hash, x, distance, is_nearer, &c);
 }
 
 bool ts_pointhash_near(const struct ts_pointhash *hash, const double x[3], double distance)
@@ -102,18 +158,10 @@ bool ts_pointhash_near_periodic(const struct ts_pointhash *hash, const struct ts
 				const double x[3], double distance)
 {
 	for (int k = 0; k < 27; k++) {
-		const int shift[3] = { k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1 };
 		double image[3];
-		bool possible = true;
 
-		for (int d = 0; d < 3; d++) {
-			image[d] = x[d] + shift[d] * ts_box_length(box, d);
-			if (shift[d])
-				possible &= ts_box_periodic(box, d) &&
-					    image[d] > box->lo[d] - distance &&
-					    image[d] < box->hi[d] + distance;
-		}
-		if (possible && ts_pointhash_near(hash, image, distance))
+		if (ts_box_image(box, x, k, distance, image) &&
+		    ts_pointhash_near(hash, image, distance))
 			return true;
 	}
 	return false;

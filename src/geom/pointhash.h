@@ -11,7 +11,7 @@
 #include "geom/box.h"
 
 struct ts_pointhash {
-	double cell; /* edge of a cell: the largest distance that can be asked for */
+	double cell; /* edge of a cell: about the distance that is asked for */
 	size_t n, capacity;
 	double (*x)[3];
 	int32_t *next; /* chain of points in the same bucket, -1: end */
@@ -25,7 +25,12 @@ enum ts_status ts_pointhash_start(struct ts_pointhash *hash, double cell);
 void ts_pointhash_release(struct ts_pointhash *hash);
 enum ts_status ts_pointhash_add(struct ts_pointhash *hash, const double x[3]);
 
-/* The number, from 0 in the order of adding, of a point nearer to x than distance (<= cell); -1: none. */
+/* Calls for points within reach of x, and perhaps others, until one call returns true: the number of that
+ * point, from 0 in the order of adding; -1: none. A point may come twice. */
+typedef bool ts_pointhash_fn(void *context, size_t k);
+int32_t ts_pointhash_visit(const struct ts_pointhash *hash, const double x[3], double reach,
+			   ts_pointhash_fn *visit, void *context);
+/* A point nearer to x than distance, or -1. */
 int32_t ts_pointhash_find(const struct ts_pointhash *hash, const double x[3], double distance);
 /* Is there one? */
 bool ts_pointhash_near(const struct ts_pointhash *hash, const double x[3], double distance);

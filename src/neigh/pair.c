@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/plan.h"
+#include "particles/template.h"
 
 #include "base/banned.h"
 
@@ -125,10 +126,14 @@ enum ts_status ts_pair_set_number(struct tsim *sim, const struct ts_arg *row, in
 	return TS_OK;
 }
 
-static void types_present(const struct ts_particles *p, bool *present)
+static void types_present(const struct tsim *sim, bool *present)
 {
+	const struct ts_particles *p = sim->particles;
+
 	for (size_t i = 0; i < p->n; i++)
 		present[p->type[i]] = true;
+	for (int t = 1; t <= p->ntypes; t++)
+		present[t] |= ts_template_inverse_mass(sim, t) > 0;
 }
 
 static enum ts_status check_given(struct tsim *sim, struct ts_instance *self)
@@ -138,7 +143,7 @@ static enum ts_status check_given(struct tsim *sim, struct ts_instance *self)
 
 	if (!present)
 		return ts_nomem(&sim->error);
-	types_present(sim->particles, present);
+	types_present(sim, present);
 	for (int a = 1; a <= pair->ntypes; a++) {
 		for (int b = a; b <= pair->ntypes; b++) {
 			if (!present[a] || !present[b] || pair->coeffs.given[entry_of(pair, a, b)])
@@ -193,8 +198,9 @@ void ts_pair_fingerprint(const struct ts_instance *self, const struct tsim *sim,
 
 /* The two largest inverse masses of each type, frozen particles having 0; -1 where there is none.
  */
-static double (*largest_inverse_masses(const struct ts_particles *p))[2]
+static double (*largest_inverse_masses(const struct tsim *sim))[2]
 {
+	const struct ts_particles *p = sim->particles;
 	double(*most)[2] = ts_alloc((size_t)p->ntypes + 1, sizeof *most);
 
 	for (int t = 0; most && t <= p->ntypes; t++)
@@ -205,6 +211,10 @@ static double (*largest_inverse_masses(const struct ts_particles *p))[2]
 		m[1] = fmax(m[1], fmin(m[0], inverse));
 		m[0] = fmax(m[0], inverse);
 	}
+	for (int t = 1; most && t <= p->ntypes; t++) {
+		most[t][0] = fmax(most[t][0], ts_template_inverse_mass(sim, t));
+		most[t][1] = fmax(most[t][1], ts_template_inverse_mass(sim, t));
+	}
 	return most;
 }
 
@@ -213,7 +223,7 @@ enum ts_status ts_pair_plan(struct ts_instance *self, struct tsim *sim,
 {
 	const struct ts_pair_style *style = ts_pair_style_of(self);
 	const struct ts_pair *pair = self->state;
-	double(*most)[2] = largest_inverse_masses(sim->particles);
+	double(*most)[2] = largest_inverse_masses(sim);
 	enum ts_status status = most ? TS_OK : ts_nomem(&sim->error);
 
 	for (int a = 1; status == TS_OK && a <= pair->ntypes; a++) {

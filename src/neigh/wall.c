@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "core/plan.h"
+#include "particles/template.h"
 
 #include "base/banned.h"
 
@@ -59,15 +60,12 @@ static enum ts_status reserve(struct ts_instance *self, struct tsim *sim, int ty
 enum ts_status ts_wall_make_law(struct ts_instance *self, struct tsim *sim, int type)
 {
 	struct ts_wall *w = self->state;
-	const struct ts_particles *p = sim->particles;
 	char who[80];
-	int most = 0;
+	int most = ts_largest_type(sim);
 
 	if (!w->own_model)
 		return TS_OK;
 	TS_TRY(reserve(self, sim, type));
-	for (size_t i = 0; i < p->n; i++)
-		most = p->type[i] > most ? p->type[i] : most;
 	snprintf(who, sizeof who, "fix %s", self->style->name);
 	for (int t = 1; t <= most; t++)
 		TS_TRY(ts_granular_material(sim, &w->model, t, type, who, &self->where,

@@ -76,6 +76,21 @@ bool ts_region_contains(const struct ts_instance *region, const double x[3])
 	return style_of(region)->contains(region, x) != (r->side == 1);
 }
 
+double ts_region_depth(const struct ts_instance *region, const double x[3])
+{
+	const struct ts_region *r = region->state;
+	double y[3], depth;
+
+	if (!style_of(region)->depth)
+		return NAN;
+	if (r->moves) {
+		to_shape(r, x, y);
+		x = y;
+	}
+	depth = style_of(region)->depth(region, x);
+	return r->side == 1 ? -depth : depth;
+}
+
 /* The box around the turned and shifted box of the shape. */
 static void move_bounds(const struct ts_region *r, double lo[3], double hi[3])
 {

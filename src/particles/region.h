@@ -7,6 +7,7 @@
 #define TS_PARTICLES_REGION_H
 
 #include "core/sim.h"
+#include "math/minstd.h"
 
 /* First member of every region's state. */
 struct ts_region {
@@ -21,6 +22,7 @@ struct ts_region {
 	struct ts_number move[3], angle;
 	double pivot[3], axis[3]; /* of the rotation; |axis| = 1 */
 	unsigned open;            /* bit k: face k + 1 is open, for walls made of the region */
+	struct ts_minstd random;  /* of who draws points in it; state 0: nobody yet */
 
 	/* as of the last ts_region_update: a point y of the shape stands at
 	 * turn (y - pivot) + pivot + shift */
@@ -51,6 +53,9 @@ struct ts_region_style {
 	void (*bounds)(const struct ts_instance *self, double lo[3], double hi[3]);
 	/* Exact volume of the shape; NULL: not known. */
 	double (*volume)(const struct ts_instance *self);
+	/* How deep x lies in the shape: distance from its surface, < 0 outside. Where the distance is
+	 * not known exactly, a bound nearer to 0. NULL: not known at all. */
+	double (*depth)(const struct ts_instance *self, const double x[3]);
 	int faces; /* how many faces can be open */
 	/* Evaluates variables of the shape. NULL: nothing to do. */
 	ts_hook_fn *update;
@@ -60,6 +65,8 @@ struct ts_region_style {
 enum ts_status ts_region_update(struct ts_instance *region, struct tsim *sim);
 bool ts_region_contains(const struct ts_instance *region, const double x[3]);
 void ts_region_bounds(const struct ts_instance *region, double lo[3], double hi[3]);
+/* Of x in the region: distance from its surface, or a lower bound of it, < 0 outside; NaN: not known. */
+double ts_region_depth(const struct ts_instance *region, const double x[3]);
 /* NaN where it is not known, infinite outside of a shape. */
 double ts_region_volume(const struct ts_instance *region);
 

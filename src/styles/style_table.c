@@ -167,6 +167,7 @@ TS_STYLE(fix, ts_style, ts_fix_gravity)
 TS_STYLE(fix, ts_style, ts_fix_halt)
 TS_STYLE(fix, ts_style, ts_fix_heat_gran)
 TS_STYLE(fix, ts_style, ts_fix_heat_gran_conduction)
+TS_STYLE(fix, ts_style, ts_fix_insert_pack)
 TS_STYLE(fix, ts_style, ts_fix_langevin)
 TS_STYLE(fix, ts_style, ts_fix_lineforce)
 TS_STYLE(fix, ts_style, ts_fix_mesh_surface)
@@ -178,6 +179,10 @@ TS_STYLE(fix, ts_style, ts_fix_nve_limit)
 TS_STYLE(fix, ts_style, ts_fix_nve_noforce)
 TS_STYLE(fix, ts_style, ts_fix_nve_sphere)
 TS_STYLE(fix, ts_style, ts_fix_nve_symplectic)
+TS_STYLE(fix, ts_style, ts_fix_particledistribution_discrete)
+TS_STYLE(fix, ts_style, ts_fix_particledistribution_discrete_massbased)
+TS_STYLE(fix, ts_style, ts_fix_particledistribution_discrete_numberbased)
+TS_STYLE(fix, ts_style, ts_fix_particletemplate_sphere)
 TS_STYLE(fix, ts_style, ts_fix_planeforce)
 TS_STYLE(fix, ts_style, ts_fix_print)
 TS_STYLE(fix, ts_style, ts_fix_property_atom)
@@ -370,6 +375,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_halt,
 	&ts_fix_heat_gran,
 	&ts_fix_heat_gran_conduction,
+	&ts_fix_insert_pack,
 	&ts_fix_langevin,
 	&ts_fix_lineforce,
 	&ts_fix_mesh_surface,
@@ -381,6 +387,10 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_nve_noforce,
 	&ts_fix_nve_sphere,
 	&ts_fix_nve_symplectic,
+	&ts_fix_particledistribution_discrete,
+	&ts_fix_particledistribution_discrete_massbased,
+	&ts_fix_particledistribution_discrete_numberbased,
+	&ts_fix_particletemplate_sphere,
 	&ts_fix_planeforce,
 	&ts_fix_print,
 	&ts_fix_property_atom,

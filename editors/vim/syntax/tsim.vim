@@ -70,18 +70,23 @@ syn keyword tsimKeyword  auto/lower full prefactor scalar kind global beyond end
 syn keyword tsimKeyword  final delta erate trate volume wiggle xy xz yz v flip axes xyz
 syn keyword tsimKeyword  scheme explicit exact wob spring body clearance chute spherical
 syn keyword tsimKeyword  hard soft continue message path initial_temperature contact_area
-syn keyword tsimKeyword  area_correction store_contact_data euler precision curvature
-syn keyword tsimKeyword  curvature_tolerant heal auto_remove_duplicates verbose surface_vel
-syn keyword tsimKeyword  surface_ang_vel rescale transrot inertia by_dimension sphere disc
-syn keyword tsimKeyword  title ghost writedata peratomtype peratomtypepair matrix tether
-syn keyword tsimKeyword  couple model hooke hertz hooke/stiffness hertz/stiffness
-syn keyword tsimKeyword  hooke/hysteresis tangential history no_history rolling_friction
-syn keyword tsimKeyword  cdt epsd epsd2 epsd3 cohesion sjkr sjkr2 surface limitForce
-syn keyword tsimKeyword  tangential_damping absolute_damping ktToKnUser viscous
-syn keyword tsimKeyword  tangential_reduce torsionTorque heating_normal_hertz
-syn keyword tsimKeyword  heating_tangential_history computeElasticPotential
-syn keyword tsimKeyword  computeDissipatedEnergy disableNormalWhenBonded primitive n_meshes
-syn keyword tsimKeyword  meshes xplane yplane zplane xcylinder ycylinder zcylinder
+syn keyword tsimKeyword  area_correction store_contact_data euler seed distributiontemplate
+syn keyword tsimKeyword  maxattempt overlapcheck all_in random_distribute uncorrelated
+syn keyword tsimKeyword  orientation set_property verbose compress_tags insert_every
+syn keyword tsimKeyword  ntry_mc check_dist_from_subdomain_border warn_region
+syn keyword tsimKeyword  particles_in_region volumefraction_region mass_in_region precision
+syn keyword tsimKeyword  curvature curvature_tolerant heal auto_remove_duplicates
+syn keyword tsimKeyword  surface_vel surface_ang_vel rescale transrot inertia by_dimension
+syn keyword tsimKeyword  sphere disc atom_type volume_limit relative title ghost writedata
+syn keyword tsimKeyword  peratomtype peratomtypepair matrix tether couple model hooke hertz
+syn keyword tsimKeyword  hooke/stiffness hertz/stiffness hooke/hysteresis tangential
+syn keyword tsimKeyword  history no_history rolling_friction cdt epsd epsd2 epsd3 cohesion
+syn keyword tsimKeyword  sjkr sjkr2 surface limitForce tangential_damping absolute_damping
+syn keyword tsimKeyword  ktToKnUser viscous tangential_reduce torsionTorque
+syn keyword tsimKeyword  heating_normal_hertz heating_tangential_history
+syn keyword tsimKeyword  computeElasticPotential computeDissipatedEnergy
+syn keyword tsimKeyword  disableNormalWhenBonded primitive n_meshes meshes xplane yplane
+syn keyword tsimKeyword  zplane xcylinder ycylinder zcylinder
 syn match tsimKeyword /\<velocity\>/ 
 syn keyword tsimKeyword  store_force xlo xhi ylo yhi zlo zhi viscosity generic
 syn keyword tsimKeyword  limit_damping restitution side in out open axis center bounds
@@ -112,8 +117,11 @@ syn keyword tsim_fix contained ave/histo/weight ave/spatial ave/time aveforce
 syn match tsim_fix /\<balance\>/ contained
 syn keyword tsim_fix contained bond/breakage controller deform drag drag/stokes drill/bit
 syn keyword tsim_fix contained enforce2d evaporate freeze gravity halt heat/gran
-syn keyword tsim_fix contained heat/gran/conduction langevin lineforce mesh/surface momentum move
-syn keyword tsim_fix contained nve nve/euler nve/limit nve/noforce nve/sphere nve/symplectic
+syn keyword tsim_fix contained heat/gran/conduction insert/pack langevin lineforce mesh/surface
+syn keyword tsim_fix contained momentum move nve nve/euler nve/limit nve/noforce nve/sphere
+syn keyword tsim_fix contained nve/symplectic particledistribution/discrete
+syn keyword tsim_fix contained particledistribution/discrete/massbased
+syn keyword tsim_fix contained particledistribution/discrete/numberbased particletemplate/sphere
 syn keyword tsim_fix contained planeforce
 syn match tsim_fix /\<print\>/ contained
 syn keyword tsim_fix contained property/atom property/global recenter setforce spring spring/self

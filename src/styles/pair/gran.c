@@ -2,6 +2,7 @@
 #include "neigh/materials.h"
 #include "neigh/pair.h"
 #include "neigh/row_loop.h"
+#include "particles/template.h"
 
 #include "base/banned.h"
 
@@ -63,11 +64,8 @@ static ts_share_fn *share_of(const struct gran *g)
 static enum ts_status make_table(struct ts_instance *self, struct tsim *sim)
 {
 	struct gran *g = self->state;
-	const struct ts_particles *p = sim->particles;
-	int most = 0;
+	int most = ts_largest_type(sim);
 
-	for (size_t i = 0; i < p->n; i++)
-		most = p->type[i] > most ? p->type[i] : most;
 	for (int a = 1; a <= most; a++) {
 		for (int b = 1; b <= most; b++) {
 			size_t k = (size_t)(a * (g->pair.ntypes + 1) + b);

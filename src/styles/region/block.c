@@ -35,6 +35,20 @@ static bool contains(const struct ts_instance *self, const double x[3])
 	return true;
 }
 
+static double depth(const struct ts_instance *self, const double x[3])
+{
+	const struct block *b = self->state;
+	double least = INFINITY, beyond = 0;
+
+	for (int d = 0; d < 3; d++) {
+		double in = fmin(x[d] - b->lo[d], b->hi[d] - x[d]);
+
+		least = fmin(least, in);
+		beyond += in < 0 ? in * in : 0;
+	}
+	return least < 0 ? -sqrt(beyond) : least;
+}
+
 static void bounds(const struct ts_instance *self, double lo[3], double hi[3])
 {
 	const struct block *b = self->state;
@@ -85,6 +99,7 @@ const struct ts_region_style ts_region_block = {
 		.init = init,
 	},
 	.contains = contains,
+	.depth = depth,
 	.bounds = bounds,
 	.volume = volume,
 	.faces = 6,

@@ -56,6 +56,18 @@ static bool contains(const struct ts_instance *self, const double x[3])
 	return along >= 0 && along <= 1 && a * a + b * b <= radius * radius;
 }
 
+/* In the half-plane through the axis the shape is convex: the least distance to its sides. */
+static double depth(const struct ts_instance *self, const double x[3])
+{
+	const struct cone *z = self->state;
+	double a = x[z->c[0]] - z->center[0], b = x[z->c[1]] - z->center[1];
+	double length = z->hi - z->lo, widening = z->radius[1] - z->radius[0];
+	double along = fmin(x[z->axis] - z->lo, z->hi - x[z->axis]);
+	double in = z->radius[0] + (x[z->axis] - z->lo) / length * widening - sqrt(a * a + b * b);
+
+	return fmin(along, in * length / sqrt(length * length + widening * widening));
+}
+
 static void bounds(const struct ts_instance *self, double lo[3], double hi[3])
 {
 	const struct cone *z = self->state;
@@ -114,6 +126,7 @@ const struct ts_region_style ts_region_cone = {
 		.init = init,
 	},
 	.contains = contains,
+	.depth = depth,
 	.bounds = bounds,
 	.volume = volume,
 	.update = update,

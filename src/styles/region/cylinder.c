@@ -47,6 +47,16 @@ static bool contains(const struct ts_instance *self, const double x[3])
 	return a * a + b * b <= z->radius * z->radius && x[z->axis] >= z->lo && x[z->axis] <= z->hi;
 }
 
+static double depth(const struct ts_instance *self, const double x[3])
+{
+	const struct cylinder *z = self->state;
+	double a = x[z->c[0]] - z->center[0], b = x[z->c[1]] - z->center[1];
+	double in = z->radius - sqrt(a * a + b * b);
+	double along = fmin(x[z->axis] - z->lo, z->hi - x[z->axis]);
+
+	return in < 0 && along < 0 ? -sqrt(in * in + along * along) : fmin(in, along);
+}
+
 static void bounds(const struct ts_instance *self, double lo[3], double hi[3])
 {
 	const struct cylinder *z = self->state;
@@ -101,6 +111,7 @@ const struct ts_region_style ts_region_cylinder = {
 		.init = init,
 	},
 	.contains = contains,
+	.depth = depth,
 	.bounds = bounds,
 	.volume = volume,
 	.update = update,

@@ -15,6 +15,21 @@ static bool contains(const struct ts_instance *self, const double x[3])
 	return true;
 }
 
+static double depth(const struct ts_instance *self, const double x[3])
+{
+	const struct ts_region_set *u = self->state;
+	double least = INFINITY;
+
+	for (int64_t k = 0; k < u->n; k++) {
+		double one = ts_region_depth(u->member[k], x);
+
+		if (isnan(one))
+			return NAN;
+		least = fmin(least, one);
+	}
+	return least;
+}
+
 static void bounds(const struct ts_instance *self, double lo[3], double hi[3])
 {
 	const struct ts_region_set *u = self->state;
@@ -43,6 +58,7 @@ const struct ts_region_style ts_region_intersect = {
 		.init = ts_region_set_init,
 	},
 	.contains = contains,
+	.depth = depth,
 	.bounds = bounds,
 	.update = ts_region_set_update,
 };

@@ -38,6 +38,15 @@ static bool contains(const struct ts_instance *self, const double x[3])
 	return ts_dot(d, p->normal) >= 0;
 }
 
+static double depth(const struct ts_instance *self, const double x[3])
+{
+	const struct plane *p = self->state;
+	double d[3];
+
+	ts_sub(x, p->point, d);
+	return ts_dot(d, p->normal);
+}
+
 static void bounds(const struct ts_instance *self, double lo[3], double hi[3])
 {
 	const struct plane *p = self->state;
@@ -70,6 +79,7 @@ const struct ts_region_style ts_region_plane = {
 		.init = init,
 	},
 	.contains = contains,
+	.depth = depth,
 	.bounds = bounds,
 	.faces = 1,
 };

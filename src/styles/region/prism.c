@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "math/vec3.h"
+
 #include "base/banned.h"
 
 /* Edges from the corner (xlo ylo zlo): (lx 0 0), (xy ly 0), (xz yz lz). */
@@ -45,6 +47,23 @@ static bool contains(const struct ts_instance *self, const double x[3])
 	double a = (x[0] - p->lo[0] - c * p->xz - b * p->xy) / (p->hi[0] - p->lo[0]);
 
 	return a >= 0 && a <= 1 && b >= 0 && b <= 1 && c >= 0 && c <= 1;
+}
+
+/* The least distance to the planes of the six faces. The gradients of the coordinates a, b, c along the
+ * edges are normal to these. */
+static double depth(const struct ts_instance *self, const double x[3])
+{
+	const struct prism *p = self->state;
+	double l[3] = { p->hi[0] - p->lo[0], p->hi[1] - p->lo[1], p->hi[2] - p->lo[2] };
+	double c = (x[2] - p->lo[2]) / l[2];
+	double b = (x[1] - p->lo[1] - c * p->yz) / l[1];
+	double a = (x[0] - p->lo[0] - c * p->xz - b * p->xy) / l[0];
+	double across[3] = { 1, -p->xy / l[1], (p->xy * p->yz / l[1] - p->xz) / l[2] };
+	double tilt = p->yz / l[2];
+
+	return fmin(fmin(fmin(a, 1 - a) * l[0] / ts_norm(across),
+			 fmin(b, 1 - b) * l[1] / sqrt(1 + tilt * tilt)),
+		    fmin(c, 1 - c) * l[2]);
 }
 
 static void bounds(const struct ts_instance *self, double lo[3], double hi[3])
@@ -103,6 +122,7 @@ const struct ts_region_style ts_region_prism = {
 		.init = init,
 	},
 	.contains = contains,
+	.depth = depth,
 	.bounds = bounds,
 	.volume = volume,
 	.faces = 6,

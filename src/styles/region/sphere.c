@@ -37,6 +37,13 @@ static bool contains(const struct ts_instance *self, const double x[3])
 	return ts_distance2(x, b->center) <= b->radius * b->radius;
 }
 
+static double depth(const struct ts_instance *self, const double x[3])
+{
+	const struct ball *b = self->state;
+
+	return b->radius - sqrt(ts_distance2(x, b->center));
+}
+
 static void bounds(const struct ts_instance *self, double lo[3], double hi[3])
 {
 	const struct ball *b = self->state;
@@ -80,6 +87,7 @@ const struct ts_region_style ts_region_sphere = {
 		.init = init,
 	},
 	.contains = contains,
+	.depth = depth,
 	.bounds = bounds,
 	.volume = volume,
 	.update = update,

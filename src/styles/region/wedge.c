@@ -103,6 +103,17 @@ static bool contains(const struct ts_instance *self, const double x[3])
 }
 
 /* Around the center, the ends of the two faces, and the outermost points of the circle between. */
+static double depth(const struct ts_instance *self, const double x[3])
+{
+	const struct wedge *w = self->state;
+	double d[2] = { x[w->c[0]] - w->center[0], x[w->c[1]] - w->center[1] };
+	double after = cross(w->start, d), before = -cross(w->end, d);
+	double sector = w->given.angle <= 180 ? fmin(after, before) : fmax(after, before);
+	double along = fmin(x[w->axis] - w->lo, w->hi - x[w->axis]);
+
+	return fmin(fmin(sector, along), w->radius - sqrt(d[0] * d[0] + d[1] * d[1]));
+}
+
 static void bounds(const struct ts_instance *self, double lo[3], double hi[3])
 {
 	static const double around[4][2] = { { 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 } };
@@ -166,6 +177,7 @@ const struct ts_region_style ts_region_wedge = {
 		.init = init,
 	},
 	.contains = contains,
+	.depth = depth,
 	.bounds = bounds,
 	.volume = volume,
 	.faces = 5,

@@ -1,0 +1,103 @@
+#include "geom/spherehash.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/alloc.h"
+#include "math/vec3.h"
+
+#include "base/banned.h"
+
+void ts_spherehash_release(struct ts_spherehash *hash)
+{
+	for (int k = 0; k < hash->nlevels; k++) {
+		ts_pointhash_release(&hash->level[k].points);
+		ts_free(hash->level[k].radius);
+	}
+	*hash = (struct ts_spherehash){ 0 };
+}
+
+/* The level of a size; with no more room for levels, the one of the most similar size. */
+static enum ts_status level_of(struct ts_spherehash *hash, double radius,
+			       struct ts_spherehash_level **out)
+{
+	int exponent = 0, best = 0;
+	struct ts_spherehash_level *level;
+
+	(void)frexp(radius, &exponent);
+	for (int k = 0; k < hash->nlevels; k++) {
+		if (abs(hash->level[k].exponent - exponent) <
+		    abs(hash->level[best].exponent - exponent))
+			best = k;
+	}
+	*out = &hash->level[best];
+	if (hash->nlevels && ((*out)->exponent == exponent || hash->nlevels == TS_SPHEREHASH_LEVELS))
+		return TS_OK;
+	level = &hash->level[hash->nlevels];
+	*level = (struct ts_spherehash_level){ .exponent = exponent };
+	TS_TRY(ts_pointhash_start(&level->points, ldexp(2, exponent)));
+	hash->nlevels++;
+	*out = level;
+	return TS_OK;
+}
+
+enum ts_status ts_spherehash_add(struct ts_spherehash *hash, const double x[3], double radius)
+{
+	struct ts_spherehash_level *level;
+
+	TS_TRY(level_of(hash, radius, &level));
+	TS_TRY(TS_GROW(level->radius, level->capacity, level->points.n + 1));
+	level->radius[level->points.n] = radius;
+	level->largest = fmax(level->largest, radius);
+	return ts_pointhash_add(&level->points, x);
+}
+
+struct question {
+	const struct ts_spherehash_level *level;
+	const double *x;
+	double radius;
+};
+
+static bool overlaps(void *context, size_t k)
+{
+	const struct question *q = context;
+	double reach = q->radius + q->level->radius[k];
+
+	return ts_distance2(q->x, q->level->points.x[k]) <= reach * reach;
+}
+
+bool ts_spherehash_overlaps(const struct ts_spherehash *hash, const double x[3], double radius)
+{
+	for (int k = 0; k < hash->nlevels; k++) {
+		const struct ts_spherehash_level *level = &hash->level[k];
+		struct question q = { level, x, radius };
+
+		if (ts_pointhash_visit(&level->points, x, radius + level->largest, overlaps, &q) >= 0)
+			return true;
+	}
+	return false;
+}
+
+static double largest(const struct ts_spherehash *hash)
+{
+	double most = 0;
+
+	for (int k = 0; k < hash->nlevels; k++)
+		most = fmax(most, hash->level[k].largest);
+	return most;
+}
+
+bool ts_spherehash_overlaps_periodic(const struct ts_spherehash *hash, const struct ts_box *box,
+				     const double x[3], double radius)
+{
+	double reach = radius + largest(hash);
+
+	for (int k = 0; k < 27; k++) {
+		double image[3];
+
+		if (ts_box_image(box, x, k, reach, image) &&
+		    ts_spherehash_overlaps(hash, image, radius))
+			return true;
+	}
+	return false;
+}

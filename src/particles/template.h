@@ -1,0 +1,72 @@
+/* Templates: what the particles that a fix inserts look like. Each fix particletemplate/... keeps one;
+ * fix particledistribution/discrete mixes them. */
+#ifndef TS_PARTICLES_TEMPLATE_H
+#define TS_PARTICLES_TEMPLATE_H
+
+#include "core/sim.h"
+#include "math/minstd.h"
+#include "math/spread.h"
+
+/* First member of the state of every fix particletemplate/... */
+struct ts_template {
+	int64_t seed, type;
+	struct ts_words radius_words, density_words;
+	double volume_limit;
+	bool relative;
+
+	/* set by ts_template_init */
+	bool defined;
+	struct ts_spread radius, density;
+	double volume, mass;   /* means */
+	double least, largest; /* radius of the sphere around a particle */
+	double lightest;       /* mass of a particle */
+
+	struct ts_minstd random; /* saved */
+};
+#define TS_TEMPLATE_ARGS(T)                                                                        \
+	TS_INT("seed", T, base.seed, .flags = TS_POSITIONAL, .range = TS_POSITIVE,                 \
+	       .help = "seed of the random numbers, a prime above 10000"),                         \
+	TS_INT("atom_type", T, base.type, .fallback = "1", .range = TS_POSITIVE,                   \
+	       .help = "type of the particles"),                                                   \
+	TS_LIST_KEYWORD("density", T, base.density_words, .flags = TS_TO_KEYWORD,                  \
+			.help = "constant D | uniform LO HI | gaussian MEAN DEVIATION | "          \
+				"lognormal MEDIAN DEVIATION"),                                     \
+	TS_REAL("volume_limit", T, base.volume_limit, .fallback = "1e-12",                         \
+		.range = TS_NOT_NEGATIVE, .unit = "length^3",                                      \
+		.help = "particles of a smaller mean volume are refused, for they may be an "      \
+			"error of units"),                                                         \
+	TS_BOOL("relative", T, base.relative, .fallback = "no",                                    \
+		.help = "radii are parts of one that another command knows")
+
+/* For template styles: reads the seed, and a quantity that may be spread: "constant R", "uniform mass LO
+ * HI" ... */
+enum ts_status ts_template_start(struct ts_instance *self, struct tsim *sim);
+enum ts_status ts_template_spread(struct ts_instance *self, struct tsim *sim, const char *what,
+				  struct ts_words words, struct ts_spread *out);
+/* Refuses a mean volume below the limit. */
+enum ts_status ts_template_check_volume(struct ts_instance *self, struct tsim *sim);
+
+/* The archive function of templates; and of any stream. */
+enum ts_status ts_template_archive(struct ts_instance *self, struct tsim *sim,
+				   struct ts_archive *archive);
+enum ts_status ts_minstd_archive(struct ts_archive *archive, struct tsim *sim, const char *name,
+				 struct ts_minstd *random);
+
+/* The template that the word names, or an error. */
+enum ts_status ts_template_require(struct tsim *sim, const struct ts_word *id,
+				   struct ts_instance **out);
+
+/* The largest type that a particle has or may get from a template; 0: there are none. Laws of contact must be
+ * known for all up to it, as in LIGGGHTS. */
+int ts_largest_type(const struct tsim *sim);
+/* 1 / mass of the lightest particle of this type that a template may make; -1: there is no such template. */
+double ts_template_inverse_mass(const struct tsim *sim, int type);
+
+/* Refuses a seed that LIGGGHTS refuses: they must be primes above 10000, which keeps apart streams that
+ * start near one another. `word` is where it stands, the `what` names the owner. */
+enum ts_status ts_seed_check(struct tsim *sim, const char *what, int64_t seed,
+			     const struct ts_place *where);
+/* The next allowed seed that is not among n others. */
+int64_t ts_seed_next(int64_t seed, const int64_t *other, size_t n);
+
+#endif

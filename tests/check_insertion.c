@@ -1,0 +1,150 @@
+/* What insertion is made of: the generator, spreads of sizes, the search for overlaps. */
+#include <check.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "geom/spherehash.h"
+#include "math/minstd.h"
+#include "math/rng.h"
+#include "math/spread.h"
+#include "math/vec3.h"
+
+/* Park and Miller give the 10000th number after the seed 1. */
+START_TEST(minstd_is_that_of_park_and_miller)
+{
+	struct ts_minstd r = ts_minstd_start(1);
+
+	for (int k = 0; k < 10000; k++)
+		(void)ts_minstd_uniform(&r);
+	ck_assert_int_eq(r.state, 1043618065);
+	ck_assert(ts_is_prime(10007) && ts_is_prime(2147483629) && ts_is_prime(2));
+	ck_assert(!ts_is_prime(10001) && !ts_is_prime(1) && !ts_is_prime(9));
+}
+END_TEST
+
+START_TEST(minstd_normal_has_its_moments)
+{
+	struct ts_minstd r = ts_minstd_start(15485863);
+	double sum = 0, square = 0, fourth = 0;
+	const int n = 200000;
+
+	for (int k = 0; k < n; k++) {
+		double u = ts_minstd_normal(&r);
+
+		sum += u;
+		square += u * u;
+		fourth += u * u * u * u;
+	}
+	ck_assert_double_eq_tol(sum / n, 0, 4 / sqrt(n));
+	ck_assert_double_eq_tol(square / n, 1, 4 * sqrt(2.0 / n));
+	ck_assert_double_eq_tol(fourth / n, 3, 4 * sqrt(96.0 / n));
+}
+END_TEST
+
+/* The mean of drawn numbers is the mean that is promised, to four standard errors. */
+static void compare_means(const struct ts_spread *s, int power)
+{
+	struct ts_minstd r = ts_minstd_start(32452843);
+	double sum = 0, square = 0, mean = ts_spread_mean(s, power);
+	const int n = 40000;
+
+	for (int k = 0; k < n; k++) {
+		double x = ts_spread_draw(s, &r), u = pow(x, power);
+
+		ck_assert(x >= ts_spread_least(s) && x <= ts_spread_largest(s));
+		sum += u;
+		square += u * u;
+	}
+	ck_assert_double_eq_tol(sum / n, mean, 4 * sqrt((square / n - mean * mean) / n));
+}
+
+START_TEST(spreads_have_their_means)
+{
+	const struct ts_spread spreads[] = {
+		{ TS_SPREAD_UNIFORM, false, 0.7, 2.385 }, { TS_SPREAD_UNIFORM, true, 0.7, 2.385 },
+		{ TS_SPREAD_NORMAL, false, 2.385, 0.31 }, { TS_SPREAD_NORMAL, true, 2.385, 0.31 },
+		{ TS_SPREAD_LOGNORMAL, false, 2.385, 0.2 }, { TS_SPREAD_LOGNORMAL, true, 2.385, 0.2 },
+	};
+	struct ts_spread constant = { TS_SPREAD_CONSTANT, false, 2.385, 0 };
+	struct ts_minstd r = ts_minstd_start(17);
+
+	for (size_t k = 0; k < sizeof spreads / sizeof *spreads; k++) {
+		compare_means(&spreads[k], 1);
+		compare_means(&spreads[k], 3);
+	}
+	ck_assert(ts_spread_draw(&constant, &r) == 2.385 && r.state == 17);
+	ck_assert_double_eq_tol(ts_spread_mean(&constant, 3), 2.385 * 2.385 * 2.385, 1e-14);
+}
+END_TEST
+
+/* Closed forms: E[r^3] of a uniform spread, by number and, with density 1/r^3, by mass. */
+START_TEST(uniform_means_are_exact)
+{
+	const double a = 0.7, b = 2.385;
+	const struct ts_spread number = { TS_SPREAD_UNIFORM, false, a, b };
+	const struct ts_spread mass = { TS_SPREAD_UNIFORM, true, a, b };
+
+	ck_assert_double_eq_tol(ts_spread_mean(&number, 3),
+				(a + b) * (a * a + b * b) / 4, 1e-13);
+	ck_assert_double_eq_tol(ts_spread_mean(&mass, 3),
+				2 * (b - a) / (1 / (a * a) - 1 / (b * b)), 1e-10);
+}
+END_TEST
+
+enum { N = 600 };
+
+/* Against all pairs: spheres whose radii span three decades, in a box periodic in two directions. */
+START_TEST(spherehash_agrees_with_all_pairs)
+{
+	const struct ts_box box = { .lo = { -1.3, -0.2, 2 },
+				    .hi = { 0.7, 1.9, 3.1 },
+				    .face = { { TS_FACE_PERIODIC, TS_FACE_PERIODIC },
+					      { TS_FACE_FIXED, TS_FACE_FIXED },
+					      { TS_FACE_PERIODIC, TS_FACE_PERIODIC } } };
+	struct ts_rng rng = ts_rng_start(86028157, 0);
+	struct ts_spherehash hash = { 0 };
+	static double x[N][3], radius[N];
+	int found = 0;
+
+	for (int i = 0; i < N; i++) {
+		bool overlaps = false;
+
+		radius[i] = 0.2 * pow(10, -3 * ts_rng_uniform(&rng));
+		for (int d = 0; d < 3; d++)
+			x[i][d] = box.lo[d] + ts_box_length(&box, d) * ts_rng_uniform(&rng);
+		for (int j = 0; j < i; j++) {
+			double r[3];
+
+			ts_sub(x[i], x[j], r);
+			ts_box_nearest(&box, r);
+			overlaps |= ts_norm(r) <= radius[i] + radius[j];
+		}
+		ck_assert(ts_spherehash_overlaps_periodic(&hash, &box, x[i], radius[i]) == overlaps);
+		ck_assert(ts_spherehash_add(&hash, x[i], radius[i]) == TS_OK);
+		found += overlaps;
+	}
+	ck_assert_int_gt(found, N / 20);
+	ck_assert_int_lt(found, N - N / 20);
+	ts_spherehash_release(&hash);
+}
+END_TEST
+
+int main(void)
+{
+	Suite *suite = suite_create("insertion");
+	TCase *tests = tcase_create("insertion");
+	SRunner *runner;
+	int failed;
+
+	tcase_add_test(tests, minstd_is_that_of_park_and_miller);
+	tcase_add_test(tests, minstd_normal_has_its_moments);
+	tcase_add_test(tests, spreads_have_their_means);
+	tcase_add_test(tests, uniform_means_are_exact);
+	tcase_add_test(tests, spherehash_agrees_with_all_pairs);
+	suite_add_tcase(suite, tests);
+	runner = srunner_create(suite);
+	srunner_run_all(runner, CK_NORMAL);
+	failed = srunner_ntests_failed(runner);
+	srunner_free(runner);
+	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}

@@ -1,0 +1,168 @@
+#!/bin/bash
+# Insertion of particles: places known from LIGGGHTS 3.8, counts that follow from the mixture, no overlaps,
+# and what is refused.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+
+box='units si
+boundary f f f
+region box block 0 1.0 0 0.8 0 0.9 units box
+create_box 2 box
+region bed block 0.1 0.9 0.05 0.75 0.1 0.85 units box
+timestep 1e-5
+fix move all nve/sphere'
+scene="$box
+fix large all particletemplate/sphere 15485863 atom_type 1 density constant 2500 radius constant 0.0485
+fix small all particletemplate/sphere 15485867 atom_type 2 density constant 2000 radius constant 0.0385
+fix mix all particledistribution/discrete 32452843 2 small 0.3 large 0.7"
+pack='fix fill all insert/pack seed 32452867 distributiontemplate mix insert_every once'
+
+# numbers of particles and places printed by LIGGGHTS
+prints "$scene
+$pack maxattempt 200 all_in yes region bed particles_in_region 50
+run 1
+group large type 1
+print \"\$(count(large)) \$(x[33]:%.17g) \$(y[33]:%.17g) \$(z[17]:%.17g) \$(mass(all)-f_fill[2]:%.3f)\"" \
+	'inserted 50 particle templates (mass 4.181916e+01) at step 1' \
+	'25 0.71271314873020786 0.28615437002673483 0.19588987233391492 0.000'
+
+# of 10000 particles the shares of number are (w/m) / sum, to one particle
+prints "${scene/constant 0.0485/constant 0.00485}
+unfix mix
+unfix small
+fix small all particletemplate/sphere 15485867 atom_type 2 density constant 2000 radius constant 0.00385
+fix mix all particledistribution/discrete 32452843 2 small 0.3 large 0.7
+$pack region bed particles_in_region 10000
+group large type 1
+run 1
+group now type 1
+variable m1 equal 2500*0.00485^3
+variable m2 equal 2000*0.00385^3
+variable share equal 0.7/v_m1/(0.7/v_m1+0.3/v_m2)
+print \"off \$(abs(count(now)-10000*v_share)<1)\"" 'off 1'
+
+# nothing overlaps, across periodic faces too; all lie in the region wholly
+prints "${scene/f f f/p p f}
+fix m1 all property/global kn peratomtypepair 2 1e3 1e3 1e3 1e3
+fix m2 all property/global kt peratomtypepair 2 1e3 1e3 1e3 1e3
+fix m3 all property/global gamman peratomtypepair 2 1 1 1 1
+fix m4 all property/global gammat peratomtypepair 2 1 1 1 1
+pair_style gran model hooke/stiffness
+pair_coeff * *
+region whole block 0 1 0 0.8 0 0.9 units box
+create_atoms 1 random 40 86028157 whole overlap 0.1
+set group all diameter 0.097 density 2500
+$pack region whole all_in no check_dist_from_subdomain_border no volumefraction_region 0.2
+compute touching all contact/atom
+compute sum all reduce sum c_touching
+thermo_style custom step atoms c_sum
+run 1
+print \"touching \$(c_sum)\"" 'touching 0'
+
+# LIGGGHTS sees no place but says so; particles that found none are counted
+prints "$scene
+$pack maxattempt 2 region bed volumefraction_region 0.4
+run 1" 'less insertions than requested: 224 of 475 particles found a place at step 1 with 2 tries each'
+
+# a region that two fixes share, one event and many, a start, nothing overlaps the old ones
+prints "$scene
+region tube cylinder z 0.5 0.4 0.3 0.2 0.85 units box
+fix grow all insert/pack seed 67867967 distributiontemplate mix insert_every 10 start 5 region tube mass_in_region 30
+run 4
+print \"none \$(count(all))\"
+run 1
+print \"mass \$(abs(f_grow[2]-30)<1.2)\"
+set group all type 2
+run 30
+print \"full \$(f_grow[1]-count(all))\"" 'none 0' 'mass 1' 'full 0'
+
+# a particle feels forces from its first step on, and is integrated with the group of the fix only
+prints "$box
+group grains empty
+group lot empty
+fix g grains gravity 9.81 vector 0 0 -1
+fix one lot particletemplate/sphere 15485863 atom_type 2 density constant 1000 radius constant 0.01
+fix two all particledistribution/discrete 32452843 1 one 1
+fix ins grains insert/pack seed 32452867 distributiontemplate two insert_every once region bed particles_in_region 3 vel constant 0 0 0.5
+run 1
+print \"\$(count(grains)) \$(count(lot)) \$(abs(vz[2]-0.5+0.5e-5*9.81)<1e-15)\"" '3 3 1'
+
+# set_property, and first values of other properties
+prints "$scene
+fix t all property/atom heat scalar yes no no 293.5
+fix c all property/atom colour vector yes no no 1 2.5
+$pack set_property heat 350.25 region bed particles_in_region 3
+compute m all reduce min f_t f_c[2]
+thermo_style custom step c_m[1] c_m[2]
+run 1
+print \"\$(c_m[1]) \$(c_m[2])\"" '350.25 2.5'
+
+# the step is checked for particles that are still to come
+rejects "$scene
+pair_style spring/dashpot
+pair_coeff * * stiffness 2385 restitution 0.5
+$pack region bed particles_in_region 3
+timestep 1
+run 1" 'beyond the stability limit'
+
+with() { # LINES... TEXT: the scene with these lines is refused
+	rejects "$scene
+$1" "$2"
+}
+with "fix x all particletemplate/sphere 15485917 density constant 2500 radius constant 1e-5" \
+	'mean volume of 4.18879e-15, below volume_limit 1e-12'
+with "fix x all particletemplate/sphere 15486172 density constant 1 radius constant 1" \
+	'the seed is 15486172, expected a prime above 10000, as 15486173 is'
+with "fix x all particletemplate/sphere 9973 density constant 1 radius constant 1" 'as 10007 is'
+with "fix x all particletemplate/sphere 3147483647 density constant 1 radius constant 1" 'to 2147483629'
+with "fix x all particletemplate/sphere 15485917 density constant 1 radius constant -1" 'found -1'
+with "fix x all particletemplate/sphere 15485917 density constant 1 radius constant" 'numbers is missing'
+with "fix x all particletemplate/sphere 15485917 density constant 1 radius uniform number 1 x" \
+	"'x' is not a number"
+with "fix x all particletemplate/sphere 15485917 density constant 1 radius uniform 2 1" 'ascending'
+with "fix x all particletemplate/sphere 15485917 density constant 1 radius gaussian 1 0.4" \
+	'three deviations below the mean'
+with "fix x all particletemplate/sphere 15485917 density constant 1 radius lognormal 1 -0.4" \
+	'the deviation is -0.4'
+with "fix x all particletemplate/sphere 15485917 atom_type 3 density constant 1 radius constant 1" \
+	'there is no type 3'
+with "fix x all particledistribution/discrete 32452883 2 small 0.3" 'expected 2 pairs'
+with "fix x all particledistribution/discrete 32452883 2 small 0.3 small 0.7" 'named twice'
+with "fix x all particledistribution/discrete 32452883 2 small 0.3 large -1" 'a number >= 0'
+with "fix x all particledistribution/discrete 32452883 2 small 0 large 0" 'all weights are 0'
+with "fix x all particledistribution/discrete 32452883 1 smal 1" "there is no fix 'smal'"
+with "fix x all particledistribution/discrete 32452883 1 move 1" 'expected a particle template'
+with "$pack region bed" '0 of particles_in_region'
+with "$pack region bed particles_in_region 3 mass_in_region 1" '2 of particles_in_region'
+with "${pack/32452867/32452843} region bed particles_in_region 3" \
+	'the seed 32452843 of fix mix is used twice; 32452867 is free'
+with "${pack/once/never} region bed particles_in_region 3" "insert_every is 'never'"
+with "${pack/template mix/template move} region bed particles_in_region 3" \
+	'expected a fix particledistribution/discrete'
+with "$pack vel uniform 1 2 3 region bed particles_in_region 3" 'fix insert/pack: vel'
+with "$pack set_property a region bed particles_in_region 3" 'a name and a number'
+with "$pack set_property a 1 region bed particles_in_region 3
+run 1" "no fix property/atom gives particles 'a'"
+with "$pack compress_tags yes region bed particles_in_region 3" 'known, but not built'
+with "$pack start 0 region bed particles_in_region 3
+run 1" 'start 0 is past'
+with "region big block -0.1 1 0 0.8 0 0.9
+$pack region big particles_in_region 3" 'from x = -0.1 to 1, beyond the fixed faces of the box at 0 and 1'
+with "region open block 0 1 0 0.8 INF INF
+$pack region open particles_in_region 3" 'region open has no end in z'
+with "region thin block 0.1 0.15 0.1 0.8 0.1 0.9
+$pack all_in yes region thin particles_in_region 3" 'so deep that the largest particle fits'
+with "region egg ellipsoid 0.5 0.4 0.4 0.3 0.3 0.2
+$pack all_in yes region egg particles_in_region 3" 'all_in yes is not possible'
+with "variable s equal 0.1
+region goes block 0 0.5 0 0.8 0 0.9 move v_s NULL NULL
+$pack region goes particles_in_region 3" 'region goes moves'
+rejects "dimension 2
+boundary p p p
+region box block 0 1 0 1 -0.1 0.1 units box
+create_box 1 box
+fix a all particletemplate/sphere 15485917 density constant 1 radius constant 0.1
+fix b all particledistribution/discrete 32452883 1 a 1
+fix c all insert/pack seed 32452867 distributiontemplate b insert_every once region box particles_in_region 3" \
+	'works in three dimensions'
+finish
