@@ -120,6 +120,8 @@ library_sources = \
 	src/io/dump.c \
 	src/io/dump.h \
 	src/io/dump_columns.c \
+	src/io/dump_mesh.c \
+	src/io/dump_mesh.h \
 	src/io/dump_modify.c \
 	src/io/dump_modify.h \
 	src/io/dump_price.c \
@@ -468,6 +470,8 @@ library_sources = \
 	src/styles/dump/custom_vtk.c \
 	src/styles/dump/local.c \
 	src/styles/dump/local_vtk.c \
+	src/styles/dump/mesh_stl.c \
+	src/styles/dump/mesh_vtk.c \
 	src/styles/dump/restart.c \
 	src/styles/dump/xyz.c \
 	src/styles/fix/adapt.c \

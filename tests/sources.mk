@@ -13,6 +13,7 @@ shell_tests = \
 	tests/crosscheck/language.sh \
 	tests/crosscheck/legacy.sh \
 	tests/crosscheck/liggghts.sh \
+	tests/crosscheck/mesh_dumps.sh \
 	tests/crosscheck/meshes.sh \
 	tests/crosscheck/scripts.sh \
 	tests/crosscheck/space.sh \
@@ -34,6 +35,7 @@ shell_tests = \
 	tests/decks/inputs.sh \
 	tests/decks/insertion.sh \
 	tests/decks/legacy.sh \
+	tests/decks/mesh_dumps.sh \
 	tests/decks/mistakes.sh \
 	tests/decks/neigh_words.sh \
 	tests/decks/plane.sh \

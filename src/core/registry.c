@@ -37,7 +37,11 @@ static const char *usual_name(enum ts_kind kind, const char *name)
 	static const struct {
 		enum ts_kind kind;
 		const char *other, *usual;
-	} names[] = { { TS_KIND_COMMAND, "create_particles", "create_atoms" } };
+	} names[] = {
+		{ TS_KIND_COMMAND, "create_particles", "create_atoms" },
+		{ TS_KIND_DUMP, "stl", "mesh/stl" },
+		{ TS_KIND_DUMP, "mesh/gran/VTK", "mesh/vtk" },
+	};
 
 	for (size_t k = 0; k < sizeof names / sizeof *names; k++)
 		if (names[k].kind == kind && ts_streq(names[k].other, name))

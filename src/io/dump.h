@@ -104,6 +104,9 @@ enum ts_status ts_dump_frame(struct ts_instance *self, struct tsim *sim, bool lo
 /* For -explain: how many frames of what size. */
 enum ts_status ts_dump_price(struct ts_instance *self, struct tsim *sim, bool local, bool vtk,
 			     struct ts_plan_report *report);
+/* The same where the size of a frame is known. */
+enum ts_status ts_dump_price_frame(struct ts_instance *self, struct tsim *sim, double bytes,
+				   struct ts_plan_report *report);
 void ts_dump_fini(struct ts_instance *self);
 
 #endif

@@ -51,12 +51,25 @@ static int64_t frames(const struct ts_dump_common *d, const struct tsim *sim)
 	return ts_report_times(sim, d->every) + (now && !(d->frames && d->last == step));
 }
 
-enum ts_status ts_dump_price(struct ts_instance *self, struct tsim *sim, bool local, bool vtk,
-			     struct ts_plan_report *report)
+enum ts_status ts_dump_price_frame(struct ts_instance *self, struct tsim *sim, double bytes,
+				   struct ts_plan_report *report)
 {
 	struct ts_dump_common *d = self->state;
 	struct ts_str name = { 0 };
 	enum ts_status status;
+
+	if (!sim->explain || sim->log.quiet)
+		return TS_OK;
+	ts_str_addf(&name, "dump %s %s", self->id, d->file);
+	status = ts_report_output(report, ts_str_text(&name), frames(d, sim), bytes);
+	ts_str_release(&name);
+	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
+}
+
+enum ts_status ts_dump_price(struct ts_instance *self, struct tsim *sim, bool local, bool vtk,
+			     struct ts_plan_report *report)
+{
+	struct ts_dump_common *d = self->state;
 
 	if (!sim->explain || sim->log.quiet)
 		return TS_OK;
@@ -67,8 +80,5 @@ enum ts_status ts_dump_price(struct ts_instance *self, struct tsim *sim, bool lo
 		ts_error_clear(&sim->error);
 		d->nrows = 0;
 	}
-	ts_str_addf(&name, "dump %s %s", self->id, d->file);
-	status = ts_report_output(report, ts_str_text(&name), frames(d, sim), frame_size(d, vtk));
-	ts_str_release(&name);
-	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
+	return ts_dump_price_frame(self, sim, frame_size(d, vtk), report);
 }

@@ -141,6 +141,8 @@ TS_STYLE(dump, ts_style, ts_dump_custom)
 TS_STYLE(dump, ts_style, ts_dump_custom_vtk)
 TS_STYLE(dump, ts_style, ts_dump_local)
 TS_STYLE(dump, ts_style, ts_dump_local_vtk)
+TS_STYLE(dump, ts_style, ts_dump_mesh_stl)
+TS_STYLE(dump, ts_style, ts_dump_mesh_vtk)
 TS_STYLE(dump, ts_style, ts_dump_restart)
 TS_STYLE(dump, ts_style, ts_dump_xyz)
 TS_STYLE(fix, ts_style, ts_fix_adapt)
@@ -349,6 +351,8 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_dump_custom_vtk,
 	&ts_dump_local,
 	&ts_dump_local_vtk,
+	&ts_dump_mesh_stl,
+	&ts_dump_mesh_vtk,
 	&ts_dump_restart,
 	&ts_dump_xyz,
 	&ts_fix_adapt,

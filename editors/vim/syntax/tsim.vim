@@ -143,7 +143,7 @@ syn keyword tsim_region contained block cone cylinder ellipsoid intersect plane 
 syn keyword tsim_region contained wedge
 hi def link tsim_region Type
 syn match tsimHead /^\s*dump\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_dump
-syn keyword tsim_dump contained atom custom custom/vtk local local/vtk
+syn keyword tsim_dump contained atom custom custom/vtk local local/vtk mesh/stl mesh/vtk
 syn match tsim_dump /\<restart\>/ contained
 syn keyword tsim_dump contained xyz
 hi def link tsim_dump Type

@@ -1,0 +1,87 @@
+#!/bin/bash
+# Dumps of meshes, byte for byte as LIGGGHTS writes them.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+if ! command -v liggghts >/dev/null; then
+	echo 'skipped: needs liggghts (apt-get install liggghts)'
+	exit 77
+fi
+
+# a plate of two triangles, and a pyramid of six with a floor inside
+cat >plate.stl <<'END2'
+solid plate
+facet normal 0 0 1
+outer loop
+vertex 0 0 0
+vertex 0.5 0 0
+vertex 0 0.5 0
+endloop
+endfacet
+facet normal 0 0 1
+outer loop
+vertex 0.5 0 0
+vertex 0.5 0.5 0
+vertex 0 0.5 0
+endloop
+endfacet
+endsolid plate
+END2
+python3 - >pyramid.stl <<'END2'
+corners = [(0, 0, 0), (0.3, 0, 0), (0.3, 0.2, 0), (0, 0.2, 0)]
+top = (0.1, 0.1, 0.2385)
+faces = [(corners[k], corners[(k + 1) % 4], top) for k in range(4)]
+faces += [(corners[0], corners[2], corners[1]), (corners[0], corners[3], corners[2])]
+print("solid pyramid")
+for face in faces:
+    print("facet normal 0 0 0\nouter loop")
+    for corner in face:
+        print("vertex %g %g %g" % corner)
+    print("endloop\nendfacet")
+print("endsolid pyramid")
+END2
+cat >in.both <<'END2'
+atom_style granular
+atom_modify map array sort 0 0
+boundary f f f
+newton off
+communicate single vel yes
+units si
+region reg block -1 1 -1 1 -1 1 units box
+region half block 0.2 1 -1 1 -1 1 units box
+create_box 1 reg
+neighbor 0.01 bin
+neigh_modify delay 0
+fix m1 all property/global youngsModulus peratomtype 5.e6
+fix m2 all property/global poissonsRatio peratomtype 0.45
+fix m3 all property/global coefficientRestitution peratomtypepair 1 0.5
+fix m4 all property/global coefficientFriction peratomtypepair 1 0.5
+pair_style gran model hertz tangential history
+pair_coeff * *
+timestep 1e-3
+fix a all mesh/surface file plate.stl type 1 scale 0.3333 move 0.1 0.1 0.1 rotate axis 1 1 0.3 angle 33.3
+fix b all mesh/surface file plate.stl type 1 move -0.3 0 0.2 surface_vel 0.1 0 0.2385
+fix c all mesh/surface file pyramid.stl type 1 move -0.33 -0.7 -0.1
+fix w all wall/gran model hertz tangential history mesh n_meshes 3 meshes a b c
+dump s1 all mesh/stl 1 s1.*.stl
+dump s2 all mesh/stl 2 s2.*.stl b a
+dump s3 all stl 1 s3.*.stl region half
+dump s4 all mesh/stl 2 s4.*.stl local
+dump s5 all mesh/stl 2 s5.*.stl a ghost
+dump_modify s2 pad 5
+dump v1 all mesh/vtk 2 v1.*.vtk vel id nneighs index acorners aedges area owner
+dump v2 all mesh/gran/VTK 2 v2.*.vtk id c b
+dump v3 all mesh/vtk 2 v3.*.vtk output interpolate a area b vel
+dump v4 all mesh/vtk 2 v4.*.vtk output original area a aedges
+dump v5 all mesh/vtk 2 v5.*.vtk output interpolate vel id nneighs index acorners aedges area owner
+run 2
+END2
+mkdir theirs ours
+for side in theirs ours; do cp plate.stl pyramid.stl in.both $side; done
+(cd theirs && liggghts -in in.both -log none >out 2>&1)
+report 'liggghts runs' $? theirs/out
+(cd ours && "$TSIM" -in in.both -log none >out 2>&1)
+report 'tsim runs' $? ours/out
+for file in theirs/*.*.stl theirs/*.vtk; do
+	same "$file" "$file" "ours/${file#theirs/}"
+done
+finish
