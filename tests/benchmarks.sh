@@ -34,4 +34,7 @@ done <<'END'
 3.iron.duration 12.972e-6
 3.iron.force 506.76
 END
+
+sh "$examples/penetration/run.sh" 0.008 >out 2>&1 && grep -q '^RESULT .* ok$' out
+report 'penetration of a bed of large grains, Dosta et al. (2024)' $? out
 finish

@@ -1,0 +1,107 @@
+#!/bin/bash
+# Which of the words of LIGGGHTS scripts tsim knows: a table in Markdown, made from tests/data/words.txt (words
+# of 480 public scripts with the number of scripts that use them), from what tsim says to a line with the
+# style, and from its manual pages. doc/words.md is its output.
+#	TSIM=./tsim sh doc/words.sh >doc/words.md
+cd "$(dirname "$0")/.." || exit 1
+tsim=${TSIM:-tsim}
+words=tests/data/words.txt
+pages=doc/styles
+tab=$(printf '\t')
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# Styles and commands: yes, no, or known (refused with a reason).
+{
+	printf 'region b block 0 1 0 1 0 1 units box\ncreate_box 1 b\n'
+	# commands last: `jump` and others lead away
+	{ grep -v '^#' $words | grep -v '^command'; grep '^command' $words; } | awk -F'\t' '
+		$1 == "fix" || $1 == "compute" { print $1, "x" NR, "all", $2; next }
+		$1 == "dump" { print $1, "x" NR, "all", $2, "1 f"; next }
+		$1 == "region" { print $1, "x" NR, $2; next }
+		$1 == "pair" || $1 == "bond" { print $1 "_style", $2; next }
+		$1 == "command" { print $2 }'
+} >"$work/in"
+$tsim -check -in "$work/in" >/dev/null 2>"$work/errors" </dev/null
+style() {
+	if grep -qF "'$2' is known from" "$work/errors"; then
+		echo known
+	elif grep -qE "unknown ($1 style|command) '$(printf %s "$2" | sed 's/[*]/\\*/g')'" "$work/errors"; then
+		echo no
+	else
+		echo yes
+	fi
+}
+
+# Other words: on one of the manual pages.
+# shellcheck disable=SC2048,SC2086
+page() {
+	local word=$1
+	shift
+	if (cd $pages && cat $* 2>/dev/null) | grep -qE "(^|[^A-Za-z0-9_/])$word([^A-Za-z0-9_/]|\$)"; then
+		echo yes
+	else
+		echo no
+	fi
+}
+
+judge() {
+	case $1 in
+	fix | compute | dump | region | pair | bond | command) style "$1" "$2" ;;
+	atom_style | boundary | create_atoms | dump_modify | group | lattice | neigh_modify | run | set | \
+		thermo_modify | units | velocity) page "$2" "command_$1.md" ;;
+	cohesion | model | rolling_friction | surface | tangential | 'pair gran') page "$2" pair_gran.md ;;
+	'dump column') page "$2" quantities.md dump_custom.md ;;
+	function) page "$2" functions.md ;;
+	gravity) page "$2" fix_gravity.md ;;
+	insert) page "$2" fix_insert_pack.md fix_insert_stream.md fix_insert_rate_region.md ;;
+	material) page "$2" 'pair_gran.md' fix_*.md ;;
+	mesh) page "$2" fix_mesh_surface*.md ;;
+	move/mesh) page "$2" fix_move_mesh.md ;;
+	property) page "$2" fix_property_*.md ;;
+	'region word') page "$2" region_*.md ;;
+	template) page "$2" fix_particletemplate_sphere.md ;;
+	thermo_style) page "$2" keywords.md ;;
+	variable) page "$2" variables.md ;;
+	wall/gran) page "$2" fix_wall_gran.md ;;
+	*) echo "no rule for $1" >&2 ;;
+	esac
+}
+
+grep -v '^#' $words | while IFS=$tab read -r kind word scripts; do
+	printf '%s\t%s\t%s\t%s\n' "$kind" "$word" "$scripts" "$(judge "$kind" "$word")"
+done >"$work/judged"
+
+cat <<'END'
+# Words of LIGGGHTS scripts
+
+480 public LIGGGHTS scripts from 21 repositories were counted: which words they use, and how many scripts use each.
+Here is which of them tsim has. A word counts as known if it is a style or command, or stands on the manual page
+where it belongs. `refused` words are met with the reason: they belong to methods that tsim does not have (smoothed
+particles, other shapes, coupling to other programs). "By use" weighs each word by the scripts that use it. Made by
+`doc/words.sh`.
+
+| kind | words | known | refused | lacking | known, by use |
+|---|---|---|---|---|---|
+END
+awk -F'\t' '
+	!($1 in n) { order[++kinds] = $1 }
+	{ n[$1]++; use[$1] += $3; N++; U += $3 }
+	$4 == "yes" { yes[$1]++; used[$1] += $3; Y++; V += $3 }
+	$4 == "known" { known[$1]++; K++ }
+	$4 == "no" { no[$1]++; L++ }
+	END {
+		for (k = 1; k <= kinds; k++) {
+			w = order[k]
+			printf "| %s | %d | %d | %d | %d | %.1f %% |\n", w, n[w], yes[w], known[w], no[w], 100 * used[w] / use[w]
+		}
+		printf "| **all** | %d | %d | %d | %d | %.1f %% |\n", N, Y, K, L, 100 * V / U
+	}' "$work/judged"
+echo
+echo '## Lacking, most used first'
+echo
+sort -t "$tab" -k3,3nr -s "$work/judged" | awk -F'\t' '$4 == "no" { printf "%s%s %s (%d)", n++ ? ", " : "", $1, $2, $3 } END { print "" }' | fold -s -w 110 | sed 's/ *$//'
+echo
+echo '## Refused with a reason'
+echo
+awk -F'\t' '$4 == "known" { printf "%s%s %s (%d)", n++ ? ", " : "", $1, $2, $3 } END { print "" }' "$work/judged" | fold -s -w 110 | sed 's/ *$//'
