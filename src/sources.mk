@@ -217,6 +217,7 @@ library_sources = \
 	src/neigh/heat.c \
 	src/neigh/heat.h \
 	src/neigh/heat_step.c \
+	src/neigh/material_words.c \
 	src/neigh/materials.c \
 	src/neigh/materials.h \
 	src/neigh/mesh_wall.c \

@@ -26,6 +26,7 @@ fix		m7 all property/global characteristicVelocity scalar 1.37
 fix		m6 all property/global coefficientRollingViscousDamping peratomtypepair 2 0.51 0.2 0.2 0.3
 neighbor	0.002 bin
 pair_style	gran ${model} ${words}
+pair_coeff	* *
 fix		pull all gravity 9.81 vector 0.1 0.0 -1.0
 fix		floor all wall/gran ${model} primitive type 1 zplane 0.0
 fix		side all wall/gran ${model} primitive type 2 zcylinder 0.09 0.0 0.0

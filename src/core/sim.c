@@ -76,6 +76,7 @@ static void set_defaults(struct tsim *sim)
 	sim->columns = 0;
 	sim->fingerprint = 0;
 	sim->planned = false;
+	sim->hard_particles = sim->soft_particles = sim->newton_on = sim->still_ghosts = false;
 	sim->running = sim->rebuild = sim->in_setup = sim->resuming = sim->halted = false;
 	if (sim->threads == 0)
 		sim->threads = threads && ts_parse_int(threads, &n) && n > 0 && n < 1024 ? (int)n

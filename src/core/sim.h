@@ -70,6 +70,8 @@ struct tsim {
 	bool planned;      /* -check: a run would have changed the state by now */
 	bool unreached;    /* -check: reads a line that is not run: names are not looked up */
 	char from_run[48]; /* -check: a value read by this line that only a run can give */
+	bool hard_particles, soft_particles; /* Young's moduli beyond the usual are meant */
+	bool newton_on, still_ghosts; /* said by the script, of no effect; pair_style gran refuses */
 	bool legacy;       /* LIGGGHTS' numbers: see the command of this name */
 	bool unsafe;       /* this run only warns of a step beyond the stability limit */
 	bool running;      /* inside a run */

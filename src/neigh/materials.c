@@ -80,72 +80,143 @@ static unsigned needs_of(const struct ts_granular_model *m)
 	return needs;
 }
 
+/* lo <= value <= hi, or lo < value where `above` is set. */
+struct bounds {
+	double lo, hi;
+	bool above;
+};
+#define ANY { -INFINITY, INFINITY, false }
+#define POSITIVE { 0, INFINITY, true }
+#define NOT_NEGATIVE { 0, INFINITY, false }
+
 struct property {
 	unsigned needs;
 	const char *name;
 	size_t offset;
-	double lo, hi; /* lo < value <= hi */
-	bool for_all;  /* one number, whatever the types */
+	struct bounds bounds;
+	bool for_all; /* one number, whatever the types */
 };
-#define PAIR(needs, name, field, lo, hi)                                                           \
+#define PAIR(needs, name, field, ...)                                                              \
 	{                                                                                          \
-		needs, name, offsetof(struct ts_granular_pair, field), lo, hi, false               \
+		needs, name, offsetof(struct ts_granular_pair, field), __VA_ARGS__, false          \
+	}
+#define FOR_ALL(needs, name, field, ...)                                                           \
+	{                                                                                          \
+		needs, name, offsetof(struct ts_granular_pair, field), __VA_ARGS__, true           \
 	}
 
 static const struct property of_pairs[] = {
-	PAIR(STIFFNESS, "kn", kn, 0, INFINITY),
-	PAIR(STIFFNESS, "kt", kt, -1, INFINITY),
-	PAIR(STIFFNESS_DAMPING, "gamman", gamman, -1, INFINITY),
-	PAIR(STIFFNESS_DAMPING, "gammat", gammat, -1, INFINITY),
-	PAIR(ABSOLUTE_DAMPING, "gamman_abs", gamman, -1, INFINITY),
-	PAIR(ABSOLUTE_DAMPING, "gammat_abs", gammat, -1, INFINITY),
-	PAIR(RESTITUTION, "coefficientRestitution", log_restitution, 0, 1),
-	PAIR(FRICTION, "coefficientFriction", friction, -INFINITY, INFINITY),
-	PAIR(ROLLING, "coefficientRollingFriction", rolling_friction, -INFINITY, INFINITY),
-	PAIR(ROLLING_DASHPOT, "coefficientRollingViscousDamping", rolling_viscosity, -INFINITY,
-	     INFINITY),
-	PAIR(ROLLING_STIFFNESS, "coeffRollingStiffness", rolling_stiffness, -INFINITY, INFINITY),
-	PAIR(COHESION, "cohesionEnergyDensity", cohesion, -INFINITY, INFINITY),
-	PAIR(VISCOUS, "FluidViscosity", viscosity, 0, INFINITY),
-	PAIR(VISCOUS, "CriticalStokes", critical_stokes, 0, INFINITY),
-	PAIR(VISCOUS, "MaximumRestitution", largest_restitution, 0, 1),
-	PAIR(HYSTERESIS, "coefficientMaxElasticStiffness", unloading, 1, INFINITY),
-	PAIR(HYSTERESIS, "coefficientAdhesionStiffness", adhesion, -1, INFINITY),
-	PAIR(HYSTERESIS, "coefficientPlasticityDepth", plasticity, -1, INFINITY),
-	{ VELOCITY, "characteristicVelocity", offsetof(struct ts_granular_pair, velocity), 0,
-	  INFINITY, true },
+	PAIR(STIFFNESS, "kn", kn, POSITIVE),
+	PAIR(STIFFNESS, "kt", kt, NOT_NEGATIVE),
+	PAIR(STIFFNESS_DAMPING, "gamman", gamman, NOT_NEGATIVE),
+	PAIR(STIFFNESS_DAMPING, "gammat", gammat, NOT_NEGATIVE),
+	PAIR(ABSOLUTE_DAMPING, "gamman_abs", gamman, NOT_NEGATIVE),
+	PAIR(ABSOLUTE_DAMPING, "gammat_abs", gammat, NOT_NEGATIVE),
+	PAIR(RESTITUTION, "coefficientRestitution", log_restitution, { 0.05, 1, true }),
+	PAIR(FRICTION, "coefficientFriction", friction, ANY),
+	PAIR(ROLLING, "coefficientRollingFriction", rolling_friction, ANY),
+	PAIR(ROLLING_DASHPOT, "coefficientRollingViscousDamping", rolling_viscosity, ANY),
+	PAIR(COHESION, "cohesionEnergyDensity", cohesion, ANY),
+	PAIR(VISCOUS, "FluidViscosity", viscosity, POSITIVE),
+	PAIR(VISCOUS, "CriticalStokes", critical_stokes, POSITIVE),
+	PAIR(VISCOUS, "MaximumRestitution", largest_restitution, { 0, 1, true }),
+	PAIR(HYSTERESIS, "coefficientMaxElasticStiffness", unloading, { 1, INFINITY, true }),
+	PAIR(HYSTERESIS, "coefficientAdhesionStiffness", adhesion, NOT_NEGATIVE),
+	PAIR(HYSTERESIS, "coefficientPlasticityDepth", plasticity, NOT_NEGATIVE),
+	FOR_ALL(ROLLING_STIFFNESS, "rollingStiffness", rolling_stiffness, POSITIVE),
+	FOR_ALL(VELOCITY, "characteristicVelocity", velocity, POSITIVE),
 };
 enum { NPAIR = sizeof of_pairs / sizeof *of_pairs };
 
-static enum ts_status in_range(struct tsim *sim, const char *name, double value, double lo,
-			       double hi)
-{
-	const struct ts_instance *by;
+/* What was given for which types, for messages. */
+struct given {
+	const char *name;
+	int a, b;
+	double value;
+};
 
-	if (value > lo && value <= hi)
+static enum ts_status refuse(struct tsim *sim, const struct given *g, const char *expected)
+{
+	return ts_fail(&sim->error, TS_RANGE, ts_property_place(sim, g->name, g->a, g->b),
+		       "property/global %s is %.15g, expected %s", g->name, g->value, expected);
+}
+
+static enum ts_status in_range(struct tsim *sim, const struct given *g, const struct bounds *bounds)
+{
+	const char *relation = bounds->above ? ">" : ">=";
+	char expected[96];
+
+	if (g->value >= bounds->lo && g->value <= bounds->hi &&
+	    !(bounds->above && g->value <= bounds->lo))
 		return TS_OK;
-	ts_property_find(sim, name, &by);
-	return ts_fail(&sim->error, TS_RANGE, &by->where,
-		       "property/global %s must be > %g%s, found %.15g", name, lo > -1 ? lo : 0,
-		       hi < INFINITY ? " and at most 1" : "", value);
+	if (bounds->hi < INFINITY)
+		snprintf(expected, sizeof expected, "a number %s %g and <= %g", relation,
+			 bounds->lo, bounds->hi);
+	else
+		snprintf(expected, sizeof expected, "a number %s %g", relation, bounds->lo);
+	return refuse(sim, g, expected);
+}
+
+static enum ts_status usual_modulus(struct tsim *sim, const struct given *g, double pascal)
+{
+	char expected[160];
+
+	if (g->value < 5e6 * pascal && !sim->soft_particles) {
+		snprintf(expected, sizeof expected,
+			 "at least %g: softer particles overlap far; `soft_particles yes` allows it",
+			 5e6 * pascal);
+		return refuse(sim, g, expected);
+	}
+	if (g->value > 1e9 * pascal && !sim->hard_particles) {
+		snprintf(expected, sizeof expected,
+			 "at most %g: harder particles need very small time steps; "
+			 "`hard_particles yes` allows it",
+			 1e9 * pascal);
+		return refuse(sim, g, expected);
+	}
+	return TS_OK;
+}
+
+/* In units that have a pascal. */
+static enum ts_status usual(struct tsim *sim, const struct given *g)
+{
+	bool si = sim->units == TS_UNITS_SI;
+
+	if (ts_streq(g->name, "youngsModulus") && (si || sim->units == TS_UNITS_CGS))
+		return usual_modulus(sim, g, si ? 1 : 10);
+	if (ts_streq(g->name, "characteristicVelocity") && si && g->value < 0.01)
+		return refuse(sim, g, "at least 0.01");
+	if (ts_streq(g->name, "rollingStiffness") && si && g->value < 1)
+		return refuse(sim, g, "at least 1");
+	return TS_OK;
+}
+
+static enum ts_status look_up(struct tsim *sim, struct given *g, const char *who,
+			      const struct ts_place *where, const struct bounds *bounds)
+{
+	TS_TRY(ts_property_value(sim, g->name, g->a, g->b, who, where, &g->value));
+	TS_TRY(in_range(sim, g, bounds));
+	return usual(sim, g);
 }
 
 /* 1/Y* = (1-nu_a^2)/Y_a + (1-nu_b^2)/Y_b; 1/G* = 2(2-nu_a)(1+nu_a)/Y_a + 2(2-nu_b)(1+nu_b)/Y_b */
 static enum ts_status elastic(struct tsim *sim, int a, int b, const char *who,
 			      const struct ts_place *where, struct ts_granular_pair *out)
 {
+	static const struct bounds positive = POSITIVE, ratio = { 0, 0.5, false };
 	const int types[2] = { a, b };
 	double y = 0, g = 0;
 
 	for (int k = 0; k < 2; k++) {
-		double young, nu;
+		struct given young = { "youngsModulus", types[k], 0, 0 };
+		struct given poisson = { "poissonsRatio", types[k], 0, 0 };
+		double nu;
 
-		TS_TRY(ts_property_value(sim, "youngsModulus", types[k], 0, who, where, &young));
-		TS_TRY(ts_property_value(sim, "poissonsRatio", types[k], 0, who, where, &nu));
-		TS_TRY(in_range(sim, "youngsModulus", young, 0, INFINITY));
-		TS_TRY(in_range(sim, "poissonsRatio", nu, -1, 0.5));
-		y += (1 - nu * nu) / young;
-		g += 2 * (2 - nu) * (1 + nu) / young;
+		TS_TRY(look_up(sim, &young, who, where, &positive));
+		TS_TRY(look_up(sim, &poisson, who, where, &ratio));
+		nu = poisson.value;
+		y += (1 - nu * nu) / young.value;
+		g += 2 * (2 - nu) * (1 + nu) / young.value;
 	}
 	out->young = 1 / y;
 	out->shear = 1 / g;
@@ -163,13 +234,12 @@ enum ts_status ts_granular_material(struct tsim *sim, const struct ts_granular_m
 		TS_TRY(elastic(sim, a, b, who, where, out));
 	for (size_t k = 0; k < NPAIR; k++) {
 		const struct property *p = &of_pairs[k];
-		double *value = (double *)((char *)out + p->offset);
+		struct given g = { p->name, p->for_all ? 0 : a, p->for_all ? 0 : b, 0 };
 
 		if (!(needs & p->needs))
 			continue;
-		TS_TRY(ts_property_value(sim, p->name, p->for_all ? 0 : a, p->for_all ? 0 : b, who,
-					 where, value));
-		TS_TRY(in_range(sim, p->name, *value, p->lo, p->hi));
+		TS_TRY(look_up(sim, &g, who, where, &p->bounds));
+		*(double *)((char *)out + p->offset) = g.value;
 	}
 	if (needs & RESTITUTION) {
 		double l = log(out->log_restitution);

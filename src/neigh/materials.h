@@ -51,6 +51,10 @@ extern const char *const ts_normal_names[],
 		TS_BOOL("disableNormalWhenBonded", T, f.unbonded, .fallback = "off",               \
 			.help = "no effect; see special_bonds")
 
+/* Checks their order, and that keywords fit the models. `who` for messages: "pair gran". */
+enum ts_status ts_granular_words_check(struct tsim *sim, const struct ts_instance *self,
+				       const char *who, const struct ts_granular_words *words);
+
 struct ts_granular_model ts_granular_model_of(const struct tsim *sim,
 					      const struct ts_granular_words *words);
 

@@ -188,6 +188,17 @@ enum ts_status ts_pair_archive(struct ts_instance *self, struct tsim *sim, struc
 	return TS_OK;
 }
 
+enum ts_status ts_pair_archive_given(struct ts_instance *self, struct tsim *sim,
+				     struct ts_archive *a)
+{
+	struct ts_pair *pair = self->state;
+
+	TS_TRY(ts_pair_prepare(sim, self));
+	if (!ts_archive_has(a, "given")) /* older files: nobody asked */
+		return TS_OK;
+	return ts_archive_fixed(a, "given", TS_SAVED_U8, pair->coeffs.given, pair->coeffs.n);
+}
+
 void ts_pair_fingerprint(const struct ts_instance *self, const struct tsim *sim,
 			 struct ts_hash *hash)
 {

@@ -54,6 +54,9 @@ enum ts_status ts_pair_prepare(struct tsim *sim, struct ts_instance *self);
 /* Shared by all pair styles: slots of struct ts_style. */
 enum ts_status ts_pair_init(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_pair_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a);
+/* For styles whose coefficients stand elsewhere: only for which types pair_coeff was given. */
+enum ts_status ts_pair_archive_given(struct ts_instance *self, struct tsim *sim,
+				     struct ts_archive *a);
 void ts_pair_fingerprint(const struct ts_instance *self, const struct tsim *sim,
 			 struct ts_hash *hash);
 enum ts_status ts_pair_plan(struct ts_instance *self, struct tsim *sim,

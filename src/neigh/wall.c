@@ -8,8 +8,11 @@
 
 #include "base/banned.h"
 
-enum ts_status ts_wall_init(struct tsim *sim, struct ts_wall *w)
+enum ts_status ts_wall_init(struct ts_instance *self, struct tsim *sim)
 {
+	struct ts_wall *w = self->state;
+
+	TS_TRY(ts_granular_words_check(sim, self, "fix wall/gran", &w->words));
 	w->own_model = w->words.normal != TS_NORMAL_OFF;
 	if (!w->own_model)
 		return TS_OK;

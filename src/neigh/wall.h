@@ -41,7 +41,7 @@ struct ts_wall_spot {
 };
 
 /* In the style's init. */
-enum ts_status ts_wall_init(struct tsim *sim, struct ts_wall *w);
+enum ts_status ts_wall_init(struct ts_instance *self, struct tsim *sim);
 
 /* Checks that the law exists for particles of the group and a wall of this type, and reports the
  * largest step that contacts allow. */

@@ -9,6 +9,7 @@ const char *const ts_comm_modes[] = { "single", "multi", "multi/old", NULL };
 enum ts_status ts_comm_accept(struct tsim *sim, const struct ts_comm *comm,
 			      const struct ts_place *where)
 {
+	sim->still_ghosts = !comm->velocity;
 	if (!comm->group)
 		return TS_OK;
 	where = ts_sim_word_of(sim, ts_group_name(sim, comm->group), where);

@@ -18,7 +18,7 @@ extern const char *const ts_comm_modes[];
 #define TS_COMM_MODE_HELP "no effect: images reach as far as the largest contact, cells adapt to sizes"
 #define TS_COMM_ROWS(T)                                                                            \
 	TS_BOOL("vel", T, comm.velocity, .fallback = "yes",                                        \
-		.help = "no effect: images always carry velocities"),                              \
+		.help = "no effect: images always carry velocities; pair gran refuses no"),                              \
 	TS_REAL("cutoff", T, comm.cutoff, .fallback = "0", .range = TS_NOT_NEGATIVE,               \
 		.unit = "length",                                                                  \
 		.help = "no effect: images reach as far as contacts need, more would be idle"),    \

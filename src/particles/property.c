@@ -40,6 +40,25 @@ static enum ts_status missing(struct tsim *sim, const char *name, const char *ki
 		       ts_suggest_text(&suggest));
 }
 
+static size_t index_of(const struct ts_property *p, int a, int b)
+{
+	size_t row = (size_t)(a > 0 ? a - 1 : 0), column = (size_t)(b > 0 ? b - 1 : 0);
+
+	return p->kind == TS_PROPERTY_SCALAR ? 0 : row * p->columns + column;
+}
+
+const struct ts_place *ts_property_place(const struct tsim *sim, const char *name, int a, int b)
+{
+	const struct ts_instance *by;
+	const struct ts_property *p = ts_property_find(sim, name, &by);
+	size_t word;
+
+	if (!p)
+		return NULL;
+	word = (p->kind >= TS_PROPERTY_PAIR ? 3 : 2) + index_of(p, a, b); /* name, kind, columns */
+	return word < by->words.n ? &by->words.word[word].place : &by->where;
+}
+
 enum ts_status ts_property_value(struct tsim *sim, const char *name, int a, int b, const char *who,
 				 const struct ts_place *where, double *out)
 {

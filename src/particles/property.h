@@ -34,4 +34,7 @@ bool ts_property_given(const struct tsim *sim, const char *name);
 enum ts_status ts_property_value(struct tsim *sim, const char *name, int a, int b, const char *who,
 				 const struct ts_place *where, double *out);
 
+/* Where that value is written, for messages about it. */
+const struct ts_place *ts_property_place(const struct tsim *sim, const char *name, int a, int b);
+
 #endif

@@ -30,7 +30,7 @@ for normal in hertz hooke hooke/stiffness hertz/stiffness; do
 		agrees "model $normal tangential $tangential"
 	done
 done
-for rolling in cdt epsd epsd2; do
+for rolling in cdt epsd epsd2 epsd3; do
 	agrees "model hertz tangential history rolling_friction $rolling"
 	agrees "model hooke tangential no_history rolling_friction $rolling" 'torsionTorque on'
 done

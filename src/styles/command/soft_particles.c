@@ -1,4 +1,4 @@
-/* Command soft_particles: accepted for compatibility. */
+/* Command soft_particles: Young's moduli below 5e6 Pa are meant. */
 #include "core/sim.h"
 
 #include "base/banned.h"
@@ -7,8 +7,16 @@ struct state {
 	bool on;
 };
 
+static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	(void)where;
+	sim->soft_particles = ((const struct state *)state)->on;
+	return TS_OK;
+}
+
 static const struct ts_arg args[] = {
-	TS_BOOL("on", struct state, on, .flags = TS_POSITIONAL, .help = "no effect"),
+	TS_BOOL("on", struct state, on, .flags = TS_POSITIONAL,
+		.help = "whether a Young's modulus below 5e6 Pa is accepted"),
 	TS_ARGS_END,
 };
 
@@ -17,11 +25,14 @@ const struct ts_command_style ts_command_soft_particles = {
 	.style = {
 		.name = "soft_particles",
 		.kind = TS_KIND_COMMAND,
-		.summary = "Accepted for compatibility; has no effect",
-		.doc = "In LIGGGHTS it lifts a limit of Young's modulus. Here there is none: any modulus will do,\n"
-		       "as long as the time step resolves the contacts.",
+		.summary = "lets Young's modulus be below 5e6 Pa",
+		.doc = "With units si and cgs, the models of pair_style gran that need youngsModulus want it from 5e6\n"
+		       "to 1e9 Pa (5e7 to 1e10 in cgs). Softer particles overlap so far that they are no spheres\n"
+		       "any more.\n"
+		       "Other units have no such limit, nor have laws whose stiffness is given.",
 		.example = "soft_particles yes",
 		.args = args,
 		.state_size = sizeof(struct state),
 	},
+	.run = run,
 };

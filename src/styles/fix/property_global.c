@@ -58,12 +58,25 @@ static enum ts_status check_symmetry(struct tsim *sim, const struct state *s)
 	return TS_OK;
 }
 
+static enum ts_status check_alone(struct ts_instance *self, struct tsim *sim)
+{
+	const struct state *s = self->state;
+	const struct ts_instance *by = NULL;
+
+	if (!ts_property_find(sim, s->property.name, &by) || by == self)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, s->property.name),
+		       "fix property/global: %s is given by fix %s already; use its id to give it anew",
+		       s->property.name, by->id);
+}
+
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	struct ts_property *p = &s->property;
 	struct ts_words values = s->words;
 
+	TS_TRY(check_alone(self, sim));
 	p->columns = 1;
 	if (p->kind >= TS_PROPERTY_PAIR)
 		TS_TRY(read_columns(sim, s, &values));

@@ -92,11 +92,9 @@ static enum ts_status find_meshes(struct ts_instance *self, struct tsim *sim)
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
-	struct wall *w = self->state;
-
 	TS_TRY(choose_shape(self, sim));
 	TS_TRY(w->mesh_word ? find_meshes(self, sim) : check_shape(self, sim));
-	return ts_wall_init(sim, &w->wall);
+	return ts_wall_init(self, sim);
 }
 
 static enum ts_status list_near(struct ts_instance *self, struct tsim *sim)

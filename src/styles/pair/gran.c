@@ -72,9 +72,27 @@ static enum ts_status make_table(struct ts_instance *self, struct tsim *sim)
 
 			TS_TRY(ts_granular_material(sim, &g->pair.model, a, b, "pair_style gran",
 						    &self->where, ts_coeff(&g->pair.coeffs, k)));
-			g->pair.coeffs.given[k] = true;
 		}
 	}
+	return TS_OK;
+}
+
+/* What LIGGGHTS refuses, too. */
+static enum ts_status check_words(struct ts_instance *self, struct tsim *sim)
+{
+	const struct gran *g = self->state;
+
+	if (!g->words.normal && !g->words.tangential && !g->words.cohesion && !g->words.rolling)
+		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+			       "pair gran needs a model first: `model hertz tangential history`");
+	TS_TRY(ts_granular_words_check(sim, self, "pair gran", &g->words));
+	if (sim->newton_on && g->words.tangential == TS_TANGENTIAL_HISTORY)
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "pair gran with tangential history needs `newton off`");
+	if (sim->still_ghosts)
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "pair gran needs velocities across periodic faces: "
+			       "`communicate single vel yes`");
 	return TS_OK;
 }
 
@@ -82,6 +100,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct gran *g = self->state;
 
+	TS_TRY(check_words(self, sim));
 	g->pair.model = ts_granular_model_of(sim, &g->words);
 	if (!sim->particles->ntypes)
 		return TS_OK;
@@ -144,13 +163,13 @@ static const char gran_doc[] =
 	"delta R*.\n\n"
 	"The constants come from fix property/global: youngsModulus, poissonsRatio (per type); "
 	"coefficientRestitution, coefficientFriction, coefficientRollingFriction, "
-	"coefficientRollingViscousDamping (epsd, epsd3), coeffRollingStiffness (epsd3), "
+	"coefficientRollingViscousDamping (epsd, epsd3), "
 	"cohesionEnergyDensity, kn, kt, gamman, gammat (the stiffness laws; gamman_abs, gammat_abs "
 	"with "
 	"absolute_damping), coefficientMaxElasticStiffness, coefficientAdhesionStiffness, "
 	"coefficientPlasticityDepth (hysteresis), FluidViscosity, CriticalStokes, "
 	"MaximumRestitution "
-	"(viscous), all per pair of types; characteristicVelocity (hooke), one number.\n\n"
+	"(viscous), all per pair of types; characteristicVelocity (hooke) and rollingStiffness (epsd3), one number.\n\n"
 	"Formulae, order and defaults are those of LIGGGHTS 3.8, and results agree with it to "
 	"round-off as "
 	"long as a pair that parts has met a rebuild of neighbours before it meets again: LIGGGHTS "
@@ -174,6 +193,7 @@ const struct ts_pair_style ts_pair_gran = {
 		   .args = args,
 		   .coeff = coeff,
 		   .state_size = sizeof(struct gran),
+		   .archive = ts_pair_archive_given,
 		   .fingerprint = ts_pair_fingerprint,
 		   .init = init,
 		   .hook = { [TS_STAGE_FORCE] = force },

@@ -49,6 +49,7 @@ const struct ts_pair_style ts_pair_gran_hooke_history = {
 		   .args = ts_gran_numbers_args,
 		   .coeff = ts_gran_numbers_coeff,
 		   .state_size = sizeof(struct ts_gran_numbers_pair),
+		   .archive = ts_pair_archive_given,
 		   .fingerprint = ts_pair_fingerprint,
 		   .init = init,
 		   .hook = { [TS_STAGE_FORCE] = force },

@@ -1,0 +1,111 @@
+/* The order of the words of contact models, and which of them belong together: as LIGGGHTS has it. */
+#include <string.h>
+
+#include "neigh/materials.h"
+
+#include "base/banned.h"
+
+static const char *const order[] = { "model", "tangential", "cohesion", "rolling_friction", "surface",
+				     NULL };
+
+/* Which models a keyword belongs to. */
+static bool has_normal(const struct ts_granular_words *w)
+{
+	return w->normal != TS_NORMAL_OFF;
+}
+
+static bool is_hertz(const struct ts_granular_words *w)
+{
+	return w->normal == TS_NORMAL_HERTZ;
+}
+
+static bool is_hooke(const struct ts_granular_words *w)
+{
+	return w->normal == TS_NORMAL_HOOKE || w->normal == TS_NORMAL_HOOKE_HYSTERESIS;
+}
+
+static bool is_hertz_or_hooke(const struct ts_granular_words *w)
+{
+	return is_hertz(w) || is_hooke(w);
+}
+
+static bool is_stiffness(const struct ts_granular_words *w)
+{
+	return w->normal == TS_NORMAL_HOOKE_STIFFNESS;
+}
+
+static bool remembers(const struct ts_granular_words *w)
+{
+	return w->tangential == TS_TANGENTIAL_HISTORY;
+}
+
+static bool rolls(const struct ts_granular_words *w)
+{
+	return w->rolling != TS_ROLLING_OFF;
+}
+
+static bool sticks(const struct ts_granular_words *w)
+{
+	return w->cohesion != TS_COHESION_OFF;
+}
+
+static const struct {
+	const char *name, *of;
+	bool (*fits)(const struct ts_granular_words *words);
+} keywords[] = {
+	{ "limitForce", "a normal model", has_normal },
+	{ "tangential_damping", "a normal model", has_normal },
+	{ "absolute_damping", "model hooke/stiffness", is_stiffness },
+	{ "ktToKnUser", "model hooke or hooke/hysteresis", is_hooke },
+	{ "viscous", "model hooke or hooke/hysteresis", is_hooke },
+	{ "tangential_reduce", "a cohesion model", sticks },
+	{ "torsionTorque", "a rolling_friction model", rolls },
+	{ "heating_normal_hertz", "model hertz", is_hertz },
+	{ "heating_tangential_history", "tangential history", remembers },
+	{ "disableNormalWhenBonded", "model hertz or hooke", is_hertz_or_hooke },
+};
+
+static int rank_of(const char *text)
+{
+	for (int k = 0; order[k]; k++)
+		if (ts_streq(order[k], text))
+			return k;
+	return -1;
+}
+
+static enum ts_status misplaced(struct tsim *sim, const char *who, const struct ts_word *word,
+				const char *before)
+{
+	return ts_fail(&sim->error, TS_SYNTAX, &word->place,
+		       "%s: '%s' must stand before '%s'; the order is model, tangential, cohesion, "
+		       "rolling_friction, surface, then the keywords",
+		       who, word->text, before);
+}
+
+enum ts_status ts_granular_words_check(struct tsim *sim, const struct ts_instance *self,
+				       const char *who, const struct ts_granular_words *words)
+{
+	int last = -1;
+	const char *keyword = NULL;
+
+	for (size_t k = 0; k < self->words.n; k++) {
+		const struct ts_word *word = &self->words.word[k];
+		int rank = rank_of(word->text);
+
+		if (rank >= 0 && keyword)
+			return misplaced(sim, who, word, keyword);
+		if (rank >= 0 && rank < last)
+			return misplaced(sim, who, word, order[last]);
+		last = rank >= 0 ? rank : last;
+		for (size_t n = 0; n < sizeof keywords / sizeof *keywords; n++) {
+			if (!ts_streq(word->text, keywords[n].name))
+				continue;
+			keyword = word->text;
+			if (!keywords[n].fits(words))
+				return ts_fail(&sim->error, TS_SYNTAX, &word->place,
+					       "%s: '%s' belongs to %s, which is not chosen here", who,
+					       word->text, keywords[n].of);
+		}
+	}
+	return TS_OK;
+}
