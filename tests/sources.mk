@@ -82,6 +82,7 @@ unit_tests = \
 	tests/check_alloc \
 	tests/check_args \
 	tests/check_crosscheck \
+	tests/check_energy \
 	tests/check_formulas \
 	tests/check_geom \
 	tests/check_insertion \
@@ -152,6 +153,10 @@ tests_check_args_LDADD = $(tests_ldadd)
 tests_check_crosscheck_SOURCES = tests/check_crosscheck.c $(tests_common)
 tests_check_crosscheck_CFLAGS = $(tests_cflags)
 tests_check_crosscheck_LDADD = $(tests_ldadd)
+
+tests_check_energy_SOURCES = tests/check_energy.c $(tests_common)
+tests_check_energy_CFLAGS = $(tests_cflags)
+tests_check_energy_LDADD = $(tests_ldadd)
 
 tests_check_formulas_SOURCES = tests/check_formulas.c $(tests_common)
 tests_check_formulas_CFLAGS = $(tests_cflags)

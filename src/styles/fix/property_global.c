@@ -63,7 +63,7 @@ static enum ts_status check_alone(struct ts_instance *self, struct tsim *sim)
 	const struct state *s = self->state;
 	const struct ts_instance *by = NULL;
 
-	if (!ts_property_find(sim, s->property.name, &by) || by == self)
+	if (!ts_property_find(sim, s->property.name, &by) || ts_streq(by->id, self->id))
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, s->property.name),
 		       "fix property/global: %s is given by fix %s already; use its id to give it anew",
