@@ -20,6 +20,7 @@ fix m4 all property/global coefficientFriction peratomtypepair 2 0.37 0.31 0.31 
 fix m5 all property/global coefficientRollingFriction peratomtypepair 2 0.053 0.11 0.11 0.21
 neighbor 0.01 bin
 pair_style gran model hertz tangential history rolling_friction epsd2
+pair_coeff * *
 timestep 2e-5
 fix down all gravity 9.81 vector 0 0 -1
 fix move all nve/sphere
