@@ -188,6 +188,8 @@ library_sources = \
 	src/math/gsl.h \
 	src/math/minstd.c \
 	src/math/minstd.h \
+	src/math/quaternion.h \
+	src/math/rigid_turn.h \
 	src/math/rng.c \
 	src/math/rng.h \
 	src/math/spread.c \
@@ -298,6 +300,10 @@ library_sources = \
 	src/particles/region.h \
 	src/particles/region_set.c \
 	src/particles/region_set.h \
+	src/particles/rigid.c \
+	src/particles/rigid.h \
+	src/particles/rigid_motion.c \
+	src/particles/rigid_motion.h \
 	src/particles/sites.c \
 	src/particles/sites.h \
 	src/particles/tally.c \
@@ -433,6 +439,7 @@ library_sources = \
 	src/styles/compute/coord_atom.c \
 	src/styles/compute/count_type.c \
 	src/styles/compute/displace_atom.c \
+	src/styles/compute/erotate_multisphere.c \
 	src/styles/compute/erotate_sphere.c \
 	src/styles/compute/erotate_sphere_atom.c \
 	src/styles/compute/fragment_atom.c \
@@ -442,9 +449,11 @@ library_sources = \
 	src/styles/compute/inertia_chunk.c \
 	src/styles/compute/ke.c \
 	src/styles/compute/ke_atom.c \
+	src/styles/compute/ke_multisphere.c \
 	src/styles/compute/leave.c \
 	src/styles/compute/msd.c \
 	src/styles/compute/msd_chunk.c \
+	src/styles/compute/multisphere.c \
 	src/styles/compute/nbond_atom.c \
 	src/styles/compute/omega_chunk.c \
 	src/styles/compute/pair_gran_local.c \
@@ -505,6 +514,7 @@ library_sources = \
 	src/styles/fix/mesh_surface.c \
 	src/styles/fix/momentum.c \
 	src/styles/fix/move.c \
+	src/styles/fix/multisphere.c \
 	src/styles/fix/nve.c \
 	src/styles/fix/nve_euler.c \
 	src/styles/fix/nve_limit.c \
@@ -520,6 +530,7 @@ library_sources = \
 	src/styles/fix/property_atom.c \
 	src/styles/fix/property_global.c \
 	src/styles/fix/recenter.c \
+	src/styles/fix/rigid.c \
 	src/styles/fix/setforce.c \
 	src/styles/fix/spring.c \
 	src/styles/fix/spring_self.c \

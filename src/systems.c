@@ -5,10 +5,11 @@
 #include "neigh/neigh.h"
 #include "particles/domain.h"
 #include "particles/particles.h"
+#include "particles/rigid.h"
 
 #include "base/banned.h"
 
 const struct ts_system_style *const ts_system_table[] = {
 	&ts_domain_system, &ts_particles_system, &ts_neigh_system,
-	&ts_bonds_system,  &ts_thermo_system,	 NULL,
+	&ts_bonds_system,  &ts_rigid_system,	 &ts_thermo_system, NULL,
 };

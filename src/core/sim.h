@@ -17,6 +17,7 @@ struct ts_domain;
 struct ts_particles;
 struct ts_neigh;
 struct ts_bonds;
+struct ts_rigid;
 struct ts_thermo;
 struct ts_library;
 
@@ -105,6 +106,7 @@ struct tsim {
 	struct ts_particles *particles;
 	struct ts_neigh *neigh;
 	struct ts_bonds *bonds;
+	struct ts_rigid *rigid;
 	struct ts_thermo *thermo;
 
 	struct ts_pending *pending; /* state from a restart file for styles not yet defined again */

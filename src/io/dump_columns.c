@@ -31,9 +31,6 @@ enum ts_status ts_dump_make_column(struct ts_instance *self, struct tsim *sim,
 	c->element = !local && ts_streq(c->input.name, "element");
 	if (c->element)
 		return TS_OK;
-	if (!local && ts_streq(c->input.name, "mol"))
-		return ts_fail(&sim->error, TS_UNKNOWN, &c->input.where,
-			       "dump %s: particles belong to no molecules in tsim", self->style->name);
 	c->index = local && ts_streq(c->input.name, "index");
 	if (c->index)
 		return TS_OK;

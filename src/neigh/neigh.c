@@ -12,6 +12,7 @@
 #include "particles/domain.h"
 #include "particles/exchange.h"
 #include "particles/particles.h"
+#include "particles/rigid.h"
 
 #include "base/banned.h"
 
@@ -189,7 +190,8 @@ static bool excluded(const struct tsim *sim, size_t i, size_t j)
 	const struct ts_particles *p = sim->particles;
 	const struct ts_neigh *nb = sim->neigh;
 
-	if (!ts_in_group(p, i, nb->include) || !ts_in_group(p, j, nb->include))
+	if (ts_rigid_same(p, i, j) || !ts_in_group(p, i, nb->include) ||
+	    !ts_in_group(p, j, nb->include))
 		return true;
 	for (int k = 0; k < nb->nexclude; k++)
 		if (excludes(&nb->exclude[k], p, i, j))
@@ -201,7 +203,7 @@ ts_excluded_fn *ts_neigh_excluded(const struct tsim *sim)
 {
 	const struct ts_neigh *nb = sim->neigh;
 
-	return nb->include || nb->nexclude || nb->skip_bonded ? excluded : NULL;
+	return nb->include || nb->nexclude || nb->skip_bonded || sim->rigid->n ? excluded : NULL;
 }
 
 static double largest_radius(const struct ts_particles *p)

@@ -26,7 +26,9 @@
 	C(IMASS, imass, double, 1, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_BORDER)                               \
 	C(XHOLD, xhold, double, 3, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_BORDER | TS_COL_RESULT)   \
 	C(OMEGA, omega, double, 3, TS_COL_SAVED | TS_COL_BORDER | TS_COL_FORWARD)                  \
-	C(TORQUE, torque, double, 3, TS_COL_SAVED | TS_COL_RESULT)
+	C(TORQUE, torque, double, 3, TS_COL_SAVED | TS_COL_RESULT)                                 \
+	C(BODY, body, int32_t, 1, TS_COL_SAVED | TS_COL_BORDER)                                    \
+	C(BODY_X, body_x, double, 3, TS_COL_SAVED)
 
 enum ts_column_flags {
 	TS_COL_ALWAYS = 1,
@@ -79,6 +81,8 @@ struct ts_particles {
 	double *imass; /* 1/mass; 0 for frozen and prescribed particles: infinite mass */
 	double (*xhold)[3]; /* positions at the last build of the contact rows */
 	double (*omega)[3], (*torque)[3];
+	int32_t *body;	     /* id of the rigid body it belongs to, or 0; see particles/rigid.h */
+	double (*body_x)[3]; /* its place there, along the principal axes */
 
 	struct ts_column *column; /* built-in ones first, then those styles add */
 	size_t ncolumns, column_capacity;

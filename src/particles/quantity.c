@@ -104,6 +104,11 @@ static double density(const struct tsim *sim, size_t i)
 	return sim->particles->mass[i] / ts_body_volume(sim, sim->particles->radius[i]);
 }
 
+static double body(const struct tsim *sim, size_t i)
+{
+	return sim->particles->body ? sim->particles->body[i] : 0;
+}
+
 static double process(const struct tsim *sim, size_t i)
 {
 	(void)sim, (void)i;
@@ -117,6 +122,7 @@ static const struct quantity quantities[] = {
 	{ { "diameter", "length", "diameter" }, diameter },
 	{ { "mass", "mass", "mass" }, mass },
 	{ { "density", "density", "mass by volume" }, density },
+	{ { "mol", "", "id of the rigid body it belongs to, or 0" }, body },
 	{ { "x", "length", "position" }, position_x },
 	{ { "y", "length", "position" }, position_y },
 	{ { "z", "length", "position" }, position_z },

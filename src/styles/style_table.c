@@ -103,6 +103,7 @@ TS_STYLE(compute, ts_style, ts_compute_contacts)
 TS_STYLE(compute, ts_style, ts_compute_coord_atom)
 TS_STYLE(compute, ts_style, ts_compute_count_type)
 TS_STYLE(compute, ts_style, ts_compute_displace_atom)
+TS_STYLE(compute, ts_style, ts_compute_erotate_multisphere)
 TS_STYLE(compute, ts_style, ts_compute_erotate_sphere)
 TS_STYLE(compute, ts_style, ts_compute_erotate_sphere_atom)
 TS_STYLE(compute, ts_style, ts_compute_fragment_atom)
@@ -112,9 +113,11 @@ TS_STYLE(compute, ts_style, ts_compute_gyration_chunk)
 TS_STYLE(compute, ts_style, ts_compute_inertia_chunk)
 TS_STYLE(compute, ts_style, ts_compute_ke)
 TS_STYLE(compute, ts_style, ts_compute_ke_atom)
+TS_STYLE(compute, ts_style, ts_compute_ke_multisphere)
 TS_STYLE(compute, ts_style, ts_compute_leave)
 TS_STYLE(compute, ts_style, ts_compute_msd)
 TS_STYLE(compute, ts_style, ts_compute_msd_chunk)
+TS_STYLE(compute, ts_style, ts_compute_multisphere)
 TS_STYLE(compute, ts_style, ts_compute_nbond_atom)
 TS_STYLE(compute, ts_style, ts_compute_omega_chunk)
 TS_STYLE(compute, ts_style, ts_compute_pair_gran_local)
@@ -128,6 +131,7 @@ TS_STYLE(compute, ts_style, ts_compute_property_local)
 TS_STYLE(compute, ts_style, ts_compute_rdf)
 TS_STYLE(compute, ts_style, ts_compute_reduce)
 TS_STYLE(compute, ts_style, ts_compute_reduce_region)
+TS_STYLE(compute, ts_style, ts_compute_rigid)
 TS_STYLE(compute, ts_style, ts_compute_slice)
 TS_STYLE(compute, ts_style, ts_compute_stress_atom)
 TS_STYLE(compute, ts_style, ts_compute_temp)
@@ -175,6 +179,7 @@ TS_STYLE(fix, ts_style, ts_fix_lineforce)
 TS_STYLE(fix, ts_style, ts_fix_mesh_surface)
 TS_STYLE(fix, ts_style, ts_fix_momentum)
 TS_STYLE(fix, ts_style, ts_fix_move)
+TS_STYLE(fix, ts_style, ts_fix_multisphere)
 TS_STYLE(fix, ts_style, ts_fix_nve)
 TS_STYLE(fix, ts_style, ts_fix_nve_euler)
 TS_STYLE(fix, ts_style, ts_fix_nve_limit)
@@ -190,6 +195,7 @@ TS_STYLE(fix, ts_style, ts_fix_print)
 TS_STYLE(fix, ts_style, ts_fix_property_atom)
 TS_STYLE(fix, ts_style, ts_fix_property_global)
 TS_STYLE(fix, ts_style, ts_fix_recenter)
+TS_STYLE(fix, ts_style, ts_fix_rigid)
 TS_STYLE(fix, ts_style, ts_fix_setforce)
 TS_STYLE(fix, ts_style, ts_fix_spring)
 TS_STYLE(fix, ts_style, ts_fix_spring_self)
@@ -313,6 +319,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_coord_atom,
 	&ts_compute_count_type,
 	&ts_compute_displace_atom,
+	&ts_compute_erotate_multisphere,
 	&ts_compute_erotate_sphere,
 	&ts_compute_erotate_sphere_atom,
 	&ts_compute_fragment_atom,
@@ -322,9 +329,11 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_inertia_chunk,
 	&ts_compute_ke,
 	&ts_compute_ke_atom,
+	&ts_compute_ke_multisphere,
 	&ts_compute_leave,
 	&ts_compute_msd,
 	&ts_compute_msd_chunk,
+	&ts_compute_multisphere,
 	&ts_compute_nbond_atom,
 	&ts_compute_omega_chunk,
 	&ts_compute_pair_gran_local,
@@ -338,6 +347,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_rdf,
 	&ts_compute_reduce,
 	&ts_compute_reduce_region,
+	&ts_compute_rigid,
 	&ts_compute_slice,
 	&ts_compute_stress_atom,
 	&ts_compute_temp,
@@ -385,6 +395,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_mesh_surface,
 	&ts_fix_momentum,
 	&ts_fix_move,
+	&ts_fix_multisphere,
 	&ts_fix_nve,
 	&ts_fix_nve_euler,
 	&ts_fix_nve_limit,
@@ -400,6 +411,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_property_atom,
 	&ts_fix_property_global,
 	&ts_fix_recenter,
+	&ts_fix_rigid,
 	&ts_fix_setforce,
 	&ts_fix_spring,
 	&ts_fix_spring_self,

@@ -5,6 +5,7 @@
 
 #include "math/vec3.h"
 #include "particles/moments.h"
+#include "particles/rigid.h"
 
 #include "base/banned.h"
 
@@ -57,10 +58,10 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 		a[k] = magnitude * g->direction[k];
 #pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
 	for (size_t i = 0; i < p->n; i++)
-		if (ts_in_group(p, i, self->group))
+		if (ts_in_group(p, i, self->group) && !ts_rigid_member(p, i))
 			for (int k = 0; k < 3; k++)
 				p->f[i][k] += p->mass[i] * a[k];
-	return TS_OK;
+	return ts_rigid_accelerate(sim, self->group, a);
 }
 
 struct weights {
@@ -69,10 +70,12 @@ struct weights {
 
 static void weight(const struct tsim *sim, size_t i, void *context, double *out)
 {
+	const struct ts_body *body = ts_rigid_body_of(sim, i);
+	const double *g = ((const struct weights *)context)->g;
 	double x[3];
 
 	ts_unwrapped(sim, i, x);
-	*out = -sim->particles->mass[i] * ts_dot(((const struct weights *)context)->g, x);
+	*out = -sim->particles->mass[i] * ts_dot(g, body ? body->x : x);
 }
 
 static enum ts_status energy(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
@@ -131,6 +134,8 @@ const struct ts_style ts_fix_gravity = {
 	.doc = "f += m g. The direction is given by `vector x y z` (normalised), `chute angle` "
 	       "(from -z towards +x, in degrees) or `spherical phi theta`. f_ID is the potential energy, which\n"
 	       "`fix_modify ID energy yes` counts in pe.",
+	       "(from -z towards +x, in degrees) or `spherical phi theta`. Rigid bodies with a member\n"
+	       "in the group are accelerated as a whole, with their own mass.",
 	.example = "fix g all gravity 9.81 vector 0.0 0.0 -1.0",
 	.args = args,
 	.state_size = sizeof(struct gravity),

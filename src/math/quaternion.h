@@ -1,0 +1,74 @@
+/* Unit quaternions (w, x, y, z) as rotations, and rotation matrices whose columns are the turned axes. */
+#ifndef TS_MATH_QUATERNION_H
+#define TS_MATH_QUATERNION_H
+
+#include <math.h>
+
+static inline void ts_quaternion_normalise(double q[4])
+{
+	double s = 1 / sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+
+	for (int k = 0; k < 4; k++)
+		q[k] *= s;
+}
+
+/* The product (0, w) q: twice the rate of change of q turning with angular velocity w in space. */
+static inline void ts_quaternion_turn(const double w[3], const double q[4], double out[4])
+{
+	out[0] = -w[0] * q[1] - w[1] * q[2] - w[2] * q[3];
+	out[1] = q[0] * w[0] + w[1] * q[3] - w[2] * q[2];
+	out[2] = q[0] * w[1] + w[2] * q[1] - w[0] * q[3];
+	out[3] = q[0] * w[2] + w[0] * q[2] - w[1] * q[1];
+}
+
+static inline void ts_quaternion_matrix(const double q[4], double m[3][3])
+{
+	double w = q[0], x = q[1], y = q[2], z = q[3];
+
+	m[0][0] = w * w + x * x - y * y - z * z;
+	m[1][1] = w * w - x * x + y * y - z * z;
+	m[2][2] = w * w - x * x - y * y + z * z;
+	m[0][1] = 2 * (x * y - w * z);
+	m[1][0] = 2 * (x * y + w * z);
+	m[0][2] = 2 * (x * z + w * y);
+	m[2][0] = 2 * (x * z - w * y);
+	m[1][2] = 2 * (y * z - w * x);
+	m[2][1] = 2 * (y * z + w * x);
+}
+
+/* From a right-handed matrix; of the four ways to the quaternion the one that divides by the largest
+ * component. */
+static inline void ts_quaternion_of_matrix(double m[3][3], double q[4])
+{
+	double square[4] = { 1 + m[0][0] + m[1][1] + m[2][2], 1 + m[0][0] - m[1][1] - m[2][2],
+			     1 - m[0][0] + m[1][1] - m[2][2], 1 - m[0][0] - m[1][1] + m[2][2] };
+	double part[4][4] = {
+		{ square[0], m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1] },
+		{ m[2][1] - m[1][2], square[1], m[0][1] + m[1][0], m[0][2] + m[2][0] },
+		{ m[0][2] - m[2][0], m[0][1] + m[1][0], square[2], m[1][2] + m[2][1] },
+		{ m[1][0] - m[0][1], m[0][2] + m[2][0], m[1][2] + m[2][1], square[3] }
+	};
+	int best = 0;
+
+	for (int k = 1; k < 4; k++)
+		if (square[k] > square[best])
+			best = k;
+	for (int k = 0; k < 4; k++)
+		q[k] = part[best][k];
+	ts_quaternion_normalise(q);
+}
+
+/* out = m v: from the body to space; the transposed matrix leads back. */
+static inline void ts_rotate(double m[3][3], const double v[3], double out[3])
+{
+	for (int k = 0; k < 3; k++)
+		out[k] = m[k][0] * v[0] + m[k][1] * v[1] + m[k][2] * v[2];
+}
+
+static inline void ts_rotate_back(double m[3][3], const double v[3], double out[3])
+{
+	for (int k = 0; k < 3; k++)
+		out[k] = m[0][k] * v[0] + m[1][k] * v[1] + m[2][k] * v[2];
+}
+
+#endif

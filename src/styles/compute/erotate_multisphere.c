@@ -1,0 +1,36 @@
+/* Compute: kinetic energy of rotation of rigid bodies. */
+#include "math/exactsum.h"
+#include "math/vec3.h"
+#include "particles/rigid.h"
+
+#include "base/banned.h"
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	struct ts_exactsum sum = ts_exactsum_start();
+
+	(void)self;
+	for (size_t b = 0; b < sim->rigid->n; b++) {
+		const struct ts_body *body = &sim->rigid->body[b];
+
+		ts_exactsum_add(&sum, 0.5 * ts_dot(body->spin, body->omega));
+	}
+	out->data[0] = ts_exactsum_value(&sum);
+	return TS_OK;
+}
+
+static const struct ts_value values[] = {
+	{ "energy", "energy", "kinetic energy of rotation of all rigid bodies", TS_SCALAR, 1, NULL,
+	  eval },
+	{ .name = NULL },
+};
+
+TS_STYLE(compute, ts_style, ts_compute_erotate_multisphere)
+const struct ts_style ts_compute_erotate_multisphere = {
+	.name = "erotate/multisphere",
+	.kind = TS_KIND_COMPUTE,
+	.summary = "Kinetic energy of rotation of rigid bodies",
+	.doc = "The sum of L omega / 2 over all rigid bodies, rounded once. The group is without effect.",
+	.example = "compute rotation all erotate/multisphere",
+	.values = values,
+};
