@@ -15,6 +15,7 @@ shell_tests = \
 	tests/crosscheck/liggghts.sh \
 	tests/crosscheck/mesh_dumps.sh \
 	tests/crosscheck/meshes.sh \
+	tests/crosscheck/rigid.sh \
 	tests/crosscheck/scripts.sh \
 	tests/crosscheck/space.sh \
 	tests/crosscheck/text.sh \
@@ -40,6 +41,7 @@ shell_tests = \
 	tests/decks/neigh_words.sh \
 	tests/decks/plane.sh \
 	tests/decks/regions.sh \
+	tests/decks/rigid.sh \
 	tests/drilling.sh \
 	tests/dry_run.sh \
 	tests/extremes.sh \
@@ -99,6 +101,7 @@ unit_tests = \
 	tests/check_pairs \
 	tests/check_particles \
 	tests/check_price \
+	tests/check_rigid \
 	tests/check_script \
 	tests/check_styles \
 	tests/check_unbreakable \
@@ -221,6 +224,10 @@ tests_check_particles_LDADD = $(tests_ldadd)
 tests_check_price_SOURCES = tests/check_price.c $(tests_common)
 tests_check_price_CFLAGS = $(tests_cflags)
 tests_check_price_LDADD = $(tests_ldadd)
+
+tests_check_rigid_SOURCES = tests/check_rigid.c $(tests_common)
+tests_check_rigid_CFLAGS = $(tests_cflags)
+tests_check_rigid_LDADD = $(tests_ldadd)
 
 tests_check_script_SOURCES = tests/check_script.c $(tests_common)
 tests_check_script_CFLAGS = $(tests_cflags)

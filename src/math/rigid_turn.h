@@ -30,11 +30,12 @@ static inline void ts_rigid_turn_by(const double omega[3], double dt, double q[4
 }
 
 /* The orientation a step dt later, L constant meanwhile: one whole step and two half steps, from which
- * Richardson's extrapolation 2 half - whole takes the first error away. `omega` is that at the start. */
-static inline void ts_rigid_turn(const double inertia[3], const double spin[3],
-				 const double omega[3], double dt, double q[4])
+ * Richardson's extrapolation 2 half - whole takes the first error away. `omega` is that at the start,
+ * and afterwards that in the middle of the step. */
+static inline void ts_rigid_turn(const double inertia[3], const double spin[3], double omega[3],
+				 double dt, double q[4])
 {
-	double half[4] = { q[0], q[1], q[2], q[3] }, midway[3], rate[4];
+	double half[4] = { q[0], q[1], q[2], q[3] }, rate[4];
 
 	ts_quaternion_turn(omega, q, rate);
 	for (int k = 0; k < 4; k++) {
@@ -43,8 +44,8 @@ static inline void ts_rigid_turn(const double inertia[3], const double spin[3],
 	}
 	ts_quaternion_normalise(q);
 	ts_quaternion_normalise(half);
-	ts_rigid_omega(half, inertia, spin, midway);
-	ts_rigid_turn_by(midway, 0.5 * dt, half);
+	ts_rigid_omega(half, inertia, spin, omega);
+	ts_rigid_turn_by(omega, 0.5 * dt, half);
 	for (int k = 0; k < 4; k++)
 		q[k] = 2 * half[k] - q[k];
 	ts_quaternion_normalise(q);

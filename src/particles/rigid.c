@@ -208,21 +208,6 @@ static enum ts_status drop_incomplete(struct tsim *sim)
 	return status == TS_OK && any ? ts_rigid_list(sim) : status;
 }
 
-/* After particles were lost, and their inverse masses made anew. */
-static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
-{
-	struct ts_rigid *r = self->state;
-
-	if (!r->n)
-		return TS_OK;
-	TS_TRY(ts_rigid_list(sim));
-	TS_TRY(drop_incomplete(sim));
-	for (size_t b = 0; b < r->n; b++)
-		for (size_t k = r->start[b]; k < r->start[b + 1]; k++)
-			sim->particles->imass[r->member[k]] = 1 / r->body[b].mass;
-	return TS_OK;
-}
-
 static bool owner_lives(const struct tsim *sim, int64_t owner)
 {
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
@@ -231,6 +216,39 @@ static bool owner_lives(const struct tsim *sim, int64_t owner)
 		if (ts_rigid_owner(fixes->item[k]->id) == owner)
 			return true;
 	return false;
+}
+
+enum ts_status ts_rigid_dissolve_orphans(struct tsim *sim)
+{
+	const struct ts_rigid *r = sim->rigid;
+	int64_t lives = -1; /* neighbours mostly have the same */
+	size_t b = 0;
+
+	while (b < r->n) {
+		if (r->owner[b] == lives || owner_lives(sim, r->owner[b])) {
+			lives = r->owner[b++];
+		} else {
+			TS_TRY(ts_rigid_dissolve(sim, r->owner[b]));
+			b = 0;
+		}
+	}
+	return TS_OK;
+}
+
+/* After particles were lost, and their inverse masses made anew. */
+static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_rigid *r = self->state;
+
+	if (!r->n)
+		return TS_OK;
+	TS_TRY(ts_rigid_dissolve_orphans(sim));
+	TS_TRY(ts_rigid_list(sim));
+	TS_TRY(drop_incomplete(sim));
+	for (size_t b = 0; b < r->n; b++)
+		for (size_t k = r->start[b]; k < r->start[b + 1]; k++)
+			sim->particles->imass[r->member[k]] = 1 / r->body[b].mass;
+	return TS_OK;
 }
 
 /* A damaged file may have members of bodies that are not there. */
@@ -251,23 +269,6 @@ static enum ts_status check_members(struct tsim *sim)
 	return r->n && !p->body ? ts_fail(&sim->error, TS_DAMAGED, NULL,
 					  "rigid bodies without members")
 				: TS_OK;
-}
-
-/* Before each run: bodies whose fix is gone come apart. */
-static enum ts_status init(struct ts_instance *self, struct tsim *sim)
-{
-	const struct ts_rigid *r = self->state;
-	size_t b = 0;
-
-	while (b < r->n) {
-		if (owner_lives(sim, r->owner[b])) {
-			b++;
-		} else {
-			TS_TRY(ts_rigid_dissolve(sim, r->owner[b]));
-			b = 0;
-		}
-	}
-	return TS_OK;
 }
 
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
@@ -298,8 +299,10 @@ static void fingerprint(const struct ts_instance *self, const struct tsim *sim,
 {
 	const struct ts_rigid *r = self->state;
 
-	(void)sim;
 	ts_hash_add(hash, r->id, r->n * sizeof *r->id);
+	for (size_t b = 0; b < r->n; b++)
+		if ((b == 0 || r->owner[b] != r->owner[b - 1]) && !owner_lives(sim, r->owner[b]))
+			ts_hash_text(hash, "comes apart");
 }
 
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
@@ -333,7 +336,6 @@ const struct ts_system_style ts_rigid_system = {
 		   .state_size = sizeof(struct ts_rigid),
 		   .archive = archive,
 		   .fingerprint = fingerprint,
-		   .init = init,
 		   .hook = { [TS_STAGE_INITIAL_INTEGRATE] = ts_rigid_initial,
 			     [TS_STAGE_EXCHANGE] = exchange,
 			     [TS_STAGE_PRE_FORCE] = ts_rigid_clear,

@@ -58,6 +58,10 @@ enum ts_status ts_rigid_add(struct tsim *sim, const struct ts_body *body, int64_
 /* Its bodies come apart; the particles stay. */
 enum ts_status ts_rigid_dissolve(struct tsim *sim, int64_t owner);
 
+/* The same for all bodies whose fix is gone. Done before steps, not as soon as it goes: after a restart
+ * the bodies are there before the script has their fix. */
+enum ts_status ts_rigid_dissolve_orphans(struct tsim *sim);
+
 /* Lists the members anew if particles have moved in memory. */
 enum ts_status ts_rigid_list(struct tsim *sim);
 

@@ -121,8 +121,8 @@ enum ts_status ts_rigid_initial(struct ts_instance *self, struct tsim *sim)
 
 		kick(b, 0.5 * dt);
 		ts_axpy(dt, b->v, b->x);
+		/* velocities are those of the middle of the step, as with single spheres */
 		ts_rigid_turn(b->inertia, b->spin, b->omega, dt, b->q);
-		ts_rigid_omega(b->q, b->inertia, b->spin, b->omega);
 	}
 	place_all(sim);
 	return TS_OK;

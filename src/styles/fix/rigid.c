@@ -93,6 +93,8 @@ static enum ts_status make_bodies(struct ts_instance *self, struct tsim *sim, co
 	TS_TRY(read_freedom(sim, s->force, 0, body, n));
 	TS_TRY(read_freedom(sim, s->torque, 3, body, n));
 	TS_TRY(ts_rigid_dissolve(sim, owner)); /* of a fix of the same id before this one */
+	if (!sim->pending)
+		TS_TRY(ts_rigid_dissolve_orphans(sim));
 	for (size_t b = 0; b < n; b++) {
 		struct ts_body made;
 		size_t count;

@@ -1,0 +1,169 @@
+#!/bin/bash
+# Rigid bodies: mass and inertia of spheres, momentum, periodic faces, loss of a member, coming apart;
+# a run cut by a restart file is the run in one, and threads change nothing.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+
+# Two bodies of three and two spheres that overlap, and a single sphere between them.
+cat >in.scene <<'END'
+units si
+boundary ${faces}
+newton off
+communicate single vel yes
+region box block 0 1 0 1.2 0 0.9 units box
+create_box 2 box
+create_atoms 1 single 0.41 0.50 0.30
+create_atoms 1 single 0.45 0.53 0.32
+create_atoms 2 single 0.47 0.57 0.34
+create_atoms 2 single 0.71 0.52 0.33
+create_atoms 1 single 0.76 0.50 0.31
+create_atoms 1 single 0.59 0.54 0.32
+set type 1 diameter 0.0865 density 2470
+set type 2 diameter 0.0785 density 1830
+group left id 1 2 3
+group right id 4 5
+group free id 6
+velocity left set 1.3 0.2 0.1
+velocity right ramp vy -0.7 0.9 x 0.7 0.8
+pair_style gran model hooke tangential history
+pair_coeff * *
+fix m1 all property/global youngsModulus peratomtype 5e6 7e6
+fix m2 all property/global poissonsRatio peratomtype 0.31 0.27
+fix m3 all property/global coefficientRestitution peratomtypepair 2 0.7 0.6 0.6 0.5
+fix m4 all property/global coefficientFriction peratomtypepair 2 0.3 0.4 0.4 0.2
+fix m5 all property/global characteristicVelocity scalar 2
+fix n free nve/sphere
+fix r all rigid group 2 left right
+timestep 1e-4
+END
+
+agree 'mass, centre and moments of a dumbbell' '
+variable faces index "p p p"
+include in.scene
+unfix r
+region one block 0.5 0.52 0.5 0.52 0.5 0.52 units box
+group r2 id 4 5
+fix d right rigid single
+compute m all multisphere property masstotal
+compute i all multisphere property inertia
+compute x all multisphere property xcm
+compute mass all reduce sum c_m
+compute trace all reduce sum c_i[1] c_i[2] c_i[3]
+compute centre all reduce sum c_x[1] c_x[2] c_x[3]
+variable a equal 1830*PI*0.0785^3/6
+variable b equal 2470*PI*0.0865^3/6
+variable mu equal v_a*v_b/(v_a+v_b)
+variable d2 equal 0.05^2+2*0.02^2
+variable own equal 0.1*(v_a*0.0785^2+v_b*0.0865^2)
+print "is mass $(c_mass:%.17g) $(v_a+v_b:%.17g)"
+print "is centre $(c_centre[1]:%.17g) $((v_a*0.71+v_b*0.76)/(v_a+v_b):%.17g)"
+print "is moments $(c_trace[1]+c_trace[2]+c_trace[3]:%.17g) $(2*v_mu*v_d2+3*v_own:%.17g)"'
+
+agree 'momenta are kept in a collision' '
+variable faces index "p p p"
+include in.scene
+compute lx all reduce sum vx
+variable px atom mass*vx
+variable pz atom mass*vz
+compute p all reduce sum v_px v_pz
+variable before equal $(c_p[1]:%.17g)
+variable beforez equal $(c_p[2]:%.17g)
+compute touch all contact/atom
+compute most all reduce max c_touch
+fix met all ave/time 1 1 1 c_most mode scalar
+run 900
+print "is px $(c_p[1]:%.17g) $(v_before:%.17g)"
+print "is pz $(c_p[2]:%.17g) $(v_beforez:%.17g)"
+variable met equal xcm(free,x)>0.6
+print "is met ${met} 1"'
+
+agree 'distances in a body stay, across periodic faces too' '
+variable faces index "p p p"
+include in.scene
+velocity left set 3 -2 4
+fix r all rigid group 2 left right
+variable d equal sqrt((xcm(a,x)-xcm(b,x))^2+(xcm(a,y)-xcm(b,y))^2+(xcm(a,z)-xcm(b,z))^2)
+group a id 1
+group b id 3
+variable was equal $(v_d:%.17g)
+run 5000
+print "is distance $(v_d:%.17g) ${was}"
+print "is crossed $(xcm(a,z)>0.9) 1"'
+
+prints 'variable faces index "p p f"
+include in.scene
+fix g left gravity 40 vector 0 0 1
+thermo_style custom step atoms
+run 2000' '    2000        3'
+
+prints 'variable faces index "p p p"
+include in.scene
+fix r all rigid group 2 left right force * off on on torque 2 off off off
+fix g all gravity 40 vector 1 1 0
+unfix n
+run 0
+compute v all multisphere property vcm
+compute w all multisphere property omega
+run 50
+compute vx all reduce max c_v[1]
+compute wz all reduce min c_w[3]
+compute mx all reduce min c_v[1]
+print "$(c_vx:%.4f) $(c_mx:%.4f)"' '1.3000 0.0000'
+
+prints 'variable faces index "p p p"
+include in.scene
+run 10
+unfix r
+run 0
+variable m equal count(all)
+compute b all property/atom mol
+compute most all reduce max c_b
+print "bodies left: $(c_most)"' 'bodies left: 0'
+
+cat >in.tail <<'END'
+thermo_style custom step atoms c_k c_e
+compute k all ke/multisphere
+compute e all erotate/multisphere
+thermo 100
+dump d all custom 100 ${out}.dump id mol x y z vx vy vz omegax fx tqx
+dump_modify d sort id format line "%d %d %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g"
+END
+sed -i '/thermo_style/d' in.tail
+printf 'include in.scene\ninclude in.tail\nrun 1000\nwrite_restart ${out}.restart\n' >in.whole
+printf 'include in.scene\ninclude in.tail\nrun 430\nwrite_restart half.restart\n' >in.one
+{
+	echo 'read_restart half.restart'
+	sed -n '/^pair_style/,$p' in.scene | grep -v '^velocity'
+	echo 'include in.tail'
+	echo 'dump_modify d append yes'
+	printf 'run 1000 upto\nwrite_restart ${out}.restart\n'
+} >in.two
+for case in whole one two; do
+	out=$case
+	[ $case = whole ] || out=parts
+	"$TSIM" -in in.$case -var faces 'p p p' -var out $out -log none >out 2>&1
+	report "runs: $case" $? out
+done
+same 'cut by a restart file' whole.dump parts.dump
+same 'and the state at the end' whole.restart parts.restart
+sed 's/^include in.scene/package omp 2 grain 1\n&/' in.whole >in.threads
+"$TSIM" -in in.threads -var faces 'p p p' -var out threads -log none >out 2>&1
+same 'two threads' whole.dump threads.dump
+
+rejects 'variable faces index "p p p"
+include in.scene
+fix again left rigid single' 'belongs to a rigid body already'
+rejects 'variable faces index "p p p"
+include in.scene
+fix again all rigid group 3 left right' 'expected 3 groups, found 2'
+rejects 'variable faces index "p p p"
+include in.scene
+group none id 77
+fix again none rigid single' 'no particles'
+rejects 'variable faces index "p p p"
+include in.scene
+fix r all rigid group 2 left right torque 3 on on on' 'expected one of the 2 bodies'
+rejects 'variable faces index "p p p"
+include in.scene
+fix r all rigid group 2 left right force 1 on maybe on' 'expected on or off'
+finish
