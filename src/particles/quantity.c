@@ -122,7 +122,7 @@ static const struct quantity quantities[] = {
 	{ { "diameter", "length", "diameter" }, diameter },
 	{ { "mass", "mass", "mass" }, mass },
 	{ { "density", "density", "mass by volume" }, density },
-	{ { "mol", "", "id of the rigid body it belongs to, or 0" }, body },
+	{ { "mol", "", "molecule, by fix property/atom mol; else id of its rigid body, or 0" }, body },
 	{ { "x", "length", "position" }, position_x },
 	{ { "y", "length", "position" }, position_y },
 	{ { "z", "length", "position" }, position_z },
@@ -230,12 +230,9 @@ enum ts_status ts_particles_quantity(struct tsim *sim, const char *name, struct 
 
 	if (ts_table_resize(out, p->n, 1) != TS_OK)
 		return ts_nomem(&sim->error);
-	for (size_t i = 0; q && i < p->n; i++)
-		out->data[i] = q->value(sim, i);
-	if (q)
-		return TS_OK;
-	named = ts_particles_named_column(p, name, &k);
+	named = ts_particles_named_column(p, name, &k); /* first: `mol` may be one */
 	for (size_t i = 0; i < p->n; i++)
-		out->data[i] = ((const double *)named->data)[i * named->width + k];
+		out->data[i] = named ? ((const double *)named->data)[i * named->width + k]
+				     : q->value(sim, i);
 	return TS_OK;
 }
