@@ -88,7 +88,6 @@ wrong 'unknown quantity' 'dump_modify a thresh xx < 3' "'xx'"
 wrong 'no region' 'dump_modify a region up' "'up'"
 wrong 'format' 'dump_modify a format 1 %g' "'%g' is no format for one integer"
 wrong 'files of one file' 'dump_modify a maxfiles 3' 'whose file has a `*`'
-wrong 'molecules' 'write_dump all custom b.dump mol' 'no molecules'
 wrong 'modify' 'write_dump all atom b.dump modify scales no' "unknown keyword 'scales'"
 wrong 'standing still' 'variable s equal 0
 dump_modify a every v_s' 'the step of the next frame would be 0'

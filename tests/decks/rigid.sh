@@ -1,6 +1,6 @@
 #!/bin/bash
-# Rigid bodies: mass and inertia of spheres, momentum, periodic faces, loss of a member, coming apart;
-# a run cut by a restart file is the run in one, and threads change nothing.
+# Rigid bodies: mass and inertia of spheres, momentum, periodic faces, loss of a member, coming apart.
+# That restarts and threads change nothing is seen with in.rigid.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
 
@@ -119,36 +119,6 @@ variable m equal count(all)
 compute b all property/atom mol
 compute most all reduce max c_b
 print "bodies left: $(c_most)"' 'bodies left: 0'
-
-cat >in.tail <<'END'
-thermo_style custom step atoms c_k c_e
-compute k all ke/multisphere
-compute e all erotate/multisphere
-thermo 100
-dump d all custom 100 ${out}.dump id mol x y z vx vy vz omegax fx tqx
-dump_modify d sort id format line "%d %d %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g"
-END
-sed -i '/thermo_style/d' in.tail
-printf 'include in.scene\ninclude in.tail\nrun 1000\nwrite_restart ${out}.restart\n' >in.whole
-printf 'include in.scene\ninclude in.tail\nrun 430\nwrite_restart half.restart\n' >in.one
-{
-	echo 'read_restart half.restart'
-	sed -n '/^pair_style/,$p' in.scene | grep -v '^velocity'
-	echo 'include in.tail'
-	echo 'dump_modify d append yes'
-	printf 'run 1000 upto\nwrite_restart ${out}.restart\n'
-} >in.two
-for case in whole one two; do
-	out=$case
-	[ $case = whole ] || out=parts
-	"$TSIM" -in in.$case -var faces 'p p p' -var out $out -log none >out 2>&1
-	report "runs: $case" $? out
-done
-same 'cut by a restart file' whole.dump parts.dump
-same 'and the state at the end' whole.restart parts.restart
-sed 's/^include in.scene/package omp 2 grain 1\n&/' in.whole >in.threads
-"$TSIM" -in in.threads -var faces 'p p p' -var out threads -log none >out 2>&1
-same 'two threads' whole.dump threads.dump
 
 rejects 'variable faces index "p p p"
 include in.scene
