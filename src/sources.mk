@@ -263,6 +263,8 @@ library_sources = \
 	src/particles/domain.h \
 	src/particles/draw.c \
 	src/particles/draw.h \
+	src/particles/energy.c \
+	src/particles/energy.h \
 	src/particles/exchange.c \
 	src/particles/exchange.h \
 	src/particles/force_filter.c \

@@ -6,8 +6,8 @@
 #include "base/clock.h"
 #include "core/energy.h"
 #include "math/exactsum.h"
-#include "particles/body.h"
 #include "particles/domain.h"
+#include "particles/energy.h"
 #include "particles/particles.h"
 #include "particles/temperature.h"
 
@@ -98,31 +98,16 @@ static void normalise(const struct tsim *sim, double *out)
 		*out /= (double)sim->particles->n;
 }
 
-/* sum m v^2 / 2, without rounding in the sum. */
 static enum ts_status ke(struct tsim *sim, double *out)
 {
-	const struct ts_particles *p = sim->particles;
-	struct ts_exactsum sum = ts_exactsum_start();
-
-	for (size_t i = 0; i < p->n; i++)
-		for (int d = 0; d < 3; d++)
-			ts_exactsum_add(&sum, 0.5 * p->mass[i] * p->v[i][d] * p->v[i][d]);
-	*out = ts_exactsum_value(&sum);
+	*out = ts_group_kinetic_energy(sim, 0);
 	normalise(sim, out);
 	return TS_OK;
 }
 
-/* sum I omega^2 / 2. */
 static enum ts_status erotate(struct tsim *sim, double *out)
 {
-	const struct ts_particles *p = sim->particles;
-	struct ts_exactsum sum = ts_exactsum_start();
-
-	for (size_t i = 0; p->omega && i < p->n; i++)
-		for (int d = 0; d < 3; d++)
-			ts_exactsum_add(&sum, 0.5 * ts_inertia(sim, i) * p->omega[i][d] *
-						      p->omega[i][d]);
-	*out = ts_exactsum_value(&sum);
+	*out = ts_group_rotation_energy(sim, 0);
 	normalise(sim, out);
 	return TS_OK;
 }

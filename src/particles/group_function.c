@@ -4,6 +4,7 @@
 
 #include "math/exactsum.h"
 #include "particles/domain.h"
+#include "particles/energy.h"
 #include "particles/particles.h"
 #include "particles/region.h"
 
@@ -88,10 +89,8 @@ static double mass_v(const struct chosen *c, size_t i, int a, int b)
 
 static double kinetic(const struct chosen *c, size_t i, int a, int b)
 {
-	const double *v = c->p->v[i];
-
 	(void)a, (void)b;
-	return 0.5 * c->p->mass[i] * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+	return ts_kinetic_energy(c->sim, i);
 }
 
 static double force(const struct chosen *c, size_t i, int a, int b)

@@ -126,6 +126,17 @@ static size_t body_of(const struct ts_rigid *r, int32_t id)
 	return lo < r->n && r->id[lo] == id ? lo : r->n;
 }
 
+const struct ts_body *ts_rigid_body_of(const struct tsim *sim, size_t i)
+{
+	const struct ts_rigid *r = sim->rigid;
+	size_t b;
+
+	if (!ts_rigid_member(sim->particles, i))
+		return NULL;
+	b = body_of(r, sim->particles->body[i]);
+	return b < r->n ? &r->body[b] : NULL;
+}
+
 /* By identity, so that sums over members do not depend on their order in memory. */
 static void sort_members(const struct ts_particles *p, int32_t *member, size_t n)
 {

@@ -21,7 +21,7 @@ struct ts_body {
 	double external[3];	    /* force on the body itself in this step (gravity) */
 	double free[6]; /* 1: moves along, turns about x, y, z; 0: does not */
 	double density; /* of its material, or 0 */
-	double kind;	/* number of its template, or 0 */
+	double kind;	/* a clump: number of its template; else 0 */
 };
 
 enum { TS_BODY_NUMBERS = sizeof(struct ts_body) / sizeof(double) }; /* nothing else is in it */
@@ -74,6 +74,9 @@ static inline bool ts_rigid_same(const struct ts_particles *p, size_t a, size_t 
 {
 	return p->body && p->body[a] && p->body[a] == p->body[b];
 }
+
+/* The body that particle i belongs to, or NULL. */
+const struct ts_body *ts_rigid_body_of(const struct tsim *sim, size_t i);
 
 /* An acceleration of the bodies of which a member is in the group. */
 enum ts_status ts_rigid_accelerate(struct tsim *sim, int group, const double a[3]);

@@ -62,31 +62,33 @@ syn match tsimKeyword /\<timer\>/
 syn keyword tsimKeyword  internal atomfile equal vector create dist uniform gaussian mom
 syn keyword tsimKeyword  rot local geom zero linear angular angularIndividual sum pair ii
 syn keyword tsimKeyword  ij nofix modify noinit discard default mixed bound reduced nchunk
-syn keyword tsimKeyword  limit ids nfreq kspace tensor com average bond/type radius min max
-syn keyword tsimKeyword  ave sumsq avesq sumabs aveabs minabs maxabs inputs peratom
-syn keyword tsimKeyword  update_on_run_end adof cdof reset energy sample running window
-syn keyword tsimKeyword  overwrite title1 title2 title3 auto upper lower auto/upper
-syn keyword tsimKeyword  auto/lower full prefactor scalar kind global beyond end extra
-syn keyword tsimKeyword  final delta erate trate volume wiggle xy xz yz v flip axes xyz
-syn keyword tsimKeyword  scheme explicit exact wob spring body clearance chute spherical
-syn keyword tsimKeyword  hard soft continue message path initial_temperature contact_area
-syn keyword tsimKeyword  area_correction store_contact_data euler seed distributiontemplate
-syn keyword tsimKeyword  maxattempt overlapcheck all_in random_distribute uncorrelated
-syn keyword tsimKeyword  orientation set_property verbose compress_tags insert_every
-syn keyword tsimKeyword  ntry_mc check_dist_from_subdomain_border warn_region
-syn keyword tsimKeyword  particles_in_region volumefraction_region mass_in_region precision
-syn keyword tsimKeyword  curvature curvature_tolerant heal auto_remove_duplicates
-syn keyword tsimKeyword  surface_vel surface_ang_vel rescale transrot inertia by_dimension
-syn keyword tsimKeyword  sphere disc atom_type volume_limit relative title ghost writedata
-syn keyword tsimKeyword  peratomtype peratomtypepair matrix tether couple model hooke hertz
-syn keyword tsimKeyword  hooke/stiffness hertz/stiffness hooke/hysteresis tangential
-syn keyword tsimKeyword  history no_history rolling_friction cdt epsd epsd2 epsd3 cohesion
-syn keyword tsimKeyword  sjkr sjkr2 surface limitForce tangential_damping absolute_damping
-syn keyword tsimKeyword  ktToKnUser viscous tangential_reduce torsionTorque
-syn keyword tsimKeyword  heating_normal_hertz heating_tangential_history
-syn keyword tsimKeyword  computeElasticPotential computeDissipatedEnergy
-syn keyword tsimKeyword  disableNormalWhenBonded primitive n_meshes meshes xplane yplane
-syn keyword tsimKeyword  zplane xcylinder ycylinder zcylinder
+syn keyword tsimKeyword  limit ids nfreq kspace tensor com average property xcm vcm fcm
+syn keyword tsimKeyword  torque quat angmom masstotal inertia clumptype id_multisphere
+syn keyword tsimKeyword  ex_space ey_space ez_space bond/type radius min max ave sumsq
+syn keyword tsimKeyword  avesq sumabs aveabs minabs maxabs inputs peratom update_on_run_end
+syn keyword tsimKeyword  adof cdof reset energy sample running window overwrite title1
+syn keyword tsimKeyword  title2 title3 auto upper lower auto/upper auto/lower full
+syn keyword tsimKeyword  prefactor scalar kind global beyond end extra final delta erate
+syn keyword tsimKeyword  trate volume wiggle xy xz yz v flip axes xyz scheme explicit exact
+syn keyword tsimKeyword  wob spring body clearance chute spherical hard soft continue
+syn keyword tsimKeyword  message path initial_temperature contact_area area_correction
+syn keyword tsimKeyword  store_contact_data euler seed distributiontemplate maxattempt
+syn keyword tsimKeyword  overlapcheck all_in random_distribute uncorrelated orientation
+syn keyword tsimKeyword  set_property verbose compress_tags insert_every ntry_mc
+syn keyword tsimKeyword  check_dist_from_subdomain_border warn_region particles_in_region
+syn keyword tsimKeyword  volumefraction_region mass_in_region precision curvature
+syn keyword tsimKeyword  curvature_tolerant heal auto_remove_duplicates surface_vel
+syn keyword tsimKeyword  surface_ang_vel rescale transrot allow_group_and_set
+syn keyword tsimKeyword  allow_heatsource by_dimension sphere disc atom_type volume_limit
+syn keyword tsimKeyword  relative title ghost writedata peratomtype peratomtypepair matrix
+syn keyword tsimKeyword  force tether couple model hooke hertz hooke/stiffness
+syn keyword tsimKeyword  hertz/stiffness hooke/hysteresis tangential history no_history
+syn keyword tsimKeyword  rolling_friction cdt epsd epsd2 epsd3 cohesion sjkr sjkr2 surface
+syn keyword tsimKeyword  limitForce tangential_damping absolute_damping ktToKnUser viscous
+syn keyword tsimKeyword  tangential_reduce torsionTorque heating_normal_hertz
+syn keyword tsimKeyword  heating_tangential_history computeElasticPotential
+syn keyword tsimKeyword  computeDissipatedEnergy disableNormalWhenBonded primitive n_meshes
+syn keyword tsimKeyword  meshes xplane yplane zplane xcylinder ycylinder zcylinder
 syn match tsimKeyword /\<velocity\>/ 
 syn keyword tsimKeyword  store_force xlo xhi ylo yhi zlo zhi viscosity generic
 syn keyword tsimKeyword  limit_damping restitution side in out open axis center bounds
@@ -95,15 +97,15 @@ syn keyword tsimKeyword  angle0
 " numbers of the simulation and of particles
 syn keyword tsimName  id type radius diameter
 syn match tsimName /\<mass\>/ 
-syn keyword tsimName  density x y z vx vy vz fx fy fz omegax omegay omegaz tqx tqy tqz
-syn keyword tsimName  xu yu zu xs ys zs xsu ysu zsu ix iy iz proc press pxx pyy pzz pxy
-syn keyword tsimName  pxz pyz nbuild ndanger bonds numbonds brokenbonds gonebonds step
-syn keyword tsimName  elapsed elaplong part time dt cpu tpcpu spcpu cpuremain timeremain
-syn keyword tsimName  cu atoms ke erotate pe etotal epair evdwl emol ebond enthalpy
-syn keyword tsimName  ecoul elong etail eangle edihed eimp angles dihedrals impropers
-syn keyword tsimName  temp fmax fnorm vol lx ly lz xlo xhi ylo yhi zlo zhi xy xz yz xlat
-syn keyword tsimName  ylat zlat cella cellb cellc cellalpha cellbeta cellgamma PI yes no
-syn keyword tsimName  true false on off
+syn keyword tsimName  density mol x y z vx vy vz fx fy fz omegax omegay omegaz tqx tqy
+syn keyword tsimName  tqz xu yu zu xs ys zs xsu ysu zsu ix iy iz proc press pxx pyy pzz
+syn keyword tsimName  pxy pxz pyz nbuild ndanger bonds numbonds brokenbonds gonebonds
+syn keyword tsimName  step elapsed elaplong part time dt cpu tpcpu spcpu cpuremain
+syn keyword tsimName  timeremain cu atoms ke erotate pe etotal epair evdwl emol ebond
+syn keyword tsimName  enthalpy ecoul elong etail eangle edihed eimp angles dihedrals
+syn keyword tsimName  impropers temp fmax fnorm vol lx ly lz xlo xhi ylo yhi zlo zhi xy
+syn keyword tsimName  xz yz xlat ylat zlat cella cellb cellc cellalpha cellbeta
+syn keyword tsimName  cellgamma PI yes no true false on off
 
 syn match tsimFunction /\<\%(sqrt\|exp\|ln\|log\|abs\|sign\|sin\|cos\|tan\|asin\|acos\|atan\|atan2\|ceil\|floor\|round\|ternary\|random\|normal\|ramp\|vdisplace\|swiggle\|cwiggle\|stagger\|logfreq\|logfreq2\|logfreq3\|stride\|stride2\|sum\|ave\|min\|max\|trap\|slope\|stderr\|sort\|rsort\|next\|is_file\|is_os\|is_defined\|is_active\|is_available\|extract_setting\|volume\|count\|mass\|ke\|gyration\|xcm\|vcm\|fcm\|angmom\|torque\|inertia\|omega\|bound\|gmask\|rmask\|grmask\)\ze(/
 
@@ -118,25 +120,26 @@ syn match tsim_fix /\<balance\>/ contained
 syn keyword tsim_fix contained bond/breakage controller deform drag drag/stokes drill/bit
 syn keyword tsim_fix contained enforce2d evaporate freeze gravity halt heat/gran
 syn keyword tsim_fix contained heat/gran/conduction insert/pack langevin lineforce mesh/surface
-syn keyword tsim_fix contained momentum move nve nve/euler nve/limit nve/noforce nve/sphere
-syn keyword tsim_fix contained nve/symplectic particledistribution/discrete
+syn keyword tsim_fix contained momentum move multisphere nve nve/euler nve/limit nve/noforce
+syn keyword tsim_fix contained nve/sphere nve/symplectic particledistribution/discrete
 syn keyword tsim_fix contained particledistribution/discrete/massbased
 syn keyword tsim_fix contained particledistribution/discrete/numberbased particletemplate/sphere
 syn keyword tsim_fix contained planeforce
 syn match tsim_fix /\<print\>/ contained
-syn keyword tsim_fix contained property/atom property/global recenter setforce spring spring/self
-syn keyword tsim_fix contained store/force store/state vector viscous viscous/sphere wall/gran
-syn keyword tsim_fix contained wall/reflect
+syn keyword tsim_fix contained property/atom property/global recenter rigid setforce spring
+syn keyword tsim_fix contained spring/self store/force store/state vector viscous viscous/sphere
+syn keyword tsim_fix contained wall/gran wall/reflect
 hi def link tsim_fix Type
 syn match tsimHead /^\s*compute\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_compute
 syn keyword tsim_compute contained aggregate/atom angmom/chunk bond/local bonds chunk/atom
 syn keyword tsim_compute contained cluster/atom com com/chunk contact/atom contacts coord/atom
-syn keyword tsim_compute contained count/type displace/atom erotate/sphere erotate/sphere/atom
-syn keyword tsim_compute contained fragment/atom group/group gyration gyration/chunk inertia/chunk ke
-syn keyword tsim_compute contained ke/atom leave msd msd/chunk nbond/atom omega/chunk pair/gran/local
+syn keyword tsim_compute contained count/type displace/atom erotate/multisphere erotate/sphere
+syn keyword tsim_compute contained erotate/sphere/atom fragment/atom group/group gyration
+syn keyword tsim_compute contained gyration/chunk inertia/chunk ke ke/atom ke/multisphere leave msd
+syn keyword tsim_compute contained msd/chunk multisphere nbond/atom omega/chunk pair/gran/local
 syn keyword tsim_compute contained pair/local pe pe/atom pressure property/atom property/chunk
-syn keyword tsim_compute contained property/local rdf reduce reduce/region slice stress/atom temp
-syn keyword tsim_compute contained temp/chunk temp/com torque/chunk vacf vcm/chunk
+syn keyword tsim_compute contained property/local rdf reduce reduce/region rigid slice stress/atom
+syn keyword tsim_compute contained temp temp/chunk temp/com torque/chunk vacf vcm/chunk
 hi def link tsim_compute Type
 syn match tsimHead /^\s*region\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_region
 syn keyword tsim_region contained block cone cylinder ellipsoid intersect plane prism sphere union

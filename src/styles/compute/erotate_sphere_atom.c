@@ -1,8 +1,6 @@
 /* Compute: kinetic energy of rotation of each particle. */
-#include "core/sim.h"
-
-#include "math/vec3.h"
-#include "particles/body.h"
+#include "particles/energy.h"
+#include "particles/particles.h"
 
 #include "base/banned.h"
 
@@ -11,11 +9,8 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	const struct ts_particles *p = sim->particles;
 
 	TS_TRY(ts_table_resize(out, p->n, 1));
-	for (size_t i = 0; i < p->n; i++) {
-		out->data[i] = 0;
-		if (p->omega && ts_in_group(p, i, self->group))
-			out->data[i] = 0.5 * ts_inertia(sim, i) * ts_dot(p->omega[i], p->omega[i]);
-	}
+	for (size_t i = 0; i < p->n; i++)
+		out->data[i] = ts_in_group(p, i, self->group) ? ts_rotation_energy(sim, i) : 0;
 	return TS_OK;
 }
 

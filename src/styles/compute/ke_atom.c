@@ -1,7 +1,5 @@
 /* Compute: kinetic energy of translation of each particle. */
-#include "core/sim.h"
-
-#include "math/vec3.h"
+#include "particles/energy.h"
 #include "particles/particles.h"
 
 #include "base/banned.h"
@@ -13,7 +11,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	TS_TRY(ts_table_resize(out, p->n, 1));
 	for (size_t i = 0; i < p->n; i++)
 		out->data[i] = ts_in_group(p, i, self->group)
-				       ? 0.5 * p->mass[i] * ts_dot(p->v[i], p->v[i])
+				       ? ts_kinetic_energy(sim, i)
 				       : 0;
 	return TS_OK;
 }
@@ -34,7 +32,7 @@ const struct ts_style ts_compute_ke_atom = {
 	.kind = TS_KIND_COMPUTE,
 	.summary = "Kinetic energy of translation of each particle",
 	.doc = "m v^2 / 2 of each particle of the group, 0 for others. Rotation is in compute\n"
-	       "erotate/sphere/atom.",
+	       "erotate/sphere/atom. The spheres of a clump share the energy of its centre of mass.",
 	.example = "compute energy all ke/atom",
 	.values = values,
 };

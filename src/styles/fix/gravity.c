@@ -133,9 +133,8 @@ const struct ts_style ts_fix_gravity = {
 	.summary = "constant acceleration of all particles of the group",
 	.doc = "f += m g. The direction is given by `vector x y z` (normalised), `chute angle` "
 	       "(from -z towards +x, in degrees) or `spherical phi theta`. f_ID is the potential energy, which\n"
-	       "`fix_modify ID energy yes` counts in pe.",
-	       "(from -z towards +x, in degrees) or `spherical phi theta`. Rigid bodies with a member\n"
-	       "in the group are accelerated as a whole, with their own mass.",
+	       "`fix_modify ID energy yes` counts in pe. Rigid bodies with a member in the group are accelerated as\n"
+	       "a whole, with their own mass.",
 	.example = "fix g all gravity 9.81 vector 0.0 0.0 -1.0",
 	.args = args,
 	.state_size = sizeof(struct gravity),
