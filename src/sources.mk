@@ -172,6 +172,7 @@ library_sources = \
 	src/law/spring_dashpot.h \
 	src/law/tangential.h \
 	src/law/touch.h \
+	src/law/wear.h \
 	src/library/columns.c \
 	src/library/library.h \
 	src/library/life.c \
@@ -222,6 +223,8 @@ library_sources = \
 	src/neigh/material_words.c \
 	src/neigh/materials.c \
 	src/neigh/materials.h \
+	src/neigh/mesh_stress.c \
+	src/neigh/mesh_stress.h \
 	src/neigh/mesh_wall.c \
 	src/neigh/mesh_wall.h \
 	src/neigh/neigh.c \
@@ -514,6 +517,7 @@ library_sources = \
 	src/styles/fix/langevin.c \
 	src/styles/fix/lineforce.c \
 	src/styles/fix/mesh_surface.c \
+	src/styles/fix/mesh_surface_stress.c \
 	src/styles/fix/momentum.c \
 	src/styles/fix/move.c \
 	src/styles/fix/multisphere.c \

@@ -14,6 +14,7 @@ shell_tests = \
 	tests/crosscheck/legacy.sh \
 	tests/crosscheck/liggghts.sh \
 	tests/crosscheck/mesh_dumps.sh \
+	tests/crosscheck/mesh_stress.sh \
 	tests/crosscheck/meshes.sh \
 	tests/crosscheck/rigid.sh \
 	tests/crosscheck/scripts.sh \
@@ -37,6 +38,7 @@ shell_tests = \
 	tests/decks/insertion.sh \
 	tests/decks/legacy.sh \
 	tests/decks/mesh_dumps.sh \
+	tests/decks/mesh_stress.sh \
 	tests/decks/mistakes.sh \
 	tests/decks/neigh_words.sh \
 	tests/decks/plane.sh \
@@ -106,6 +108,7 @@ unit_tests = \
 	tests/check_styles \
 	tests/check_unbreakable \
 	tests/check_variables \
+	tests/check_wear \
 	tests/stability/check_limits
 tests_common = \
 	tests/cloud.c \
@@ -244,6 +247,10 @@ tests_check_unbreakable_LDADD = $(tests_ldadd)
 tests_check_variables_SOURCES = tests/check_variables.c $(tests_common)
 tests_check_variables_CFLAGS = $(tests_cflags)
 tests_check_variables_LDADD = $(tests_ldadd)
+
+tests_check_wear_SOURCES = tests/check_wear.c $(tests_common)
+tests_check_wear_CFLAGS = $(tests_cflags)
+tests_check_wear_LDADD = $(tests_ldadd)
 
 tests_stability_check_limits_SOURCES = tests/stability/check_limits.c $(tests_common)
 tests_stability_check_limits_CFLAGS = $(tests_cflags)

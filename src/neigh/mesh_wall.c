@@ -49,6 +49,7 @@ void ts_mesh_wall_release(struct ts_mesh_wall *mw)
 	drop_trees(mw);
 	ts_free(mw->near);
 	ts_free(mw->list.item);
+	ts_free(mw->touching);
 	*mw = (struct ts_mesh_wall){ 0 };
 }
 
@@ -176,14 +177,6 @@ static bool begin_contact(struct ts_wall *w, const struct ts_mesh_wall *mw, size
 	return true;
 }
 
-static void set_velocity(const struct ts_mesh_surface *s, size_t t, const double weight[3],
-			 double v[3])
-{
-	v[0] = v[1] = v[2] = 0;
-	for (int k = 0; s->v && k < 3; k++)
-		ts_axpy(weight[k], s->v[t][k], v);
-}
-
 static void push(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw, size_t from, size_t to,
 		 size_t k)
 {
@@ -206,7 +199,7 @@ static void push(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw, s
 	spot.distance = at.distance;
 	for (int d = 0; d < 3; d++)
 		spot.n[d] = at.n[d];
-	set_velocity(s, t, at.weight, spot.velocity);
+	ts_mesh_surface_velocity(s, t, at.weight, spot.velocity);
 	ts_wall_push(w, sim, k, &spot);
 }
 

@@ -27,12 +27,20 @@ struct ts_mesh_near {
 	bool done;	  /* touches in this step */
 };
 
+/* A contact that touches, by what says its place in a sum. */
+struct ts_mesh_touching {
+	int32_t element, tag;
+	size_t k;
+};
+
 struct ts_mesh_wall {
 	struct ts_mesh_part_of_wall *mesh;
 	size_t nmeshes;
 	struct ts_mesh_near *near; /* of each contact */
 	size_t near_capacity;
 	struct ts_mesh_list list; /* for searches */
+	struct ts_mesh_touching *touching; /* for sums over contacts */
+	size_t touching_capacity;
 };
 
 /* Numbers that a contact with a mesh remembers besides those of its law: whether there is one. */

@@ -11,6 +11,7 @@
 
 #include "core/sim.h"
 #include "geom/mesh.h"
+#include "math/vec3.h"
 
 #define TS_FAMILY_MESH "mesh"
 
@@ -22,7 +23,17 @@ struct ts_mesh_surface {
 	 * NULL: at rest. */
 	double (*v)[3][3];
 	uint64_t moves; /* grows whenever the mesh changes its place */
+	struct ts_mesh_stress *stress; /* what particles do to it; NULL: nobody asks */
 };
+
+/* Velocity at the point of a triangle that is the sum of weight[k] * corner k. */
+static inline void ts_mesh_surface_velocity(const struct ts_mesh_surface *s, size_t t,
+					    const double weight[3], double v[3])
+{
+	v[0] = v[1] = v[2] = 0;
+	for (int k = 0; s->v && k < 3; k++)
+		ts_axpy(weight[k], s->v[t][k], v);
+}
 
 void ts_mesh_surface_release(struct ts_mesh_surface *surface);
 

@@ -177,6 +177,7 @@ TS_STYLE(fix, ts_style, ts_fix_insert_pack)
 TS_STYLE(fix, ts_style, ts_fix_langevin)
 TS_STYLE(fix, ts_style, ts_fix_lineforce)
 TS_STYLE(fix, ts_style, ts_fix_mesh_surface)
+TS_STYLE(fix, ts_style, ts_fix_mesh_surface_stress)
 TS_STYLE(fix, ts_style, ts_fix_momentum)
 TS_STYLE(fix, ts_style, ts_fix_move)
 TS_STYLE(fix, ts_style, ts_fix_multisphere)
@@ -393,6 +394,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_langevin,
 	&ts_fix_lineforce,
 	&ts_fix_mesh_surface,
+	&ts_fix_mesh_surface_stress,
 	&ts_fix_momentum,
 	&ts_fix_move,
 	&ts_fix_multisphere,

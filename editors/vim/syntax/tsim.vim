@@ -78,17 +78,18 @@ syn keyword tsimKeyword  set_property verbose compress_tags insert_every ntry_mc
 syn keyword tsimKeyword  check_dist_from_subdomain_border warn_region particles_in_region
 syn keyword tsimKeyword  volumefraction_region mass_in_region precision curvature
 syn keyword tsimKeyword  curvature_tolerant heal auto_remove_duplicates surface_vel
-syn keyword tsimKeyword  surface_ang_vel rescale transrot allow_group_and_set
-syn keyword tsimKeyword  allow_heatsource by_dimension sphere disc atom_type volume_limit
-syn keyword tsimKeyword  relative title ghost writedata peratomtype peratomtypepair matrix
-syn keyword tsimKeyword  force tether couple model hooke hertz hooke/stiffness
-syn keyword tsimKeyword  hertz/stiffness hooke/hysteresis tangential history no_history
-syn keyword tsimKeyword  rolling_friction cdt epsd epsd2 epsd3 cohesion sjkr sjkr2 surface
-syn keyword tsimKeyword  limitForce tangential_damping absolute_damping ktToKnUser viscous
-syn keyword tsimKeyword  tangential_reduce torsionTorque heating_normal_hertz
-syn keyword tsimKeyword  heating_tangential_history computeElasticPotential
-syn keyword tsimKeyword  computeDissipatedEnergy disableNormalWhenBonded primitive n_meshes
-syn keyword tsimKeyword  meshes xplane yplane zplane xcylinder ycylinder zcylinder
+syn keyword tsimKeyword  surface_ang_vel reference_point stress wear finnie rescale
+syn keyword tsimKeyword  transrot allow_group_and_set allow_heatsource by_dimension sphere
+syn keyword tsimKeyword  disc atom_type volume_limit relative title ghost writedata
+syn keyword tsimKeyword  peratomtype peratomtypepair matrix force tether couple model hooke
+syn keyword tsimKeyword  hertz hooke/stiffness hertz/stiffness hooke/hysteresis tangential
+syn keyword tsimKeyword  history no_history rolling_friction cdt epsd epsd2 epsd3 cohesion
+syn keyword tsimKeyword  sjkr sjkr2 surface limitForce tangential_damping absolute_damping
+syn keyword tsimKeyword  ktToKnUser viscous tangential_reduce torsionTorque
+syn keyword tsimKeyword  heating_normal_hertz heating_tangential_history
+syn keyword tsimKeyword  computeElasticPotential computeDissipatedEnergy
+syn keyword tsimKeyword  disableNormalWhenBonded primitive n_meshes meshes xplane yplane
+syn keyword tsimKeyword  zplane xcylinder ycylinder zcylinder
 syn match tsimKeyword /\<velocity\>/ 
 syn keyword tsimKeyword  store_force xlo xhi ylo yhi zlo zhi viscosity generic
 syn keyword tsimKeyword  limit_damping restitution side in out open axis center bounds
@@ -120,8 +121,9 @@ syn match tsim_fix /\<balance\>/ contained
 syn keyword tsim_fix contained bond/breakage controller deform drag drag/stokes drill/bit
 syn keyword tsim_fix contained enforce2d evaporate freeze gravity halt heat/gran
 syn keyword tsim_fix contained heat/gran/conduction insert/pack langevin lineforce mesh/surface
-syn keyword tsim_fix contained momentum move multisphere nve nve/euler nve/limit nve/noforce
-syn keyword tsim_fix contained nve/sphere nve/symplectic particledistribution/discrete
+syn keyword tsim_fix contained mesh/surface/stress momentum move multisphere nve nve/euler
+syn keyword tsim_fix contained nve/limit nve/noforce nve/sphere nve/symplectic
+syn keyword tsim_fix contained particledistribution/discrete
 syn keyword tsim_fix contained particledistribution/discrete/massbased
 syn keyword tsim_fix contained particledistribution/discrete/numberbased particletemplate/sphere
 syn keyword tsim_fix contained planeforce

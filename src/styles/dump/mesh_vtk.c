@@ -1,6 +1,7 @@
 /* Dump mesh/vtk: meshes as they stand, with what is known of each triangle, as legacy VTK (text). */
 #include "core/sim.h"
 #include "io/dump_mesh.h"
+#include "neigh/mesh_stress.h"
 
 #include "base/banned.h"
 
@@ -18,6 +19,46 @@ static const char *const forms[] = { "face", "interpolate", "original", NULL };
 
 /* A number or vector of a triangle, or of its corner (-1: of the triangle as a whole). */
 typedef void get_fn(const struct ts_mesh_surface *s, size_t t, int corner, double out[3]);
+
+static bool tracked(const struct ts_mesh_surface *s)
+{
+	return s->stress && s->stress->tracks;
+}
+
+static bool worn(const struct ts_mesh_surface *s)
+{
+	return s->stress && s->stress->wear_law != TS_MESH_WEAR_OFF;
+}
+
+static bool moves(const struct ts_mesh_surface *s)
+{
+	return s->v != NULL;
+}
+
+static void get_normal_stress(const struct ts_mesh_surface *s, size_t t, int corner, double out[3])
+{
+	(void)corner;
+	out[0] = tracked(s) ? s->stress->normal[t] : 0;
+}
+
+static void get_shear_stress(const struct ts_mesh_surface *s, size_t t, int corner, double out[3])
+{
+	(void)corner;
+	out[0] = tracked(s) ? s->stress->shear[t] : 0;
+}
+
+static void get_stress(const struct ts_mesh_surface *s, size_t t, int corner, double out[3])
+{
+	(void)corner;
+	for (int d = 0; d < 3; d++)
+		out[d] = tracked(s) ? s->stress->load[t][d] / s->mesh.area[t] : 0;
+}
+
+static void get_wear(const struct ts_mesh_surface *s, size_t t, int corner, double out[3])
+{
+	(void)corner;
+	out[0] = worn(s) ? s->stress->wear[t] : 0;
+}
 
 static void get_index(const struct ts_mesh_surface *s, size_t t, int corner, double out[3])
 {
@@ -87,19 +128,24 @@ static void get_velocity(const struct ts_mesh_surface *s, size_t t, int corner, 
 
 /* In the order in which they are written; `vel` comes first with `output interpolate`. */
 static const struct quantity {
-	const char *word, *name, *help;
+	const char *word, *name;
 	int components;
 	bool integer;
 	get_fn *get;
+	bool (*of)(const struct ts_mesh_surface *s); /* has the mesh it? NULL: all have */
 } quantities[] = {
-	{ "id", "meshid", "number of the triangle, from 0", 1, true, get_index },
-	{ "owner", "owner", "the processor: 0", 1, true, get_owner },
-	{ "area", "area", "area", 1, false, get_area },
-	{ "aedges", "active_edges", "edges that act in contacts", 1, true, get_active_edges },
-	{ "acorners", "active_corners", "corners that act in contacts", 1, true, get_active_corners },
-	{ "index", "index", "the same as id", 1, true, get_index },
-	{ "nneighs", "nneighs", "triangles across its edges", 1, true, get_neighbours },
-	{ "vel", "v", "velocity of the surface", 3, false, get_velocity },
+	{ "stress", "normal_stress_average", 1, false, get_normal_stress, tracked },
+	{ "stress", "shear_stress_average", 1, false, get_shear_stress, tracked },
+	{ "stresscomponents", "stress", 3, false, get_stress, tracked },
+	{ "id", "meshid", 1, true, get_index, NULL },
+	{ "wear", "wear", 1, false, get_wear, worn },
+	{ "owner", "owner", 1, true, get_owner, NULL },
+	{ "area", "area", 1, false, get_area, NULL },
+	{ "aedges", "active_edges", 1, true, get_active_edges, NULL },
+	{ "acorners", "active_corners", 1, true, get_active_corners, NULL },
+	{ "index", "index", 1, true, get_index, NULL },
+	{ "nneighs", "nneighs", 1, true, get_neighbours, NULL },
+	{ "vel", "v", 3, false, get_velocity, moves },
 };
 enum { NQUANTITIES = sizeof quantities / sizeof *quantities, VELOCITY = NQUANTITIES - 1 };
 
@@ -212,19 +258,31 @@ static void add_array(struct state *s, const struct quantity *q, size_t n)
 	end_numbers(s);
 }
 
+/* Chosen, and some mesh of the dump has it. */
+static bool written(const struct state *s, int k)
+{
+	bool there = !quantities[k].of;
+
+	for (size_t m = 0; m < s->mesh.nsurfaces && !there; m++)
+		there = quantities[k].of(s->mesh.surface[m]);
+	return there && (s->chosen & 1u << k);
+}
+
 static void add_arrays(struct state *s, size_t n)
 {
 	bool points = s->form == INTERPOLATE;
 	int count = 0;
 
 	for (int k = 0; k < NQUANTITIES; k++)
-		count += (s->chosen & 1u << k) != 0;
+		count += written(s, k);
+	if (!count)
+		return;
 	ts_str_addf(&s->mesh.common.text, "%s %zu\nFIELD FieldData %d\n",
 		    points ? "POINT_DATA" : "CELL_DATA", points ? 3 * n : n, count);
 	for (int k = 0; k < NQUANTITIES; k++) {
 		int which = !points ? k : k ? k - 1 : VELOCITY;
 
-		if (s->chosen >> which & 1)
+		if (written(s, which))
 			add_array(s, &quantities[which], n);
 	}
 }
@@ -258,7 +316,8 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 static const struct ts_arg args[] = {
 	TS_DUMP_MESH_ARGS(struct state, "*.vtk",
 			  "in any order: ids of `fix mesh/surface`, else all meshes; what to write of "
-			  "each triangle: id, owner, area, aedges, acorners, index, nneighs, vel; "
+			  "each triangle: stress, stresscomponents, id, wear, owner, area, aedges, "
+			  "acorners, index, nneighs, vel; "
 			  "`output face|interpolate|original`"),
 	TS_ARGS_END,
 };
@@ -272,9 +331,11 @@ const struct ts_style ts_dump_mesh_vtk = {
 	.summary = "Meshes with what is known of each triangle, as legacy VTK for ParaView",
 	.doc = "One file per frame, PolyData of version 5.1 as text: each triangle has points of its own. With\n"
 	       "`output interpolate` the numbers belong to the points, else (face, original) to the triangles.\n"
-	       "Arrays: id gives meshid, aedges active_edges, acorners active_corners (edges and corners that\n"
-	       "particles can touch), vel v; the others are named as they are asked for. `mesh/gran/VTK` is\n"
-	       "another name of this style.",
+	       "Arrays: stress gives normal_stress_average and shear_stress_average, stresscomponents the vector\n"
+	       "stress = F/A, id meshid, aedges active_edges, acorners active_corners (edges and corners that\n"
+	       "particles can touch), vel v; the others are named as they are asked for. There are stresses and\n"
+	       "wear only if a mesh is a fix mesh/surface/stress, and velocities only if one moves.\n"
+	       "`mesh/gran/VTK` is another name of this style.",
 	.example = "dump stress all mesh/vtk 200 post/mesh*.vtk id area vel\n"
 		   "dump points all mesh/vtk 200 post/drum*.vtk output interpolate vel drum",
 	.args = args,

@@ -1,5 +1,5 @@
 #include "geom/primitive.h"
-#include "neigh/mesh_wall.h"
+#include "neigh/mesh_stress.h"
 #include "neigh/wall.h"
 #include "particles/domain.h"
 #include "particles/particles.h"
@@ -87,7 +87,9 @@ static enum ts_status find_meshes(struct ts_instance *self, struct tsim *sim)
 	if (w->type != INT64_MIN)
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "type"),
 			       "fix wall/gran: each mesh has the type that its fix says");
-	return ts_mesh_wall_find(self, sim, &w->mesh, w->meshes);
+	TS_TRY(ts_mesh_wall_find(self, sim, &w->mesh, w->meshes));
+	w->wall.contacts.want_reports |= ts_mesh_stress_wanted(&w->mesh);
+	return TS_OK;
 }
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -167,11 +169,12 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	struct wall *w = self->state;
 
 	w->wall.force[0] = w->wall.force[1] = w->wall.force[2] = 0;
-	if (w->mesh_word)
-		ts_mesh_wall_push(sim, &w->wall, &w->mesh);
-	else
+	if (!w->mesh_word) {
 		push_from_primitive(sim, w);
-	return TS_OK;
+		return TS_OK;
+	}
+	ts_mesh_wall_push(sim, &w->wall, &w->mesh);
+	return ts_mesh_stress_collect(sim, &w->wall, &w->mesh);
 }
 
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
