@@ -288,6 +288,8 @@ library_sources = \
 	src/particles/integrate.h \
 	src/particles/lattice.c \
 	src/particles/lattice.h \
+	src/particles/material.c \
+	src/particles/material.h \
 	src/particles/mesh_surface.c \
 	src/particles/mesh_surface.h \
 	src/particles/moments.c \
@@ -394,6 +396,7 @@ library_sources = \
 	src/styles/command/lattice.c \
 	src/styles/command/legacy.c \
 	src/styles/command/mass.c \
+	src/styles/command/material.c \
 	src/styles/command/modify_timing.c \
 	src/styles/command/neigh_modify.c \
 	src/styles/command/neighbor.c \

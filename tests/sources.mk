@@ -37,6 +37,7 @@ shell_tests = \
 	tests/decks/inputs.sh \
 	tests/decks/insertion.sh \
 	tests/decks/legacy.sh \
+	tests/decks/materials.sh \
 	tests/decks/mesh_dumps.sh \
 	tests/decks/mesh_stress.sh \
 	tests/decks/mistakes.sh \

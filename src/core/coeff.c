@@ -89,20 +89,31 @@ static enum ts_status read_words(struct tsim *sim, FILE *file, const char *name,
 	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
 }
 
-static enum ts_status parse_file(struct tsim *sim, const char *what, const struct ts_coeffs *c,
-				 const struct ts_word *name, struct ts_arena *arena, void *entry)
+enum ts_status ts_coeff_words(struct tsim *sim, const struct ts_word *name, const char *ending,
+			      struct ts_arena *arena, struct ts_words *out)
 {
 	FILE *file = open_potential(name->text);
-	struct ts_words words;
+	char longer[1024];
 	enum ts_status status;
 
+	snprintf(longer, sizeof longer, "%s%s", name->text, ending);
+	if (!file && *ending)
+		file = open_potential(longer);
 	if (!file)
 		return ts_fail(&sim->error, TS_IO, &name->place,
 			       "cannot read coefficient file '%s' (nor in potentials/): %s",
 			       name->text, strerror(errno));
-	status = read_words(sim, file, name->text, arena, &words);
+	status = read_words(sim, file, name->text, arena, out);
 	fclose(file);
-	TS_TRY(status);
+	return status;
+}
+
+static enum ts_status parse_file(struct tsim *sim, const char *what, const struct ts_coeffs *c,
+				 const struct ts_word *name, struct ts_arena *arena, void *entry)
+{
+	struct ts_words words;
+
+	TS_TRY(ts_coeff_words(sim, name, "", arena, &words));
 	return ts_args_parse(sim, what, c->rows, words, &name->place, arena, entry);
 }
 

@@ -28,6 +28,10 @@ static inline void *ts_coeff(const struct ts_coeffs *c, size_t k)
 enum ts_status ts_coeff_parse(struct tsim *sim, const char *what, const struct ts_coeffs *c,
 			      struct ts_words words, const struct ts_place *where, void *entry);
 
+/* All words of such a file, found in the same places, also with the ending added to its name. */
+enum ts_status ts_coeff_words(struct tsim *sim, const struct ts_word *name, const char *ending,
+			      struct ts_arena *arena, struct ts_words *out);
+
 /* As text that parses back to the same bits. */
 enum ts_status ts_coeffs_archive(struct ts_archive *archive, struct tsim *sim, struct ts_coeffs *c);
 void ts_coeffs_fingerprint(const struct ts_coeffs *c, const struct tsim *sim,

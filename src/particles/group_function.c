@@ -6,6 +6,7 @@
 #include "particles/domain.h"
 #include "particles/energy.h"
 #include "particles/particles.h"
+#include "particles/property.h"
 #include "particles/region.h"
 
 #include "base/banned.h"
@@ -383,6 +384,9 @@ const struct ts_function ts_group_functions[] = {
 	     "tensor of inertia about the centre of mass, of points"),
 	PART("omega", "x|y|z", eval_omega, "angular velocity: inertia omega = angmom"),
 	PART("bound", "xmin|xmax|ymin|ymax|zmin|zmax", eval_bound, "extreme coordinate of centres"),
+	{ .name = "property", .arguments = "name,type[,type]",
+	  .help = "property of a material or of a pair of materials, see fix property/global",
+	  .least = 2, .most = 3, .eval = ts_property_eval },
 	{ .name = "gmask", .arguments = "group", .help = "1 for particles of the group, else 0",
 	  .least = 1, .most = 1, .peratom = each_gmask },
 	{ .name = "rmask", .arguments = "region", .help = "1 for particles in the region, else 0",

@@ -50,6 +50,7 @@ static void fini(struct ts_instance *self)
 	}
 	ts_free(p->column);
 	ts_free(p->type_mass);
+	ts_materials_release(&p->materials);
 	ts_free(p->ghost_owner);
 	ts_free(p->ghost_shift);
 	ts_free(p->map);
@@ -141,6 +142,7 @@ static void fingerprint(const struct ts_instance *self, const struct tsim *sim,
 
 	(void)sim;
 	ts_hash_add(hash, &p->n, sizeof p->n);
+	ts_materials_fingerprint(&p->materials, hash);
 	for (size_t k = 0; k < p->ncolumns; k++)
 		if (p->column[k].active && !(p->column[k].flags & TS_COL_RESULT) && p->n)
 			ts_hash_add(hash, p->column[k].data,

@@ -11,6 +11,7 @@
 
 #include "core/group.h"
 #include "core/sim.h"
+#include "particles/material.h"
 
 /* Built-in columns. C(id, name, C type, width, flags) */
 #define TS_COLUMN_LIST(C)                                                                          \
@@ -91,6 +92,7 @@ struct ts_particles {
 	int ntypes;
 	int32_t max_tag;
 	enum ts_inertia inertia; /* as its integrator says */
+	struct ts_materials materials; /* of the types, from files */
 	double *type_mass; /* `mass` command, by type; 0: not given */
 	const char *group[TS_MAX_GROUPS]; /* names; NULL: free. group[0] = "all" */
 	struct ts_dynamic_group dynamic[TS_MAX_GROUPS];

@@ -1,5 +1,7 @@
 #include "particles/property.h"
 
+#include "particles/particles.h"
+
 #include "base/banned.h"
 
 const struct ts_property *ts_property_find(const struct tsim *sim, const char *name,
@@ -22,7 +24,7 @@ const struct ts_property *ts_property_find(const struct tsim *sim, const char *n
 
 bool ts_property_given(const struct tsim *sim, const char *name)
 {
-	return ts_property_find(sim, name, NULL) != NULL;
+	return ts_property_find(sim, name, NULL) != NULL || ts_material_given(sim, name);
 }
 
 static enum ts_status missing(struct tsim *sim, const char *name, const char *kind, const char *who,
@@ -36,7 +38,8 @@ static enum ts_status missing(struct tsim *sim, const char *name, const char *ki
 			ts_suggest_try(&suggest,
 				       ((const struct ts_property *)fixes->item[k]->state)->name);
 	return ts_fail(&sim->error, TS_STATE, where,
-		       "%s needs `fix ID all property/global %s %s ...`%s", who, name, kind,
+		       "%s needs `fix ID all property/global %s %s ...`%s%s", who, name, kind,
+		       sim->particles->materials.n ? ", or a line in the files of the materials" : "",
 		       ts_suggest_text(&suggest));
 }
 
@@ -54,7 +57,7 @@ const struct ts_place *ts_property_place(const struct tsim *sim, const char *nam
 	size_t word;
 
 	if (!p)
-		return NULL;
+		return ts_material_place(sim, name, a, b);
 	word = (p->kind >= TS_PROPERTY_PAIR ? 3 : 2) + index_of(p, a, b); /* name, kind, columns */
 	return word < by->words.n ? &by->words.word[word].place : &by->where;
 }
@@ -65,7 +68,12 @@ enum ts_status ts_property_value(struct tsim *sim, const char *name, int a, int 
 	const struct ts_instance *by;
 	const struct ts_property *p = ts_property_find(sim, name, &by);
 	size_t row = (size_t)(a > 0 ? a - 1 : 0), column = (size_t)(b > 0 ? b - 1 : 0);
+	bool found = false;
 
+	if (!p)
+		TS_TRY(ts_material_find(sim, name, a, b, &found, out));
+	if (found)
+		return TS_OK;
 	if (!p)
 		return missing(sim, name,
 			       b   ? "peratomtypepair N"
@@ -88,4 +96,26 @@ enum ts_status ts_property_value(struct tsim *sim, const char *name, int a, int 
 			p->kind >= TS_PROPERTY_PAIR ? p->columns : p->n, a > b ? a : b);
 	*out = p->value[row * p->columns + column];
 	return TS_OK;
+}
+
+static enum ts_status read_type(struct tsim *sim, const struct ts_word *word, int *out)
+{
+	int64_t type;
+
+	if (!ts_parse_int(word->text, &type) || type < 1 || type > sim->particles->ntypes)
+		return ts_fail(&sim->error, TS_RANGE, &word->place,
+			       "property(): expected a particle type from 1 to %d, found '%s'",
+			       sim->particles->ntypes, word->text);
+	*out = (int)type;
+	return TS_OK;
+}
+
+enum ts_status ts_property_eval(struct tsim *sim, struct ts_words args, double *out)
+{
+	int a = 0, b = 0;
+
+	TS_TRY(read_type(sim, &args.word[1], &a));
+	if (args.n > 2)
+		TS_TRY(read_type(sim, &args.word[2], &b));
+	return ts_property_value(sim, args.word[0].text, a, b, "property()", &args.word[0].place, out);
 }

@@ -1,0 +1,137 @@
+#!/bin/bash
+# Materials from files: values, pairs, units, places of errors; a run with them is the run with the same
+# numbers given by fix property/global; and the installed ones can be read.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+
+cat >oak.material <<'END'
+# not measured
+density 713.5 kg/m3
+youngsModulus 2.385e8 Pa		# about
+poissonsRatio 0.231 1
+coefficientRestitution 0.41 1
+coefficientFriction 0.31 1
+coefficientFriction with brass 0.177 1
+END
+cat >brass.material <<'END'
+density 8417 kg/m3
+youngsModulus 7.31e8 Pa
+poissonsRatio 0.331 1
+coefficientRestitution 0.77 1 coefficientFriction 0.23 1
+thermalConductivity 109 W/m/K thermalCapacity 377 J/kg/K
+END
+start='boundary f f f
+region b block -1 1 -1 1 -1 1 units box
+create_box 3 b
+material 1 file oak
+material 2 file brass.material
+material 3 file oak'
+
+agree 'values, si' "units si
+$start
+variable a equal 1
+print 'is density \$(property(density,1)) 713.5'
+print 'is density \$(property(density,2)) 8417'
+print 'is own \$(property(coefficientFriction,1,1)) 0.31'
+print 'is same \$(property(coefficientFriction,1,3)) 0.31'
+print 'is mutual \$(property(coefficientFriction,1,2)) 0.177'
+print 'is mutual \$(property(coefficientFriction,2,1)) 0.177'
+print 'is mean \$(property(coefficientRestitution,1,2)) 0.59'
+print 'is conductivity \$(property(thermalConductivity,2)) 109'
+fix m all property/global coefficientFriction scalar 0.5
+print 'is given \$(property(coefficientFriction,1,2)) 0.5'
+material 1 file brass
+print 'is anew \$(property(density,1)) 8417'
+if property_density then \"print 'is there 1 1'\""
+agree 'values, cgs' "units cgs
+$start
+print 'is density \$(property(density,1)) 0.7135'
+print 'is modulus \$(property(youngsModulus,1)) 2.385e9'
+print 'is conductivity \$(property(thermalConductivity,2)) 109e5'
+print 'is capacity \$(property(thermalCapacity,2)) 377e4'"
+agree 'values, micro' "units micro
+$start
+print 'is density \$(property(density,1)) 0.7135'
+print 'is modulus \$(property(youngsModulus,1)) 2.385e5'"
+
+rejects "units si
+$start
+print '\$(property(density,4))'" 'expected a particle type from 1 to 3'
+rejects "units si
+$start
+print '\$(property(thermalCapacity,1))'" 'or a line in the files of the materials'
+rejects "units lj
+$start" 'units lj have no kg/m3'
+rejects "units si
+$start
+material 4 file oak" 'particle type 4 does not exist'
+rejects "units si
+$start
+material 1 file teak" "cannot read coefficient file 'teak'"
+bad() { # WORDS MESSAGE
+	printf 'density 1 kg/m3\n%s\n' "$1" >bad.material
+	rejects "units si
+$start
+material 1 file bad" "$2"
+}
+bad 'youngsModulus 5e6 MPa' "bad:2:19: error: material: unknown unit 'MPa'"
+bad 'youngsModulus 5e6' "expected a value and its unit (1: none) after 'youngsModulus'"
+bad 'youngsModulus 5f6 Pa' "expected a number, found '5f6'"
+bad 'density 2 kg/m3' "'density' is given twice"
+printf 'coefficientFriction with oak 0.2 1\n' >teak.material
+printf 'coefficientFriction with teak 0.3 1\n' >>oak.material
+rejects "units si
+$start
+material 2 file teak
+print '\$(property(coefficientFriction,1,2))'" 'coefficientFriction with teak is 0.3 here, but 0.2 in the other file'
+
+cat >in.run <<'END'
+units si
+boundary f f f
+newton off
+region b block -1 1 -1 1 -1 1 units box
+create_box 2 b
+create_atoms 1 single 0 0 0 units box
+create_atoms 2 single 0.0123 0.012 0.0117 units box
+set group all diameter 0.0207 density 2385
+velocity all set 0.13 0.17 0.19
+set atom 2 vx -1.3
+include in.${how}
+pair_style gran model hertz tangential history
+pair_coeff * *
+fix f all wall/gran model hertz tangential history primitive type 2 zplane -0.01
+fix m all nve/sphere
+timestep 1e-6
+run 2000
+print "at $(x[1]) $(vy[1]) $(fz[1]) $(x[2]) $(vy[2]) $(fz[2])" screen no file ${how}.out
+END
+printf 'material 1 file oak\nmaterial 2 file brass\n' >in.materials
+cat >in.properties <<'END'
+fix y all property/global youngsModulus peratomtype 2.385e8 7.31e8
+fix n all property/global poissonsRatio peratomtype 0.231 0.331
+fix e all property/global coefficientRestitution peratomtypepair 2 0.41 0.59 0.59 0.77
+fix c all property/global coefficientFriction peratomtypepair 2 0.31 0.177 0.177 0.23
+END
+for how in materials properties; do
+	"$TSIM" -in in.run -var how $how -log none -screen none 2>err
+	report "run with $how" $? err
+done
+same 'materials and properties' materials.out properties.out
+sed -i 's/7.31e8 Pa/7.31e9 Pa/' brass.material
+refused 'range of a modulus' 'brass:2:1: error: property/global youngsModulus is 7310000000, expected at most 1e+09' \
+	-in in.run -var how materials
+
+for file in "$top_srcdir"/potentials/*.material; do
+	name=$(basename "$file" .material)
+	printf 'units si\nregion b block -1 1 -1 1 -1 1 units box\ncreate_box 1 b\nmaterial 1 file %s\n' "$file" >in.script
+	echo "if \"\$(property(density,1)) > 900\" then \"print 'can be read'\"" >>in.script
+	"$TSIM" -in in.script -log none 2>err | grep -q 'can be read'
+	report "$name" $? err
+	grep -vE '^(#|$)' "$file" | grep -v '# ' >unsourced
+	[ ! -s unsourced ]
+	report "$name: every number has its source" $? unsourced
+done
+TSIM_POTENTIALS=$top_srcdir/potentials "$TSIM" -in "$top_srcdir/examples/materials/in.rebound" -log none >out 2>err
+[ "$(grep -c '^RESULT.* ok$' out)" = 2 ] && ! grep -q '^RESULT.* off$' out
+report 'the example judges itself ok' $? out
+finish
