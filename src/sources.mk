@@ -13,6 +13,8 @@ library_sources = \
 	src/base/log.h \
 	src/base/map.c \
 	src/base/map.h \
+	src/base/mkdirs.c \
+	src/base/mkdirs.h \
 	src/base/parallel.c \
 	src/base/parallel.h \
 	src/base/process.c \

@@ -141,7 +141,7 @@ fix a all bond/breakage file $1
 run 2000" 'in.script:1' "$2"
 }
 bad_target full 'No space left'
-bad_target missing/file "missing/file'"
+bad_target pipe/file "pipe/file'"
 bad_target . 'Is a directory'
 stops 'gz dump without room' "$balls
 dump d all custom 10 full.gz id x y z
@@ -160,9 +160,9 @@ report 'the pipe is still one' $?
 stops 'restart to a folder' "$balls
 run 1
 write_restart ." 'in.script:15:1' "'.': it is not a plain file"
-stops 'restart to a missing folder' "$balls
+stops 'restart below a pipe' "$balls
 run 1
-write_restart missing/file" 'in.script:15:1' 'shell mkdir missing'
+write_restart pipe/file" 'in.script:15:1' "pipe/file'"
 stops 'restart during a run' "$balls
 dump save all restart 10 pipe
 run 100" 'in.script:14:1' 'not a plain file'

@@ -16,6 +16,7 @@ shell_tests = \
 	tests/crosscheck/mesh_dumps.sh \
 	tests/crosscheck/mesh_stress.sh \
 	tests/crosscheck/meshes.sh \
+	tests/crosscheck/refusals.sh \
 	tests/crosscheck/rigid.sh \
 	tests/crosscheck/scripts.sh \
 	tests/crosscheck/space.sh \
@@ -43,6 +44,7 @@ shell_tests = \
 	tests/decks/mistakes.sh \
 	tests/decks/neigh_words.sh \
 	tests/decks/plane.sh \
+	tests/decks/refusals.sh \
 	tests/decks/regions.sh \
 	tests/decks/rigid.sh \
 	tests/drilling.sh \

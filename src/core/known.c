@@ -10,6 +10,13 @@
 #define SHAPES "grains are spheres; other shapes are made of bonded spheres (bond_style)"
 #define MESH "regions made of meshes are not built"
 #define CHEMISTRY "chemical reactions are not built"
+#define BONDS                                                                                      \
+	"bonds are made by create_bonds and break as bond_style says (bond_style contact), not by "  \
+	"cohesion models or fixes"
+#define BODIES "rigid clusters of spheres are not built; bonded spheres are (bond_style)"
+#define FRAGMENTS "particles do not break into others; bonded spheres do (bond_style)"
+#define TRACERS "particles are not marked by where they have been"
+#define OTHER_EDITION "it belongs to another edition of LIGGGHTS: 3.8 does not have it either"
 #define ACCELERATORS "all styles use threads by themselves; see -threads"
 
 const struct ts_known ts_known_table[] = {
@@ -54,6 +61,43 @@ const struct ts_known ts_known_table[] = {
 	{ TS_KIND_REGION, "grid", "there are no grids of computes and fixes" },
 	{ TS_KIND_COMPUTE, "erotate/superquadric", SHAPES },
 	{ TS_KIND_COMPUTE, "erotate/asphere", SHAPES },
+	{ TS_KIND_COMMAND, "coarsegraining", OTHER_EDITION },
+	{ TS_KIND_COMMAND, "extract_surface", OTHER_EDITION },
+	{ TS_KIND_COMMAND, "extrude_surface", OTHER_EDITION },
+	{ TS_KIND_FIX, "ave/euler/region", OTHER_EDITION },
+	{ TS_KIND_FIX, "bond/create", BONDS },
+	{ TS_KIND_FIX, "bond/create/gran", BONDS },
+	{ TS_KIND_FIX, "bond/break", BONDS },
+	{ TS_KIND_FIX, "break/particle", FRAGMENTS },
+	{ TS_KIND_FIX, "check/timestep/bond", "each run is refused that steps beyond the stability limit of its bonds" },
+	{ TS_KIND_FIX, "forcecontrol/region", OTHER_EDITION },
+	{ TS_KIND_FIX, "insert/pack/dense", OTHER_EDITION },
+	{ TS_KIND_FIX, "insert/pack/face", OTHER_EDITION },
+	{ TS_KIND_FIX, "mesh/surface/stress/6dof", "meshes move as fix move/mesh and the servo say, not by forces" },
+	{ TS_KIND_FIX, "multicontact/halfspace", "contacts of one particle do not know of each other" },
+	{ TS_KIND_FIX, "multisphere*", BODIES },
+	{ TS_KIND_FIX, "particletemplate/multi*", BODIES },
+	{ TS_KIND_FIX, "particletemplate/fragments", FRAGMENTS },
+	{ TS_KIND_FIX, "pour/*", "LIGGGHTS 3.8 does not have it either; see fix insert/stream" },
+	{ TS_KIND_FIX, "property/atom/tracer*", TRACERS },
+	{ TS_KIND_FIX, "remove", OTHER_EDITION },
+	{ TS_KIND_FIX, "rigid*", BODIES },
+	{ TS_KIND_FIX, "scale/diameter", OTHER_EDITION },
+	{ TS_KIND_BOND, "gran", "bonded grains are bond_style contact here" },
+	{ TS_KIND_BOND, "harmonic*", MOLECULAR },
+	{ TS_KIND_COMPUTE, "bond/counter", OTHER_EDITION },
+	{ TS_KIND_COMPUTE, "erotate", "compute erotate/sphere is the energy of rotation of spheres" },
+	{ TS_KIND_FIX, "massflow/mesh/face", OTHER_EDITION },
+	{ TS_KIND_COMPUTE, "nparticles/tracer/region", TRACERS },
+	{ TS_KIND_COMPUTE, "pair/gran/local/bond", BONDS },
+	{ TS_KIND_COMPUTE, "rigid", BODIES },
+	{ TS_KIND_DUMP, "decomposition/vtk", "there is one process, the box is not cut into parts" },
+	{ TS_KIND_DUMP, "image", "pictures are drawn from dumps by other programs (ParaView, OVITO)" },
+	{ TS_KIND_DUMP, "movie", "pictures are drawn from dumps by other programs (ParaView, OVITO)" },
+	{ TS_KIND_COMPUTE, "erotate/multisphere", BODIES },
+	{ TS_KIND_COMPUTE, "ke/multisphere", BODIES },
+	{ TS_KIND_COMPUTE, "multisphere", BODIES },
+	{ TS_KIND_COMPUTE, "multisphere/single", BODIES },
 	{ .name = NULL },
 };
 

@@ -10,6 +10,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/mkdirs.h"
+
 #include "base/banned.h"
 
 enum { COPY_BYTES = 1 << 16, DEEPEST = 30 };
@@ -30,24 +32,7 @@ static bool is_folder(const char *path)
 
 enum ts_status ts_folder_make(const char *path, struct ts_error *err)
 {
-	char *part = ts_strdup(path);
-	bool good = true;
-
-	if (!part)
-		return ts_nomem(err);
-	for (char *c = part + 1; good; c++) {
-		char kept = *c;
-
-		if (kept && kept != '/')
-			continue;
-		*c = '\0';
-		good = mkdir(part, 0777) == 0 || is_folder(part);
-		*c = kept;
-		if (!kept)
-			break;
-	}
-	ts_free(part);
-	return good ? TS_OK : failed(err, "make the folder", path);
+	return ts_mkdirs(path) == 0 ? TS_OK : failed(err, "make the folder", path);
 }
 
 enum ts_status ts_folder_new(const char *path, struct ts_error *err)

@@ -9,6 +9,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "base/mkdirs.h"
 #include "io/textfile.h"
 
 #include "base/banned.h"
@@ -97,6 +98,7 @@ enum ts_status ts_replace_begin(struct ts_replace *r, struct tsim *sim,
 		ts_replace_abandon(r);
 		return ts_nomem(&sim->error);
 	}
+	ts_mkdirs_for(path); /* opening tells if that failed */
 	r->file = fopen(ts_str_text(&r->temporary), "wb");
 	if (!r->file) {
 		enum ts_status status = ts_open_failed(&sim->error, where, path);

@@ -19,7 +19,7 @@ struct ts_textfile {
 	struct ts_place where; /* blamed for later errors */
 };
 
-/* Writes anew or appends. Creates no folders: a missing one is an error. With -explain all goes nowhere. */
+/* Writes anew or appends. Creates no folders, see base/mkdirs.h: a missing one is an error. With -explain all goes nowhere. */
 enum ts_status ts_textfile_open(struct ts_textfile *file, struct tsim *sim,
 				const struct ts_place *where, const char *path, bool append);
 bool ts_textfile_is_open(const struct ts_textfile *file);

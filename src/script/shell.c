@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/mkdirs.h"
 #include "script/interpreter.h"
 
 #include "base/banned.h"
@@ -23,34 +24,6 @@ static const struct ts_arg shell_args[] = {
 			"NAME=VALUE ...; with -shell yes also a command of the system"),
 	TS_ARGS_END
 };
-
-static int make_one(const char *path)
-{
-	struct stat info;
-
-	if (mkdir(path, 0777) == 0)
-		return 0;
-	return errno == EEXIST && stat(path, &info) == 0 && S_ISDIR(info.st_mode) ? 0 : -1;
-}
-
-/* With all that leads to it. */
-static int make_directory(const char *path)
-{
-	struct ts_str part = { 0 };
-	int result = 0;
-
-	for (const char *c = path; *c && result == 0; c++) {
-		if (*c == '/' && c > path)
-			result = make_one(ts_str_text(&part));
-		ts_str_add_n(&part, c, 1);
-	}
-	if (part.failed)
-		errno = ENOMEM;
-	if (result == 0)
-		result = part.failed ? -1 : make_one(ts_str_text(&part));
-	ts_str_release(&part);
-	return result;
-}
 
 static int set_environment(const char *text)
 {
@@ -72,7 +45,7 @@ static const struct {
 	bool options;	/* words such as -p and -rf have no effect */
 	bool forgiving; /* nothing later depends on it: a failure is a warning, as nothing in LIGGGHTS */
 } actions[] = {
-	{ "mkdir", make_directory, true, true, false },
+	{ "mkdir", ts_mkdirs, true, true, false },
 	{ "rm", unlink, true, true, true },
 	{ "rmdir", rmdir, true, true, true },
 	{ "cd", chdir, false, false, false },

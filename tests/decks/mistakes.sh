@@ -82,9 +82,8 @@ $box
 dump d all custom 100 post.dump id xx
 => 9:36: error: dump custom: unknown quantity 'xx', expected a quantity of particles, c_ID[k], f_ID[k] or v_NAME; did you mean 'x'?
 $box
-dump d all custom 100 nodir/post.dump id x
-run 1
-=> 9:23: error: cannot open 'nodir/post.dump': there is no folder 'nodir'; create it with: shell mkdir nodir
+fix p all print 100 "so" file nodir/post.txt
+=> 9:31: error: cannot open 'nodir/post.txt': there is no folder 'nodir'; create it with: shell mkdir nodir
 $box
 dump d all custom 100 post.dump
 => 9:1: error: dump custom: columns is missing, expected what to write: id, type, x, y, z, vx, radius ..., c_ID[k], f_ID[k], v_NAME

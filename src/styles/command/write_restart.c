@@ -41,7 +41,7 @@ const struct ts_command_style ts_command_write_restart = {
 		.summary = "Saves the whole state to a file",
 		.doc = "The file is compressed and checksummed, written beside its place and renamed into it: an older\n"
 		       "file of the same name stays whole until the new one is complete. A run continued from it gives\n"
-		       "the same numbers, bit for bit, as a run that was not interrupted.",
+		       "the same numbers, bit for bit, as a run that was not interrupted. Missing folders on the way to it are made.",
 		.example = "write_restart rock.restart",
 		.args = args,
 		.state_size = sizeof(struct state),
