@@ -34,6 +34,7 @@ shell_tests = \
 	tests/decks/gran_numbers.sh \
 	tests/decks/groups.sh \
 	tests/decks/heat.sh \
+	tests/decks/impacts.sh \
 	tests/decks/info.sh \
 	tests/decks/inputs.sh \
 	tests/decks/insertion.sh \

@@ -13,7 +13,6 @@
 #define BONDS                                                                                      \
 	"bonds are made by create_bonds and break as bond_style says (bond_style contact), not by "  \
 	"cohesion models or fixes"
-#define BODIES "rigid clusters of spheres are not built; bonded spheres are (bond_style)"
 #define FRAGMENTS "particles do not break into others; bonded spheres do (bond_style)"
 #define TRACERS "particles are not marked by where they have been"
 #define OTHER_EDITION "it belongs to another edition of LIGGGHTS: 3.8 does not have it either"
@@ -75,13 +74,11 @@ const struct ts_known ts_known_table[] = {
 	{ TS_KIND_FIX, "insert/pack/face", OTHER_EDITION },
 	{ TS_KIND_FIX, "mesh/surface/stress/6dof", "meshes move as fix move/mesh and the servo say, not by forces" },
 	{ TS_KIND_FIX, "multicontact/halfspace", "contacts of one particle do not know of each other" },
-	{ TS_KIND_FIX, "multisphere*", BODIES },
-	{ TS_KIND_FIX, "particletemplate/multi*", BODIES },
 	{ TS_KIND_FIX, "particletemplate/fragments", FRAGMENTS },
-	{ TS_KIND_FIX, "pour/*", "LIGGGHTS 3.8 does not have it either; see fix insert/stream" },
+	{ TS_KIND_FIX, "pour/legacy", OTHER_EDITION },
+	{ TS_KIND_FIX, "pour/dev", OTHER_EDITION },
 	{ TS_KIND_FIX, "property/atom/tracer*", TRACERS },
 	{ TS_KIND_FIX, "remove", OTHER_EDITION },
-	{ TS_KIND_FIX, "rigid*", BODIES },
 	{ TS_KIND_FIX, "scale/diameter", OTHER_EDITION },
 	{ TS_KIND_BOND, "gran", "bonded grains are bond_style contact here" },
 	{ TS_KIND_BOND, "harmonic*", MOLECULAR },
@@ -90,14 +87,9 @@ const struct ts_known ts_known_table[] = {
 	{ TS_KIND_FIX, "massflow/mesh/face", OTHER_EDITION },
 	{ TS_KIND_COMPUTE, "nparticles/tracer/region", TRACERS },
 	{ TS_KIND_COMPUTE, "pair/gran/local/bond", BONDS },
-	{ TS_KIND_COMPUTE, "rigid", BODIES },
 	{ TS_KIND_DUMP, "decomposition/vtk", "there is one process, the box is not cut into parts" },
 	{ TS_KIND_DUMP, "image", "pictures are drawn from dumps by other programs (ParaView, OVITO)" },
 	{ TS_KIND_DUMP, "movie", "pictures are drawn from dumps by other programs (ParaView, OVITO)" },
-	{ TS_KIND_COMPUTE, "erotate/multisphere", BODIES },
-	{ TS_KIND_COMPUTE, "ke/multisphere", BODIES },
-	{ TS_KIND_COMPUTE, "multisphere", BODIES },
-	{ TS_KIND_COMPUTE, "multisphere/single", BODIES },
 	{ .name = NULL },
 };
 
