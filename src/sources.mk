@@ -163,6 +163,8 @@ library_sources = \
 	src/io/thermo_keywords.c \
 	src/io/vtk.c \
 	src/io/vtk.h \
+	src/io/vtk_legacy.c \
+	src/io/vtk_legacy.h \
 	src/law/cohesion.h \
 	src/law/energy.h \
 	src/law/granular.h \
@@ -211,6 +213,8 @@ library_sources = \
 	src/neigh/cells.h \
 	src/neigh/clusters.c \
 	src/neigh/clusters.h \
+	src/neigh/contact_columns.c \
+	src/neigh/contact_columns.h \
 	src/neigh/contact_list.c \
 	src/neigh/contact_list.h \
 	src/neigh/energy.c \
@@ -489,6 +493,7 @@ library_sources = \
 	src/styles/dump/custom.c \
 	src/styles/dump/custom_vtk.c \
 	src/styles/dump/local.c \
+	src/styles/dump/local_gran_vtk.c \
 	src/styles/dump/local_vtk.c \
 	src/styles/dump/mesh_stl.c \
 	src/styles/dump/mesh_vtk.c \

@@ -30,7 +30,7 @@ compare() { # STEP
 	for file in whole/*; do
 		file=${file#whole/}
 		case $file in
-		in | deck | err | log | *.restart | *.pvd | *.obj) continue ;;
+		in | deck | err | log | *.restart | *.pvd | *.series | *.obj) continue ;;
 		esac
 		for side in whole one two; do
 			[ -e $side/$file ] && content $side/$file

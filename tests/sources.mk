@@ -13,6 +13,7 @@ shell_tests = \
 	tests/crosscheck/language.sh \
 	tests/crosscheck/legacy.sh \
 	tests/crosscheck/liggghts.sh \
+	tests/crosscheck/local.sh \
 	tests/crosscheck/mesh_dumps.sh \
 	tests/crosscheck/mesh_stress.sh \
 	tests/crosscheck/meshes.sh \
@@ -78,7 +79,8 @@ shell_tests = \
 	tests/symbols.sh \
 	tests/thermo.sh \
 	tests/threads.sh \
-	tests/vtk.sh
+	tests/vtk.sh \
+	tests/vtk_formats.sh
 unit_tests = \
 	tests/accuracy/check_breakage \
 	tests/accuracy/check_heat \

@@ -29,6 +29,7 @@ struct ts_dump_common {
 	int64_t pad, delay;
 	int64_t sort_by; /* 0: identity; k or -k: column k, up or down */
 	bool unsorted, first, append, time, units;
+	bool binary; /* of legacy VTK files */
 	bool plain, image; /* of dump atom: positions as they are, image flags too */
 	const char *label, *region;
 	struct ts_formats formats;

@@ -103,6 +103,7 @@ static void set_answers(struct ts_dump_common *d, const struct ts_dump_changes *
 	set_answer(&d->append, c->append);
 	set_answer(&d->time, c->time);
 	set_answer(&d->units, c->units);
+	set_answer(&d->binary, c->binary);
 	set_answer(&d->image, c->image);
 	if (c->scale >= 0)
 		d->plain = !c->scale;

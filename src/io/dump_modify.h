@@ -45,7 +45,7 @@ extern const char *const ts_dump_answers[];
 	TS_DUMP_ANSWER(T, "image", image, "dump atom: image flags too"),                        \
 	TS_DUMP_ANSWER(T, "flush", flush, "no effect: every frame is handed to the system at once"), \
 	TS_DUMP_ANSWER(T, "pbc", pbc, "no effect: positions are wrapped when neighbours are searched"), \
-	TS_DUMP_ANSWER(T, "binary", binary, "no effect: VTK files are compressed binary"),      \
+	TS_DUMP_ANSWER(T, "binary", binary, "numbers of .vtk files as bytes, not as text; other VTK files always"),      \
 	TS_DUMP_COUNT(T, "fileper", fileper, 1, 1000000, "no effect: there is one process"),    \
 	TS_DUMP_COUNT(T, "nfile", nfile, 1, 1000000, "no effect: there is one process")
 /* clang-format on */

@@ -5,23 +5,29 @@
 
 #include "base/banned.h"
 
-enum ts_status ts_dump_vtk_init(struct ts_instance *self, struct tsim *sim, bool local)
+enum ts_status ts_dump_vtk_check_name(struct ts_instance *self, struct tsim *sim)
 {
-	struct ts_dump_vtk *s = self->state;
-	const char *file = s->common.file;
+	const char *file = ((const struct ts_dump_vtk *)self->state)->common.file;
 
-	if (!ts_ends_with(file, ".vtp"))
-		return ts_fail(
-			&sim->error, TS_SYNTAX, &self->where,
-			"dump %s writes VTK XML: the name of the file must end in .vtp, found "
-			"'%s'",
-			self->style->name, file);
+	if (!ts_vtk_knows(file))
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, file),
+			       "dump %s: the name of the file must end in .vtk, .vtp, .vtu, .pvtp or "
+			       ".pvtu, found '%s'",
+			       self->style->name, file);
 	if (!strchr(file, '*'))
 		return ts_fail(
 			&sim->error, TS_SYNTAX, &self->where,
 			"dump %s writes one file per frame: the name '%s' needs a `*` for the "
 			"step",
 			self->style->name, file);
+	return TS_OK;
+}
+
+enum ts_status ts_dump_vtk_init(struct ts_instance *self, struct tsim *sim, bool local)
+{
+	struct ts_dump_vtk *s = self->state;
+
+	TS_TRY(ts_dump_vtk_check_name(self, sim));
 	TS_TRY(ts_dump_columns(self, sim, s->names, local));
 	if (!s->array)
 		s->array = ts_arena_alloc(&self->arena, s->common.ncolumns, sizeof *s->array);
@@ -125,6 +131,7 @@ enum ts_status ts_dump_vtk_write(struct ts_instance *self, struct tsim *sim,
 	struct ts_dump_common *d = &s->common;
 
 	poly->time = ts_sim_time(sim);
+	poly->binary = d->binary;
 	ts_step_path(&d->path, d->file, (long long)sim->clock.step, (int)d->pad);
 	if (d->path.failed)
 		return ts_nomem(&sim->error);

@@ -20,11 +20,14 @@ struct ts_dump_vtk {
 	TS_INT("every", T, vtk.common.every, .flags = TS_POSITIONAL, .range = TS_POSITIVE,         \
 	       .help = "steps between frames"),                                                    \
 		TS_WORD("file", T, vtk.common.file, .flags = TS_POSITIONAL | TS_WRITES,            \
-			.help = "name of the frames, ending in .vtp, with a `*` for the step"),    \
+			.help = "name of the frames, ending in .vtk, .vtp, .vtu, .pvtp or .pvtu, with "  \
+				"a `*` for the step"),    \
 		TS_REST("columns", T, vtk.names, .help = (columns_help))
 #define TS_DUMP_VTK_SAVED(T) TS_SAVE_I64(T, vtk.common.last), TS_SAVE_I64(T, vtk.common.frames)
 
-/* Refuses file names without `*` or of another type than .vtp. */
+/* Refuses file names without `*` or of an unknown type. */
+enum ts_status ts_dump_vtk_check_name(struct ts_instance *self, struct tsim *sim);
+/* The same, and finds the columns. */
 enum ts_status ts_dump_vtk_init(struct ts_instance *self, struct tsim *sim, bool local);
 /* Fills `array` with the columns in order of writing. `vectors`: three columns that are components
  * of one vector (vx vy vz, c_ID[1] c_ID[2] c_ID[3]) become one array. x, y, z are left out. */

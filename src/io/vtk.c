@@ -5,6 +5,7 @@
 
 #include "io/replace.h"
 #include "io/textfile.h"
+#include "io/vtk_legacy.h"
 
 #include "base/banned.h"
 
@@ -56,11 +57,11 @@ static enum ts_status add_packed(struct tsim *sim, struct ts_str *out, const voi
 	return ok && !out->failed ? TS_OK : ts_nomem(&sim->error);
 }
 
-/* Names come from scripts: only characters that need no escape in XML. */
+/* Names come from scripts: only characters that need no escape in XML or JSON. */
 static void add_name(struct ts_str *out, const char *name)
 {
 	for (; *name; name++)
-		ts_str_add_n(out, strchr("<>&\"'", *name) ? "_" : name, 1);
+		ts_str_add_n(out, strchr("<>&\"'\\", *name) ? "_" : name, 1);
 }
 
 static enum ts_status add_array(struct tsim *sim, struct ts_str *out, const char *name,
@@ -104,8 +105,7 @@ static enum ts_status add_data(struct tsim *sim, struct ts_str *out, const char 
 }
 
 /* n cells of `size` points each, numbered through. */
-static enum ts_status add_cells(struct tsim *sim, struct ts_str *out, const char *element, size_t n,
-				size_t size)
+static enum ts_status add_cell_arrays(struct tsim *sim, struct ts_str *out, size_t n, size_t size)
 {
 	int64_t *number = ts_alloc(n * size, sizeof *number);
 	enum ts_status status;
@@ -114,15 +114,22 @@ static enum ts_status add_cells(struct tsim *sim, struct ts_str *out, const char
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < n * size; k++)
 		number[k] = (int64_t)k;
-	ts_str_addf(out, "<%s>\n", element);
 	status = add_array(sim, out, "connectivity", "Int64", 1, number, n * size);
 	for (size_t k = 0; k < n; k++)
 		number[k] = (int64_t)((k + 1) * size);
 	if (status == TS_OK)
 		status = add_array(sim, out, "offsets", "Int64", 1, number, n);
-	ts_str_addf(out, "</%s>\n", element);
 	ts_free(number);
 	return status;
+}
+
+static enum ts_status add_cells(struct tsim *sim, struct ts_str *out, const char *element, size_t n,
+				size_t size)
+{
+	ts_str_addf(out, "<%s>\n", element);
+	TS_TRY(add_cell_arrays(sim, out, n, size));
+	ts_str_addf(out, "</%s>\n", element);
+	return TS_OK;
 }
 
 static void add_opening(struct ts_str *out, const char *type)
@@ -136,50 +143,193 @@ static void add_opening(struct ts_str *out, const char *type)
 		    type, *(const unsigned char *)&one ? "LittleEndian" : "BigEndian");
 }
 
-static enum ts_status add_poly(struct tsim *sim, struct ts_str *out, const struct ts_vtk_poly *poly)
+static void add_time(struct ts_str *out, const struct ts_vtk_poly *poly)
 {
-	size_t verts = poly->nlines ? 0 : poly->npoints;
-	size_t ncells = poly->nlines ? poly->nlines : verts;
-
-	add_opening(out, "PolyData");
-	ts_str_add(out, "<PolyData>\n<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" "
+	ts_str_add(out, "<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" "
 			"NumberOfTuples=\"1\" format=\"ascii\">\n");
 	ts_str_addf(out, "%.17g\n</DataArray>\n</FieldData>\n", poly->time);
-	ts_str_addf(out,
-		    "<Piece NumberOfPoints=\"%zu\" NumberOfVerts=\"%zu\" NumberOfLines=\"%zu\" "
-		    "NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n",
-		    poly->npoints, verts, poly->nlines);
+}
+
+static enum ts_status add_points(struct tsim *sim, struct ts_str *out, const struct ts_vtk_poly *poly)
+{
+	size_t ncells = poly->npoints / ts_vtk_cell_size(poly);
+
 	TS_TRY(add_data(sim, out, "PointData", poly->point_data, poly->npoint_data, poly->npoints));
 	TS_TRY(add_data(sim, out, "CellData", poly->cell_data, poly->ncell_data, ncells));
 	ts_str_add(out, "<Points>\n");
 	TS_TRY(add_array(sim, out, "Points", "Float64", 3, poly->points, poly->npoints));
 	ts_str_add(out, "</Points>\n");
+	return TS_OK;
+}
+
+static enum ts_status add_poly(struct tsim *sim, struct ts_str *out, const struct ts_vtk_poly *poly)
+{
+	size_t size = ts_vtk_cell_size(poly), verts = size == 1 ? poly->npoints : 0;
+
+	add_opening(out, "PolyData");
+	ts_str_add(out, "<PolyData>\n");
+	add_time(out, poly);
+	ts_str_addf(out,
+		    "<Piece NumberOfPoints=\"%zu\" NumberOfVerts=\"%zu\" NumberOfLines=\"%zu\" "
+		    "NumberOfStrips=\"0\" NumberOfPolys=\"%zu\">\n",
+		    poly->npoints, verts, poly->nlines, poly->ntriangles);
+	TS_TRY(add_points(sim, out, poly));
 	TS_TRY(add_cells(sim, out, "Verts", verts, 1));
 	TS_TRY(add_cells(sim, out, "Lines", poly->nlines, 2));
+	TS_TRY(add_cells(sim, out, "Polys", poly->ntriangles, 3));
 	ts_str_add(out, "</Piece>\n</PolyData>\n</VTKFile>\n");
 	return out->failed ? ts_nomem(&sim->error) : TS_OK;
 }
 
-static enum ts_status put_file(struct tsim *sim, const char *path, const struct ts_place *where,
-			       const struct ts_str *text)
+static enum ts_status add_cell_types(struct tsim *sim, struct ts_str *out, size_t n, size_t size)
+{
+	static const unsigned char types[] = { 0, 1 /* vertex */, 3 /* line */, 5 /* triangle */ };
+	unsigned char *type = ts_alloc(n, 1);
+	enum ts_status status;
+
+	if (!type)
+		return ts_nomem(&sim->error);
+	for (size_t k = 0; k < n; k++)
+		type[k] = types[size];
+	ts_str_add(out, "<DataArray type=\"UInt8\" Name=\"types\" format=\"binary\">\n");
+	status = add_packed(sim, out, type, n);
+	ts_str_add(out, "\n</DataArray>\n</Cells>\n");
+	ts_free(type);
+	return status;
+}
+
+static enum ts_status add_unstructured(struct tsim *sim, struct ts_str *out,
+				       const struct ts_vtk_poly *poly)
+{
+	size_t size = ts_vtk_cell_size(poly), n = poly->npoints / size;
+
+	add_opening(out, "UnstructuredGrid");
+	ts_str_add(out, "<UnstructuredGrid>\n");
+	add_time(out, poly);
+	ts_str_addf(out, "<Piece NumberOfPoints=\"%zu\" NumberOfCells=\"%zu\">\n", poly->npoints, n);
+	TS_TRY(add_points(sim, out, poly));
+	ts_str_add(out, "<Cells>\n");
+	TS_TRY(add_cell_arrays(sim, out, n, size));
+	TS_TRY(add_cell_types(sim, out, n, size));
+	ts_str_add(out, "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
+	return out->failed ? ts_nomem(&sim->error) : TS_OK;
+}
+
+enum ts_status ts_vtk_put(struct tsim *sim, const char *path, const struct ts_place *where,
+			  const struct ts_str *text)
 {
 	struct ts_replace file = { 0 };
 
+	if (text->failed)
+		return ts_nomem(&sim->error);
 	TS_TRY(ts_replace_begin(&file, sim, where, path));
 	TS_TRY(ts_replace_write(&file, ts_str_text(text), text->length));
 	return ts_replace_commit(&file, false);
 }
 
+static void declare_data(struct ts_str *out, const char *element, const struct ts_vtk_array *array,
+			 size_t narrays)
+{
+	ts_str_addf(out, "<P%s>\n", element);
+	for (size_t k = 0; k < narrays; k++) {
+		ts_str_addf(out, "<PDataArray type=\"%s\" Name=\"",
+			    array[k].integer ? "Int64" : "Float64");
+		add_name(out, array[k].name);
+		ts_str_addf(out, "\" NumberOfComponents=\"%zu\"/>\n", array[k].components);
+	}
+	ts_str_addf(out, "</P%s>\n", element);
+}
+
+/* post/a100.pvtp lists its one piece, post/a100_0.vtp. */
+static void add_list_of_pieces(struct ts_str *out, const struct ts_vtk_poly *poly, const char *type,
+			       const char *piece)
+{
+	const char *slash = strrchr(piece, '/');
+
+	add_opening(out, type);
+	ts_str_addf(out, "<%s GhostLevel=\"0\">\n", type);
+	declare_data(out, "PointData", poly->point_data, poly->npoint_data);
+	declare_data(out, "CellData", poly->cell_data, poly->ncell_data);
+	ts_str_add(out, "<PPoints>\n<PDataArray type=\"Float64\" NumberOfComponents=\"3\"/>\n"
+			"</PPoints>\n<Piece Source=\"");
+	add_name(out, slash ? slash + 1 : piece);
+	ts_str_addf(out, "\"/>\n</%s>\n</VTKFile>\n", type);
+}
+
+typedef enum ts_status build_fn(struct tsim *sim, struct ts_str *out, const struct ts_vtk_poly *poly);
+
+static enum ts_status add_legacy(struct tsim *sim, struct ts_str *out, const struct ts_vtk_poly *poly)
+{
+	ts_vtk_legacy_poly(out, poly, poly->binary);
+	return out->failed ? ts_nomem(&sim->error) : TS_OK;
+}
+
+static const struct format {
+	const char *ending;
+	build_fn *build;
+	const char *pieces; /* type of a list of pieces */
+} formats[] = {
+	{ ".vtp", add_poly, NULL },
+	{ ".vtu", add_unstructured, NULL },
+	{ ".vtk", add_legacy, NULL },
+	{ ".pvtp", add_poly, "PPolyData" },
+	{ ".pvtu", add_unstructured, "PUnstructuredGrid" },
+};
+
+static const struct format *format_of(const char *path)
+{
+	for (size_t k = 0; k < sizeof formats / sizeof *formats; k++)
+		if (ts_ends_with(path, formats[k].ending))
+			return &formats[k];
+	return NULL;
+}
+
+bool ts_vtk_knows(const char *path)
+{
+	return format_of(path) != NULL;
+}
+
+static enum ts_status write_one(struct tsim *sim, const char *path, const struct ts_place *where,
+				const struct ts_vtk_poly *poly, build_fn *build)
+{
+	struct ts_str text = { 0 };
+	enum ts_status status = build(sim, &text, poly);
+
+	if (status == TS_OK)
+		status = ts_vtk_put(sim, path, where, &text);
+	ts_str_release(&text);
+	return status;
+}
+
+static enum ts_status write_pieces(struct tsim *sim, const char *path, const struct ts_place *where,
+				   const struct ts_vtk_poly *poly, const struct format *format)
+{
+	struct ts_str piece = { 0 }, list = { 0 };
+	enum ts_status status;
+
+	ts_str_add_n(&piece, path, strlen(path) - strlen(format->ending));
+	ts_str_addf(&piece, "_0.%s", format->ending + 2); /* without the p */
+	status = piece.failed ? ts_nomem(&sim->error)
+			      : write_one(sim, ts_str_text(&piece), where, poly, format->build);
+	add_list_of_pieces(&list, poly, format->pieces, ts_str_text(&piece));
+	if (status == TS_OK)
+		status = ts_vtk_put(sim, path, where, &list);
+	ts_str_release(&piece);
+	ts_str_release(&list);
+	return status;
+}
+
 enum ts_status ts_vtk_write_poly(struct tsim *sim, const char *path, const struct ts_place *where,
 				 const struct ts_vtk_poly *poly)
 {
-	struct ts_str text = { 0 };
-	enum ts_status status = add_poly(sim, &text, poly);
+	const struct format *format = format_of(path);
 
-	if (status == TS_OK)
-		status = put_file(sim, path, where, &text);
-	ts_str_release(&text);
-	return status;
+	if (!format)
+		return ts_fail(&sim->error, TS_SYNTAX, where,
+			       "'%s': the name of a VTK file ends in .vtk, .vtp, .vtu, .pvtp or .pvtu",
+			       path);
+	return format->pieces ? write_pieces(sim, path, where, poly, format)
+			      : write_one(sim, path, where, poly, format->build);
 }
 
 enum ts_status ts_vtk_series_add(struct tsim *sim, struct ts_vtk_series *s, int64_t step,
@@ -194,39 +344,58 @@ enum ts_status ts_vtk_series_add(struct tsim *sim, struct ts_vtk_series *s, int6
 }
 
 /* post/rock*.vtp -> post/rock.pvd */
-static void add_collection_path(struct ts_str *out, const char *pattern)
+static void add_collection_path(struct ts_str *out, const char *pattern, const char *ending)
 {
 	const char *star = strchr(pattern, '*'), *dot = strrchr(pattern, '.');
 
 	ts_str_add_n(out, pattern, (size_t)(star - pattern));
 	if (dot > star)
 		ts_str_add_n(out, star + 1, (size_t)(dot - star - 1));
-	ts_str_add(out, ".pvd");
+	ts_str_add(out, ending);
+}
+
+/* Name and time of the frames, in XML, or in JSON for legacy files. */
+static void add_frames(struct ts_str *out, const struct ts_vtk_series *series, const char *base,
+		       int pad, bool legacy)
+{
+	struct ts_str path = { 0 };
+
+	for (size_t k = 0; k < series->n; k++) {
+		ts_step_path(&path, base, (long long)series->step[k], pad);
+		if (legacy)
+			ts_str_add(out, k ? ",\n{ \"name\": \"" : "{ \"name\": \"");
+		else
+			ts_str_addf(out, "<DataSet timestep=\"%.17g\" part=\"0\" file=\"",
+				    series->time[k]);
+		add_name(out, ts_str_text(&path));
+		if (legacy)
+			ts_str_addf(out, "\", \"time\": %.17g }", series->time[k]);
+		else
+			ts_str_add(out, "\"/>\n");
+	}
+	out->failed |= path.failed;
+	ts_str_release(&path);
 }
 
 enum ts_status ts_vtk_series_write(struct tsim *sim, const struct ts_vtk_series *series,
 				   const char *pattern, int pad, const struct ts_place *where)
 {
 	const char *slash = strrchr(pattern, '/'), *base = slash ? slash + 1 : pattern;
+	bool legacy = ts_ends_with(pattern, ".vtk");
 	struct ts_str text = { 0 }, path = { 0 };
 	enum ts_status status;
 
-	add_opening(&text, "Collection");
-	ts_str_add(&text, "<Collection>\n");
-	for (size_t k = 0; k < series->n; k++) {
-		ts_step_path(&path, base, (long long)series->step[k], pad);
-		ts_str_addf(&text, "<DataSet timestep=\"%.17g\" part=\"0\" file=\"",
-			    series->time[k]);
-		add_name(&text, ts_str_text(&path));
-		ts_str_add(&text, "\"/>\n");
+	if (legacy) {
+		ts_str_add(&text, "{ \"file-series-version\": \"1.0\", \"files\": [\n");
+	} else {
+		add_opening(&text, "Collection");
+		ts_str_add(&text, "<Collection>\n");
 	}
-	ts_str_add(&text, "</Collection>\n</VTKFile>\n");
-	ts_str_clear(&path);
-	add_collection_path(&path, pattern);
-	if (text.failed || path.failed)
-		status = ts_nomem(&sim->error);
-	else
-		status = put_file(sim, ts_str_text(&path), where, &text);
+	add_frames(&text, series, base, pad, legacy);
+	ts_str_add(&text, legacy ? "\n] }\n" : "</Collection>\n</VTKFile>\n");
+	add_collection_path(&path, pattern, legacy ? ".vtk.series" : ".pvd");
+	status = path.failed ? ts_nomem(&sim->error)
+			     : ts_vtk_put(sim, ts_str_text(&path), where, &text);
 	ts_str_release(&text);
 	ts_str_release(&path);
 	return status;

@@ -1,6 +1,8 @@
-/* VTK XML files: PolyData (.vtp) and collections over time (.pvd), for ParaView.
+/* VTK files for ParaView. The ending of the name says what is written: .vtp XML PolyData, .vtu XML
+ * UnstructuredGrid, .vtk the legacy format, .pvtp and .pvtu the list of one piece and that piece. Frames over
+ * time are listed in a collection, .pvd, or for legacy files .vtk.series.
  *
- * Arrays are stored inline, cut into blocks, each compressed by zlib, in base64: the layout of
+ * Arrays of XML files are stored inline, cut into blocks, each compressed by zlib, in base64: the layout of
  * vtkZLibDataCompressor with 64-bit headers. */
 #ifndef TS_IO_VTK_H
 #define TS_IO_VTK_H
@@ -15,14 +17,25 @@ struct ts_vtk_array {
 	bool integer; /* written as Int64, else Float64 */
 };
 
-/* Vertices (nlines 0: each point is one), or lines of two points each: 2k, 2k+1. */
+/* Vertices (each point is one), lines of two points each: 2k, 2k+1, or triangles: 3k, 3k+1, 3k+2. */
 struct ts_vtk_poly {
 	const double *points; /* npoints * 3 */
-	size_t npoints, nlines;
+	size_t npoints, nlines, ntriangles; /* of the last two at most one is not 0 */
 	const struct ts_vtk_array *point_data, *cell_data;
 	size_t npoint_data, ncell_data;
 	double time;
+	bool binary; /* legacy files; XML files always are */
 };
+/* Points of each vertex, line or triangle. */
+static inline size_t ts_vtk_cell_size(const struct ts_vtk_poly *poly)
+{
+	return poly->ntriangles ? 3 : poly->nlines ? 2 : 1;
+}
+/* Whether a file of this name can be written: its ending. */
+bool ts_vtk_knows(const char *path);
+/* A whole file, which appears when it is complete. */
+enum ts_status ts_vtk_put(struct tsim *sim, const char *path, const struct ts_place *where,
+			  const struct ts_str *text);
 enum ts_status ts_vtk_write_poly(struct tsim *sim, const char *path, const struct ts_place *where,
 				 const struct ts_vtk_poly *poly);
 

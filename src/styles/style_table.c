@@ -145,6 +145,7 @@ TS_STYLE(dump, ts_style, ts_dump_atom)
 TS_STYLE(dump, ts_style, ts_dump_custom)
 TS_STYLE(dump, ts_style, ts_dump_custom_vtk)
 TS_STYLE(dump, ts_style, ts_dump_local)
+TS_STYLE(dump, ts_style, ts_dump_local_gran_vtk)
 TS_STYLE(dump, ts_style, ts_dump_local_vtk)
 TS_STYLE(dump, ts_style, ts_dump_mesh_stl)
 TS_STYLE(dump, ts_style, ts_dump_mesh_vtk)
@@ -363,6 +364,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_dump_custom,
 	&ts_dump_custom_vtk,
 	&ts_dump_local,
+	&ts_dump_local_gran_vtk,
 	&ts_dump_local_vtk,
 	&ts_dump_mesh_stl,
 	&ts_dump_mesh_vtk,

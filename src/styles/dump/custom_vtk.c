@@ -1,7 +1,11 @@
 /* Dump custom/vtk: particles as points for ParaView. */
 #include "core/sim.h"
 #include "io/dump_vtk.h"
+#include "io/vtk_legacy.h"
+#include "particles/domain.h"
 #include "particles/particles.h"
+
+#include <string.h>
 
 #include "base/banned.h"
 
@@ -24,6 +28,28 @@ static enum ts_status fill_points(struct ts_dump_vtk *s, struct tsim *sim)
 	return TS_OK;
 }
 
+/* As LIGGGHTS: with post/a*.vtk the box goes to post/aboundingBox_STEP.vtk. */
+static enum ts_status write_box(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_dump_common *d = self->state;
+	const char *star = strchr(d->file, '*');
+	struct ts_str name = { 0 }, text = { 0 };
+	enum ts_status status;
+
+	if (!ts_ends_with(d->file, ".vtk"))
+		return TS_OK;
+	ts_str_add_n(&name, d->file, (size_t)(star - d->file));
+	ts_str_addf(&name, "boundingBox_%s", star);
+	ts_step_path(&d->path, ts_str_text(&name), (long long)sim->clock.step, (int)d->pad);
+	ts_vtk_legacy_box(&text, sim->domain->box.lo, sim->domain->box.hi, ts_sim_time(sim));
+	status = name.failed || d->path.failed
+			 ? ts_nomem(&sim->error)
+			 : ts_vtk_put(sim, ts_str_text(&d->path), &self->where, &text);
+	ts_str_release(&name);
+	ts_str_release(&text);
+	return status;
+}
+
 static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *state = self->state;
@@ -41,6 +67,7 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 	poly.npoints = s->common.nrows;
 	poly.point_data = s->array;
 	poly.npoint_data = s->narrays;
+	TS_TRY(write_box(self, sim));
 	return ts_dump_vtk_write(self, sim, &poly);
 }
 
@@ -63,17 +90,17 @@ TS_STYLE(dump, ts_style, ts_dump_custom_vtk)
 const struct ts_style ts_dump_custom_vtk = {
 	.name = "custom/vtk",
 	.kind = TS_KIND_DUMP,
-	.summary = "Particles as points with quantities for ParaView (.vtp and .pvd)",
-	.doc = "Writes a compressed VTK XML file per frame and a collection (.pvd, named like the "
-	       "frames\n"
-	       "without the `*`) that gives each its time; open that in ParaView. Positions are "
-	       "always\n"
-	       "written. Components become vectors: vx vy vz is written as v, fx fy fz as f, three "
-	       "columns\n"
-	       "c_ID[1] c_ID[2] c_ID[3] as c_ID[1-3]. The collection is renamed into place, so it "
-	       "is complete\n"
-	       "at any time.",
-	.example = "dump rock all custom/vtk 1000 post/rock*.vtp id type x y z vx vy vz radius",
+	.summary = "Particles as points with quantities for ParaView",
+	.doc = "One file per frame; the ending of its name says the format. .vtp: compressed VTK XML (PolyData), "
+	       "the best choice; .vtu: the same as UnstructuredGrid; .vtk: the legacy format as text, or with "
+	       "dump_modify binary yes as bytes; .pvtp, .pvtu: a list of pieces, of which there is one. A "
+	       "collection, named like the frames without the `*`, gives each its time: .pvd, or .vtk.series; open "
+	       "that in ParaView. It is renamed into place, so it is complete at any time. With .vtk the "
+	       "simulation box goes to a file with boundingBox_ before the step, as LIGGGHTS does it.\n\n"
+	       "Positions are always written. Components become vectors: vx vy vz is written as v, fx fy fz as f, "
+	       "three columns c_ID[1] c_ID[2] c_ID[3] as c_ID[1-3].",
+	.example = "dump rock all custom/vtk 1000 post/rock*.vtp id type x y z vx vy vz radius\n"
+		   "dump old all custom/vtk 1000 post/old*.vtk id type radius",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.saved = saved,

@@ -115,7 +115,7 @@ TS_STYLE(dump, ts_style, ts_dump_local_vtk)
 const struct ts_style ts_dump_local_vtk = {
 	.name = "local/vtk",
 	.kind = TS_KIND_DUMP,
-	.summary = "Bonds or contacts as lines between particles for ParaView (.vtp and .pvd)",
+	.summary = "Bonds or contacts as lines between particles for ParaView",
 	.doc = "The first two columns are the ids of the particles at the ends; a line is drawn "
 	       "from the first\n"
 	       "to the nearest image of the second. All columns are written as data of the lines. "

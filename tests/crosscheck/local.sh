@@ -1,0 +1,98 @@
+#!/bin/bash
+# Contacts and VTK files of LIGGGHTS 3.8, an independent program, against tsim's: the columns of compute
+# pair/gran/local, and the numbers of .vtk files of dumps custom/vtk and local/gran/vtk.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+if ! command -v liggghts >/dev/null || [ ! -x /usr/bin/python3 ]; then
+	echo 'skipped: needs liggghts and python3 (apt-get install liggghts python3)'
+	exit 77
+fi
+
+cat >in.contacts <<'END'
+units si
+atom_style granular
+atom_modify map array
+boundary f f f
+newton off
+communicate single vel yes
+region b block 0 0.2 0 0.1 0 0.1 units box
+create_box 2 b
+neighbor 0.002 bin
+neigh_modify delay 0
+fix m1 all property/global youngsModulus peratomtype 5.e6 2.385e7
+fix m2 all property/global poissonsRatio peratomtype 0.45 0.31
+fix m3 all property/global coefficientRestitution peratomtypepair 2 0.5 0.6 0.6 0.7
+fix m4 all property/global coefficientFriction peratomtypepair 2 0.5 0.4 0.4 0.3
+pair_style gran model hertz tangential history
+pair_coeff * *
+timestep 1e-6
+create_atoms 1 single 0.0101 0.011 0.012
+create_atoms 1 single 0.0151 0.011 0.012
+create_atoms 1 single 0.0951 0.051 0.052
+create_atoms 2 single 0.0991 0.0515 0.0525
+create_atoms 1 single 0.1951 0.091 0.092
+set atom 1 diameter 0.006 density 2500
+set atom 2 diameter 0.005 density 2500
+set atom 3 diameter 0.005 density 2300
+set atom 4 diameter 0.004 density 2500
+set atom 5 diameter 0.007 density 2500
+set atom 1 vx 0.5 vy 0.1 omegaz 3.1
+set atom 2 vx -0.3 vz 0.2
+set atom 3 vy 0.3
+set atom 4 vx -0.2 omegax -2.3
+set atom 5 vx -0.2
+fix i all nve/sphere
+compute c all pair/gran/local pos vel id force force_normal force_tangential torque history contactArea delta contactPoint
+dump p all custom/vtk 10 p*.vtk id type x y z vx vy vz fx fy fz radius omegax omegay omegaz mass
+dump l all local/gran/vtk 10 l*.vtk c
+END
+for k in $(seq 35); do printf 'c_c[%d] ' "$k"; done >columns
+echo "dump t all local 10 t.txt $(cat columns)" >>in.contacts
+echo 'run 30' >>in.contacts
+mkdir liggghts tsim
+(cd liggghts && liggghts -in ../in.contacts -log none -screen none) >err 2>&1
+report 'LIGGGHTS runs' $? err
+(cd tsim && "$TSIM" -in ../in.contacts -log none -screen none -legacy 2>../err)
+report 'tsim runs' $? err
+for side in liggghts tsim; do sed 's/ -0 / 0 /g; s/ -0 / 0 /g' $side/t.txt >$side.txt; done
+same 'compute pair/gran/local, as text' liggghts.txt tsim.txt
+
+# Arrays of a legacy file; of LIGGGHTS' three lines for each contact the first.
+cat >compare.py <<'END'
+import sys
+
+def arrays(path, wanted):
+    tokens = open(path).read().split("FIELD FieldData")
+    found, words = {}, tokens[1].split()
+    at = 1
+    for _ in range(int(words[0])):
+        name, parts, n = words[at], int(words[at + 1]), int(words[at + 2])
+        values = list(map(float, words[at + 4:at + 4 + parts * n]))
+        found[name] = [values[k * parts:(k + 1) * parts] for k in range(n)]
+        at += 4 + parts * n
+    return found
+
+theirs, ours = (arrays(path, None) for path in sys.argv[1:3])
+step = int(sys.argv[3])
+compared = 0
+for name in theirs:
+    a, b = theirs[name][::step], ours[name]
+    assert len(a) == len(b), (name, len(a), len(b))
+    for x, y in zip(a, b):
+        largest = max(map(abs, x))
+        for u, v in zip(x, y):
+            assert abs(u - v) <= 1e-9 * largest + 1e-18, (name, u, v)
+            compared += 1
+print(compared, "numbers agree")
+assert compared > 10
+END
+for step in 0 10 20 30; do
+	/usr/bin/python3 compare.py liggghts/p$step.vtk tsim/p$step.vtk 1 >deviation 2>&1
+	report "dump custom/vtk, step $step" $? deviation
+	/usr/bin/python3 compare.py liggghts/l$step.vtk tsim/l$step.vtk 3 >deviation 2>&1
+	report "dump local/gran/vtk, step $step" $? deviation
+	grep -A 6 DIMENSIONS liggghts/pboundingBox_$step.vtk | sed 's/ *$//' >theirs
+	grep -A 6 DIMENSIONS tsim/pboundingBox_$step.vtk >ours
+	same "box, step $step" theirs ours
+done
+finish
