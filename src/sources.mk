@@ -445,6 +445,7 @@ library_sources = \
 	src/styles/compute/bond_local.c \
 	src/styles/compute/bonds.c \
 	src/styles/compute/chunk_atom.c \
+	src/styles/compute/chunk_spread_atom.c \
 	src/styles/compute/cluster_atom.c \
 	src/styles/compute/com.c \
 	src/styles/compute/com_chunk.c \
@@ -469,6 +470,7 @@ library_sources = \
 	src/styles/compute/msd_chunk.c \
 	src/styles/compute/multisphere.c \
 	src/styles/compute/nbond_atom.c \
+	src/styles/compute/neighbor_atom.c \
 	src/styles/compute/omega_chunk.c \
 	src/styles/compute/pair_gran_local.c \
 	src/styles/compute/pair_local.c \
@@ -480,6 +482,7 @@ library_sources = \
 	src/styles/compute/property_local.c \
 	src/styles/compute/rdf.c \
 	src/styles/compute/reduce.c \
+	src/styles/compute/reduce_chunk.c \
 	src/styles/compute/reduce_region.c \
 	src/styles/compute/slice.c \
 	src/styles/compute/stress_atom.c \

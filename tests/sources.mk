@@ -26,6 +26,7 @@ shell_tests = \
 	tests/data_files.sh \
 	tests/decks/averages.sh \
 	tests/decks/box.sh \
+	tests/decks/chunk_values.sh \
 	tests/decks/commands.sh \
 	tests/decks/computes.sh \
 	tests/decks/contact_computes.sh \

@@ -96,6 +96,7 @@ TS_STYLE(compute, ts_style, ts_compute_angmom_chunk)
 TS_STYLE(compute, ts_style, ts_compute_bond_local)
 TS_STYLE(compute, ts_style, ts_compute_bonds)
 TS_STYLE(compute, ts_style, ts_compute_chunk_atom)
+TS_STYLE(compute, ts_style, ts_compute_chunk_spread_atom)
 TS_STYLE(compute, ts_style, ts_compute_cluster_atom)
 TS_STYLE(compute, ts_style, ts_compute_com)
 TS_STYLE(compute, ts_style, ts_compute_com_chunk)
@@ -120,6 +121,7 @@ TS_STYLE(compute, ts_style, ts_compute_msd)
 TS_STYLE(compute, ts_style, ts_compute_msd_chunk)
 TS_STYLE(compute, ts_style, ts_compute_multisphere)
 TS_STYLE(compute, ts_style, ts_compute_nbond_atom)
+TS_STYLE(compute, ts_style, ts_compute_neighbor_atom)
 TS_STYLE(compute, ts_style, ts_compute_omega_chunk)
 TS_STYLE(compute, ts_style, ts_compute_pair_gran_local)
 TS_STYLE(compute, ts_style, ts_compute_pair_local)
@@ -131,6 +133,7 @@ TS_STYLE(compute, ts_style, ts_compute_property_chunk)
 TS_STYLE(compute, ts_style, ts_compute_property_local)
 TS_STYLE(compute, ts_style, ts_compute_rdf)
 TS_STYLE(compute, ts_style, ts_compute_reduce)
+TS_STYLE(compute, ts_style, ts_compute_reduce_chunk)
 TS_STYLE(compute, ts_style, ts_compute_reduce_region)
 TS_STYLE(compute, ts_style, ts_compute_rigid)
 TS_STYLE(compute, ts_style, ts_compute_slice)
@@ -315,6 +318,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_bond_local,
 	&ts_compute_bonds,
 	&ts_compute_chunk_atom,
+	&ts_compute_chunk_spread_atom,
 	&ts_compute_cluster_atom,
 	&ts_compute_com,
 	&ts_compute_com_chunk,
@@ -339,6 +343,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_msd_chunk,
 	&ts_compute_multisphere,
 	&ts_compute_nbond_atom,
+	&ts_compute_neighbor_atom,
 	&ts_compute_omega_chunk,
 	&ts_compute_pair_gran_local,
 	&ts_compute_pair_local,
@@ -350,6 +355,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_property_local,
 	&ts_compute_rdf,
 	&ts_compute_reduce,
+	&ts_compute_reduce_chunk,
 	&ts_compute_reduce_region,
 	&ts_compute_rigid,
 	&ts_compute_slice,
