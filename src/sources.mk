@@ -274,6 +274,7 @@ library_sources = \
 	src/particles/draw.h \
 	src/particles/energy.c \
 	src/particles/energy.h \
+	src/particles/euler.h \
 	src/particles/exchange.c \
 	src/particles/exchange.h \
 	src/particles/force_filter.c \
@@ -495,6 +496,7 @@ library_sources = \
 	src/styles/dump/atom.c \
 	src/styles/dump/custom.c \
 	src/styles/dump/custom_vtk.c \
+	src/styles/dump/euler_vtk.c \
 	src/styles/dump/local.c \
 	src/styles/dump/local_gran_vtk.c \
 	src/styles/dump/local_vtk.c \
@@ -507,6 +509,7 @@ library_sources = \
 	src/styles/fix/ave_atom.c \
 	src/styles/fix/ave_chunk.c \
 	src/styles/fix/ave_correlate.c \
+	src/styles/fix/ave_euler.c \
 	src/styles/fix/ave_histo.c \
 	src/styles/fix/ave_histo_weight.c \
 	src/styles/fix/ave_spatial.c \

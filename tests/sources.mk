@@ -32,6 +32,7 @@ shell_tests = \
 	tests/decks/contact_computes.sh \
 	tests/decks/dumps.sh \
 	tests/decks/energy.sh \
+	tests/decks/euler.sh \
 	tests/decks/fixes.sh \
 	tests/decks/gran_numbers.sh \
 	tests/decks/groups.sh \

@@ -147,6 +147,7 @@ TS_STYLE(compute, ts_style, ts_compute_vcm_chunk)
 TS_STYLE(dump, ts_style, ts_dump_atom)
 TS_STYLE(dump, ts_style, ts_dump_custom)
 TS_STYLE(dump, ts_style, ts_dump_custom_vtk)
+TS_STYLE(dump, ts_style, ts_dump_euler_vtk)
 TS_STYLE(dump, ts_style, ts_dump_local)
 TS_STYLE(dump, ts_style, ts_dump_local_gran_vtk)
 TS_STYLE(dump, ts_style, ts_dump_local_vtk)
@@ -159,6 +160,7 @@ TS_STYLE(fix, ts_style, ts_fix_addforce)
 TS_STYLE(fix, ts_style, ts_fix_ave_atom)
 TS_STYLE(fix, ts_style, ts_fix_ave_chunk)
 TS_STYLE(fix, ts_style, ts_fix_ave_correlate)
+TS_STYLE(fix, ts_style, ts_fix_ave_euler)
 TS_STYLE(fix, ts_style, ts_fix_ave_histo)
 TS_STYLE(fix, ts_style, ts_fix_ave_histo_weight)
 TS_STYLE(fix, ts_style, ts_fix_ave_spatial)
@@ -369,6 +371,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_dump_atom,
 	&ts_dump_custom,
 	&ts_dump_custom_vtk,
+	&ts_dump_euler_vtk,
 	&ts_dump_local,
 	&ts_dump_local_gran_vtk,
 	&ts_dump_local_vtk,
@@ -381,6 +384,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_ave_atom,
 	&ts_fix_ave_chunk,
 	&ts_fix_ave_correlate,
+	&ts_fix_ave_euler,
 	&ts_fix_ave_histo,
 	&ts_fix_ave_histo_weight,
 	&ts_fix_ave_spatial,
