@@ -493,6 +493,7 @@ library_sources = \
 	src/styles/compute/torque_chunk.c \
 	src/styles/compute/vacf.c \
 	src/styles/compute/vcm_chunk.c \
+	src/styles/compute/wall_gran_local.c \
 	src/styles/dump/atom.c \
 	src/styles/dump/custom.c \
 	src/styles/dump/custom_vtk.c \

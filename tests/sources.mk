@@ -51,6 +51,7 @@ shell_tests = \
 	tests/decks/refusals.sh \
 	tests/decks/regions.sh \
 	tests/decks/rigid.sh \
+	tests/decks/wall_contacts.sh \
 	tests/drilling.sh \
 	tests/dry_run.sh \
 	tests/extremes.sh \

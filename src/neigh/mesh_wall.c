@@ -184,7 +184,7 @@ static void push(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw, s
 	const struct ts_mesh_surface *s = mw->mesh[near->mesh].surface;
 	const struct ts_particles *p = sim->particles;
 	size_t i = (size_t)w->contacts.row[k], t = (size_t)near->triangle;
-	struct ts_wall_spot spot = { .type = (int)s->type };
+	struct ts_wall_spot spot = { .type = (int)s->type, .mesh = near->mesh + 1, .triangle = (int)t };
 	struct ts_mesh_spot at;
 	enum ts_mesh_part part;
 	double x[3];

@@ -111,13 +111,16 @@ static void touch(const struct ts_granular_model *model, const struct ts_particl
 }
 
 static void report(struct ts_wall_report *r, const struct ts_particles *p, size_t i,
-		   const struct ts_touch *t, const struct ts_granular_force *f)
+		   const struct ts_wall_spot *spot, const struct ts_touch *t,
+		   const struct ts_granular_force *f)
 {
-	r->touching = 1;
-	r->overlap = t->overlap;
+	*r = (struct ts_wall_report){ .touching = 1, .overlap = t->overlap, .type = spot->type,
+				      .mesh = spot->mesh, .triangle = spot->triangle };
 	for (int k = 0; k < 3; k++) {
 		r->force[k] = f->force[k];
 		r->torque[k] = t->arm[0] * f->turn[k] + f->roll[k];
+		r->rolling[k] = f->roll[k];
+		r->velocity[k] = spot->velocity[k];
 		r->point[k] = p->x[i][k] - t->distance * t->n[k];
 	}
 }
@@ -138,7 +141,42 @@ void ts_wall_push(struct ts_wall *w, struct tsim *sim, size_t k, const struct ts
 	for (int d = 0; d < 3 && ts_granular_turns(model); d++)
 		p->torque[i][d] += t.arm[0] * f.turn[d] + f.roll[d];
 	if (w->contacts.report)
-		report(&w->contacts.report[k], p, i, &t, &f);
+		report(&w->contacts.report[k], p, i, spot, &t, &f);
+}
+
+size_t ts_wall_history(const struct ts_wall *w, const struct tsim *sim)
+{
+	return ts_wall_has_law(w, sim) ? (size_t)ts_granular_memory(model_of(w, sim)) : 0;
+}
+
+void ts_wall_force_now(const struct ts_wall *w, const struct tsim *sim, size_t k, double force[3],
+		       double torque[3])
+{
+	const struct ts_granular_model *model = model_of(w, sim);
+	const struct ts_particles *p = sim->particles;
+	const struct ts_wall_report *r = &w->contacts.report[k];
+	size_t i = (size_t)w->contacts.row[k];
+	struct ts_wall_spot spot = { .type = (int)r->type };
+	double memory[TS_GRANULAR_MEMORY + 1] = { 0 };
+	struct ts_granular_force f;
+	struct ts_touch t;
+
+	for (int d = 0; d < 3; d++) {
+		spot.n[d] = p->x[i][d] - r->point[d];
+		spot.velocity[d] = r->velocity[d];
+	}
+	spot.distance = ts_norm(spot.n);
+	for (int d = 0; d < 3; d++)
+		spot.n[d] = spot.distance > 0 ? spot.n[d] / spot.distance : 0;
+	for (size_t m = 0; m < ts_wall_history(w, sim); m++)
+		memory[m] = ts_wall_memory(&w->contacts, k)[m];
+	touch(model, p, i, &spot, &t);
+	ts_granular_contact(model, law_of(w, sim, spot.type, p->type[i]), &t, sim->clock.dt, false,
+			    memory, &f);
+	for (int d = 0; d < 3; d++) {
+		force[d] = f.force[d];
+		torque[d] = t.arm[0] * f.turn[d];
+	}
 }
 
 static enum ts_status setup_check(struct ts_instance *self, struct tsim *sim, int type)

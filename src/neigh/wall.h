@@ -22,6 +22,7 @@ struct ts_wall {
 	struct ts_granular_words words; /* `model ...`; off: the model of the pair style */
 	struct ts_wall_contacts contacts;
 	double force[3]; /* on the wall, in the last step */
+	int meshes;	 /* how many it is made of; 0: it is a plane or the like. Set in init */
 
 	bool own_model;
 	struct ts_granular_model model; /* the own one */
@@ -38,6 +39,7 @@ struct ts_wall_spot {
 	double n[3];	    /* unit vector from the surface to the centre; 0 where there is none */
 	double velocity[3]; /* of the surface there */
 	int type;	    /* particle type whose material the surface has */
+	int mesh, triangle; /* from 1 and from 0, for reports; 0, 0: no mesh */
 };
 
 /* In the style's init. */
@@ -62,6 +64,13 @@ enum ts_status ts_wall_rebuild_finish(struct ts_wall *w, struct tsim *sim,
 
 /* The contact k touches at the spot: force and torque on the particle, force on the wall. */
 void ts_wall_push(struct ts_wall *w, struct tsim *sim, size_t k, const struct ts_wall_spot *spot);
+
+/* How many numbers its laws remember of a contact: the first ones of ts_wall_memory. */
+size_t ts_wall_history(const struct ts_wall *w, const struct tsim *sim);
+/* Force and torque (without that of rolling) that the contact of a report would have with the velocities as they
+ * are now. */
+void ts_wall_force_now(const struct ts_wall *w, const struct tsim *sim, size_t k, double force[3],
+		       double torque[3]);
 
 /* The k-th wall in script order, start with *k = 0; NULL: no more. `by` may be NULL. */
 struct ts_wall *ts_walls_next(const struct tsim *sim, size_t *k, const struct ts_instance **by);

@@ -11,7 +11,10 @@ struct ts_wall_report {
 	double touching; /* 1 */
 	double overlap;
 	double force[3], torque[3]; /* on the particle; torque about its centre */
-	double point[3];	    /* of the surface, nearest to the centre */
+	double rolling[3];	    /* the part of the torque that is friction of rolling */
+	double point[3], velocity[3]; /* of the surface, nearest to the centre */
+	double type;		      /* of the surface */
+	double mesh, triangle;	      /* from 1 and from 0; 0, 0: the wall is no mesh */
 };
 enum { TS_WALL_REPORT = sizeof(struct ts_wall_report) / sizeof(double) };
 

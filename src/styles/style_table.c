@@ -144,6 +144,7 @@ TS_STYLE(compute, ts_style, ts_compute_temp_com)
 TS_STYLE(compute, ts_style, ts_compute_torque_chunk)
 TS_STYLE(compute, ts_style, ts_compute_vacf)
 TS_STYLE(compute, ts_style, ts_compute_vcm_chunk)
+TS_STYLE(compute, ts_style, ts_compute_wall_gran_local)
 TS_STYLE(dump, ts_style, ts_dump_atom)
 TS_STYLE(dump, ts_style, ts_dump_custom)
 TS_STYLE(dump, ts_style, ts_dump_custom_vtk)
@@ -368,6 +369,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_torque_chunk,
 	&ts_compute_vacf,
 	&ts_compute_vcm_chunk,
+	&ts_compute_wall_gran_local,
 	&ts_dump_atom,
 	&ts_dump_custom,
 	&ts_dump_custom_vtk,

@@ -98,6 +98,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	TS_TRY(choose_shape(self, sim));
 	TS_TRY(w->mesh_word ? find_meshes(self, sim) : check_shape(self, sim));
+	w->wall.meshes = w->mesh_word ? (int)w->mesh.nmeshes : 0;
 	return ts_wall_init(self, sim);
 }
 
