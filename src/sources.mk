@@ -266,6 +266,7 @@ library_sources = \
 	src/particles/columns.c \
 	src/particles/comm.c \
 	src/particles/comm.h \
+	src/particles/crowd.c \
 	src/particles/distribution.c \
 	src/particles/distribution.h \
 	src/particles/domain.c \

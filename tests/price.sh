@@ -34,6 +34,20 @@ report 'steps were tried' $? out
 grep -q '^All runs together: about .* of files' out
 report 'the whole script has a price' $? out
 
+# without outputs what counts is who touches whom
+sed '/^dump/d; /^fix [pt]/d; /^restart/d; s/^run.*/run 100000/' in.price >in.scattered
+"$TSIM" -explain -in in.scattered >scattered 2>err
+grep -q '^duration: about .* to .*, a step takes .* when the particles lie together' scattered
+report 'scattered particles cost more when they lie together' $? scattered
+
+# files of an earlier run stay as they are
+mkdir post && echo kept >post/p.txt && echo kept >post/a0.dump && echo kept >post/b.dump
+"$TSIM" -explain -in in.price >out2 2>err
+report 'explained once more' $? err
+[ "$(cat post/*)" = "$(printf 'kept\nkept\nkept')" ]
+report 'files are left alone' $?
+rm -r post
+
 "$TSIM" -in in.price -screen none
 # near NAME FILES...: the size told for NAME is that of the files, within a factor of 1.5
 near() {

@@ -170,6 +170,37 @@ static void print_outputs(const struct ts_plan_report *report, struct tsim *sim)
 	ts_str_release(&text);
 }
 
+/* "about 3.1 min", or from .. to where the particles coming together makes a difference. */
+static void add_duration(struct ts_str *text, double least, double most)
+{
+	static const double WORTH_TELLING = 1.15;
+
+	ts_price_time(least, text);
+	if (most > WORTH_TELLING * least) {
+		ts_str_add(text, " to ");
+		ts_price_time(most, text);
+	}
+}
+
+static void add_price(struct ts_str *text, const struct ts_price *price, int64_t steps)
+{
+	double n = (double)steps;
+
+	ts_str_add(text, "about ");
+	add_duration(text, price->seconds * n + price->frames, price->crowded * n + price->frames);
+	ts_str_add(text, ", a step takes ");
+	ts_price_time(price->seconds, text);
+	if (price->steps)
+		ts_str_addf(text, " (%" PRId64 " tried from the state here)", price->steps);
+	else
+		ts_str_add(text, " (as in the run before)");
+	if (price->crowded > price->seconds) {
+		ts_str_add(text, ", ");
+		ts_price_time(price->crowded, text);
+		ts_str_add(text, " when the particles lie together");
+	}
+}
+
 static enum ts_status print_price(struct ts_plan *plan, struct tsim *sim, int64_t steps)
 {
 	struct ts_str text = { 0 };
@@ -177,16 +208,9 @@ static enum ts_status print_price(struct ts_plan *plan, struct tsim *sim, int64_
 
 	TS_TRY(ts_price_steps(plan, sim, &price));
 	if (isfinite(price.seconds)) {
-		ts_str_add(&text, "about ");
-		ts_price_time(price.seconds * (double)steps, &text);
-		ts_str_add(&text, ", a step takes ");
-		ts_price_time(price.seconds, &text);
-		if (price.steps)
-			ts_str_addf(&text, " (%" PRId64 " tried from the state here, without outputs)",
-				    price.steps);
-		else
-			ts_str_add(&text, " (as in the run before)");
-		sim->bill.seconds += price.seconds * (double)steps;
+		add_price(&text, &price, steps);
+		sim->bill.seconds += price.seconds * (double)steps + price.frames;
+		sim->bill.most += price.crowded * (double)steps + price.frames;
 	} else {
 		ts_str_add(&text, "not known, the first steps could not be tried");
 	}

@@ -18,61 +18,133 @@
 
 static const double TRIAL = 0.3;  /* seconds for one run */
 static const double TRIALS = 2;	  /* seconds for all runs of a script */
+static const double CROWD = 0.15; /* seconds for the steps with the particles together */
+static const double STILL = 1e-6; /* part of the time step with which these are made */
 enum { LONGEST_WAIT = 20000 };	  /* milliseconds until a trial is given up */
 
 struct trial {
 	struct ts_plan *plan;
 	struct tsim *sim;
 	double budget;
-	int64_t steps;
+	int64_t steps, rebuilds;
 	int to;
 	struct ts_price price;
 };
 
-/* One step without what is written or averaged. */
 static enum ts_status step(struct trial *t)
 {
 	struct tsim *sim = t->sim;
 
 	sim->clock.step++;
 	TS_TRY(ts_plan_stages(t->plan, sim, TS_STAGE_INITIAL_INTEGRATE, TS_STAGE_CHECK));
+	t->rebuilds += sim->rebuild;
 	if (sim->rebuild)
 		TS_TRY(ts_plan_stages(t->plan, sim, TS_STAGE_PRE_EXCHANGE, TS_STAGE_POST_BUILD));
 	else
 		TS_TRY(ts_plan_stage(t->plan, sim, TS_STAGE_FORWARD));
 	sim->rebuild = false;
-	return ts_plan_stages(t->plan, sim, TS_STAGE_PRE_FORCE, TS_STAGE_FINAL_INTEGRATE);
+	return ts_plan_stages(t->plan, sim, TS_STAGE_PRE_FORCE, TS_STAGE_OUTPUT);
 }
 
-/* The first step finds cold memory: it counts only if there is time for no other. */
-static enum ts_status try_steps(struct trial *t)
+/* The first output: what each dump needs for a frame. */
+static enum ts_status try_frames(struct trial *t, double *seconds)
 {
-	double start = ts_clock(), first;
+	const struct ts_plan *plan = t->plan;
+
+	for (size_t k = 0; k < plan->n[TS_STAGE_OUTPUT]; k++) {
+		const struct ts_action *action = &plan->actions[TS_STAGE_OUTPUT][k];
+		double start = ts_clock();
+
+		TS_TRY(action->hook(action->self, t->sim));
+		seconds[k] = ts_clock() - start;
+	}
+	return TS_OK;
+}
+
+/* Frames that come too rarely to be among the steps tried. */
+static void add_rare_frames(struct trial *t, const double *seconds)
+{
+	const struct ts_plan *plan = t->plan;
+
+	for (size_t k = 0; k < plan->n[TS_STAGE_OUTPUT]; k++) {
+		const struct ts_instance *dump = plan->actions[TS_STAGE_OUTPUT][k].self;
+
+		if (dump->style->kind == TS_KIND_DUMP && dump->every > t->price.steps)
+			t->price.frames += seconds[k] * (double)(t->steps / dump->every);
+	}
+}
+
+/* Steps for so many seconds; the first one finds cold memory: it counts only if there is time for no other. */
+static enum ts_status try_for(struct trial *t, double budget, double *seconds, int64_t *steps)
+{
+	double start = ts_clock(), first = start;
+
+	TS_TRY(step(t));
+	*seconds = ts_clock() - first;
+	*steps = 1;
+	first = ts_clock();
+	while (ts_clock() - start < budget && *steps < t->steps) {
+		TS_TRY(step(t));
+		*seconds = (ts_clock() - first) / (double)(*steps)++;
+	}
+	return TS_OK;
+}
+
+/* With the particles together but hardly moving: a rebuild is paid for as often as before. */
+static enum ts_status try_crowd(struct trial *t)
+{
+	const struct ts_instances *systems = &t->sim->instances[TS_KIND_SYSTEM];
+	double often = (double)t->rebuilds / (double)t->price.steps, start, seconds;
+	int64_t steps;
+
+	for (size_t k = 0; k < systems->n; k++) {
+		const struct ts_system_style *style =
+			(const struct ts_system_style *)systems->item[k]->style;
+
+		if (style->crowd)
+			TS_TRY(style->crowd(systems->item[k], t->sim));
+	}
+	t->sim->clock.dt *= STILL;
+	start = ts_clock();
+	TS_TRY(ts_plan_stages(t->plan, t->sim, TS_STAGE_PRE_EXCHANGE, TS_STAGE_POST_BUILD));
+	often *= ts_clock() - start;
+	TS_TRY(ts_plan_stages(t->plan, t->sim, TS_STAGE_PRE_FORCE, TS_STAGE_FINAL_INTEGRATE));
+	TS_TRY(try_for(t, CROWD, &seconds, &steps));
+	t->price.crowded = fmax(t->price.seconds, seconds + often);
+	return TS_OK;
+}
+
+static enum ts_status try_steps(struct trial *t, double *frames)
+{
+	struct ts_price *price = &t->price;
 
 	t->sim->in_setup = true;
 	TS_TRY(ts_plan_stages(t->plan, t->sim, TS_STAGE_PRE_FORCE, TS_STAGE_POST_FORCE));
 	t->sim->in_setup = false;
-	first = ts_clock();
-	TS_TRY(step(t));
-	t->price = (struct ts_price){ ts_clock() - first, 1 };
-	first = ts_clock();
-	while (ts_clock() - start < t->budget && t->price.steps < t->steps) {
-		TS_TRY(step(t));
-		t->price.seconds = (ts_clock() - first) / (double)t->price.steps++;
-	}
+	TS_TRY(ts_plan_stage(t->plan, t->sim, TS_STAGE_SETUP));
+	TS_TRY(try_frames(t, frames));
+	TS_TRY(try_for(t, t->budget, &price->seconds, &price->steps));
+	price->crowded = price->seconds;
+	add_rare_frames(t, frames);
 	return TS_OK;
 }
 
 static void *in_copy(void *data)
 {
 	struct trial *t = data;
+	struct ts_price price;
+	double *frames = ts_alloc(t->plan->n[TS_STAGE_OUTPUT], sizeof *frames);
 
 	t->sim->log.quiet = true;
 	t->sim->log.progress = false;
-	if (try_steps(t) != TS_OK)
-		t->price = (struct ts_price){ NAN, 0 };
-	if (write(t->to, &t->price, sizeof t->price) < 0)
+	if (!frames || try_steps(t, frames) != TS_OK)
+		t->price = (struct ts_price){ .seconds = NAN };
+	else
+		try_crowd(t); /* if that fails there is only the first value */
+	price = t->price;
+	if (write(t->to, &price, sizeof price) < 0)
 		t->price.steps = 0;
+	ts_free(frames);
 	return NULL;
 }
 
@@ -95,7 +167,7 @@ static void listen_to(int from, pid_t copy, struct ts_price *out)
 	struct pollfd wait = { .fd = from, .events = POLLIN };
 
 	if (poll(&wait, 1, LONGEST_WAIT) != 1 || read(from, out, sizeof *out) != sizeof *out)
-		*out = (struct ts_price){ NAN, 0 };
+		*out = (struct ts_price){ .seconds = NAN };
 	kill(copy, SIGKILL);
 	while (waitpid(copy, NULL, 0) < 0 && errno == EINTR)
 		continue;
@@ -106,10 +178,11 @@ static void try_in_copy(struct trial *t, struct ts_price *out)
 	int ends[2];
 	pid_t copy;
 
-	*out = (struct ts_price){ NAN, 0 };
+	*out = (struct ts_price){ .seconds = NAN };
 	if (pipe(ends) != 0)
 		return;
 	t->to = ends[1];
+	fflush(NULL); /* or the copy would write what waits, too */
 	copy = fork();
 	if (copy == 0)
 		be_copy(t);
@@ -126,12 +199,14 @@ enum ts_status ts_price_steps(struct ts_plan *plan, struct tsim *sim, struct ts_
 
 	t.steps = sim->clock.last_step - sim->clock.step;
 	t.budget = fmin(TRIAL, TRIALS - sim->bill.tried);
-	*out = (struct ts_price){ sim->bill.step, 0 };
-	if (t.steps < 1 || (t.budget <= 0 && isfinite(sim->bill.step)))
+	*out = sim->bill.last;
+	out->steps = 0;
+	out->frames = 0;
+	if (t.steps < 1 || (t.budget <= 0 && isfinite(sim->bill.last.seconds)))
 		return TS_OK;
 	try_in_copy(&t, out);
 	sim->bill.tried += ts_clock() - start;
-	sim->bill.step = out->seconds;
+	sim->bill.last = *out;
 	return TS_OK;
 }
 

@@ -4,13 +4,8 @@
 
 #include "core/plan.h"
 
-struct ts_price {
-	double seconds; /* a step; NaN: not known */
-	int64_t steps;	/* that were tried; 0: the value is that of an earlier run */
-};
-
-/* Tries some steps of the run that is about to start, from its first forces to the end of integration,
- * without outputs, in a copy of the process: whatever it does leaves no trace. */
+/* Tries some steps of the run that is about to start in a copy of the process: whatever it does leaves no trace,
+ * and what it writes goes nowhere. Then the same with the particles moved together. */
 enum ts_status ts_price_steps(struct ts_plan *plan, struct tsim *sim, struct ts_price *out);
 
 /* "0.52 s", "3.1 min", "5.2 h", "12 days" */

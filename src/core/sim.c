@@ -68,7 +68,7 @@ static void set_defaults(struct tsim *sim)
 	int64_t n;
 
 	sim->clock = (struct ts_clock){ .dt = 0.005 };
-	sim->bill.step = NAN;
+	sim->bill.last = (struct ts_price){ .seconds = NAN, .crowded = NAN };
 	sim->units = TS_UNITS_LJ;
 	sim->dimension = 3;
 	if (sim->grain == 0)

@@ -23,11 +23,19 @@ struct ts_library;
 
 enum ts_units { TS_UNITS_LJ, TS_UNITS_SI, TS_UNITS_CGS, TS_UNITS_MICRO };
 
+/* What a run will cost, for -explain: core/price.h. */
+struct ts_price {
+	double seconds; /* a step from the state here; NaN: not known */
+	double crowded; /* a step when the particles have come together, if that is dearer; else the same */
+	double frames;	/* seconds for all frames of dumps that were not among the steps tried */
+	int64_t steps;	/* that were tried; 0: the value is that of an earlier run */
+};
+
 /* What -explain has found so far that the script will cost. */
 struct ts_bill {
-	double seconds, bytes; /* of all runs */
-	double step;	       /* seconds of a step of the last run; NaN: not known */
-	double tried;	       /* seconds spent on trials */
+	double seconds, most, bytes; /* of all runs; most: with the particles together */
+	struct ts_price last;	     /* of the last run */
+	double tried;		     /* seconds spent on trials */
 };
 
 /* Live instances of one kind, in script order. */

@@ -136,6 +136,8 @@ struct ts_system_style {
 	void (*settings)(const struct ts_instance *self, const struct tsim *sim, struct ts_str *out);
 	const struct ts_keyword *keywords;
 	const struct ts_function *functions;
+	/* For -explain: moves particles together as a bed of them would be. */
+	ts_hook_fn *crowd;
 	/* Per-particle numbers by script name (x, vy, radius ...): one row per local particle. */
 	bool (*has_quantity)(const struct tsim *sim, const char *name);
 	bool (*keeps_quantity)(const struct tsim *sim, const char *name); /* for a fix */

@@ -191,6 +191,7 @@ const struct ts_system_style ts_particles_system = {
 			     [TS_STAGE_EXCHANGE] = ts_group_start },
 		   .fini = fini },
 	.slot = offsetof(struct tsim, particles),
+	.crowd = ts_particles_crowd,
 	.functions = ts_group_functions,
 	.has_property = ts_property_given,
 	.keeps_quantity = ts_particles_keeps_quantity,

@@ -140,6 +140,8 @@ void ts_particles_fill_initial(struct ts_column *column, size_t from, size_t to)
 enum ts_status ts_particles_archive_column(struct ts_archive *archive, struct tsim *sim,
 					   const char *name, size_t index);
 
+/* Moves all that can move together, as in a bed: crowd.c. */
+enum ts_status ts_particles_crowd(struct ts_instance *self, struct tsim *sim);
 /* Room for so many rows, ghosts included. */
 enum ts_status ts_particles_reserve(struct tsim *sim, size_t rows);
 /* 1/mass into imass; frozen particles are set to 0 afterwards by who freezes them. */
