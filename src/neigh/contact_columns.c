@@ -81,6 +81,12 @@ static void point(const struct ts_contact_facts *f, size_t history, double *out)
 	copy(f->point, 3, out);
 }
 
+static void heat(const struct ts_contact_facts *f, size_t history, double *out)
+{
+	(void)history;
+	*out = f->heat;
+}
+
 /* In the order of the output, whatever the order of the words. */
 static const struct quantity {
 	const char *name;
@@ -100,13 +106,14 @@ static const struct quantity {
 	{ "contactArea", area, 1, true, { "contact_area" } },
 	{ "delta", delta, 1, false, { "delta" } },
 	{ "contactPoint", point, 3, false, { "contact_point" } },
+	{ "heatFlux", heat, 1, false, { "heatFlux" } },
 	{ .name = NULL },
 };
 _Static_assert(sizeof quantities / sizeof *quantities == TS_CONTACT_COLUMNS + 1, "one flag each");
 
 const char ts_contact_columns_help[] =
 	"pos, vel, id, force, force_normal, force_tangential, torque, history, contactArea, delta, "
-	"contactPoint";
+	"contactPoint, heatFlux";
 
 enum ts_status ts_contact_columns_init(struct ts_instance *self, struct tsim *sim)
 {

@@ -15,9 +15,10 @@ struct ts_contact_facts {
 	double torque[3];      /* by the tangential force about the centre, without rolling friction */
 	double history[TS_GRANULAR_MEMORY];
 	double area, delta, point[3];
+	double heat; /* per time into the first, by conduction */
 };
 
-enum { TS_CONTACT_COLUMNS = 11 };
+enum { TS_CONTACT_COLUMNS = 12, TS_CONTACT_HEAT = TS_CONTACT_COLUMNS - 1 };
 
 /* First member of the states of the computes. */
 struct ts_contact_columns {
@@ -42,7 +43,7 @@ struct ts_contact_array {
 	const char *name;
 	size_t first, components; /* columns of the row */
 };
-enum { TS_CONTACT_ARRAYS = 14 };
+enum { TS_CONTACT_ARRAYS = 15 };
 /* *pos: first column of the places of both, SIZE_MAX: they are not among them. Returns the number of others. */
 size_t ts_contact_columns_arrays(const struct ts_contact_columns *columns, size_t width,
 				 struct ts_contact_array array[TS_CONTACT_ARRAYS], size_t *pos);

@@ -2,6 +2,7 @@
 #include "math/vec3.h"
 #include "neigh/contact_columns.h"
 #include "neigh/contact_list.h"
+#include "neigh/heat.h"
 #include "neigh/row_loop.h"
 
 #include "base/banned.h"
@@ -13,11 +14,17 @@ struct state {
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
-	((struct state *)self->state)->sim = sim;
-	return ts_contact_columns_init(self, sim);
+	struct state *s = self->state;
+
+	s->sim = sim;
+	TS_TRY(ts_contact_columns_init(self, sim));
+	if (s->columns.wanted[TS_CONTACT_HEAT] && !ts_heat_of(sim))
+		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "heatFlux"),
+			       "compute pair/gran/local: no heat flows without a fix heat/gran");
+	return TS_OK;
 }
 
-static bool wanted(const struct ts_instance *self, const struct tsim *sim, size_t r)
+static bool listed(const struct ts_instance *self, const struct tsim *sim, size_t r)
 {
 	return sim->neigh->rows.touching[r] && ts_contact_counts(sim, r, self->group);
 }
@@ -31,6 +38,18 @@ static void add_torque(const struct tsim *sim, const struct ts_contact_view *v,
 	for (int k = 0; rows->turn && k < 3; k++)
 		f->torque[k] = (sim->particles->radius[v->a] - rows->half[v->row]) *
 			       rows->turn[v->row][k];
+}
+
+/* By the conductance of the last step, with the temperatures of now. */
+static double heat_of(const struct tsim *sim, const struct ts_contact_view *v)
+{
+	const struct ts_heat *heat = ts_heat_of(sim);
+	const struct ts_heat_pairs *pairs = &heat->pairs[0];
+	const double *temperature = ts_heat_column(sim, heat->temperature);
+
+	if (!heat->ready || pairs->rows != &sim->neigh->rows || v->row >= pairs->capacity)
+		return 0;
+	return pairs->conductance[v->row] * (temperature[v->b] - temperature[v->a]);
 }
 
 /* With `legacy`: the force that the velocities at the end of the step would give. Of images only the
@@ -60,7 +79,7 @@ static void compute_anew(const struct tsim *sim, const struct ts_contact_view *v
 }
 
 /* The point divides the line of centres as the radii are to each other, on the side of the first partner. */
-static void look(const struct tsim *sim, size_t r, struct ts_contact_facts *f)
+static void look(const struct tsim *sim, size_t r, const bool *wanted, struct ts_contact_facts *f)
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_rows *rows = &sim->neigh->rows;
@@ -86,6 +105,8 @@ static void look(const struct tsim *sim, size_t r, struct ts_contact_facts *f)
 	f->area = ts_contact_area(a, b, v.distance);
 	f->delta = a + b - v.distance;
 	add_torque(sim, &v, f);
+	if (wanted[TS_CONTACT_HEAT])
+		f->heat = heat_of(sim, &v);
 	if (sim->legacy && !v.image)
 		compute_anew(sim, &v, f);
 }
@@ -99,13 +120,13 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 
 	TS_TRY(ts_contacts_require(s->sim, self));
 	for (size_t r = 0; r < sim->neigh->rows.n; r++)
-		n += wanted(self, sim, r);
+		n += listed(self, sim, r);
 	TS_TRY(ts_table_resize(out, n, width));
 	n = 0;
 	for (size_t r = 0; r < sim->neigh->rows.n; r++) {
-		if (!wanted(self, sim, r))
+		if (!listed(self, sim, r))
 			continue;
-		look(sim, r, &facts);
+		look(sim, r, s->columns.wanted, &facts);
 		ts_contact_columns_write(&s->columns, history, &facts, out->data + width * n++);
 	}
 	return TS_OK;
@@ -132,7 +153,8 @@ const struct ts_style ts_compute_pair_gran_local = {
 	       "parts force_normal (3) and force_tangential (3); torque on the first by the tangential force, "
 	       "about its centre and without rolling friction (3); history, what the contact law remembers; "
 	       "contactArea, of the circle in which the spheres meet (1); delta, the overlap (1); contactPoint, "
-	       "which divides the line of centres as the radii are to each other (3). Without words: pos vel id "
+	       "which divides the line of centres as the radii are to each other (3); heatFlux, what fix heat/gran "
+	       "conducts to the first (1). Without words: pos vel id "
 	       "force history contactArea. The partner with the smaller id is the first.\n\n"
 	       "Contacts and forces are those of the last force computation, which acted; places and velocities "
 	       "those of now. LIGGGHTS computes forces anew from the velocities at the end of the step: the two "

@@ -29,7 +29,12 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 					     : "with a mesh; `primitives yes` lists planes and "
 					       "cylinders, too");
 	ts_walls_want_reports(sim);
-	return ts_contact_columns_init(self, sim);
+	TS_TRY(ts_contact_columns_init(self, sim));
+	if (s->columns.wanted[TS_CONTACT_HEAT])
+		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "heatFlux"),
+			       "compute wall/gran/local does not know the heat of single contacts; what walls "
+			       "give a particle is f_wallHeatFlux of fix heat/gran");
+	return TS_OK;
 }
 
 /* What one contact of a wall is about. `before`: meshes of the walls before it. */
