@@ -66,6 +66,26 @@ done
 grep -q 'Variable start goes on with' two/log
 report 'the log tells what goes on' $? two/log
 
+# steps that come again draw other numbers
+prints 'units si
+region b block 0 1 0 1 0 1 units box
+create_box 1 b
+create_atoms 1 single 0.5 0.5 0.5 units box
+set group all diameter 0.1 density 2385
+timestep 1e-6
+fix move all nve
+variable r equal random(0,1,8613)
+thermo_style custom step v_r
+fix keep all ave/time 1 1 1 v_r
+variable first once f_keep
+run 3
+variable a once f_keep
+unfix keep
+reset_timestep 0
+fix keep all ave/time 1 1 1 v_r
+run 3
+print "again $(abs(f_keep-v_a)<1e-12) range $(f_keep>0) $(f_keep<1)"' 'again 0 range 1 1'
+
 # a file that is shorter now, and one that the script itself steps through
 head -n 3 numbers >short && mv short numbers
 mkdir short && cp in.begin short && cd short || exit 99

@@ -128,6 +128,7 @@ enum ts_status ts_sim_clear(struct tsim *sim)
 {
 	free_instances(sim);
 	set_defaults(sim);
+	sim->era++;
 	return start_systems(sim);
 }
 

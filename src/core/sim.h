@@ -94,6 +94,8 @@ struct tsim {
 			    * goes on with the forces and the rows of that step */
 	bool looking;      /* a value is read that does not count: next() stays where it is */
 	struct ts_draws draws;
+	int64_t era; /* how often steps have begun to be counted anew, by reset_timestep or clear: random
+		      * numbers do not come again */
 	uint64_t epoch; /* while somebody acts in a stage, nothing changes that he reads: outputs are
 			 * evaluated once. 0: something may change at any time */
 	uint64_t epochs;

@@ -41,6 +41,7 @@ struct run_state {
 	struct ts_clock clock;
 	int32_t units, dimension;
 	uint64_t fingerprint;
+	int64_t era;
 };
 
 static enum ts_status archive_run_state(struct ts_archive *a, struct run_state *s)
@@ -53,6 +54,8 @@ static enum ts_status archive_run_state(struct ts_archive *a, struct run_state *
 	TS_TRY(ts_archive_fixed(a, "dt", TS_SAVED_F64, &c->dt, 1));
 	TS_TRY(ts_archive_fixed(a, "units", TS_SAVED_I32, &s->units, 1));
 	TS_TRY(ts_archive_fixed(a, "dimension", TS_SAVED_I32, &s->dimension, 1));
+	if (ts_archive_has(a, "era")) /* older files have none */
+		TS_TRY(ts_archive_fixed(a, "era", TS_SAVED_I64, &s->era, 1));
 	return ts_archive_fixed(a, "fingerprint", TS_SAVED_I64, &s->fingerprint, 1);
 }
 
@@ -129,7 +132,8 @@ static enum ts_status put_host(struct writer *w)
 static enum ts_status put_clock(struct writer *w)
 {
 	struct tsim *sim = w->sim;
-	struct run_state s = { sim->clock, (int32_t)sim->units, sim->dimension, sim->fingerprint };
+	struct run_state s = { sim->clock, (int32_t)sim->units, sim->dimension, sim->fingerprint,
+			       sim->era };
 	struct ts_archive *archive = ts_archive_new(sim, true);
 	enum ts_status status;
 
@@ -403,6 +407,7 @@ static enum ts_status restore_clock(struct reader *r)
 	sim->units = (enum ts_units)s.units;
 	sim->dimension = s.dimension;
 	sim->fingerprint = s.fingerprint;
+	sim->era = s.era;
 	return TS_OK;
 }
 

@@ -67,14 +67,16 @@ static enum ts_status of_numbers(struct ts_expr *e, const struct ts_expr_functio
 
 /* How far a stream has come: in a run that is said by step, who acts and how often he has drawn, else numbers
  * come one after the other. */
-static uint64_t advance(struct ts_draws *draws, int64_t step, int64_t *taken)
+static uint64_t advance(struct tsim *sim, int64_t *taken)
 {
+	const int64_t when[] = { sim->era, sim->clock.step };
+	struct ts_draws *draws = &sim->draws;
 	struct ts_hash hash = ts_hash_start();
 
 	if (!draws->site)
 		return (uint64_t)(*taken)++;
 	ts_hash_add(&hash, draws, sizeof *draws);
-	ts_hash_add(&hash, &step, sizeof step);
+	ts_hash_add(&hash, when, sizeof when);
 	draws->count++;
 	return ts_hash_value(&hash);
 }
@@ -102,8 +104,7 @@ static enum ts_status drawn(struct ts_expr *e, const struct ts_expr_function *f,
 		n = e->rows;
 		to = out->data;
 	}
-	at_number = advance(&e->sim->draws, e->sim->clock.step,
-			    each ? &stream->rounds : &stream->draws);
+	at_number = advance(e->sim, each ? &stream->rounds : &stream->draws);
 	for (size_t i = 0; i < n; i++) {
 		struct ts_rng rng = { (uint64_t)stream->seed, each ? (uint64_t)e->id[i] : 0,
 				      at_number };

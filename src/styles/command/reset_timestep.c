@@ -2,6 +2,7 @@
 #include "core/sim.h"
 
 #include "io/dump.h"
+#include "io/thermo.h"
 
 #include "base/banned.h"
 
@@ -41,8 +42,11 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 				       "reset_timestep",
 				       fix->id, fix->style->name, fix->where.line);
 	}
-	if (s->step != sim->clock.step)
+	if (s->step != sim->clock.step) {
 		forget_frames(sim);
+		sim->thermo->counted = 0;
+		sim->era++;
+	}
 	sim->clock.step = sim->clock.base_step = s->step;
 	sim->clock.base_time = isnan(s->time) ? (double)s->step * sim->clock.dt : s->time;
 	return TS_OK;
