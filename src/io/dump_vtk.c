@@ -7,18 +7,18 @@
 
 enum ts_status ts_dump_vtk_check_name(struct ts_instance *self, struct tsim *sim)
 {
-	const char *file = ((const struct ts_dump_vtk *)self->state)->common.file;
+	const struct ts_dump_common *d = &((const struct ts_dump_vtk *)self->state)->common;
+	const char *file = d->file;
 
 	if (!ts_vtk_knows(file))
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, file),
 			       "dump %s: the name of the file must end in .vtk, .vtp, .vtu, .pvtp or "
 			       ".pvtu, found '%s'",
 			       self->style->name, file);
-	if (!strchr(file, '*'))
-		return ts_fail(
-			&sim->error, TS_SYNTAX, &self->where,
-			"dump %s writes one file per frame: the name '%s' needs a `*` for the "
-			"step",
+	if (!strchr(file, '*') && !sim->running && !d->frames)
+		ts_warn(&sim->log, ts_instance_word(self, file),
+			"dump %s writes one file per frame: without a `*` for the step in '%s' each "
+			"frame replaces the one before",
 			self->style->name, file);
 	return TS_OK;
 }
@@ -136,6 +136,8 @@ enum ts_status ts_dump_vtk_write(struct ts_instance *self, struct tsim *sim,
 	if (d->path.failed)
 		return ts_nomem(&sim->error);
 	TS_TRY(ts_vtk_write_poly(sim, ts_str_text(&d->path), &self->where, poly));
+	if (!strchr(d->file, '*')) /* there is one frame, the last */
+		return TS_OK;
 	TS_TRY(ts_vtk_series_add(sim, &s->series, sim->clock.step, poly->time));
 	return ts_vtk_series_write(sim, &s->series, d->file, (int)d->pad, &self->where);
 }

@@ -25,7 +25,7 @@ struct ts_dump_vtk {
 		TS_REST("columns", T, vtk.names, .help = (columns_help))
 #define TS_DUMP_VTK_SAVED(T) TS_SAVE_I64(T, vtk.common.last), TS_SAVE_I64(T, vtk.common.frames)
 
-/* Refuses file names without `*` or of an unknown type. */
+/* Refuses file names of an unknown type, warns of those without `*`. */
 enum ts_status ts_dump_vtk_check_name(struct ts_instance *self, struct tsim *sim);
 /* The same, and finds the columns. */
 enum ts_status ts_dump_vtk_init(struct ts_instance *self, struct tsim *sim, bool local);

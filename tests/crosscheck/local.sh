@@ -161,4 +161,26 @@ for side in liggghts tsim; do
 	sed 's/ -0 / 0 /g; s/ -0 / 0 /g' $side/w.txt | awk 'NF == 32 { print t, $15, $0 } /TIMESTEP/ { t++ }' | sort -n >$side.txt
 done
 same 'compute wall/gran/local, as text' liggghts.txt tsim.txt
+
+# the heat of each contact
+{
+	sed -n '1,/^pair_coeff/p' in.contacts
+	echo 'fix m5 all property/global thermalConductivity peratomtype 100. 50.'
+	echo 'fix m6 all property/global thermalCapacity peratomtype 10. 23.85'
+	sed -n '/^timestep/,/^fix i /p' in.contacts
+	cat <<'END'
+fix ht all heat/gran initial_temperature 300.
+compute c all pair/gran/local id force contactArea delta heatFlux contactPoint
+run 0
+set atom 1 property/atom Temp 700.
+set atom 4 property/atom Temp 200.
+dump t all local 10 heat.txt c_c[1] c_c[2] c_c[4] c_c[7] c_c[8] c_c[9] c_c[10] c_c[11] c_c[12]
+run 30
+END
+} >in.heat
+(cd liggghts && liggghts -in ../in.heat -log none -screen none) >err 2>&1
+report 'LIGGGHTS runs with heat' $? err
+(cd tsim && "$TSIM" -in ../in.heat -log none -screen none -legacy 2>../err)
+report 'tsim runs with heat' $? err
+same 'heat of contacts, as text' liggghts/heat.txt tsim/heat.txt
 finish

@@ -262,7 +262,7 @@ compute c all property/local patom3" "did you mean 'patom"
 rejects "$six
 compute c all pair/local eng" "unknown quantity 'eng'"
 rejects "$six
-compute c all pair/gran/local heatFlux" "unknown quantity 'heatFlux'"
+compute c all pair/gran/local heatFlux" 'no heat flows without a fix heat/gran'
 rejects "$six
 compute c all coord/atom -1" 'expected a cutoff > 0'
 rejects "$six

@@ -28,7 +28,8 @@ static enum ts_status fill_points(struct ts_dump_vtk *s, struct tsim *sim)
 	return TS_OK;
 }
 
-/* As LIGGGHTS: with post/a*.vtk the box goes to post/aboundingBox_STEP.vtk. */
+/* As LIGGGHTS: with post/a*.vtk the box goes to post/aboundingBox_STEP.vtk, with post/a.vtk to
+ * post/a_boundingBox.vtk. */
 static enum ts_status write_box(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_dump_common *d = self->state;
@@ -38,8 +39,11 @@ static enum ts_status write_box(struct ts_instance *self, struct tsim *sim)
 
 	if (!ts_ends_with(d->file, ".vtk"))
 		return TS_OK;
-	ts_str_add_n(&name, d->file, (size_t)(star - d->file));
-	ts_str_addf(&name, "boundingBox_%s", star);
+	ts_str_add_n(&name, d->file, star ? (size_t)(star - d->file) : strlen(d->file) - strlen(".vtk"));
+	if (star)
+		ts_str_addf(&name, "boundingBox_%s", star);
+	else
+		ts_str_add(&name, "_boundingBox.vtk");
 	ts_step_path(&d->path, ts_str_text(&name), (long long)sim->clock.step, (int)d->pad);
 	ts_vtk_legacy_box(&text, sim->domain->box.lo, sim->domain->box.hi, ts_sim_time(sim));
 	status = name.failed || d->path.failed

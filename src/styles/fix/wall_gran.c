@@ -94,7 +94,7 @@ static enum ts_status find_meshes(struct ts_instance *self, struct tsim *sim)
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
-	const struct wall *w = self->state;
+	struct wall *w = self->state;
 
 	TS_TRY(choose_shape(self, sim));
 	TS_TRY(w->mesh_word ? find_meshes(self, sim) : check_shape(self, sim));
