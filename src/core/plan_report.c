@@ -182,7 +182,7 @@ static void add_duration(struct ts_str *text, double least, double most)
 	}
 }
 
-static void add_price(struct ts_str *text, const struct ts_price *price, int64_t steps)
+static void add_price(struct ts_str *text, const struct ts_price *price, int64_t steps, bool inserts)
 {
 	double n = (double)steps;
 
@@ -199,6 +199,8 @@ static void add_price(struct ts_str *text, const struct ts_price *price, int64_t
 		ts_price_time(price->crowded, text);
 		ts_str_add(text, " when the particles lie together");
 	}
+	if (inserts)
+		ts_str_add(text, "; particles still to be inserted are not priced");
 }
 
 static enum ts_status print_price(struct ts_plan *plan, struct tsim *sim, int64_t steps)
@@ -208,7 +210,7 @@ static enum ts_status print_price(struct ts_plan *plan, struct tsim *sim, int64_
 
 	TS_TRY(ts_price_steps(plan, sim, &price));
 	if (isfinite(price.seconds)) {
-		add_price(&text, &price, steps);
+		add_price(&text, &price, steps, plan->n[TS_STAGE_PRE_EXCHANGE] > 0);
 		sim->bill.seconds += price.seconds * (double)steps + price.frames;
 		sim->bill.most += price.crowded * (double)steps + price.frames;
 	} else {

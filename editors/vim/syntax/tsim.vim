@@ -66,12 +66,13 @@ syn keyword tsimKeyword  limit ids nfreq kspace tensor com average property xcm 
 syn keyword tsimKeyword  torque quat angmom masstotal inertia clumptype id_multisphere
 syn keyword tsimKeyword  ex_space ey_space ez_space bond/type radius min max ave sumsq
 syn keyword tsimKeyword  avesq sumabs aveabs minabs maxabs inputs peratom update_on_run_end
-syn keyword tsimKeyword  adof cdof reset energy sample running window overwrite title1
-syn keyword tsimKeyword  title2 title3 auto upper lower auto/upper auto/lower full
-syn keyword tsimKeyword  prefactor scalar kind global beyond end extra final delta erate
-syn keyword tsimKeyword  trate volume wiggle xy xz yz v flip axes xyz scheme explicit exact
-syn keyword tsimKeyword  wob spring body clearance chute spherical hard soft continue
-syn keyword tsimKeyword  message path initial_temperature contact_area area_correction
+syn keyword tsimKeyword  adof cdof primitives reset energy sample running window overwrite
+syn keyword tsimKeyword  title1 title2 title3 auto upper lower auto/upper auto/lower full
+syn keyword tsimKeyword  prefactor nevery cell_size_relative parallel basevolume_region
+syn keyword tsimKeyword  scalar kind global beyond end extra final delta erate trate volume
+syn keyword tsimKeyword  wiggle xy xz yz v flip axes xyz scheme explicit exact wob spring
+syn keyword tsimKeyword  body clearance chute spherical hard soft continue message path
+syn keyword tsimKeyword  initial_temperature contact_area area_correction
 syn keyword tsimKeyword  store_contact_data euler seed distributiontemplate maxattempt
 syn keyword tsimKeyword  overlapcheck all_in random_distribute uncorrelated orientation
 syn keyword tsimKeyword  set_property verbose compress_tags insert_every ntry_mc
@@ -115,8 +116,8 @@ syn match tsimCommand /^\s*\%(atom_modify\|atom_style\|balance\|bond_coeff\|bond
 
 " styles, behind their command, name and group
 syn match tsimHead /^\s*fix\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_fix
-syn keyword tsim_fix contained adapt addforce ave/atom ave/chunk ave/correlate ave/histo
-syn keyword tsim_fix contained ave/histo/weight ave/spatial ave/time aveforce
+syn keyword tsim_fix contained adapt addforce ave/atom ave/chunk ave/correlate ave/euler
+syn keyword tsim_fix contained ave/histo ave/histo/weight ave/spatial ave/time aveforce
 syn match tsim_fix /\<balance\>/ contained
 syn keyword tsim_fix contained bond/breakage controller deform drag drag/stokes drill/bit
 syn keyword tsim_fix contained enforce2d evaporate freeze gravity halt heat/gran
@@ -134,21 +135,23 @@ syn keyword tsim_fix contained wall/gran wall/reflect
 hi def link tsim_fix Type
 syn match tsimHead /^\s*compute\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_compute
 syn keyword tsim_compute contained aggregate/atom angmom/chunk bond/local bonds chunk/atom
-syn keyword tsim_compute contained cluster/atom com com/chunk contact/atom contacts coord/atom
-syn keyword tsim_compute contained count/type displace/atom erotate/multisphere erotate/sphere
-syn keyword tsim_compute contained erotate/sphere/atom fragment/atom group/group gyration
-syn keyword tsim_compute contained gyration/chunk inertia/chunk ke ke/atom ke/multisphere leave msd
-syn keyword tsim_compute contained msd/chunk multisphere nbond/atom omega/chunk pair/gran/local
-syn keyword tsim_compute contained pair/local pe pe/atom pressure property/atom property/chunk
-syn keyword tsim_compute contained property/local rdf reduce reduce/region rigid slice stress/atom
-syn keyword tsim_compute contained temp temp/chunk temp/com torque/chunk vacf vcm/chunk
+syn keyword tsim_compute contained chunk/spread/atom cluster/atom com com/chunk contact/atom contacts
+syn keyword tsim_compute contained coord/atom count/type displace/atom erotate/multisphere
+syn keyword tsim_compute contained erotate/sphere erotate/sphere/atom fragment/atom group/group
+syn keyword tsim_compute contained gyration gyration/chunk inertia/chunk ke ke/atom ke/multisphere
+syn keyword tsim_compute contained leave msd msd/chunk multisphere nbond/atom neighbor/atom
+syn keyword tsim_compute contained omega/chunk pair/gran/local pair/local pe pe/atom pressure
+syn keyword tsim_compute contained property/atom property/chunk property/local rdf reduce
+syn keyword tsim_compute contained reduce/chunk reduce/region rigid slice stress/atom temp temp/chunk
+syn keyword tsim_compute contained temp/com torque/chunk vacf vcm/chunk wall/gran/local
 hi def link tsim_compute Type
 syn match tsimHead /^\s*region\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_region
 syn keyword tsim_region contained block cone cylinder ellipsoid intersect plane prism sphere union
 syn keyword tsim_region contained wedge
 hi def link tsim_region Type
 syn match tsimHead /^\s*dump\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_dump
-syn keyword tsim_dump contained atom custom custom/vtk local local/vtk mesh/stl mesh/vtk
+syn keyword tsim_dump contained atom custom custom/vtk euler/vtk local local/gran/vtk local/vtk
+syn keyword tsim_dump contained mesh/stl mesh/vtk
 syn match tsim_dump /\<restart\>/ contained
 syn keyword tsim_dump contained xyz
 hi def link tsim_dump Type
