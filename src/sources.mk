@@ -84,6 +84,8 @@ library_sources = \
 	src/crosscheck/inputs.h \
 	src/crosscheck/outputs.c \
 	src/crosscheck/reader.c \
+	src/crosscheck/reader.h \
+	src/crosscheck/reader_vtk.c \
 	src/crosscheck/report.c \
 	src/flow/flow.h \
 	src/geom/box.h \

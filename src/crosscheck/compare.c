@@ -200,6 +200,11 @@ static int by_key(const void *a, const void *b)
 	return compare_keys(a, b);
 }
 
+static bool has_keys(enum ts_frame_kind kind)
+{
+	return kind == TS_FRAMES_DUMP || kind == TS_FRAMES_VTK;
+}
+
 /* Particles are recognised by their identity, other entries of dumps by all that are whole numbers, lines
  * by their order. The columns are those of the frame of `who`. */
 static enum ts_status keys_of(struct walk *w, int who, size_t **key, size_t *n)
@@ -210,7 +215,7 @@ static enum ts_status keys_of(struct walk *w, int who, size_t **key, size_t *n)
 	*key = ts_alloc(f->columns, sizeof **key);
 	if (!*key)
 		return ts_nomem(w->reader[who].err);
-	for (size_t k = 0; k < f->columns && w->p->kind == TS_FRAMES_DUMP; k++) {
+	for (size_t k = 0; k < f->columns && has_keys(w->p->kind); k++) {
 		const struct ts_compared *c = find(w->p, f->name[k]);
 
 		if (ts_frame_column(&w->reader[!who].frame, f->name[k]) == SIZE_MAX || !c)

@@ -323,6 +323,18 @@ static enum ts_verdict judge_statistics(struct crosscheck *c)
 	return good ? TS_AGREE : TS_PART;
 }
 
+static bool columns_lost(struct crosscheck *c)
+{
+	for (size_t k = 0; k <= c->outputs.n; k++) {
+		const struct ts_pairing *p = pairing(c, k);
+
+		for (size_t m = 0; m < p->columns; m++)
+			if (!p->column[m].side[TS_HERE].n || !p->column[m].side[TS_PEER].n)
+				return true;
+	}
+	return false;
+}
+
 static enum ts_verdict judge(struct crosscheck *c)
 {
 	struct ts_outputs *o = &c->outputs;
@@ -335,13 +347,17 @@ static enum ts_verdict judge(struct crosscheck *c)
 	list_files("only tsim wrote ", o->only[TS_HERE], o->nonly[TS_HERE], c->text);
 	list_files(c->o.program ? "only lammps wrote " : "only liggghts wrote ", o->only[TS_PEER],
 		   o->nonly[TS_PEER], c->text);
-	list_files("not text, not compared: ", o->skipped, o->nskipped, c->text);
+	list_files("no plain text, not compared: ", o->skipped, o->nskipped, c->text);
 	if (!columns) {
 		ts_str_add(c->text, "failed: there is nothing to compare\n");
 		return TS_FAILED;
 	}
 	if (lost) {
 		ts_str_add(c->text, "failed: outputs are missing\n");
+		return TS_FAILED;
+	}
+	if (columns_lost(c)) {
+		ts_str_add(c->text, "failed: columns are missing\n");
 		return TS_FAILED;
 	}
 	if (!c->parts_in[0]) {

@@ -21,6 +21,7 @@ bool ts_printed_is_number(const char *word);
 enum ts_frame_kind {
 	TS_FRAMES_THERMO, /* the tables on the screen */
 	TS_FRAMES_DUMP,
+	TS_FRAMES_VTK,	/* legacy VTK as text */
 	TS_FRAMES_TEXT, /* any other text with numbers */
 };
 
@@ -44,12 +45,13 @@ struct ts_reader {
 	const char *folder;
 	const char *const *file; /* closed by NULL */
 	struct ts_frame frame;
-	/* the rest is for reader.c */
+	/* the rest is for the readers */
 	struct ts_lines lines;
 	bool open, table;       /* a file; a table in it */
 	struct ts_frame title; /* the words above, which may be names */
 	struct ts_frame inner; /* the same, of the last comment */
 	int64_t line;
+	size_t at, data_rows; /* VTK: the next word of the line; rows of the next array */
 };
 enum ts_status ts_reader_open(struct ts_reader *reader);
 /* The next frame; *got is false after the last. */

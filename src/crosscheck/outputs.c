@@ -9,7 +9,7 @@
 
 enum { PROBE = 512 };
 
-enum sort { SORT_TEXT, SORT_DUMP, SORT_LOG, SORT_BINARY };
+enum sort { SORT_TEXT, SORT_DUMP, SORT_VTK, SORT_LOG, SORT_OTHER };
 
 /* By how the file begins. */
 static enum sort sort_of(const char *folder, const char *name)
@@ -29,10 +29,14 @@ static enum sort sort_of(const char *folder, const char *name)
 	for (int k = 0; k < n; k++)
 		if (!isprint((unsigned char)bytes[k]) && !isspace((unsigned char)bytes[k]) &&
 		    !(bytes[k] & 0x80))
-			return SORT_BINARY;
+			return SORT_OTHER;
 	for (size_t k = 0; k < sizeof logs / sizeof *logs; k++)
 		if (strncmp(bytes, logs[k], strlen(logs[k])) == 0)
 			return SORT_LOG;
+	if (strncmp(bytes, "<?xml", 5) == 0)
+		return SORT_OTHER;
+	if (strncmp(bytes, "# vtk DataFile", 14) == 0)
+		return strstr(bytes, "\nBINARY") ? SORT_OTHER : SORT_VTK;
 	return strncmp(bytes, "ITEM:", 5) == 0 ? SORT_DUMP : SORT_TEXT;
 }
 
@@ -107,7 +111,9 @@ static enum ts_status pair(struct ts_outputs *o, const char *const folder[TS_BOT
 		return ts_nomem(err);
 	p = &o->pairing[o->n++];
 	*p = (struct ts_pairing){ .name = n > 1 ? pattern : names[0],
-				  .kind = sort == SORT_DUMP ? TS_FRAMES_DUMP : TS_FRAMES_TEXT };
+				  .kind = sort == SORT_DUMP  ? TS_FRAMES_DUMP
+					  : sort == SORT_VTK ? TS_FRAMES_VTK
+							     : TS_FRAMES_TEXT };
 	for (int who = 0; who < TS_BOTH; who++) {
 		p->folder[who] = folder[who];
 		p->file[who] = names;
@@ -132,7 +138,7 @@ enum ts_status ts_outputs_pair(struct ts_outputs *o, const char *const folder[TS
 
 		if (!has(&o->listing[TS_PEER], name) || is_log(folder[TS_HERE], name))
 			continue;
-		if (sort == SORT_BINARY)
+		if (sort == SORT_OTHER)
 			TS_TRY(keep(&o->skipped, &o->nskipped, &o->skipped_capacity, name, err));
 		else
 			TS_TRY(pair(o, folder, k, sort, err, pool));

@@ -3,12 +3,11 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "crosscheck/frame.h"
+#include "crosscheck/reader.h"
 
 #include "base/banned.h"
 
-/* Adds a name; a second column of the same name becomes "name (2)". */
-static enum ts_status add_name(struct ts_reader *r, struct ts_frame *f, const char *text)
+enum ts_status ts_reader_add_name(struct ts_reader *r, struct ts_frame *f, const char *text)
 {
 	struct ts_str name = { 0 };
 	const char *kept;
@@ -34,7 +33,7 @@ static enum ts_status take_names(struct ts_reader *r, struct ts_frame *f, char *
 {
 	f->columns = 0;
 	for (size_t k = 0; k < n; k++)
-		TS_TRY(add_name(r, f, word[k]));
+		TS_TRY(ts_reader_add_name(r, f, word[k]));
 	return TS_OK;
 }
 
@@ -50,7 +49,7 @@ static enum ts_status take_title(struct ts_reader *r, struct ts_frame *f)
 		enum ts_status status;
 
 		ts_str_add_n(&word, c, n);
-		status = n && !word.failed ? add_name(r, f, ts_str_text(&word)) : TS_OK;
+		status = n && !word.failed ? ts_reader_add_name(r, f, ts_str_text(&word)) : TS_OK;
 		status = word.failed ? ts_nomem(r->err) : status;
 		ts_str_release(&word);
 		TS_TRY(status);
@@ -111,6 +110,16 @@ static void set_step(struct ts_reader *r, int64_t number)
 		}
 }
 
+/* LAMMPS writes c_rotation where LIGGGHTS and tsim write the first eight letters of what follows c_. */
+static enum ts_status add_title(struct ts_reader *r, const char *title)
+{
+	char name[32];
+	bool prefix = title[0] && strchr("cfv", title[0]) && title[1] == '_';
+
+	snprintf(name, sizeof name, prefix ? "%.8s" : "%.31s", prefix ? title + 2 : title);
+	return ts_reader_add_name(r, &r->frame, name);
+}
+
 /* A table begins with names, in the next line are its first numbers, and it ends with the loop time; what
  * is printed in between is passed over. */
 static enum ts_status next_thermo(struct ts_reader *r, bool *got)
@@ -128,7 +137,7 @@ static enum ts_status next_thermo(struct ts_reader *r, bool *got)
 			r->table = true;
 			r->frame.columns = 0;
 			for (size_t k = 0; k < r->title.columns; k++)
-				TS_TRY(add_name(r, &r->frame, r->title.name[k]));
+				TS_TRY(add_title(r, r->title.name[k]));
 		}
 		if (r->table && l->nwords == r->frame.columns && numeric(l))
 			break;
@@ -144,7 +153,7 @@ static enum ts_status next_thermo(struct ts_reader *r, bool *got)
 	return TS_OK;
 }
 
-static enum ts_status damaged(struct ts_reader *r, const char *what)
+enum ts_status ts_reader_damaged(struct ts_reader *r, const char *what)
 {
 	return ts_lines_fail(&r->lines, TS_DAMAGED, SIZE_MAX, "%s", what);
 }
@@ -160,7 +169,7 @@ static enum ts_status dump_rows(struct ts_reader *r, int64_t n)
 	for (int64_t row = 0; row < n; row++) {
 		TS_TRY(ts_lines_next_filled(l, &more));
 		if (!more || l->nwords != r->frame.columns)
-			return damaged(r, "the dump has not as many words as it says");
+			return ts_reader_damaged(r, "the dump has not as many words as it says");
 		TS_TRY(add_row(r, 0));
 	}
 	return TS_OK;
@@ -208,7 +217,7 @@ static enum ts_status text_names(struct ts_reader *r)
 	f->columns = 0;
 	if (r->inner.columns == l->nwords && numeric(l)) {
 		for (size_t k = 0; k < l->nwords; k++)
-			TS_TRY(add_name(r, f, r->inner.name[k]));
+			TS_TRY(ts_reader_add_name(r, f, r->inner.name[k]));
 		return TS_OK;
 	}
 	for (size_t k = 0; k < l->nwords; k++) {
@@ -217,7 +226,7 @@ static enum ts_status text_names(struct ts_reader *r)
 		if (!number)
 			before = l->word[k];
 		snprintf(name, sizeof name, "%s%.30s", number ? "" : "word ", before);
-		TS_TRY(add_name(r, f, name));
+		TS_TRY(ts_reader_add_name(r, f, name));
 	}
 	return TS_OK;
 }
@@ -233,11 +242,11 @@ static enum ts_status block(struct ts_reader *r)
 	TS_TRY(ts_lines_int(l, 1, "the number of rows", 0, INT32_MAX, &n));
 	r->frame.columns = r->frame.rows = 0;
 	for (size_t k = 0; k < r->inner.columns; k++)
-		TS_TRY(add_name(r, &r->frame, r->inner.name[k]));
+		TS_TRY(ts_reader_add_name(r, &r->frame, r->inner.name[k]));
 	for (int64_t row = 0; row < n; row++) {
 		TS_TRY(ts_lines_next_filled(l, &more));
 		if (!more || l->nwords != r->inner.columns)
-			return damaged(r, "a block has not as many words as it says");
+			return ts_reader_damaged(r, "a block has not as many words as it says");
 		TS_TRY(add_row(r, 0));
 	}
 	return TS_OK;
@@ -320,6 +329,8 @@ enum ts_status ts_reader_next(struct ts_reader *r, bool *got)
 			TS_TRY(next_thermo(r, got));
 		else if (r->kind == TS_FRAMES_DUMP)
 			TS_TRY(next_dump(r, got));
+		else if (r->kind == TS_FRAMES_VTK)
+			TS_TRY(ts_reader_next_vtk(r, got));
 		else
 			TS_TRY(next_text(r, got));
 		if (!*got)

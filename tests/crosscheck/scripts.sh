@@ -1,21 +1,32 @@
 #!/bin/bash
-# Scripts as users of LIGGGHTS write them, run by both programs with `tsim -crosscheck liggghts`. The first
+# Scripts as users write them, run by LIGGGHTS (those in lammps/ by LAMMPS) and tsim with -crosscheck. The first
 # line of each says what is demanded, `# crosscheck: tolerance 1e-10`; together they use all that is
 # used much. Words after the name of this test choose some of them.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
-if ! command -v liggghts >/dev/null; then
-	echo 'skipped: needs liggghts (apt-get install liggghts)'
+missing() {
+	case $1 in
+	liggghts) ! command -v liggghts ;;
+	lammps) ! command -v lmp ;;
+	esac >/dev/null
+}
+if missing liggghts && missing lammps; then
+	echo 'skipped: needs liggghts or lammps (apt-get install liggghts lammps)'
 	exit 77
 fi
 cp -R "$top_srcdir/tests/crosscheck/scripts/." .
-for script in in.*; do
-	[ $# = 0 ] || case " $* " in *" ${script#in.} "*) ;; *) continue ;; esac
-	demand=$(sed -n '1s/^# crosscheck: *//p' "$script")
-	# shellcheck disable=SC2086
-	"$TSIM" -crosscheck liggghts $demand -in "$script" >said 2>&1
-	status=$?
-	report "$script" $status said
-	echo "$script: $(tail -n 1 said)"
-done
+compare() { # PROGRAM WANTED
+	missing "$1" && return
+	for script in in.*; do
+		[ -z "$2" ] || case " $2 " in *" ${script#in.} "*) ;; *) continue ;; esac
+		demand=$(sed -n '1s/^# crosscheck: *//p' "$script")
+		# shellcheck disable=SC2086
+		"$TSIM" -crosscheck "$1" $demand -in "$script" >said 2>&1
+		report "$script" $? said
+		echo "$1 $script: $(tail -n 1 said)"
+	done
+}
+compare liggghts "$*"
+cd lammps && compare lammps "$*"
+cd "$work" || exit 99
 finish
