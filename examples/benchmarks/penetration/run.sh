@@ -1,6 +1,6 @@
 #!/bin/sh
-# The penetration case: sh run.sh [DIAMETER [-var NAME VALUE ...]]. With the grains of 2 mm the bed takes five minutes and the impact
-# half an hour; with 0.008 both take seconds. TSIM is the program. ball.txt is drawn by plot.gp.
+# The penetration case: sh run.sh [DIAMETER [-var NAME VALUE ...]]. With the grains of 2 mm the bed takes ten
+# minutes and the impact twenty; with 0.008 both take seconds. TSIM is the program. ball.txt is drawn by plot.gp.
 tsim=${TSIM:-tsim}
 here=$(cd "$(dirname "$0")" && pwd)
 d=${1:-0.002}
