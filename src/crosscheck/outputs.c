@@ -70,9 +70,11 @@ static bool has(const struct ts_listing *list, const char *name)
 	return false;
 }
 
-static bool is_log(const char *folder, const char *name)
+/* What is no output to compare: logs, and the lists of frames that only tsim writes for ParaView. */
+static bool is_apart(const char *folder, const char *name)
 {
-	return strncmp(name, "log.", 4) == 0 || sort_of(folder, name) == SORT_LOG;
+	return strncmp(name, "log.", 4) == 0 || ts_ends_with(name, ".series") ||
+	       ts_ends_with(name, ".pvd") || sort_of(folder, name) == SORT_LOG;
 }
 
 static enum ts_status keep(const char ***list, size_t *n, size_t *capacity, const char *name,
@@ -128,7 +130,7 @@ enum ts_status ts_outputs_pair(struct ts_outputs *o, const char *const folder[TS
 		const struct ts_listing *list = &o->listing[who];
 
 		for (size_t k = 0; k < list->n; k++)
-			if (!has(&o->listing[!who], list->name[k]) && !is_log(folder[who], list->name[k]))
+			if (!has(&o->listing[!who], list->name[k]) && !is_apart(folder[who], list->name[k]))
 				TS_TRY(keep(&o->only[who], &o->nonly[who], &o->only_capacity[who],
 					    list->name[k], err));
 	}
@@ -136,7 +138,7 @@ enum ts_status ts_outputs_pair(struct ts_outputs *o, const char *const folder[TS
 		const char *name = o->listing[TS_HERE].name[k];
 		enum sort sort = sort_of(folder[TS_HERE], name);
 
-		if (!has(&o->listing[TS_PEER], name) || is_log(folder[TS_HERE], name))
+		if (!has(&o->listing[TS_PEER], name) || is_apart(folder[TS_HERE], name))
 			continue;
 		if (sort == SORT_OTHER)
 			TS_TRY(keep(&o->skipped, &o->nskipped, &o->skipped_capacity, name, err));
