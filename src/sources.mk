@@ -292,6 +292,8 @@ library_sources = \
 	src/particles/identity.h \
 	src/particles/insertion.c \
 	src/particles/insertion.h \
+	src/particles/insertion_rate.c \
+	src/particles/insertion_rate.h \
 	src/particles/insertion_region.c \
 	src/particles/insertion_region.h \
 	src/particles/integrate.c \
@@ -534,6 +536,8 @@ library_sources = \
 	src/styles/fix/heat_gran.c \
 	src/styles/fix/heat_gran_conduction.c \
 	src/styles/fix/insert_pack.c \
+	src/styles/fix/insert_rate_region.c \
+	src/styles/fix/insert_stream.c \
 	src/styles/fix/langevin.c \
 	src/styles/fix/lineforce.c \
 	src/styles/fix/mesh_surface.c \

@@ -217,6 +217,8 @@ enum ts_status ts_insertion_init(struct ts_instance *self, struct tsim *sim, boo
 	TS_TRY(ts_seed_check(sim, self->style->name, s->seed, ts_instance_word(self, "seed")));
 	TS_TRY(read_words(self, sim));
 	TS_TRY(refuse(self, sim));
+	if (s->omega_words.n)
+		TS_TRY(ts_particles_need(sim, TS_NEED(OMEGA)));
 	s->random = ts_minstd_start(s->seed);
 	s->wait = s->start == INT64_MIN ? 1 : s->start - sim->clock.step;
 	if (s->wait < 1)
@@ -257,8 +259,7 @@ void ts_insertion_next(struct ts_instance *self)
 	s->wait = s->every;
 }
 
-/* Shoemake's uniform quaternion takes three numbers. */
-void ts_insertion_draw_motion(struct ts_insertion *s, struct ts_newcomer *one)
+void ts_insertion_draw_velocity(struct ts_insertion *s, struct ts_newcomer *one)
 {
 	const struct ts_insertion_velocity *v = &s->velocity;
 
@@ -268,8 +269,13 @@ void ts_insertion_draw_motion(struct ts_insertion *s, struct ts_newcomer *one)
 			one->v[d] += v->fluctuation[d] * 2.0 * (ts_minstd_uniform(&s->random) - 0.5);
 		else if (v->spread == GAUSSIAN)
 			one->v[d] += v->fluctuation[d] * ts_minstd_normal(&s->random);
-		one->omega[d] = s->omega[d];
 	}
+}
+
+/* Shoemake's uniform quaternion takes three numbers. */
+void ts_insertion_draw_orientation(struct ts_insertion *s, struct ts_newcomer *one)
+{
+	(void)one;
 	for (int k = 0; s->turns && k < 3; k++)
 		(void)ts_minstd_uniform(&s->random);
 }

@@ -93,8 +93,9 @@ enum ts_status ts_insertion_make(struct ts_instance *self, struct tsim *sim, siz
 /* The event is over; the next comes after `every` steps, if there is one. */
 void ts_insertion_next(struct ts_instance *self);
 
-/* Velocity and orientation are drawn for each try. */
-void ts_insertion_draw_motion(struct ts_insertion *s, struct ts_newcomer *one);
+void ts_insertion_draw_velocity(struct ts_insertion *s, struct ts_newcomer *one);
+/* For each try. */
+void ts_insertion_draw_orientation(struct ts_insertion *s, struct ts_newcomer *one);
 
 /* All particles there are, for checks of overlap. */
 enum ts_status ts_insertion_crowd(struct tsim *sim, struct ts_spherehash *crowd);

@@ -173,6 +173,14 @@ static enum ts_status draw_in_region(struct ts_instance *self, struct tsim *sim,
 		       self->style->name, s->region->id, one->radius);
 }
 
+static void draw_motion(struct ts_insertion *s, struct ts_newcomer *one)
+{
+	ts_insertion_draw_velocity(s, one);
+	for (int d = 0; d < 3; d++)
+		one->omega[d] = s->omega[d];
+	ts_insertion_draw_orientation(s, one);
+}
+
 /* Tries of all particles count together. */
 static enum ts_status place(struct ts_instance *self, struct tsim *sim, struct search *search,
 			    struct ts_newcomer *one)
@@ -187,7 +195,7 @@ static enum ts_status place(struct ts_instance *self, struct tsim *sim, struct s
 			 near_border(search->box, one->x, one->radius));
 		if (search->tries == search->most_tries)
 			return TS_OK;
-		ts_insertion_draw_motion(&s->base, one);
+		draw_motion(&s->base, one);
 		one->placed = !ts_spherehash_overlaps_periodic(&search->crowd, search->box, one->x,
 							       one->radius);
 	}
@@ -202,7 +210,7 @@ static enum ts_status place_anywhere(struct ts_instance *self, struct tsim *sim,
 	struct ts_insertion_region *s = self->state;
 
 	TS_TRY(draw_in_region(self, sim, search, one));
-	ts_insertion_draw_motion(&s->base, one);
+	draw_motion(&s->base, one);
 	one->placed = true;
 	return TS_OK;
 }

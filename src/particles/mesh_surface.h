@@ -11,6 +11,7 @@
 
 #include "core/sim.h"
 #include "geom/mesh.h"
+#include "math/minstd.h"
 #include "math/vec3.h"
 
 #define TS_FAMILY_MESH "mesh"
@@ -19,6 +20,7 @@
 struct ts_mesh_surface {
 	struct ts_mesh mesh; /* as it stands now */
 	int64_t type;	     /* particle type whose material it has */
+	struct ts_minstd random; /* of who draws points on it; state 0: nobody yet */
 	/* Velocity of the surface at each corner, [triangle][corner]; within a triangle it is linear.
 	 * NULL: at rest. */
 	double (*v)[3][3];

@@ -182,6 +182,8 @@ TS_STYLE(fix, ts_style, ts_fix_halt)
 TS_STYLE(fix, ts_style, ts_fix_heat_gran)
 TS_STYLE(fix, ts_style, ts_fix_heat_gran_conduction)
 TS_STYLE(fix, ts_style, ts_fix_insert_pack)
+TS_STYLE(fix, ts_style, ts_fix_insert_rate_region)
+TS_STYLE(fix, ts_style, ts_fix_insert_stream)
 TS_STYLE(fix, ts_style, ts_fix_langevin)
 TS_STYLE(fix, ts_style, ts_fix_lineforce)
 TS_STYLE(fix, ts_style, ts_fix_mesh_surface)
@@ -407,6 +409,8 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_heat_gran,
 	&ts_fix_heat_gran_conduction,
 	&ts_fix_insert_pack,
+	&ts_fix_insert_rate_region,
+	&ts_fix_insert_stream,
 	&ts_fix_langevin,
 	&ts_fix_lineforce,
 	&ts_fix_mesh_surface,

@@ -165,4 +165,73 @@ fix a all particletemplate/sphere 15485917 density constant 1 radius constant 0.
 fix b all particledistribution/discrete 32452883 1 a 1
 fix c all insert/pack seed 32452867 distributiontemplate b insert_every once region box particles_in_region 3" \
 	'works in three dimensions'
+
+# A stream: with the speed v through the face a particle that begins z behind it is free in floor(z / v dt) steps,
+# whatever pulls it; then it has the velocity asked for.
+obj() { # FILE Z...: a triangle with its corners at these heights
+	printf 'v 0.2 0.2 %s\nv 0.8 0.2 %s\nv 0.3 0.7 %s\nf 1 2 3\n' "$2" "$3" "$4" >"$1"
+}
+obj face.obj 0.6 0.6 0.6
+printf 'v 0.8 0.2 0.6\nv 0.3 0.7 0.6\nv 0.8 0.7 0.5\nf 1 2 3\n' >second
+cat face.obj second | sed '$s/1 2 3/4 5 6/' >bent.obj
+flow="$scene
+fix face all mesh/surface file face.obj type 1
+fix pull all gravity 9.81 vector 1 0 0
+fix pour all insert/stream seed 32452867 distributiontemplate mix insertion_face face"
+prints "$flow vel constant 3 4 -20 omega constant 5 6 7 nparticles 30 particlerate 20000 extrude_length 0.2
+run 1
+variable way equal \$(z[1]:%.17g)-0.6
+variable steps equal floor(v_way/(20*1e-5))
+variable last equal v_steps-1
+run \${last}
+print \"on its way \$(vx[1]) \$(vz[1]) \$(omegax[1]) \$(abs(z[1]-0.6-v_way+20*1e-5*v_last)<1e-15)\"
+run 1
+print \"free \$(vx[1]) \$(vy[1]) \$(vz[1]) \$(omegaz[1]) \$(z[1]-0.6<20*1e-5)\"
+run 1
+print \"falls \$(abs(vx[1]-3-0.5e-5*9.81)<1e-14)\"
+run 3000
+print \"all \$(f_pour[1])\"" '200.000000 particles every 1000 steps' '30 particles (mass 2.472315e+01) within 0 steps' \
+	'on its way -0 -20 0 1' 'free 3 4 -20 7 1' 'falls 1' 'all 30'
+
+pours() { # WORDS TEXT
+	rejects "$flow $1
+run 2" "$2"
+}
+v='vel constant 0 0 -20'
+pours "$v particlerate 100 extrude_length 0.2" 'one of nparticles and mass'
+pours "$v nparticles 10 mass 3 particlerate 100 extrude_length 0.2" 'one of nparticles and mass'
+pours "$v nparticles 10 extrude_length 0.2" 'one of particlerate and massrate'
+pours "$v nparticles 10 particlerate 100 massrate 1 extrude_length 0.2" 'one of particlerate and massrate'
+pours "$v nparticles 1.5 particlerate 100 extrude_length 0.2" "nparticles is '1.5'"
+pours "$v mass -2 particlerate 100 extrude_length 0.2" "mass is '-2'"
+pours "$v nparticles 10 particlerate 100" 'one of insert_every and extrude_length'
+pours "$v nparticles 10 particlerate 100 insert_every 1000 extrude_length 0.2" 'one of insert_every and extrude'
+pours "$v nparticles 10 particlerate 100 insert_every once" "insert_every is 'once'"
+pours "$v nparticles 10 particlerate 100 insert_every 1000 duration 1001" 'a part of insert_every'
+pours "$v nparticles 10 particlerate 100 insert_every 300" 'expected at least 0.097, two radii'
+pours "$v nparticles 10 particlerate 100 extrude_length 0.1" 'expected at least 0.1455, three radii'
+pours "$v nparticles 10 particlerate 100 extrude_length 0.7" '57% of the space behind the face'
+pours 'vel constant 3 2 0 nparticles 10 particlerate 100 extrude_length 0.2' 'the velocity through the face is 0'
+pours 'vel constant 0 0 -30000 nparticles 10 particlerate 100 extrude_length 0.2' 'particles move 0.3 in a step'
+pours "${v} nparticles 10 particlerate 100 all_in yes extrude_length 0.2
+unfix pour
+unfix large
+fix large all particletemplate/sphere 15485863 atom_type 1 density constant 2500 radius constant 0.19
+unfix mix
+fix mix all particledistribution/discrete 32452843 1 large 1
+fix pour all insert/stream seed 32452867 distributiontemplate mix insertion_face face vel constant 0 0 20 nparticles 10 particlerate 100000 all_in yes insert_every 2010" \
+	'no point of the face is 0.19 from its edge'
+flow=${flow/face.obj/bent.obj}
+pours "$v nparticles 10 particlerate 100 extrude_length 0.2" 'mesh face is not plane: triangle 2'
+flow=${flow/insertion_face face/insertion_face fase}
+pours "$v nparticles 10 particlerate 100 extrude_length 0.2" "there is no mesh 'fase'"
+
+# at a rate into a region, until a mass is there
+prints "$scene
+fix rain all insert/rate/region seed 32452867 distributiontemplate mix region bed mass 20 massrate 40000 insert_every 13
+run 200
+print \"rain \$(f_rain[1]) \$(abs(f_rain[2]-20)<1.2)\"" '6.309876 particles every 13 steps' 'rain 24 1'
+rejects "$scene
+fix rain all insert/rate/region seed 32452867 distributiontemplate mix region bed mass 20 massrate 40000 insert_every once" \
+	"insert_every is 'once'"
 finish
