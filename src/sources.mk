@@ -116,6 +116,8 @@ library_sources = \
 	src/io/average_file.h \
 	src/io/chunk_average.c \
 	src/io/chunk_average.h \
+	src/io/clump_template.c \
+	src/io/clump_template.h \
 	src/io/data.h \
 	src/io/data_apply.c \
 	src/io/data_layout.c \
@@ -265,6 +267,8 @@ library_sources = \
 	src/particles/chunk_read.c \
 	src/particles/chunk_user.c \
 	src/particles/chunk_user.h \
+	src/particles/clump.c \
+	src/particles/clump.h \
 	src/particles/columns.c \
 	src/particles/comm.c \
 	src/particles/comm.h \
@@ -554,6 +558,8 @@ library_sources = \
 	src/styles/fix/particledistribution_discrete.c \
 	src/styles/fix/particledistribution_discrete_massbased.c \
 	src/styles/fix/particledistribution_discrete_numberbased.c \
+	src/styles/fix/particletemplate_multiplespheres.c \
+	src/styles/fix/particletemplate_multisphere.c \
 	src/styles/fix/particletemplate_sphere.c \
 	src/styles/fix/planeforce.c \
 	src/styles/fix/print.c \

@@ -8,6 +8,7 @@
 #include "math/rng.h"
 #include "math/spread.h"
 #include "math/vec3.h"
+#include "particles/clump.h"
 
 /* Park and Miller give the 10000th number after the seed 1. */
 START_TEST(minstd_is_that_of_park_and_miller)
@@ -91,6 +92,32 @@ START_TEST(uniform_means_are_exact)
 }
 END_TEST
 
+/* Two unit spheres that touch, and a small one within: a body of volume 2 x 4 pi / 3 whose moments follow from
+ * Steiner's theorem; the sphere around it is exact. To four standard errors. */
+START_TEST(clump_has_the_moments_of_its_spheres)
+{
+	struct ts_clump_sphere spheres[] = { { { 1, 2, 3 }, 1 },
+					     { { 1, 2, 5 }, 1 },
+					     { { 1, 2, 3.1 }, 0.3 } };
+	struct ts_clump clump = { .sphere = spheres, .n = 3 };
+	struct ts_minstd r = ts_minstd_start(15485863);
+	const int n = 200000;
+	double volume = 8.0 / 3.0 * 3.14159265358979, tolerance = 4 / sqrt(n);
+
+	ck_assert(ts_clump_measure(&clump, n, &r) == TS_OK);
+	ck_assert_double_eq_tol(clump.reach, 2, 1e-14);
+	ck_assert_double_eq_tol(clump.middle[2], 4, 1e-14);
+	ck_assert_double_eq_tol(clump.volume / volume, 1, tolerance);
+	ck_assert_double_eq_tol(clump.centre[0], 1, tolerance);
+	ck_assert_double_eq_tol(clump.centre[2], 4, 2 * tolerance);
+	ck_assert_double_eq_tol(clump.moments[0] / (volume * 1.4), 1, 2 * tolerance);
+	ck_assert_double_eq_tol(clump.moments[1] / (volume * 1.4), 1, 2 * tolerance);
+	ck_assert_double_eq_tol(clump.moments[2] / (volume * 0.4), 1, 2 * tolerance);
+	for (int k = 3; k < 6; k++)
+		ck_assert_double_eq_tol(clump.moments[k] / volume, 0, tolerance);
+}
+END_TEST
+
 enum { N = 600 };
 
 /* Against all pairs: spheres whose radii span three decades, in a box periodic in two directions. */
@@ -140,6 +167,7 @@ int main(void)
 	tcase_add_test(tests, minstd_normal_has_its_moments);
 	tcase_add_test(tests, spreads_have_their_means);
 	tcase_add_test(tests, uniform_means_are_exact);
+	tcase_add_test(tests, clump_has_the_moments_of_its_spheres);
 	tcase_add_test(tests, spherehash_agrees_with_all_pairs);
 	tcase_set_timeout(tests, 60);
 	suite_add_tcase(suite, tests);

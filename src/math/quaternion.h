@@ -12,6 +12,15 @@ static inline void ts_quaternion_normalise(double q[4])
 		q[k] *= s;
 }
 
+/* The rotation b, then a. */
+static inline void ts_quaternion_multiply(const double a[4], const double b[4], double out[4])
+{
+	out[0] = a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3];
+	out[1] = a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2];
+	out[2] = a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1];
+	out[3] = a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0];
+}
+
 /* The product (0, w) q: twice the rate of change of q turning with angular velocity w in space. */
 static inline void ts_quaternion_turn(const double w[3], const double q[4], double out[4])
 {

@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "core/plan.h"
+#include "particles/rigid.h"
 #include "particles/template.h"
 
 #include "base/banned.h"
@@ -103,7 +104,8 @@ static void touch(const struct ts_granular_model *model, const struct ts_particl
 	for (int k = 0; k < 3; k++)
 		t->n[k] = spot->n[k];
 	t->radius[0] = t->r_eff = p->radius[i];
-	t->mass[0] = t->m_eff = p->mass[i];
+	/* a member of a rigid body has the mass of the body */
+	t->mass[0] = t->m_eff = ts_rigid_member(p, i) ? 1 / p->imass[i] : p->mass[i];
 	t->overlap = p->radius[i] - t->distance;
 	ts_granular_arms(model, t);
 	ts_sub(p->v[i], spot->velocity, v);

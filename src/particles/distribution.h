@@ -36,6 +36,7 @@ struct ts_newcomer {
 	double radius, density;
 	bool placed;
 	double x[3], v[3], omega[3];
+	double q[4]; /* orientation of a clump */
 };
 struct ts_newcomers {
 	struct ts_newcomer *item;

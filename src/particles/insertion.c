@@ -2,7 +2,10 @@
 
 #include <inttypes.h>
 
+#include "math/quaternion.h"
+#include "math/vec3.h"
 #include "particles/body.h"
+#include "particles/domain.h"
 #include "particles/particles.h"
 
 #include "base/banned.h"
@@ -122,6 +125,28 @@ static enum ts_status read_property(struct ts_instance *self, struct tsim *sim)
 		       "fix %s: set_property is followed by a name and a number", self->style->name);
 }
 
+static enum ts_status read_quaternion(struct ts_instance *self, struct tsim *sim,
+				      const struct orientation *o)
+{
+	struct ts_insertion *s = self->state;
+	double norm = 0;
+
+	s->q[0] = 1;
+	if (o->mode != QUATERNION)
+		return TS_OK;
+	for (size_t k = 0; k < 4 && o->numbers.n == 4; k++) {
+		if (!ts_parse_real(o->numbers.word[k].text, &s->q[k]))
+			s->q[k] = NAN;
+		norm += s->q[k] * s->q[k];
+	}
+	if (!(norm > 0))
+		return ts_fail(&sim->error, TS_SYNTAX, &s->orientation_words.word[0].place,
+			       "fix %s: orientation constant is followed by four numbers, not all 0",
+			       self->style->name);
+	ts_quaternion_normalise(s->q);
+	return TS_OK;
+}
+
 static enum ts_status read_words(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_insertion *s = self->state;
@@ -136,6 +161,7 @@ static enum ts_status read_words(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(read_part(self, sim, "orientation", orientation_rows, s->orientation_words,
 			 &orientation));
 	s->turns = orientation.mode == RANDOM;
+	TS_TRY(read_quaternion(self, sim, &orientation));
 	return read_property(self, sim);
 }
 
@@ -272,12 +298,50 @@ void ts_insertion_draw_velocity(struct ts_insertion *s, struct ts_newcomer *one)
 	}
 }
 
-/* Shoemake's uniform quaternion takes three numbers. */
+/* Uniform over all orientations (Shoemake, Graphics Gems III, 1992). */
 void ts_insertion_draw_orientation(struct ts_insertion *s, struct ts_newcomer *one)
 {
-	(void)one;
-	for (int k = 0; s->turns && k < 3; k++)
-		(void)ts_minstd_uniform(&s->random);
+	double u, a, b;
+
+	for (int k = 0; k < 4; k++)
+		one->q[k] = s->q[k];
+	if (!s->turns)
+		return;
+	u = ts_minstd_uniform(&s->random);
+	a = 2 * TS_BODY_PI * ts_minstd_uniform(&s->random);
+	b = 2 * TS_BODY_PI * ts_minstd_uniform(&s->random);
+	one->q[0] = sqrt(1 - u) * sin(a);
+	one->q[1] = sqrt(1 - u) * cos(a);
+	one->q[2] = sqrt(u) * sin(b);
+	one->q[3] = sqrt(u) * cos(b);
+}
+
+/* ---- spheres of a newcomer */
+
+static const struct ts_clump *clump_of(const struct ts_newcomer *one)
+{
+	return ((const struct ts_template *)one->template->state)->clump;
+}
+
+static size_t spheres_of(const struct ts_newcomer *one)
+{
+	return clump_of(one) ? clump_of(one)->n : 1;
+}
+
+/* Where its k-th sphere is; returns the radius. */
+static double sphere_of(const struct ts_newcomer *one, size_t k, double x[3])
+{
+	const struct ts_template *t = one->template->state;
+	double m[3][3], d[3], arm[3];
+
+	ts_scale(1, one->x, x);
+	if (!t->clump)
+		return one->radius;
+	ts_sub(t->clump->sphere[k].x, t->origin, d);
+	ts_quaternion_matrix(one->q, m);
+	ts_rotate(m, d, arm);
+	ts_add(x, arm, x);
+	return t->clump->sphere[k].radius;
 }
 
 enum ts_status ts_insertion_crowd(struct tsim *sim, struct ts_spherehash *crowd)
@@ -290,33 +354,117 @@ enum ts_status ts_insertion_crowd(struct tsim *sim, struct ts_spherehash *crowd)
 	return TS_OK;
 }
 
-/* Rounded as LIGGGHTS rounds it, where particles are inserted. */
-static double sphere_mass(const struct ts_newcomer *one)
+bool ts_insertion_overlaps(const struct tsim *sim, const struct ts_spherehash *crowd,
+			   const struct ts_newcomer *one)
 {
-	double r = one->radius;
+	for (size_t k = 0; k < spheres_of(one); k++) {
+		double x[3], radius = sphere_of(one, k, x);
 
+		if (ts_spherehash_overlaps_periodic(crowd, &sim->domain->box, x, radius))
+			return true;
+	}
+	return false;
+}
+
+enum ts_status ts_insertion_join(struct tsim *sim, struct ts_spherehash *crowd,
+				 const struct ts_newcomer *one)
+{
+	for (size_t k = 0; k < spheres_of(one); k++) {
+		double x[3], radius = sphere_of(one, k, x);
+
+		if (ts_spherehash_add(crowd, x, radius) != TS_OK)
+			return ts_nomem(&sim->error);
+	}
+	return TS_OK;
+}
+
+/* Rounded as LIGGGHTS rounds it, where particles are inserted. */
+static double sphere_mass(const struct ts_newcomer *one, double r)
+{
+	if (clump_of(one)) /* its 4 pi / 3 */
+		return one->density * (r * r * r * 4.18879020479);
 	return one->density * (r * r * r * 4 * TS_BODY_PI / 3);
 }
 
 static void fill_in(struct ts_instance *self, struct tsim *sim, const struct ts_newcomer *one,
-		    size_t i)
+		    size_t k, size_t i)
 {
-	struct ts_insertion *s = self->state;
 	struct ts_particles *p = sim->particles;
 
 	p->type[i] = one->type;
 	p->mask[i] |= one->mask | 1u << self->group;
-	p->radius[i] = one->radius;
-	p->mass[i] = sphere_mass(one);
+	p->radius[i] = sphere_of(one, k, p->x[i]);
+	p->mass[i] = sphere_mass(one, p->radius[i]);
 	p->imass[i] = 1 / p->mass[i];
 	for (int d = 0; d < 3; d++) {
-		p->x[i][d] = one->x[d];
 		p->v[i][d] = one->v[d];
 		if (p->omega)
 			p->omega[i][d] = one->omega[d];
 	}
-	s->mass += p->mass[i];
+}
+
+/* Spheres of a rigid clump overlap: they share its mass by their volumes. */
+static void share_mass(struct ts_particles *p, double mass, size_t from, size_t n)
+{
+	double sum = 0;
+
+	for (size_t i = from; i < from + n; i++)
+		sum += p->mass[i];
+	for (size_t i = from; i < from + n; i++)
+		p->mass[i] *= mass / sum;
+}
+
+static enum ts_status make_body(struct ts_instance *self, struct tsim *sim,
+				const struct ts_newcomer *one, size_t from, size_t n)
+{
+	const struct ts_template *t = one->template->state;
+	const struct ts_instance *fix = NULL;
+	struct ts_body body = t->body;
+	double m[3][3], turn[3];
+	int32_t *row;
+	enum ts_status status;
+
+	for (size_t k = 0; k < sim->instances[TS_KIND_FIX].n; k++)
+		if (ts_streq(sim->instances[TS_KIND_FIX].item[k]->style->name, "multisphere"))
+			fix = sim->instances[TS_KIND_FIX].item[k];
+	if (!fix)
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix %s: rigid clumps of fix %s need `fix ID all multisphere`",
+			       self->style->name, one->template->id);
+	ts_quaternion_multiply(one->q, t->body.q, body.q);
+	ts_quaternion_normalise(body.q);
+	ts_quaternion_matrix(body.q, m);
+	for (int i = 0; i < 3; i++) {
+		body.x[i] = one->x[i];
+		body.v[i] = one->v[i];
+		body.omega[i] = one->omega[i];
+	}
+	ts_rotate_back(m, one->omega, turn);
+	for (int k = 0; k < 3; k++)
+		turn[k] *= body.inertia[k];
+	ts_rotate(m, turn, body.spin);
+	share_mass(sim->particles, body.mass, from, n);
+	row = ts_alloc(n, sizeof *row);
+	if (!row)
+		return ts_nomem(&sim->error);
+	for (size_t k = 0; k < n; k++)
+		row[k] = (int32_t)(from + k);
+	status = ts_rigid_add(sim, &body, ts_rigid_owner(fix->id), row, n);
+	ts_free(row);
+	return status;
+}
+
+static enum ts_status make_one(struct ts_instance *self, struct tsim *sim,
+			       const struct ts_newcomer *one, size_t from)
+{
+	const struct ts_template *t = one->template->state;
+	struct ts_insertion *s = self->state;
+
+	for (size_t k = 0; k < spheres_of(one); k++)
+		fill_in(self, sim, one, k, from + k);
+	s->mass += t->clump ? t->mass : sim->particles->mass[from];
 	s->inserted++;
+	return t->rigid ? make_body(self, sim, one, from, t->clump->n) : TS_OK;
 }
 
 static enum ts_status set_property(struct ts_instance *self, struct tsim *sim, size_t from)
@@ -362,15 +510,20 @@ enum ts_status ts_insertion_make(struct ts_instance *self, struct tsim *sim, siz
 {
 	struct ts_insertion *s = self->state;
 	double before = s->mass;
-	size_t made = 0, row;
+	size_t made = 0, spheres = 0, row;
 
-	for (size_t k = 0; k < s->list.n; k++)
+	for (size_t k = 0; k < s->list.n; k++) {
 		made += s->list.item[k].placed;
-	TS_TRY(ts_particles_add(sim, made, from));
+		spheres += s->list.item[k].placed ? spheres_of(&s->list.item[k]) : 0;
+	}
+	TS_TRY(ts_particles_add(sim, spheres, from));
 	row = *from;
-	for (size_t k = 0; k < s->list.n; k++)
-		if (s->list.item[k].placed)
-			fill_in(self, sim, &s->list.item[k], row++);
+	for (size_t k = 0; k < s->list.n; k++) {
+		if (!s->list.item[k].placed)
+			continue;
+		TS_TRY(make_one(self, sim, &s->list.item[k], row));
+		row += spheres_of(&s->list.item[k]);
+	}
 	TS_TRY(set_property(self, sim, *from));
 	if (s->list.n)
 		report(self, sim, made, s->mass - before);

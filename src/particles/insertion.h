@@ -27,6 +27,7 @@ struct ts_insertion {
 	struct ts_insertion_velocity velocity;
 	double omega[3];
 	bool turns; /* orientation random */
+	double q[4]; /* else: the orientation */
 	double property;
 	struct ts_newcomers list;
 	bool warned, due; /* an event is due in this step */
@@ -97,7 +98,12 @@ void ts_insertion_draw_velocity(struct ts_insertion *s, struct ts_newcomer *one)
 /* For each try. */
 void ts_insertion_draw_orientation(struct ts_insertion *s, struct ts_newcomer *one);
 
-/* All particles there are, for checks of overlap. */
+/* All particles there are, for checks of overlap; whether a new one would overlap them; and it takes its place
+ * among them. */
 enum ts_status ts_insertion_crowd(struct tsim *sim, struct ts_spherehash *crowd);
+bool ts_insertion_overlaps(const struct tsim *sim, const struct ts_spherehash *crowd,
+			   const struct ts_newcomer *one);
+enum ts_status ts_insertion_join(struct tsim *sim, struct ts_spherehash *crowd,
+				 const struct ts_newcomer *one);
 
 #endif

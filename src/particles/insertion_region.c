@@ -196,12 +196,9 @@ static enum ts_status place(struct ts_instance *self, struct tsim *sim, struct s
 		if (search->tries == search->most_tries)
 			return TS_OK;
 		draw_motion(&s->base, one);
-		one->placed = !ts_spherehash_overlaps_periodic(&search->crowd, search->box, one->x,
-							       one->radius);
+		one->placed = !ts_insertion_overlaps(sim, &search->crowd, one);
 	}
-	if (one->placed && ts_spherehash_add(&search->crowd, one->x, one->radius) != TS_OK)
-		return ts_nomem(&sim->error);
-	return TS_OK;
+	return one->placed ? ts_insertion_join(sim, &search->crowd, one) : TS_OK;
 }
 
 static enum ts_status place_anywhere(struct ts_instance *self, struct tsim *sim,

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "particles/body.h"
+#include "particles/particles.h"
 
 #include "base/banned.h"
 
@@ -141,6 +142,10 @@ enum ts_status ts_template_start(struct ts_instance *self, struct tsim *sim)
 	struct ts_template *t = self->state;
 	char what[80];
 
+	if (t->type > sim->particles->ntypes)
+		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "atom_type"),
+			       "fix %s: there is no type %lld, types go from 1 to %d",
+			       self->style->name, (long long)t->type, sim->particles->ntypes);
 	snprintf(what, sizeof what, "fix %s", self->style->name);
 	TS_TRY(ts_seed_check(sim, what, t->seed, ts_instance_word(self, self->words.word[0].text)));
 	t->random = ts_minstd_start(t->seed);

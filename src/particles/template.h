@@ -6,6 +6,8 @@
 #include "core/sim.h"
 #include "math/minstd.h"
 #include "math/spread.h"
+#include "particles/clump.h"
+#include "particles/rigid.h"
 
 /* First member of the state of every fix particletemplate/... */
 struct ts_template {
@@ -20,6 +22,11 @@ struct ts_template {
 	double volume, mass;   /* means */
 	double least, largest; /* radius of the sphere around a particle */
 	double lightest;       /* mass of a particle */
+	/* of several spheres; NULL: of one */
+	const struct ts_clump *clump;
+	double origin[3]; /* the point of the clump that is put to a place */
+	bool rigid;	  /* the spheres are a rigid body ... */
+	struct ts_body body; /* ... that is so, where the clump stands as it was given */
 
 	struct ts_minstd random; /* saved */
 };

@@ -200,6 +200,8 @@ TS_STYLE(fix, ts_style, ts_fix_nve_symplectic)
 TS_STYLE(fix, ts_style, ts_fix_particledistribution_discrete)
 TS_STYLE(fix, ts_style, ts_fix_particledistribution_discrete_massbased)
 TS_STYLE(fix, ts_style, ts_fix_particledistribution_discrete_numberbased)
+TS_STYLE(fix, ts_style, ts_fix_particletemplate_multiplespheres)
+TS_STYLE(fix, ts_style, ts_fix_particletemplate_multisphere)
 TS_STYLE(fix, ts_style, ts_fix_particletemplate_sphere)
 TS_STYLE(fix, ts_style, ts_fix_planeforce)
 TS_STYLE(fix, ts_style, ts_fix_print)
@@ -427,6 +429,8 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_particledistribution_discrete,
 	&ts_fix_particledistribution_discrete_massbased,
 	&ts_fix_particledistribution_discrete_numberbased,
+	&ts_fix_particletemplate_multiplespheres,
+	&ts_fix_particletemplate_multisphere,
 	&ts_fix_particletemplate_sphere,
 	&ts_fix_planeforce,
 	&ts_fix_print,

@@ -49,4 +49,24 @@ agrees 'f f f' insert/stream two "nparticles 60 $stream particlerate 15000 inser
 agrees 'm m m' insert/stream three "nparticles INF $stream massrate 12000 insertion_face face extrude_length 0.3 parallel yes"
 agrees 'p p f' insert/stream one 'nparticles INF vel constant 0 0 60 overlapcheck no insert_every 120 particlerate 9000 insertion_face face duration 60'
 agrees 'f f f' insert/stream two 'mass 50 vel uniform 1 -2 -50 0.5 2 7 overlapcheck yes all_in yes orientation random particlerate 15000 start 7 insertion_face face extrude_length 0.2' 'run 10'
+
+cat >stone <<'END'
+# x y z r
+0 0 0 10
+12 0 0 8
+15 11 3 9
+END
+falls() { # TEMPLATE MOVE
+	local what=$1
+	set -- -in "$decks/in.clumps" -var decks "$decks" -var template "$1" -var move "$2"
+	liggghts "$@" -var program liggghts -log liggghts.log >err 2>&1
+	"$TSIM" -legacy "$@" -var program tsim -log none -screen none 2>err
+	report "$what: tsim" $? err
+	/usr/bin/python3 "$decks/compare.py" liggghts.dump tsim.dump 1001 1e-9 >deviation 2>&1
+	report "$what" $? deviation
+	echo "$what: $(cat deviation)"
+	rm -f ./*.dump
+}
+falls 'multiplespheres 15485863 atom_type 1 density constant 2500 nspheres 2 ntry 20000 spheres 0 0 0 0.01 0.0201 0.003 0 0.009' nve/sphere
+falls 'multisphere 15485863 atom_type 1 density constant 2500 nspheres 3 ntry 20000 spheres file stone scale 0.001 type 1' multisphere
 finish

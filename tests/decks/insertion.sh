@@ -234,4 +234,46 @@ print \"rain \$(f_rain[1]) \$(abs(f_rain[2]-20)<1.2)\"" '6.309876 particles ever
 rejects "$scene
 fix rain all insert/rate/region seed 32452867 distributiontemplate mix region bed mass 20 massrate 40000 insert_every once" \
 	"insert_every is 'once'"
+
+# Clumps: a rigid one counts once, with the mass of its body, and is turned as asked.
+stones="$scene
+fix fall all multisphere
+fix stone all particletemplate/multisphere 15485917 atom_type 1 density constant 2500 ntry 2000 nspheres 2 type 1 spheres"
+clumps='fix clumps all particledistribution/discrete 32452883 1 stone 1
+fix fill all insert/pack seed 32452867 distributiontemplate clumps insert_every once region bed particles_in_region 4'
+prints "${stones/fix move all nve\/sphere/} 0 0 0 0.05 0.13 0 0 0.05
+$clumps orientation constant 1 0 0 1 vel constant 0 0 1
+run 1
+print \"\$(count(all)) \$(f_fill[1]) \$(abs(mass(all)-f_fill[2])<1e-12) \$(abs(x[1]-x[2])<1e-15) \$(abs(y[2]-y[1]-0.13)<1e-15)\"" \
+	'8 4 1 1 1'
+printf '# two\n0 0 0 5\n13 0 0 5\n' >two.stone
+prints "${stones/fix move all nve\/sphere/} file two.stone scale 0.01 mass 3 inertia_tensor 0.002 0 0 0.012 0 0.012 use_volume tflag off off on fflag on on off
+$clumps vel constant 0.1 0 1 omega constant 1 2 3
+compute e all erotate/multisphere
+thermo_style custom step c_e
+run 1
+print \"\$(f_fill[2]) \$(z[1]-z[2])\"" '12 0'
+stone() { # WORDS TEXT
+	rejects "$stones $1" "$2"
+}
+stone '0 0 0 0.05 0.13 0 0' 'spheres has 7 numbers'
+stone '0 0 0 0.05 0.13 0 0 x' "'x' is not a number"
+stone '0 0 0 0.05 0.13 0 0 -1' 'the radius of sphere 2 is -1'
+stone '0 0 0 0.05 0.13 0 0 0.05 scale 0' "scale is '0'"
+stone 'file nothing' 'nothing'
+printf '0 0 0 5\n' >one.stone
+stone 'file one.stone' 'the file ends after 1 spheres'
+printf '0 0 0 5\n1 0 0\n' >one.stone
+stone 'file one.stone' 'a sphere is a line x y z r'
+stone '0 0 0 0.05 0.13 0 0 0.05 mass 3' 'mass and inertia_tensor are given together'
+stone '0 0 0 0.05 0.13 0 0 0.05 mass 3 inertia_tensor 1 2 3 use_volume' 'the six numbers'
+stone '0 0 0 0.05 0.13 0 0 0.05 mass 3 inertia_tensor 1 0 0 1 0 -1 use_volume' 'a principal moment of inertia is 0'
+stone '0 0 0 0.05 0.13 0 0 0.05 fflag on off' 'on or off three times'
+rejects "${stones/constant 2500 ntry/uniform 2500 2600 ntry} 0 0 0 0.05 0.13 0 0 0.05" 'expected density constant'
+rejects "${stones/fix fall all multisphere/} 0 0 0 0.05 0.13 0 0 0.05
+$clumps
+run 1" 'need `fix ID all multisphere`'
+rejects "$stones 0 0 0 0.05 0.13 0 0 0.05
+$clumps orientation constant 1 2 3
+run 1" 'four numbers'
 finish

@@ -77,17 +77,19 @@ syn keyword tsimKeyword  store_contact_data euler seed distributiontemplate maxa
 syn keyword tsimKeyword  overlapcheck all_in random_distribute uncorrelated orientation
 syn keyword tsimKeyword  set_property verbose compress_tags insert_every ntry_mc
 syn keyword tsimKeyword  check_dist_from_subdomain_border warn_region particles_in_region
-syn keyword tsimKeyword  volumefraction_region mass_in_region precision curvature
-syn keyword tsimKeyword  curvature_tolerant heal auto_remove_duplicates surface_vel
-syn keyword tsimKeyword  surface_ang_vel reference_point stress wear finnie rescale
-syn keyword tsimKeyword  transrot allow_group_and_set allow_heatsource by_dimension sphere
-syn keyword tsimKeyword  disc atom_type volume_limit relative title ghost writedata
-syn keyword tsimKeyword  peratomtype peratomtypepair matrix force tether couple model hooke
-syn keyword tsimKeyword  hertz hooke/stiffness hertz/stiffness hooke/hysteresis tangential
-syn keyword tsimKeyword  history no_history rolling_friction cdt epsd epsd2 epsd3 cohesion
-syn keyword tsimKeyword  sjkr sjkr2 surface limitForce tangential_damping absolute_damping
-syn keyword tsimKeyword  ktToKnUser viscous tangential_reduce torsionTorque
-syn keyword tsimKeyword  heating_normal_hertz heating_tangential_history
+syn keyword tsimKeyword  volumefraction_region mass_in_region nparticles particlerate
+syn keyword tsimKeyword  massrate insertion_face extrude_length duration precision
+syn keyword tsimKeyword  curvature curvature_tolerant heal auto_remove_duplicates
+syn keyword tsimKeyword  surface_vel surface_ang_vel reference_point stress wear finnie
+syn keyword tsimKeyword  rescale transrot allow_group_and_set allow_heatsource by_dimension
+syn keyword tsimKeyword  sphere disc atom_type volume_limit relative nspheres ntry spheres
+syn keyword tsimKeyword  inertia_tensor use_volume use_density fflag tflag title ghost
+syn keyword tsimKeyword  writedata peratomtype peratomtypepair matrix force tether couple
+syn keyword tsimKeyword  model hooke hertz hooke/stiffness hertz/stiffness hooke/hysteresis
+syn keyword tsimKeyword  tangential history no_history rolling_friction cdt epsd epsd2
+syn keyword tsimKeyword  epsd3 cohesion sjkr sjkr2 surface limitForce tangential_damping
+syn keyword tsimKeyword  absolute_damping ktToKnUser viscous tangential_reduce
+syn keyword tsimKeyword  torsionTorque heating_normal_hertz heating_tangential_history
 syn keyword tsimKeyword  computeElasticPotential computeDissipatedEnergy
 syn keyword tsimKeyword  disableNormalWhenBonded primitive n_meshes meshes xplane yplane
 syn keyword tsimKeyword  zplane xcylinder ycylinder zcylinder
@@ -121,13 +123,14 @@ syn keyword tsim_fix contained ave/histo ave/histo/weight ave/spatial ave/time a
 syn match tsim_fix /\<balance\>/ contained
 syn keyword tsim_fix contained bond/breakage controller deform drag drag/stokes drill/bit
 syn keyword tsim_fix contained enforce2d evaporate freeze gravity halt heat/gran
-syn keyword tsim_fix contained heat/gran/conduction insert/pack langevin lineforce mesh/surface
-syn keyword tsim_fix contained mesh/surface/stress momentum move multisphere nve nve/euler
-syn keyword tsim_fix contained nve/limit nve/noforce nve/sphere nve/symplectic
-syn keyword tsim_fix contained particledistribution/discrete
+syn keyword tsim_fix contained heat/gran/conduction insert/pack insert/rate/region insert/stream
+syn keyword tsim_fix contained langevin lineforce mesh/surface mesh/surface/stress momentum move
+syn keyword tsim_fix contained multisphere nve nve/euler nve/limit nve/noforce nve/sphere
+syn keyword tsim_fix contained nve/symplectic particledistribution/discrete
 syn keyword tsim_fix contained particledistribution/discrete/massbased
-syn keyword tsim_fix contained particledistribution/discrete/numberbased particletemplate/sphere
-syn keyword tsim_fix contained planeforce
+syn keyword tsim_fix contained particledistribution/discrete/numberbased
+syn keyword tsim_fix contained particletemplate/multiplespheres particletemplate/multisphere
+syn keyword tsim_fix contained particletemplate/sphere planeforce
 syn match tsim_fix /\<print\>/ contained
 syn keyword tsim_fix contained property/atom property/global recenter rigid setforce spring
 syn keyword tsim_fix contained spring/self store/force store/state vector viscous viscous/sphere

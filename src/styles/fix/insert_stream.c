@@ -67,6 +67,20 @@ static enum ts_status face_of(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+static enum ts_status refuse_clumps(struct ts_instance *self, struct tsim *sim)
+{
+	const struct state *s = self->state;
+	const struct ts_distribution *d = s->base.distribution->state;
+
+	for (int64_t k = 0; k < d->n; k++)
+		if (((const struct ts_template *)d->template[k]->state)->clump)
+			return ts_fail(&sim->error, TS_STATE, &self->where,
+				       "fix insert/stream: streams of clumps (fix %s) are known, but not "
+				       "built; use fix insert/rate/region",
+				       d->template[k]->id);
+	return TS_OK;
+}
+
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
@@ -74,6 +88,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	bool first;
 
 	TS_TRY(ts_insertion_init(self, sim, &first));
+	TS_TRY(refuse_clumps(self, sim));
 	TS_TRY(ts_insertion_rate_init(self, sim, &s->rate));
 	TS_TRY(face_of(self, sim));
 	if (!s->base.every_word == isnan(s->given_length))
@@ -246,12 +261,9 @@ static enum ts_status place(struct ts_instance *self, struct tsim *sim, struct s
 		if (search->tries == search->most_tries)
 			return TS_OK;
 		ts_insertion_draw_orientation(&s->base, one);
-		one->placed = !ts_spherehash_overlaps_periodic(&search->crowd, search->box, one->x,
-							       one->radius);
+		one->placed = !ts_insertion_overlaps(sim, &search->crowd, one);
 	}
-	if (one->placed && ts_spherehash_add(&search->crowd, one->x, one->radius) != TS_OK)
-		return ts_nomem(&sim->error);
-	return TS_OK;
+	return one->placed ? ts_insertion_join(sim, &search->crowd, one) : TS_OK;
 }
 
 static enum ts_status place_all(struct ts_instance *self, struct tsim *sim)

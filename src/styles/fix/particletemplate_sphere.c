@@ -15,10 +15,6 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	if (t->defined)
 		return TS_OK;
-	if (t->type > sim->particles->ntypes)
-		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "atom_type"),
-			       "fix particletemplate/sphere: there is no type %lld, types go from 1 to %d",
-			       (long long)t->type, sim->particles->ntypes);
 	TS_TRY(ts_template_start(self, sim));
 	TS_TRY(ts_template_spread(self, sim, "fix particletemplate/sphere: radius", t->radius_words,
 				  &t->radius));
