@@ -14,6 +14,7 @@ while IFS='|' read -r who what edit _; do
 	case $who in '' | \#*) continue ;; esac
 	n=$((n + 1))
 	mkdir $n
+	cp "$data/triangle.stl" $n
 	sed "$edit" "$data/in.refusals" >$n/in.case
 	echo "$who|$what" >$n/case
 done <"$data/refusals.txt"

@@ -13,6 +13,7 @@ check() { # WHO TEXT: of in.case
 	*) [ $status = 0 ] ;;
 	esac
 }
+cp "$data/triangle.stl" .
 while IFS='|' read -r who what edit text; do
 	case $who in '' | \#*) continue ;; esac
 	sed "$edit" "$data/in.refusals" >in.case
