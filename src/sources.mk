@@ -306,6 +306,8 @@ library_sources = \
 	src/particles/lattice.h \
 	src/particles/material.c \
 	src/particles/material.h \
+	src/particles/mesh_motion.c \
+	src/particles/mesh_motion.h \
 	src/particles/mesh_surface.c \
 	src/particles/mesh_surface.h \
 	src/particles/moments.c \
@@ -548,6 +550,7 @@ library_sources = \
 	src/styles/fix/mesh_surface_stress.c \
 	src/styles/fix/momentum.c \
 	src/styles/fix/move.c \
+	src/styles/fix/move_mesh.c \
 	src/styles/fix/multisphere.c \
 	src/styles/fix/nve.c \
 	src/styles/fix/nve_euler.c \

@@ -143,6 +143,77 @@ fix w all wall/gran model hertz mesh meshes g" 'fix g is no mesh'
 rejects "$start
 fix w all wall/gran model hertz primitive zplane 0" 'which `type`?'
 
+# Meshes that move. A ball that nothing moves shows by the force on it where the mesh is: after a full turn,
+# or two oscillations, the mesh is where it was.
+still="$(echo "$scene" | sed '/^fix move/d; /^fix down/d')
+fix cad all mesh/surface file cube.stl type 2
+fix wall all wall/gran model hertz mesh meshes cad
+create_atoms 1 single 0.1 0.05 0.3483 units box
+set group all diameter 0.1 density 2385
+compute f all reduce max fz"
+turn() { # LINES EXPECTED [LINES]; in the end the mesh is at rest
+	prints "$still
+run 0
+variable first equal \$(c_f)
+$1
+run 1000
+$3
+run 1
+print \"force \$(c_f/v_first:%.9f)\"" "force $2"
+}
+turn 'fix m all move/mesh mesh cad rotate origin 0.1 0 0 axis 0.1 0.2 1 period 0.02' 1.000000000 'unfix m'
+turn 'fix m all move/mesh mesh cad wiggle amplitude 0.01 0.02 0.0001 period 0.01' 1.000000000 'unfix m'
+# 0.02 * 0.05 = 0.001 further up: (0.0027/0.0017)^1.5
+turn 'fix m all move/mesh mesh cad linear 0.01 0 0.05' 2.001576826 'unfix m'
+turn 'fix m all move/mesh mesh cad linear 0.01 0 0.025
+fix n all move/mesh mesh cad linear/superposable 0.01 0 0.025' 2.001576826 'unfix m
+unfix n'
+# where it was left it stays, at rest, and goes on from there
+turn 'fix m all move/mesh mesh cad linear 0.01 0 0.025
+run 1000
+unfix m
+run 10
+fix m all move/mesh mesh cad linear 0.01 0 0.025' 2.001576826 'unfix m'
+turn 'fix m all move/mesh mesh cad linear 0.01 0 0.025
+fix n all move/mesh mesh cad linear 0.01 0 0.025
+run 500
+unfix n
+run 500
+unfix m' 1.730118080
+
+# A run with motions cut by restart files is the whole run; movers given again go on.
+cat >in.moving <<END
+$(sed '/^run/,$d; s/file plate.stl type 2/file cube.stl type 2 scale 0.5/; s/single -0.3 -0.2 0.0497/single 0.1 0.05 0.2/' in.cut)
+fix turn all move/mesh mesh cad rotate origin 0 0 0 axis 0.1 0.2 1 period 0.3
+fix shake all move/mesh mesh cad wiggle amplitude 0.01 0.02 0.03 period 0.05
+run \${last} upto
+write_restart \${out}.restart
+END
+mv in.moving in.cut
+cut_run whole 4000 none
+cut_run a 1217 none
+cut_run b 2981 a.restart
+cut_run c 4000 b.restart
+same 'moving, cut in three' whole.restart c.restart
+
+rejects "$start
+fix cad all mesh/surface file cube.stl type 1 surface_vel 1 0 0
+fix m all move/mesh mesh cad linear 1 0 0" 'cannot move'
+rejects "$start
+fix m all move/mesh mesh cad linear 1 0 0" "there is no mesh 'cad'"
+rejects "$start
+fix cad all mesh/surface file cube.stl type 1
+fix m all move/mesh mesh cad rotate origin 0 0 0 axis 0 0 0 period 1" 'the axis has no length'
+rejects "$start
+fix cad all mesh/surface file cube.stl type 1
+fix m all move/mesh mesh cad viblin axis 0 0 1 order 2 amplitude 1 phase 0 0 period 1 1" 'amplitude has 1 numbers'
+rejects "$start
+fix cad all mesh/surface file cube.stl type 1
+fix w all wall/gran model hertz mesh meshes cad
+fix m all move/mesh mesh cad linear 30 0 0
+timestep 0.001
+run 100" 'centre outside the box'
+
 # A box whose faces move makes room for the mesh.
 prints "$(echo "$start" | sed 's/boundary f f f/boundary m f f/')
 fix cad all mesh/surface file cube.stl type 1 move 0.7 0 0

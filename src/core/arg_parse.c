@@ -18,6 +18,7 @@ struct parse {
 	struct ts_arena *arena;
 	char *base;
 	bool *is_keyword; /* by word */
+	const struct ts_arg *rows; /* being read: those of the innermost mode */
 };
 
 static const struct ts_word *take(struct parse *p)
@@ -300,7 +301,8 @@ static enum ts_status read_rest(struct parse *p, const struct ts_arg *row, struc
 	}
 	rest = ts_words_from(p->words, p->next);
 	for (size_t k = least; k < rest.n && (row->flags & TS_TO_KEYWORD); k++)
-		if (find_keyword(common, rest.word[k].text))
+		if (find_keyword(common, rest.word[k].text) ||
+		    find_keyword(p->rows, rest.word[k].text))
 			rest.n = k;
 	if (!rest.n && !(row->flags & TS_OPTIONAL))
 		return refuse(p, row, NULL, row->help);
@@ -477,6 +479,7 @@ static bool at_keyword(const struct parse *p, const struct ts_arg *rows,
 static enum ts_status read_rows(struct parse *p, const struct ts_arg *rows,
 				const struct ts_arg *common)
 {
+	p->rows = rows;
 	for (const struct ts_arg *row = rows; row && row->type != TS_ARG_END; row++) {
 		bool may_lack = (row->flags & TS_OPTIONAL) || row->fallback;
 
@@ -542,7 +545,7 @@ static enum ts_status set_default(struct tsim *sim, const struct ts_arg *row,
 				  struct ts_arena *arena, void *base)
 {
 	const struct ts_place nowhere = { .file = "default" };
-	struct parse p = { sim, "default", { NULL, 0 }, 0, &nowhere, arena, base, NULL };
+	struct parse p = { sim, "default", { NULL, 0 }, 0, &nowhere, arena, base, NULL, NULL };
 
 	if (!row->fallback) {
 		set_absent(row, (char *)base + row->offset);
@@ -568,7 +571,7 @@ enum ts_status ts_args_parse(struct tsim *sim, const char *what, const struct ts
 			     struct ts_words words, const struct ts_place *where,
 			     struct ts_arena *arena, void *base)
 {
-	struct parse p = { sim, what, words, 0, where, arena, base, NULL };
+	struct parse p = { sim, what, words, 0, where, arena, base, NULL, NULL };
 
 	TS_TRY(ts_args_defaults(sim, rows, arena, base));
 	TS_TRY(read_rows(&p, rows, NULL));

@@ -58,4 +58,26 @@ static inline void ts_motion_undo(const struct ts_motion *m, const double y[3], 
 		       m->origin[i];
 }
 
+/* What `first` and then `then` do; origin 0. The turn stays a rotation to round-off, however often this is
+ * repeated: its rows are made orthogonal and of length 1 again. */
+static inline struct ts_motion ts_motion_after(const struct ts_motion *first,
+					       const struct ts_motion *then)
+{
+	static const double zero[3] = { 0 };
+	struct ts_motion m = { .origin = { 0 } };
+	double(*r)[3] = m.turn;
+
+	ts_motion_apply(first, zero, m.shift);
+	ts_motion_apply(then, m.shift, m.shift);
+	for (int i = 0; i < 3; i++)
+		for (int j = 0; j < 3; j++)
+			for (int k = 0; k < 3; k++)
+				r[i][j] += then->turn[i][k] * first->turn[k][j];
+	ts_scale(1 / ts_norm(r[0]), r[0], r[0]);
+	ts_axpy(-ts_dot(r[0], r[1]), r[0], r[1]);
+	ts_scale(1 / ts_norm(r[1]), r[1], r[1]);
+	ts_cross(r[0], r[1], r[2]);
+	return m;
+}
+
 #endif

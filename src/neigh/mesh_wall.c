@@ -144,6 +144,16 @@ enum ts_status ts_mesh_wall_list(struct ts_instance *self, struct tsim *sim, str
 	return TS_OK;
 }
 
+/* Particles are listed with a skin: they and the mesh may each use half of it. */
+bool ts_mesh_wall_has_moved(const struct tsim *sim, const struct ts_mesh_wall *mw)
+{
+	bool far = false;
+
+	for (size_t k = 0; k < mw->nmeshes; k++)
+		far |= mw->mesh[k].surface->travelled > 0.5 * sim->neigh->built_skin;
+	return far;
+}
+
 /* Whether there is a contact: as of the last step, or found in this one. */
 static double *alive(const struct ts_wall_contacts *c, size_t k)
 {
@@ -170,7 +180,7 @@ static bool begin_contact(struct ts_wall *w, const struct ts_mesh_wall *mw, size
 		if (mw->near[j].done && same_surface(mw, j, k))
 			return false;
 	for (size_t j = from; j < to; j++)
-		if (*alive(c, j) > 0 && same_surface(mw, j, k))
+		if (*alive(c, j) > 0 && !mw->near[j].done && same_surface(mw, j, k))
 			for (size_t m = 0; m < c->width; m++)
 				ts_wall_memory(c, k)[m] = ts_wall_memory(c, j)[m];
 	*alive(c, k) = 1;

@@ -2,8 +2,8 @@
  * triangle to the next keeps its contact.
  *
  * A sphere that touches a flat surface touches it once: of the faces of flat neighbours that it touches
- * at the same time - its centre is over their common edge - the first has the contact. A new contact takes over what
- * the contact with a flat neighbour remembers. */
+ * at the same time - its centre is over their common edge - the first has the contact. A new contact takes
+ * over what the contact with a flat neighbour remembers, unless that was found to go on. */
 #ifndef TS_NEIGH_MESH_WALL_H
 #define TS_NEIGH_MESH_WALL_H
 
@@ -52,6 +52,8 @@ enum ts_status ts_mesh_wall_find(struct ts_instance *self, struct tsim *sim, str
 /* Between ts_wall_rebuild_start and _finish: lists particles of the group of the wall and the mesh. */
 enum ts_status ts_mesh_wall_list(struct ts_instance *self, struct tsim *sim, struct ts_wall *w,
 				 struct ts_mesh_wall *mw);
+/* Whether a mesh has moved so far since then that particles must be listed anew. */
+bool ts_mesh_wall_has_moved(const struct tsim *sim, const struct ts_mesh_wall *mw);
 /* All forces. */
 void ts_mesh_wall_push(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw);
 void ts_mesh_wall_release(struct ts_mesh_wall *mw);

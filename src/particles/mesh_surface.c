@@ -3,14 +3,50 @@
 #include <math.h>
 
 #include "particles/domain.h"
+#include "particles/mesh_motion.h"
 
 #include "base/banned.h"
 
 void ts_mesh_surface_release(struct ts_mesh_surface *s)
 {
 	ts_mesh_release(&s->mesh);
+	ts_mesh_motions_release(s);
 	ts_free(s->v);
 	s->v = NULL;
+}
+
+enum ts_status ts_mesh_surface_post_build(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_mesh_surface *s = self->state;
+
+	if (sim->resuming)
+		return TS_OK;
+	if (s->travelled > 0)
+		TS_TRY(ts_mesh_surface_check_box(self, sim, s));
+	s->travelled = 0;
+	return TS_OK;
+}
+
+enum ts_status ts_mesh_surface_archive(struct ts_instance *self, struct tsim *sim,
+				       struct ts_archive *archive)
+{
+	return ts_mesh_motions_archive(self->state, sim, archive);
+}
+
+void ts_mesh_surface_fingerprint(const struct ts_instance *self, const struct tsim *sim,
+				 struct ts_hash *hash)
+{
+	const struct ts_mesh_surface *s = self->state;
+
+	(void)sim;
+	ts_hash_add(hash, s->mesh.x, s->mesh.n * sizeof *s->mesh.x);
+	if (s->v)
+		ts_hash_add(hash, s->v, s->mesh.n * sizeof *s->v);
+}
+
+void ts_mesh_surface_fini(struct ts_instance *self)
+{
+	ts_mesh_surface_release(self->state);
 }
 
 static bool is_outside(const struct ts_box *box, const double x[3])

@@ -13,8 +13,17 @@
 #include "geom/mesh.h"
 #include "math/minstd.h"
 #include "math/vec3.h"
+#include "geom/motion.h"
 
 #define TS_FAMILY_MESH "mesh"
+
+/* What a mover does to a mesh; see particles/mesh_motion.h. */
+struct ts_mesh_motion {
+	struct ts_motion now;	  /* since the mover was made, were it alone */
+	double drift[3], spin[3]; /* velocity; angular velocity about the centre */
+	double centre[3];	  /* now.origin, moved by the movers before */
+};
+enum { TS_MESH_MOTION = sizeof(struct ts_mesh_motion) / sizeof(double) };
 
 /* First member of the state of every style of TS_FAMILY_MESH. */
 struct ts_mesh_surface {
@@ -26,6 +35,15 @@ struct ts_mesh_surface {
 	double (*v)[3][3];
 	uint64_t moves; /* grows whenever the mesh changes its place */
 	struct ts_mesh_stress *stress; /* what particles do to it; NULL: nobody asks */
+
+	/* of its movers; particles/mesh_motion.h */
+	double (*home)[3][3]; /* corners without the motions; NULL: never moved */
+	struct ts_motion carried; /* from home, by several movers together */
+	struct ts_mesh_motion *motion;
+	int64_t *serial; /* of each motion */
+	size_t nmotions, motion_capacity, serial_capacity;
+	int64_t serials;  /* given so far */
+	double travelled; /* since the last rebuild, at most */
 };
 
 /* Velocity at the point of a triangle that is the sum of weight[k] * corner k. */
@@ -38,6 +56,14 @@ static inline void ts_mesh_surface_velocity(const struct ts_mesh_surface *s, siz
 }
 
 void ts_mesh_surface_release(struct ts_mesh_surface *surface);
+
+/* Slots for the styles of the family. */
+enum ts_status ts_mesh_surface_post_build(struct ts_instance *self, struct tsim *sim);
+enum ts_status ts_mesh_surface_archive(struct ts_instance *self, struct tsim *sim,
+				       struct ts_archive *archive);
+void ts_mesh_surface_fingerprint(const struct ts_instance *self, const struct tsim *sim,
+				 struct ts_hash *hash);
+void ts_mesh_surface_fini(struct ts_instance *self);
 
 /* Before a run: every triangle has its centre in the box, or beyond a periodic or moving face. */
 enum ts_status ts_mesh_surface_check_box(const struct ts_instance *by, struct tsim *sim,

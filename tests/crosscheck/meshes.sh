@@ -32,7 +32,7 @@ agrees() {
 	report "$what: LIGGGHTS" $? err
 	"$TSIM" "$@" -var program tsim -log none -screen none 2>err
 	report "$what: tsim" $? err
-	/usr/bin/python3 "$decks/compare.py" liggghts.dump tsim.dump "$steps" 1e-12 >deviation 2>&1
+	/usr/bin/python3 "$decks/compare.py" liggghts.dump tsim.dump "$steps" "${tolerance:-1e-12}" >deviation 2>&1
 	report "$what" $? deviation
 	echo "$what: $(cat deviation)"
 	rm -f ./*.dump
@@ -59,4 +59,40 @@ agrees 'through a funnel' 5000 cad '' '' "$cad funnel.stl type 2" 'lattice sc 0.
 	'region heap block -0.25 0.25 -0.25 0.25 -0.1 0.5 units box' 'create_atoms 1 region heap' \
 	'set group all diameter 0.097 density 2385' 'set atom 5 diameter 0.073 density 2470' \
 	'velocity all set 0.3 0.2 -0.5 units box'
+
+# Posts that move in several ways, each into a ball. LIGGGHTS turns the corners of a mesh by a little more in
+# each step, so that rounding adds up in its places.
+cuboid 0.05 0.15 0.1 >post.stl
+moving() { # WHAT MOTION...: MOTION is a list of movers, separated by `;`, about O, the place of the post
+	local what=$1 n=0 k meshes='' lines=() x y motion mover movers
+	shift
+	for motion in "$@"; do
+		n=$((n + 1))
+		x=$(awk "BEGIN { print -0.7 + 0.47 * ($n - 1 - 4 * int(($n - 1) / 4)) }")
+		y=$([ $n -gt 4 ] && echo 0.5 || echo -0.5)
+		lines+=("$cad post.stl type 2 move $x $y 0")
+		lines[-1]=${lines[-1]/cad/cad$n}
+		IFS=';' read -ra movers <<<"$motion"
+		k=0
+		for mover in "${movers[@]}"; do
+			k=$((k + 1))
+			lines+=("fix mover$n$k all move/mesh mesh cad$n ${mover//O/$x $y 0}")
+		done
+		lines+=("create_atoms 1 single $(awk "BEGIN { print $x + 0.11, $y + 0.07 }") 0.02 units box")
+		meshes="$meshes cad$n"
+	done
+	tolerance=1e-9 agrees "$what" 4000 "$meshes" '' '' 'variable wave equal 1.3*sin(0.0007*step)' \
+		'variable rise equal 0.9' 'unfix down' "${lines[@]}" 'set group all diameter 0.1 density 2385'
+}
+moving 'meshes that move' 'linear 0.9 0.3 -0.2' 'rotate origin O axis 0.2 0.3 1 period 0.5' \
+	'wiggle amplitude 0.05 0.02 0.01 period 0.1' \
+	'riggle origin O axis 0.1 0.3 1 period 0.2 amplitude 35' \
+	'linear/variable v_wave v_rise v_rise' 'rotate/variable origin O axis 0.1 0 1 omega v_wave' \
+	'viblin axis 1 0.2 0.1 order 2 amplitude 0.05 0.02 phase 0.3 0.7 period 0.11 0.07' \
+	'vibrot origin O axis 0 0.2 1 order 2 amplitude 0.4 0.1 phase 0.3 0.7 period 0.2 0.13'
+moving 'motions together' 'linear 0.7 0.1 0.2;rotate origin O axis 0.2 0.3 1 period 0.4' \
+	'rotate origin O axis 0.2 0.3 1 period 0.4;linear 0.7 0.1 0.2' \
+	'rotate origin O axis 0.2 0.3 1 period 0.4;rotate origin O axis 1 0.3 0.1 period 0.5' \
+	'wiggle amplitude 0.05 0.02 0.01 period 0.1;rotate origin O axis 0.2 0.3 1 period 0.4' \
+	'linear 0.2 0.1 0;rotate origin O axis 0.2 0.3 1 period 0.4;wiggle amplitude 0.05 0 0 period 0.1'
 finish

@@ -1,5 +1,6 @@
 /* Fix mesh/surface: a surface of triangles. */
 #include "io/mesh_load.h"
+#include "particles/mesh_motion.h"
 
 #include "base/banned.h"
 
@@ -14,12 +15,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	if (!s->surface.mesh.n)
 		TS_TRY(ts_mesh_load(self, sim, &s->words, &s->surface));
+	ts_mesh_motions_settle(self, sim);
 	return ts_mesh_surface_check_box(self, sim, &s->surface);
-}
-
-static void fini(struct ts_instance *self)
-{
-	ts_mesh_surface_release(self->state);
 }
 
 static const struct ts_arg args[] = {
@@ -53,6 +50,9 @@ const struct ts_style ts_fix_mesh_surface = {
 	.args = args,
 	.family = TS_FAMILY_MESH,
 	.state_size = sizeof(struct state),
+	.archive = ts_mesh_surface_archive,
+	.fingerprint = ts_mesh_surface_fingerprint,
 	.init = init,
-	.fini = fini,
+	.hook = { [TS_STAGE_POST_BUILD] = ts_mesh_surface_post_build },
+	.fini = ts_mesh_surface_fini,
 };

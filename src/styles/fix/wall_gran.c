@@ -146,6 +146,15 @@ static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
 					      : list_near(self, sim));
 }
 
+static enum ts_status check(struct ts_instance *self, struct tsim *sim)
+{
+	const struct wall *w = self->state;
+
+	if (w->mesh_word && ts_mesh_wall_has_moved(sim, &w->mesh))
+		sim->rebuild = true;
+	return TS_OK;
+}
+
 static void push_from_primitive(struct tsim *sim, struct wall *w)
 {
 	struct ts_wall *wall = &w->wall;
@@ -269,7 +278,8 @@ const struct ts_style ts_fix_wall_gran = {
 	.values = values,
 	.init = init,
 	.saved = saved,
-	.hook = { [TS_STAGE_POST_BUILD] = post_build, [TS_STAGE_POST_FORCE] = post_force },
+	.hook = { [TS_STAGE_CHECK] = check,
+		  [TS_STAGE_POST_BUILD] = post_build, [TS_STAGE_POST_FORCE] = post_force },
 	.plan = plan,
 	.fini = fini,
 };

@@ -1,0 +1,275 @@
+#include "particles/mesh_motion.h"
+
+#include <math.h>
+
+#include "base/banned.h"
+
+void ts_mesh_motions_release(struct ts_mesh_surface *s)
+{
+	ts_free(s->home);
+	ts_free(s->motion);
+	ts_free(s->serial);
+	s->home = NULL;
+	s->motion = NULL;
+	s->serial = NULL;
+	s->nmotions = s->motion_capacity = s->serial_capacity = 0;
+}
+
+static const struct ts_motion *motion_of(const struct ts_mesh_surface *s)
+{
+	return s->nmotions == 1 ? &s->motion[0].now : &s->carried;
+}
+
+/* Returns how far a corner has gone, at most. */
+static double place(struct ts_mesh_surface *s)
+{
+	double most = 0;
+
+	for (size_t t = 0; t < s->mesh.n; t++) {
+		for (int k = 0; k < 3; k++) {
+			double *x = s->mesh.x[t][k], was[3] = { x[0], x[1], x[2] };
+
+			ts_motion_apply(motion_of(s), s->home[t][k], x);
+			most = fmax(most, ts_distance2(x, was));
+		}
+		ts_mesh_triangle_moved(&s->mesh, t);
+	}
+	s->moves++;
+	return sqrt(most);
+}
+
+/* The mesh is at home where it stands now; a single mover goes on with its own motion. */
+static void settle(struct ts_mesh_surface *s)
+{
+	s->carried = ts_motion_none();
+	for (size_t c = 0; c < 3 * s->mesh.n; c++) {
+		const double *x = s->mesh.x[c / 3][c % 3];
+		double *home = s->home[c / 3][c % 3];
+
+		if (s->nmotions == 1)
+			ts_motion_undo(&s->motion[0].now, x, home);
+		else
+			ts_scale(1, x, home);
+	}
+}
+
+/* What motion k does in a step, to the mesh and to the centres of those after it. */
+static void advance(struct ts_mesh_surface *s, size_t k, double dt)
+{
+	const struct ts_mesh_motion *m = &s->motion[k];
+	struct ts_motion step = ts_motion_none();
+	double speed = ts_norm(m->spin), axis[3];
+
+	ts_scale(speed > 0 ? 1 / speed : 0, m->spin, axis);
+	ts_motion_set_turn(&step, axis, speed * dt);
+	ts_scale(1, m->centre, step.origin);
+	ts_scale(dt, m->drift, step.shift);
+	s->carried = ts_motion_after(&s->carried, &step);
+	while (++k < s->nmotions)
+		ts_motion_apply(&step, s->motion[k].centre, s->motion[k].centre);
+}
+
+/* Motion k adds its velocity where the corners are now: later ones have not moved in this step yet. */
+static void add_velocity(struct ts_mesh_surface *s, size_t k)
+{
+	const struct ts_mesh_motion *m = &s->motion[k];
+
+	for (size_t t = 0; t < s->mesh.n; t++) {
+		for (int c = 0; c < 3; c++) {
+			double *v = s->v[t][c], arm[3], turning[3];
+
+			ts_sub(s->mesh.x[t][c], m->centre, arm);
+			ts_cross(m->spin, arm, turning);
+			for (int d = 0; d < 3; d++)
+				v[d] = (k ? v[d] : 0) + m->drift[d] + turning[d];
+		}
+	}
+}
+
+static enum ts_status leave_home(struct ts_mesh_surface *s)
+{
+	if (!s->home) {
+		s->home = ts_alloc(s->mesh.n, sizeof *s->home);
+		for (size_t t = 0; s->home && t < s->mesh.n; t++)
+			for (int k = 0; k < 3; k++)
+				ts_scale(1, s->mesh.x[t][k], s->home[t][k]);
+	}
+	if (!s->v)
+		s->v = ts_alloc(s->mesh.n, sizeof *s->v);
+	return s->home && s->v ? TS_OK : TS_NOMEM;
+}
+
+static size_t find(const struct ts_mesh_surface *s, int64_t serial)
+{
+	size_t k = 0;
+
+	while (k < s->nmotions && s->serial[k] != serial)
+		k++;
+	return k;
+}
+
+static enum ts_status enter(struct ts_mesh_surface *s, struct ts_mesh_mover *mover)
+{
+	size_t n = s->nmotions + 1;
+	struct ts_mesh_motion *m;
+
+	TS_TRY(leave_home(s));
+	TS_TRY(TS_GROW(s->motion, s->motion_capacity, n));
+	TS_TRY(TS_GROW(s->serial, s->serial_capacity, n));
+	mover->serial = s->serial[s->nmotions] = ++s->serials;
+	m = &s->motion[s->nmotions];
+	*m = (struct ts_mesh_motion){ .now = ts_motion_none() };
+	ts_scale(1, mover->origin, m->centre);
+	s->nmotions = n;
+	if (n == 2) /* the first was alone until now */
+		settle(s);
+	return TS_OK;
+}
+
+/* All movers of the mesh that are new, in script order. */
+static enum ts_status enter_new(struct tsim *sim, struct ts_mesh_surface *s, const char *mesh)
+{
+	const struct ts_instance *inst;
+
+	for (size_t k = 0; (inst = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_MESH_MOVER, &k));) {
+		struct ts_mesh_mover *mover = inst->state;
+
+		if (ts_streq(mover->mesh, mesh) && find(s, mover->serial) == s->nmotions)
+			TS_TRY(enter(s, mover));
+	}
+	return TS_OK;
+}
+
+static enum ts_status mesh_of(struct ts_instance *self, struct tsim *sim,
+			      struct ts_mesh_surface **out)
+{
+	const struct ts_mesh_mover *mover = self->state;
+	struct ts_word id = { .text = mover->mesh, .place = *ts_instance_word(self, mover->mesh) };
+
+	return ts_mesh_surface_require(sim, &id, out);
+}
+
+enum ts_status ts_mesh_mover_check(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_mesh_surface *s;
+
+	TS_TRY(mesh_of(self, sim, &s));
+	if (s->v && !s->nmotions)
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix %s: a mesh with surface_vel or surface_ang_vel cannot move",
+			       self->style->name);
+	return TS_OK;
+}
+
+enum ts_status ts_mesh_mover_move(struct ts_instance *self, struct tsim *sim,
+				  const struct ts_mesh_motion *m)
+{
+	struct ts_mesh_mover *mover = self->state;
+	struct ts_mesh_surface *s;
+	double centre[3];
+	size_t k;
+
+	TS_TRY(mesh_of(self, sim, &s));
+	if (find(s, mover->serial) == s->nmotions && enter_new(sim, s, mover->mesh) != TS_OK)
+		return ts_nomem(&sim->error);
+	k = find(s, mover->serial);
+	ts_scale(1, s->motion[k].centre, centre);
+	s->motion[k] = *m;
+	ts_scale(1, centre, s->motion[k].centre);
+	if (s->nmotions > 1)
+		advance(s, k, sim->clock.dt);
+	s->travelled += place(s);
+	add_velocity(s, k);
+	return TS_OK;
+}
+
+static bool has_mover(const struct ts_instance *by, const struct tsim *sim, int64_t serial)
+{
+	const struct ts_instance *inst;
+
+	for (size_t k = 0; (inst = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_MESH_MOVER, &k));) {
+		const struct ts_mesh_mover *mover = inst->state;
+
+		if (mover->serial == serial && ts_streq(mover->mesh, by->id))
+			return true;
+	}
+	return false;
+}
+
+static void end_motion(struct ts_mesh_surface *s, size_t k)
+{
+	for (s->nmotions--; k < s->nmotions; k++) {
+		s->motion[k] = s->motion[k + 1];
+		s->serial[k] = s->serial[k + 1];
+	}
+}
+
+void ts_mesh_motions_settle(const struct ts_instance *by, struct tsim *sim)
+{
+	struct ts_mesh_surface *s = by->state;
+	size_t before = s->nmotions;
+
+	for (size_t k = s->nmotions; k-- > 0;)
+		if (!has_mover(by, sim, s->serial[k]))
+			end_motion(s, k);
+	if (s->nmotions == before)
+		return;
+	settle(s);
+	for (size_t k = 0; k < s->nmotions; k++)
+		add_velocity(s, k);
+	if (s->nmotions)
+		return;
+	ts_free(s->v); /* at rest */
+	s->v = NULL;
+}
+
+static enum ts_status damaged(struct tsim *sim)
+{
+	return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible motions of a mesh");
+}
+
+static enum ts_status archive_list(struct ts_mesh_surface *s, struct tsim *sim, struct ts_archive *a)
+{
+	size_t numbers = s->nmotions * TS_MESH_MOTION, count = s->nmotions;
+	size_t capacity = s->motion_capacity * TS_MESH_MOTION;
+	void *motion = s->motion, *serial = s->serial;
+	enum ts_status status;
+
+	status = ts_archive_array(a, "motions", TS_SAVED_F64, &motion, &capacity, &numbers);
+	s->motion = motion;
+	s->motion_capacity = capacity / TS_MESH_MOTION;
+	TS_TRY(status);
+	status = ts_archive_array(a, "serials", TS_SAVED_I64, &serial, &s->serial_capacity, &count);
+	s->serial = serial;
+	TS_TRY(status);
+	s->nmotions = count;
+	return numbers == count * TS_MESH_MOTION ? TS_OK : damaged(sim);
+}
+
+enum ts_status ts_mesh_motions_archive(struct ts_mesh_surface *s, struct tsim *sim,
+				       struct ts_archive *a)
+{
+	bool writing = ts_archive_writing(a), moving;
+
+	if (writing ? !s->home : !ts_archive_has(a, "home"))
+		return TS_OK;
+	if (!writing && leave_home(s) != TS_OK)
+		return ts_nomem(&sim->error);
+	TS_TRY(ts_archive_fixed(a, "home", TS_SAVED_F64, s->home, 9 * s->mesh.n));
+	TS_TRY(ts_archive_fixed(a, "given", TS_SAVED_I64, &s->serials, 1));
+	TS_TRY(ts_archive_fixed(a, "travelled", TS_SAVED_F64, &s->travelled, 1));
+	TS_TRY(ts_archive_fixed(a, "carried", TS_SAVED_F64, &s->carried,
+				sizeof s->carried / sizeof(double)));
+	TS_TRY(archive_list(s, sim, a));
+	moving = writing ? s->v != NULL : ts_archive_has(a, "velocity");
+	if (moving)
+		TS_TRY(ts_archive_fixed(a, "velocity", TS_SAVED_F64, s->v, 9 * s->mesh.n));
+	if (writing)
+		return TS_OK;
+	if (!moving) {
+		ts_free(s->v);
+		s->v = NULL;
+	}
+	place(s);
+	return TS_OK;
+}
