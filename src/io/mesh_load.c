@@ -6,6 +6,7 @@
 #include "geom/motion.h"
 #include "io/mesh_read.h"
 #include "math/vec3.h"
+#include "particles/mesh_motion.h"
 
 #include "base/banned.h"
 
@@ -348,8 +349,8 @@ static enum ts_status convey(struct ts_instance *self, struct tsim *sim,
 	return TS_OK;
 }
 
-enum ts_status ts_mesh_load(struct ts_instance *self, struct tsim *sim,
-			    const struct ts_mesh_words *words, struct ts_mesh_surface *surface)
+static enum ts_status load(struct ts_instance *self, struct tsim *sim,
+			   const struct ts_mesh_words *words, struct ts_mesh_surface *surface)
 {
 	struct ts_triangles soup = { 0 };
 	enum ts_status status = ts_mesh_read(&soup, &sim->error, sim->pool,
@@ -369,4 +370,15 @@ enum ts_status ts_mesh_load(struct ts_instance *self, struct tsim *sim,
 		return TS_OK;
 	ts_mesh_surface_release(surface);
 	return status;
+}
+
+enum ts_status ts_mesh_surface_init(struct ts_instance *self, struct tsim *sim,
+				    const struct ts_mesh_words *words)
+{
+	struct ts_mesh_surface *surface = self->state;
+
+	if (!surface->mesh.n)
+		TS_TRY(load(self, sim, words, surface));
+	ts_mesh_motions_settle(self, sim);
+	return ts_mesh_surface_check_box(self, sim, surface);
 }

@@ -48,8 +48,9 @@ extern const char *const ts_mesh_heal_names[];
 				.help = "origin ox oy oz axis ax ay az omega om: the surface "      \
 					"turns about an axis, om in radian/time; the mesh stays")
 
-/* Reads and builds surface->mesh, and sets the velocity of the surface. */
-enum ts_status ts_mesh_load(struct ts_instance *self, struct tsim *sim,
-			    const struct ts_mesh_words *words, struct ts_mesh_surface *surface);
+/* In init of each style of TS_FAMILY_MESH, whose other slots are in particles/mesh_surface.h. The first time
+ * the mesh is read and built, and the velocity of the surface set. */
+enum ts_status ts_mesh_surface_init(struct ts_instance *self, struct tsim *sim,
+				    const struct ts_mesh_words *words);
 
 #endif

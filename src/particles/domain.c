@@ -60,6 +60,9 @@ static void shrink_dimension(const struct tsim *sim, int dim)
 	double margin = margin_of(d, dim);
 	double lo = INFINITY, hi = -INFINITY;
 
+	if (d->box.face[dim][0] < TS_FACE_SHRINK && d->box.face[dim][1] < TS_FACE_SHRINK)
+		return; /* neither follows */
+
 	for (size_t i = 0; i < p->n; i++) {
 		lo = fmin(lo, p->x[i][dim]);
 		hi = fmax(hi, p->x[i][dim]);

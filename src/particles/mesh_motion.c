@@ -34,6 +34,7 @@ static double place(struct ts_mesh_surface *s)
 		}
 		ts_mesh_triangle_moved(&s->mesh, t);
 	}
+	ts_motion_apply(motion_of(s), s->anchor_home, s->anchor);
 	s->moves++;
 	return sqrt(most);
 }
@@ -41,16 +42,13 @@ static double place(struct ts_mesh_surface *s)
 /* The mesh is at home where it stands now; a single mover goes on with its own motion. */
 static void settle(struct ts_mesh_surface *s)
 {
-	s->carried = ts_motion_none();
-	for (size_t c = 0; c < 3 * s->mesh.n; c++) {
-		const double *x = s->mesh.x[c / 3][c % 3];
-		double *home = s->home[c / 3][c % 3];
+	static const struct ts_motion none = { .turn = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } };
+	const struct ts_motion *m = s->nmotions == 1 ? &s->motion[0].now : &none;
 
-		if (s->nmotions == 1)
-			ts_motion_undo(&s->motion[0].now, x, home);
-		else
-			ts_scale(1, x, home);
-	}
+	s->carried = none;
+	for (size_t c = 0; c < 3 * s->mesh.n; c++)
+		ts_motion_undo(m, s->mesh.x[c / 3][c % 3], s->home[c / 3][c % 3]);
+	ts_motion_undo(m, s->anchor, s->anchor_home);
 }
 
 /* What motion k does in a step, to the mesh and to the centres of those after it. */
@@ -93,6 +91,7 @@ static enum ts_status leave_home(struct ts_mesh_surface *s)
 		for (size_t t = 0; s->home && t < s->mesh.n; t++)
 			for (int k = 0; k < 3; k++)
 				ts_scale(1, s->mesh.x[t][k], s->home[t][k]);
+		ts_scale(1, s->anchor, s->anchor_home);
 	}
 	if (!s->v)
 		s->v = ts_alloc(s->mesh.n, sizeof *s->v);
@@ -258,6 +257,7 @@ enum ts_status ts_mesh_motions_archive(struct ts_mesh_surface *s, struct tsim *s
 	TS_TRY(ts_archive_fixed(a, "home", TS_SAVED_F64, s->home, 9 * s->mesh.n));
 	TS_TRY(ts_archive_fixed(a, "given", TS_SAVED_I64, &s->serials, 1));
 	TS_TRY(ts_archive_fixed(a, "travelled", TS_SAVED_F64, &s->travelled, 1));
+	TS_TRY(ts_archive_fixed(a, "anchor", TS_SAVED_F64, s->anchor_home, 3));
 	TS_TRY(ts_archive_fixed(a, "carried", TS_SAVED_F64, &s->carried,
 				sizeof s->carried / sizeof(double)));
 	TS_TRY(archive_list(s, sim, a));

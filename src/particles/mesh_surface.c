@@ -1,6 +1,9 @@
 #include "particles/mesh_surface.h"
 
 #include <math.h>
+#include <stdio.h>
+
+#include "core/plan.h"
 
 #include "particles/domain.h"
 #include "particles/mesh_motion.h"
@@ -42,6 +45,19 @@ void ts_mesh_surface_fingerprint(const struct ts_instance *self, const struct ts
 	ts_hash_add(hash, s->mesh.x, s->mesh.n * sizeof *s->mesh.x);
 	if (s->v)
 		ts_hash_add(hash, s->v, s->mesh.n * sizeof *s->v);
+}
+
+enum ts_status ts_mesh_surface_plan(struct ts_instance *self, struct tsim *sim,
+				    struct ts_plan_report *report)
+{
+	const struct ts_mesh_surface *s = self->state;
+	char name[48];
+
+	(void)sim;
+	snprintf(name, sizeof name, "mesh %s", self->id);
+	ts_report_line(report, name, "%zu triangles, %zu corners, area %.6g", s->mesh.n,
+		       s->mesh.nvertices, ts_mesh_area(&s->mesh));
+	return TS_OK;
 }
 
 void ts_mesh_surface_fini(struct ts_instance *self)

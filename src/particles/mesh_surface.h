@@ -38,6 +38,7 @@ struct ts_mesh_surface {
 
 	/* of its movers; particles/mesh_motion.h */
 	double (*home)[3][3]; /* corners without the motions; NULL: never moved */
+	double anchor[3], anchor_home[3]; /* a point that goes along, for who needs one */
 	struct ts_motion carried; /* from home, by several movers together */
 	struct ts_mesh_motion *motion;
 	int64_t *serial; /* of each motion */
@@ -63,6 +64,8 @@ enum ts_status ts_mesh_surface_archive(struct ts_instance *self, struct tsim *si
 				       struct ts_archive *archive);
 void ts_mesh_surface_fingerprint(const struct ts_instance *self, const struct tsim *sim,
 				 struct ts_hash *hash);
+enum ts_status ts_mesh_surface_plan(struct ts_instance *self, struct tsim *sim,
+				    struct ts_plan_report *report);
 void ts_mesh_surface_fini(struct ts_instance *self);
 
 /* Before a run: every triangle has its centre in the box, or beyond a periodic or moving face. */

@@ -1,6 +1,5 @@
 /* Fix mesh/surface: a surface of triangles. */
 #include "io/mesh_load.h"
-#include "particles/mesh_motion.h"
 
 #include "base/banned.h"
 
@@ -11,12 +10,7 @@ struct state {
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
-	struct state *s = self->state;
-
-	if (!s->surface.mesh.n)
-		TS_TRY(ts_mesh_load(self, sim, &s->words, &s->surface));
-	ts_mesh_motions_settle(self, sim);
-	return ts_mesh_surface_check_box(self, sim, &s->surface);
+	return ts_mesh_surface_init(self, sim, &((struct state *)self->state)->words);
 }
 
 static const struct ts_arg args[] = {
@@ -54,5 +48,6 @@ const struct ts_style ts_fix_mesh_surface = {
 	.fingerprint = ts_mesh_surface_fingerprint,
 	.init = init,
 	.hook = { [TS_STAGE_POST_BUILD] = ts_mesh_surface_post_build },
+	.plan = ts_mesh_surface_plan,
 	.fini = ts_mesh_surface_fini,
 };
