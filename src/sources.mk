@@ -152,6 +152,8 @@ library_sources = \
 	src/io/mesh_read.h \
 	src/io/mesh_scan.c \
 	src/io/mesh_scan.h \
+	src/io/mesh_soup.c \
+	src/io/mesh_soup.h \
 	src/io/mesh_stl.c \
 	src/io/mesh_vtk.c \
 	src/io/newest.c \

@@ -214,6 +214,21 @@ fix m all move/mesh mesh cad linear 30 0 0
 timestep 0.001
 run 100" 'centre outside the box'
 
+# Which triangles are taken.
+triangles() { # WORDS EXPECTED
+	printf '%s\n' "$start" 'region half block INF 0.6 INF INF -0.5 0 units box' \
+		"fix cad all mesh/surface file cube.stl type 1 $1" 'run 0' >in.script
+	"$TSIM" -explain -in in.script -log none >out 2>&1 && grep -q "mesh cad  *$2 triangles" out
+	report "triangles $1" $? out
+}
+echo '2 9 9' >list
+triangles '' 12
+triangles 'element_exclusion_list read list' 10
+triangles 'region box' 12
+triangles 'region half scale 0.5' 2
+rejects "$start
+fix cad all mesh/surface file cube.stl type 1 element_exclusion_list write list" 'expected `read FILE`'
+
 # A box whose faces move makes room for the mesh.
 prints "$(echo "$start" | sed 's/boundary f f f/boundary m f f/')
 fix cad all mesh/surface file cube.stl type 1 move 0.7 0 0

@@ -3,116 +3,17 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "geom/motion.h"
 #include "io/mesh_read.h"
+#include "io/mesh_soup.h"
+#include "geom/mesh_links.h"
 #include "math/vec3.h"
 #include "particles/mesh_motion.h"
 
 #include "base/banned.h"
 
-/* As many digits as LIGGGHTS has here: its meshes are turned by one part in 10^9 too little. */
-#define PI 3.14159265
 static const double SHARP = 0.5, TOO_SHARP = 0.0181185; /* angles of triangles, degrees */
 
 const char *const ts_mesh_heal_names[] = { "no", "auto_remove_duplicates", NULL };
-
-struct transform {
-	double factor, shift[3], axis[3], angle;
-};
-
-static const struct ts_arg scale_rows[] = {
-	TS_REAL("factor", struct transform, factor, .flags = TS_POSITIONAL, .help = "factor"),
-	TS_ARGS_END,
-};
-static const struct ts_arg move_rows[] = {
-	TS_VEC3("shift", struct transform, shift, .flags = TS_POSITIONAL, .help = "x y z"),
-	TS_ARGS_END,
-};
-static const struct ts_arg rotate_rows[] = {
-	TS_VEC3("axis", struct transform, axis, .help = "direction"),
-	TS_REAL("angle", struct transform, angle, .help = "degrees"),
-	TS_ARGS_END,
-};
-
-/* What the keywords do to a point. */
-static enum ts_status scale(struct transform *t, struct ts_motion *m, double *factor)
-{
-	(void)m;
-	*factor = t->factor;
-	return TS_OK;
-}
-
-static enum ts_status move(struct transform *t, struct ts_motion *m, double *factor)
-{
-	(void)factor;
-	ts_scale(1, t->shift, m->shift);
-	return TS_OK;
-}
-
-static enum ts_status rotate(struct transform *t, struct ts_motion *m, double *factor)
-{
-	double length = ts_norm(t->axis);
-
-	(void)factor;
-	if (!(length > 0))
-		return TS_RANGE;
-	ts_scale(1 / length, t->axis, t->axis);
-	ts_motion_set_turn(m, t->axis, t->angle * PI / 180);
-	return TS_OK;
-}
-
-static const struct transform_word {
-	const char *name;
-	size_t nwords;
-	const struct ts_arg *rows;
-	enum ts_status (*set)(struct transform *t, struct ts_motion *m, double *factor);
-} transform_words[] = {
-	{ "scale", 1, scale_rows, scale },
-	{ "move", 3, move_rows, move },
-	{ "rotate", 6, rotate_rows, rotate },
-};
-
-static enum ts_status transform(struct ts_instance *self, struct tsim *sim,
-				const struct transform_word *word, const struct ts_word *at,
-				struct ts_words args, struct ts_triangles *soup)
-{
-	struct ts_motion motion = ts_motion_none();
-	struct transform t = { 0 };
-	double factor = 1;
-	char what[80];
-
-	snprintf(what, sizeof what, "fix %s: %s", self->style->name, word->name);
-	if (args.n > word->nwords)
-		args.n = word->nwords;
-	TS_TRY(ts_args_parse(sim, what, word->rows, args, &at->place, &self->arena, &t));
-	if (word->set(&t, &motion, &factor) != TS_OK)
-		return ts_fail(&sim->error, TS_RANGE, &at->place, "%s: the axis has no length",
-			       what);
-	for (size_t k = 0; k < 3 * soup->n; k++) {
-		double *x = soup->t[k / 3].v[k % 3];
-
-		ts_scale(factor, x, x);
-		ts_motion_apply(&motion, x, x);
-	}
-	return TS_OK;
-}
-
-static enum ts_status transform_all(struct ts_instance *self, struct tsim *sim,
-				    struct ts_triangles *soup)
-{
-	const struct ts_words *words = &self->words;
-	size_t n = sizeof transform_words / sizeof *transform_words;
-
-	for (size_t k = 0; k < words->n; k++) {
-		if (k > 0 && ts_streq(words->word[k - 1].text, "file"))
-			continue;
-		for (size_t j = 0; j < n; j++)
-			if (ts_streq(words->word[k].text, transform_words[j].name))
-				TS_TRY(transform(self, sim, &transform_words[j], &words->word[k],
-						 ts_words_from(*words, k + 1), soup));
-	}
-	return TS_OK;
-}
 
 static double smallest_angle(const struct ts_mesh *m, size_t t)
 {
@@ -121,7 +22,7 @@ static double smallest_angle(const struct ts_mesh *m, size_t t)
 	for (int k = 0; k < 3; k++) {
 		double c = -ts_dot(m->along[t][k], m->along[t][(k + 2) % 3]);
 
-		least = fmin(least, acos(fmax(-1, fmin(1, c))) * 180 / PI);
+		least = fmin(least, acos(fmax(-1, fmin(1, c))) * 180 / TS_MESH_PI);
 	}
 	return m->area[t] > 0 ? least : 0;
 }
@@ -356,11 +257,13 @@ static enum ts_status load(struct ts_instance *self, struct tsim *sim,
 	enum ts_status status = ts_mesh_read(&soup, &sim->error, sim->pool,
 					     ts_instance_word(self, words->file), words->file);
 
+	if (status == TS_OK)
+		status = ts_mesh_soup_choose(self, sim, words, &soup);
 	if (status == TS_OK && !soup.n)
 		status = ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, words->file),
 				 "mesh %s: there is no triangle in %s", self->id, words->file);
 	if (status == TS_OK)
-		status = transform_all(self, sim, &soup);
+		status = ts_mesh_soup_transform(self, sim, &soup);
 	if (status == TS_OK)
 		status = build_from(self, sim, words, &soup, &surface->mesh);
 	ts_triangles_release(&soup);

@@ -10,7 +10,8 @@ struct ts_mesh_words {
 	const char *file;
 	struct ts_words scale, move, rotate; /* where they stand says the order */
 	struct ts_words surface_vel, surface_ang_vel, exclusion;
-	double precision, curvature, min_feature_length;
+	struct ts_instance *region;
+	double precision, curvature;
 	int heal;
 	bool curvature_tolerant, verbose;
 };
@@ -29,6 +30,12 @@ extern const char *const ts_mesh_heal_names[];
 				.help = "axis ax ay az angle degrees: turns it about an axis "     \
 					"through the origin. scale, move and rotate act in the "   \
 					"order they are written, and may be given again"),         \
+		TS_REGION("region", T, f.region, .flags = TS_OPTIONAL,                             \
+			  .help = "takes only triangles whose corners, as the file has them, "     \
+				  "are in it"),                                                    \
+		TS_SOME_KEYWORD("element_exclusion_list", T, f.exclusion, 0,                       \
+				.help = "read FILE: does without the triangles that stand in the " \
+					"lines of the mesh file which FILE lists"),                \
 		TS_REAL("precision", T, f.precision, .fallback = "1e-8", .range = TS_POSITIVE,     \
 			.unit = "length", .help = "corners nearer than this are the same"),        \
 		TS_REAL("curvature", T, f.curvature, .fallback = "0.256235", .range = TS_WITHIN,   \

@@ -1,0 +1,180 @@
+#include "io/mesh_soup.h"
+
+#include <stdio.h>
+
+#include "geom/motion.h"
+#include "io/mesh_scan.h"
+#include "particles/region.h"
+
+#include "base/banned.h"
+
+/* As many digits as LIGGGHTS has here: its meshes are turned by one part in 10^9 too little. */
+#define PI 3.14159265
+
+/* Keeps those whose flag is not set. */
+static void drop(struct ts_triangles *soup, const unsigned char *flag)
+{
+	size_t kept = 0;
+
+	for (size_t t = 0; t < soup->n; t++)
+		if (!flag[t])
+			soup->t[kept++] = soup->t[t];
+	soup->n = kept;
+}
+
+static enum ts_status mark_outside(struct tsim *sim, struct ts_instance *region,
+				   const struct ts_triangles *soup, unsigned char *flag)
+{
+	TS_TRY(ts_region_update(region, sim));
+	for (size_t k = 0; k < 3 * soup->n; k++)
+		flag[k / 3] |= !ts_region_contains(region, soup->t[k / 3].v[k % 3]);
+	return TS_OK;
+}
+
+/* The file has the lines of the mesh file where the triangles stand that are not wanted. */
+static enum ts_status mark_listed(struct ts_scan *s, const struct ts_triangles *soup,
+				  unsigned char *flag)
+{
+	while (ts_scan_word(s)) {
+		double line;
+
+		TS_TRY(ts_scan_this_real(s, "the number of a line", &line));
+		for (size_t t = 0; t < soup->n; t++)
+			flag[t] |= soup->t[t].line == (int)line;
+	}
+	return TS_OK;
+}
+
+static enum ts_status mark_excluded(struct ts_instance *self, struct tsim *sim,
+				    const struct ts_words *words, const struct ts_triangles *soup,
+				    unsigned char *flag)
+{
+	struct ts_scan scan = { 0 };
+	enum ts_status status;
+
+	if (words->n != 2 || !ts_streq(words->word[0].text, "read"))
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "element_exclusion_list"),
+			       "element_exclusion_list: expected `read FILE`; what is wrong with a mesh "
+			       "is told, no list of it is written");
+	status = ts_scan_open(&scan, &sim->error, sim->pool, &words->word[1].place,
+			      words->word[1].text);
+	if (status == TS_OK)
+		status = mark_listed(&scan, soup, flag);
+	ts_scan_close(&scan);
+	return status;
+}
+
+enum ts_status ts_mesh_soup_choose(struct ts_instance *self, struct tsim *sim,
+				   const struct ts_mesh_words *w, struct ts_triangles *soup)
+{
+	unsigned char *flag = ts_alloc(soup->n, 1);
+	enum ts_status status = flag ? TS_OK : ts_nomem(&sim->error);
+
+	if (status == TS_OK && w->region)
+		status = mark_outside(sim, w->region, soup, flag);
+	if (status == TS_OK && w->exclusion.n)
+		status = mark_excluded(self, sim, &w->exclusion, soup, flag);
+	if (status == TS_OK)
+		drop(soup, flag);
+	ts_free(flag);
+	return status;
+}
+
+struct transform {
+	double factor, shift[3], axis[3], angle;
+};
+
+static const struct ts_arg scale_rows[] = {
+	TS_REAL("factor", struct transform, factor, .flags = TS_POSITIONAL, .help = "factor"),
+	TS_ARGS_END,
+};
+static const struct ts_arg move_rows[] = {
+	TS_VEC3("shift", struct transform, shift, .flags = TS_POSITIONAL, .help = "x y z"),
+	TS_ARGS_END,
+};
+static const struct ts_arg rotate_rows[] = {
+	TS_VEC3("axis", struct transform, axis, .help = "direction"),
+	TS_REAL("angle", struct transform, angle, .help = "degrees"),
+	TS_ARGS_END,
+};
+
+/* What the keywords do to a point. */
+static enum ts_status scale(struct transform *t, struct ts_motion *m, double *factor)
+{
+	(void)m;
+	*factor = t->factor;
+	return TS_OK;
+}
+
+static enum ts_status move(struct transform *t, struct ts_motion *m, double *factor)
+{
+	(void)factor;
+	ts_scale(1, t->shift, m->shift);
+	return TS_OK;
+}
+
+static enum ts_status rotate(struct transform *t, struct ts_motion *m, double *factor)
+{
+	double length = ts_norm(t->axis);
+
+	(void)factor;
+	if (!(length > 0))
+		return TS_RANGE;
+	ts_scale(1 / length, t->axis, t->axis);
+	ts_motion_set_turn(m, t->axis, t->angle * PI / 180);
+	return TS_OK;
+}
+
+static const struct transform_word {
+	const char *name;
+	size_t nwords;
+	const struct ts_arg *rows;
+	enum ts_status (*set)(struct transform *t, struct ts_motion *m, double *factor);
+} transform_words[] = {
+	{ "scale", 1, scale_rows, scale },
+	{ "move", 3, move_rows, move },
+	{ "rotate", 6, rotate_rows, rotate },
+};
+
+static enum ts_status transform(struct ts_instance *self, struct tsim *sim,
+				const struct transform_word *word, const struct ts_word *at,
+				struct ts_words args, struct ts_triangles *soup)
+{
+	struct ts_motion motion = ts_motion_none();
+	struct transform t = { 0 };
+	double factor = 1;
+	char what[80];
+
+	snprintf(what, sizeof what, "fix %s: %s", self->style->name, word->name);
+	if (args.n > word->nwords)
+		args.n = word->nwords;
+	TS_TRY(ts_args_parse(sim, what, word->rows, args, &at->place, &self->arena, &t));
+	if (word->set(&t, &motion, &factor) != TS_OK)
+		return ts_fail(&sim->error, TS_RANGE, &at->place, "%s: the axis has no length",
+			       what);
+	for (size_t k = 0; k < 3 * soup->n; k++) {
+		double *x = soup->t[k / 3].v[k % 3];
+
+		ts_scale(factor, x, x);
+		ts_motion_apply(&motion, x, x);
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_mesh_soup_transform(struct ts_instance *self, struct tsim *sim,
+				      struct ts_triangles *soup)
+{
+	const struct ts_words *words = &self->words;
+	size_t n = sizeof transform_words / sizeof *transform_words;
+
+	for (size_t k = 0; k < words->n; k++) {
+		if (k > 0 && ts_streq(words->word[k - 1].text, "file"))
+			continue;
+		for (size_t j = 0; j < n; j++)
+			if (ts_streq(words->word[k].text, transform_words[j].name))
+				TS_TRY(transform(self, sim, &transform_words[j], &words->word[k],
+						 ts_words_from(*words, k + 1), soup));
+	}
+	return TS_OK;
+}
+

@@ -1,0 +1,15 @@
+/* Triangles of a file on their way to a mesh: which of them, and where. */
+#ifndef TS_IO_MESH_SOUP_H
+#define TS_IO_MESH_SOUP_H
+
+#include "geom/triangles.h"
+#include "io/mesh_load.h"
+
+/* Drops those outside of `region`, where the file has them, and those of element_exclusion_list. */
+enum ts_status ts_mesh_soup_choose(struct ts_instance *self, struct tsim *sim,
+				   const struct ts_mesh_words *words, struct ts_triangles *soup);
+/* scale, move and rotate in the order they are written. */
+enum ts_status ts_mesh_soup_transform(struct ts_instance *self, struct tsim *sim,
+				      struct ts_triangles *soup);
+
+#endif
