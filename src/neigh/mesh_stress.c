@@ -31,7 +31,7 @@ enum ts_status ts_mesh_stress_init(struct ts_instance *self, struct tsim *sim,
 					 "wear finnie", ts_instance_word(self, "wear"), &k));
 	if (s->load)
 		return TS_OK;
-	ts_scale(1, s->given, s->reference);
+	ts_scale(1, s->given, surface->anchor);
 	s->load = ts_alloc(n, sizeof *s->load);
 	s->normal = ts_alloc(n, sizeof *s->normal);
 	s->shear = ts_alloc(n, sizeof *s->shear);
@@ -55,7 +55,6 @@ enum ts_status ts_mesh_stress_archive(struct ts_archive *a, struct tsim *sim,
 	size_t n = surface->mesh.n;
 
 	(void)sim;
-	TS_TRY(ts_archive_fixed(a, "reference", TS_SAVED_F64, s->reference, 3));
 	TS_TRY(ts_archive_fixed(a, "load", TS_SAVED_F64, s->load, 3 * n));
 	TS_TRY(ts_archive_fixed(a, "sum", TS_SAVED_F64, s->sum, 6));
 	TS_TRY(ts_archive_fixed(a, "total", TS_SAVED_F64, s->total, 6));
@@ -73,7 +72,7 @@ enum ts_status ts_mesh_stress_eval(struct ts_instance *self, const struct tsim *
 	for (int k = 0; k < 3; k++) {
 		out->data[k] = s->total[0][k];
 		out->data[3 + k] = s->total[1][k];
-		out->data[6 + k] = s->reference[k];
+		out->data[6 + k] = surface_of(self)->anchor[k];
 	}
 	return TS_OK;
 }
@@ -212,7 +211,7 @@ static void add(struct tsim *sim, const struct ts_wall_contacts *c, size_t k,
 	ts_sub(s->load[near->triangle], r->force, s->load[near->triangle]);
 	ts_sub(s->sum[0], r->force, s->sum[0]);
 	into_frame(sim, near, r->point, arm);
-	ts_sub(arm, s->reference, arm);
+	ts_sub(arm, surface->anchor, arm);
 	ts_cross(arm, r->force, torque);
 	ts_sub(s->sum[1], torque, s->sum[1]);
 	if (s->wear_law != TS_MESH_WEAR_OFF && !sim->in_setup)

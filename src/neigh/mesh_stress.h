@@ -15,9 +15,8 @@ struct ts_mesh_stress {
 	/* arguments */
 	bool tracks;
 	int wear_law;
-	double given[3];
+	double given[3]; /* torques are about it; the mesh carries it along as its anchor */
 
-	double reference[3]; /* torques are about it; goes along with the mesh */
 	double (*load)[3];   /* force on each triangle, in the last computation of forces */
 	double sum[2][3];    /* of it: force, torque */
 	/* as of the last whole step */

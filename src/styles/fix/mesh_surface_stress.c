@@ -14,21 +14,26 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 
-	if (!s->surface.mesh.n)
-		TS_TRY(ts_mesh_load(self, sim, &s->words, &s->surface));
-	TS_TRY(ts_mesh_surface_check_box(self, sim, &s->surface));
+	TS_TRY(ts_mesh_surface_init(self, sim, &s->words));
 	return ts_mesh_stress_init(self, sim, &s->surface, &s->stress);
 }
 
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive)
 {
+	TS_TRY(ts_mesh_surface_archive(self, sim, archive));
 	return ts_mesh_stress_archive(archive, sim, self->state);
+}
+
+static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
+{
+	TS_TRY(ts_mesh_surface_post_build(self, sim));
+	return ts_mesh_stress_constants(self, sim);
 }
 
 static void fini(struct ts_instance *self)
 {
 	ts_mesh_stress_release(&((struct state *)self->state)->stress);
-	ts_mesh_surface_release(self->state);
+	ts_mesh_surface_fini(self);
 }
 
 static const struct ts_arg args[] = {
@@ -66,10 +71,12 @@ const struct ts_style ts_fix_mesh_surface_stress = {
 	.family = TS_FAMILY_MESH,
 	.state_size = sizeof(struct state),
 	.archive = archive,
+	.fingerprint = ts_mesh_surface_fingerprint,
 	.values = values,
 	.init = init,
-	.hook = { [TS_STAGE_POST_BUILD] = ts_mesh_stress_constants,
+	.hook = { [TS_STAGE_POST_BUILD] = post_build,
 		  [TS_STAGE_PRE_FORCE] = ts_mesh_stress_clear,
 		  [TS_STAGE_FINAL_INTEGRATE] = ts_mesh_stress_settle },
+	.plan = ts_mesh_surface_plan,
 	.fini = fini,
 };
