@@ -71,6 +71,39 @@ START_TEST(cuboid_has_every_edge_once)
 }
 END_TEST
 
+/* Two triangles over the whole of a periodic box hang together with their images: nothing is an edge. */
+START_TEST(floor_of_a_periodic_box_has_no_rim)
+{
+	const struct ts_box box = { .lo = { -1.7, 0.3, 0 },
+				    .hi = { 0.685, 2.1, 1 },
+				    .face = { { TS_FACE_PERIODIC, TS_FACE_PERIODIC },
+					      { TS_FACE_PERIODIC, TS_FACE_PERIODIC },
+					      { TS_FACE_FIXED, TS_FACE_FIXED } } };
+	static const int corner[2][3] = { { 0, 1, 3 }, { 0, 3, 2 } };
+	double soup[2][3][3] = { { { 0 } } };
+	struct ts_mesh m;
+
+	for (int c = 0; c < 6; c++) {
+		int at = corner[c / 3][c % 3];
+
+		soup[c / 3][c % 3][0] = at & 1 ? box.hi[0] : box.lo[0];
+		soup[c / 3][c % 3][1] = at & 2 ? box.hi[1] : box.lo[1];
+		soup[c / 3][c % 3][2] = 0.2385;
+	}
+	ck_assert(ts_mesh_build(&m, (const double(*)[3][3])soup, 2, 1e-8, 0.256235) == TS_OK);
+	ck_assert_int_eq((int)m.nvertices, 4);
+	ck_assert_int_eq(count(&m, 0, 0) + count(&m, 1, 0), 4);
+	ck_assert(ts_mesh_link_images(&m, &box, 1e-8) == TS_OK);
+	ck_assert_int_eq((int)m.nvertices, 1);
+	for (size_t t = 0; t < 2; t++) {
+		ck_assert_int_eq(m.active[t], 0);
+		for (int k = 0; k < 3; k++)
+			ck_assert_int_eq(m.neighbour[t][k], 1 - (int)t);
+	}
+	ts_mesh_release(&m);
+}
+END_TEST
+
 int main(void)
 {
 	Suite *suite = suite_create("mesh");
@@ -80,6 +113,7 @@ int main(void)
 
 	tcase_add_test(tc, cuboid_has_its_shape);
 	tcase_add_test(tc, cuboid_has_every_edge_once);
+	tcase_add_test(tc, floor_of_a_periodic_box_has_no_rim);
 	suite_add_tcase(suite, tc);
 	srunner_run_all(runner, CK_ENV);
 	failed = srunner_ntests_failed(runner);

@@ -123,9 +123,9 @@ rejects "$start
 fix cad all mesh/surface file cube.stl type 1 move 0.7 0 0" '2 of 12 triangles have their centre outside the box'
 cat cube.stl cube.stl >twice.stl
 rejects "$start
-fix cad all mesh/surface file twice.stl type 1" '12 triangles are given twice'
+fix cad all mesh/surface file twice.stl type 1" 'has the same corners as another'
 prints "$start
-fix cad all mesh/surface file twice.stl type 1 heal auto_remove_duplicates" '12 triangles were given twice'
+fix cad all mesh/surface file twice.stl type 1 heal auto_remove_duplicates" 'so do 11 others'
 rejects "$start
 fix cad all mesh/surface file plate.stl type 1 curvature 50" 'curvature_tolerant yes'
 rejects "$start
@@ -227,7 +227,11 @@ triangles 'element_exclusion_list read list' 10
 triangles 'region box' 12
 triangles 'region half scale 0.5' 2
 rejects "$start
-fix cad all mesh/surface file cube.stl type 1 element_exclusion_list write list" 'expected `read FILE`'
+fix cad all mesh/surface file cube.stl type 1 element_exclusion_list keep list" 'expected `read FILE`'
+rejects "$start
+fix cad all mesh/surface file twice.stl type 1 element_exclusion_list write list" 'the same corners'
+prints "$start
+fix cad all mesh/surface file twice.stl type 1 element_exclusion_list read list"
 
 # A box whose faces move makes room for the mesh.
 prints "$(echo "$start" | sed 's/boundary f f f/boundary m f f/')

@@ -41,11 +41,20 @@ enum ts_status ts_mesh_build(struct ts_mesh *m, const double (*soup)[3][3], size
 			for (int k = 0; k < 9; k++)
 				m->x[t][k / 3][k % 3] = soup[t][k / 3][k % 3];
 		ts_mesh_moved(m);
-		status = ts_mesh_link(m, precision);
+		status = ts_mesh_link(m, precision, NULL);
 	}
 	if (status != TS_OK)
 		ts_mesh_release(m);
 	return status;
+}
+
+enum ts_status ts_mesh_link_images(struct ts_mesh *m, const struct ts_box *box, double precision)
+{
+	bool any = false;
+
+	for (int d = 0; d < 3; d++)
+		any |= ts_box_periodic(box, d);
+	return any ? ts_mesh_link(m, precision, box) : TS_OK;
 }
 
 void ts_mesh_release(struct ts_mesh *m)

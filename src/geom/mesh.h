@@ -18,6 +18,7 @@
 #include <stdint.h>
 
 #include "base/status.h"
+#include "geom/box.h"
 
 struct ts_mesh {
 	size_t n; /* triangles */
@@ -57,6 +58,9 @@ static inline bool ts_mesh_corner_active(const struct ts_mesh *mesh, size_t t, i
  * memory, more than INT32_MAX / 64 triangles: TS_RANGE) it is released. */
 enum ts_status ts_mesh_build(struct ts_mesh *mesh, const double (*soup)[3][3], size_t n,
 			     double precision, double curvature);
+/* Across periodic faces of the box triangles hang together with images of others: corners that differ by
+ * lengths of the box become the same. */
+enum ts_status ts_mesh_link_images(struct ts_mesh *mesh, const struct ts_box *box, double precision);
 void ts_mesh_release(struct ts_mesh *mesh);
 
 /* The corners have changed: normals, edges, areas, centres anew. */

@@ -9,45 +9,86 @@
 
 #include "base/banned.h"
 
-static enum ts_status number_corner(struct ts_mesh *m, struct ts_pointhash *places, size_t c,
-				    double precision)
+/* The place of a corner in the first box, and how many boxes away it is. */
+static void wrap(const struct ts_box *box, double precision, const double x[3], double at[3],
+		 int32_t shift[3])
 {
-	const double *x = m->x[c / 3][c % 3];
-	int32_t *number = &m->vertex[c / 3][c % 3];
-
-	*number = ts_pointhash_find(places, x, precision);
-	if (*number >= 0)
-		return TS_OK;
-	*number = (int32_t)places->n;
-	return ts_pointhash_add(places, x);
+	for (int d = 0; d < 3; d++) {
+		at[d] = x[d];
+		shift[d] = 0;
+		if (!box || !ts_box_periodic(box, d))
+			continue;
+		/* what is this near to the upper face is at the lower one */
+		shift[d] = (int32_t)floor((x[d] - box->lo[d] + precision) / ts_box_length(box, d));
+		at[d] -= shift[d] * ts_box_length(box, d);
+	}
 }
 
-static enum ts_status number_vertices(struct ts_mesh *m, double precision)
+static enum ts_status number_vertices(struct ts_mesh *m, double precision, const struct ts_box *box,
+				      int32_t (*shift)[3])
 {
 	double distance = fmax(precision, 1e-300);
 	struct ts_pointhash places;
 	enum ts_status status = ts_pointhash_start(&places, distance);
 
-	for (size_t c = 0; status == TS_OK && c < 3 * m->n; c++)
-		status = number_corner(m, &places, c, distance);
+	for (size_t c = 0; status == TS_OK && c < 3 * m->n; c++) {
+		int32_t *number = &m->vertex[c / 3][c % 3];
+		double at[3];
+
+		wrap(box, precision, m->x[c / 3][c % 3], at, shift[c]);
+		*number = ts_pointhash_find(&places, at, distance);
+		if (*number >= 0)
+			continue;
+		*number = (int32_t)places.n;
+		status = ts_pointhash_add(&places, at);
+	}
 	m->nvertices = places.n;
 	ts_pointhash_release(&places);
 	return status;
 }
 
-/* Edges by their vertices, to find those that are the same. */
+/* Edges by their vertices, and how many boxes these are apart, to find those that are the same. */
 struct edge {
-	int32_t lo, hi, triangle, k;
+	int32_t end[2], apart[3], triangle, k;
 };
+
+static int compare_ends(const struct edge *p, const struct edge *q)
+{
+	for (int k = 0; k < 2; k++)
+		if (p->end[k] != q->end[k])
+			return p->end[k] < q->end[k] ? -1 : 1;
+	for (int k = 0; k < 3; k++)
+		if (p->apart[k] != q->apart[k])
+			return p->apart[k] < q->apart[k] ? -1 : 1;
+	return 0;
+}
+
+/* Edge k of triangle t; the same whichever end comes first. */
+static struct edge make_edge(const struct ts_mesh *m, size_t t, int k, int32_t (*shift)[3])
+{
+	size_t from = 3 * t + (size_t)k, to = 3 * t + (size_t)(k + 1) % 3;
+	struct edge e = { .end = { m->vertex[t][k], m->vertex[t][(k + 1) % 3] },
+			  .triangle = (int32_t)t,
+			  .k = k },
+		    back = e;
+
+	for (int d = 0; d < 3; d++) {
+		e.apart[d] = shift[to][d] - shift[from][d];
+		back.apart[d] = -e.apart[d];
+	}
+	back.end[0] = e.end[1];
+	back.end[1] = e.end[0];
+	return compare_ends(&e, &back) <= 0 ? e : back;
+}
 
 static int by_vertices(const void *a, const void *b)
 {
 	const struct edge *p = a, *q = b;
 
-	if (p->lo != q->lo)
-		return p->lo < q->lo ? -1 : 1;
-	if (p->hi != q->hi)
-		return p->hi < q->hi ? -1 : 1;
+	int order = compare_ends(p, q);
+
+	if (order)
+		return order;
 	return (p->triangle > q->triangle) - (p->triangle < q->triangle);
 }
 
@@ -77,23 +118,18 @@ static void share_edge(struct ts_mesh *m, const struct edge *e, size_t n)
 	}
 }
 
-static enum ts_status share_edges(struct ts_mesh *m)
+static enum ts_status share_edges(struct ts_mesh *m, int32_t (*shift)[3])
 {
 	size_t n = 3 * m->n;
 	struct edge *list = ts_alloc(n, sizeof *list);
 
 	if (!list)
 		return TS_NOMEM;
-	for (size_t c = 0; c < n; c++) {
-		int32_t a = m->vertex[c / 3][c % 3], b = m->vertex[c / 3][(c + 1) % 3];
-
-		list[c] = (struct edge){ a < b ? a : b, a < b ? b : a, (int32_t)(c / 3),
-					 (int32_t)(c % 3) };
-	}
+	for (size_t c = 0; c < n; c++)
+		list[c] = make_edge(m, c / 3, (int)(c % 3), shift);
 	qsort(list, n, sizeof *list, by_vertices);
 	for (size_t k = 0, same; k < n; k += same) {
-		for (same = 1; k + same < n && list[k].lo == list[k + same].lo &&
-			       list[k].hi == list[k + same].hi;)
+		for (same = 1; k + same < n && !compare_ends(&list[k], &list[k + same]);)
 			same++;
 		share_edge(m, &list[k], same);
 	}
@@ -176,9 +212,17 @@ static enum ts_status share_corners(struct ts_mesh *m)
 	return status;
 }
 
-enum ts_status ts_mesh_link(struct ts_mesh *m, double precision)
+enum ts_status ts_mesh_link(struct ts_mesh *m, double precision, const struct ts_box *box)
 {
-	TS_TRY(number_vertices(m, precision));
-	TS_TRY(share_edges(m));
-	return share_corners(m);
+	int32_t(*shift)[3] = ts_alloc(3 * m->n, sizeof *shift);
+	enum ts_status status = shift ? TS_OK : TS_NOMEM;
+
+	for (size_t t = 0; t < m->n; t++)
+		m->active[t] = 0;
+	if (status == TS_OK)
+		status = number_vertices(m, precision, box, shift);
+	if (status == TS_OK)
+		status = share_edges(m, shift);
+	ts_free(shift);
+	return status == TS_OK ? share_corners(m) : status;
 }

@@ -35,7 +35,8 @@ extern const char *const ts_mesh_heal_names[];
 				  "are in it"),                                                    \
 		TS_SOME_KEYWORD("element_exclusion_list", T, f.exclusion, 0,                       \
 				.help = "read FILE: does without the triangles that stand in the " \
-					"lines of the mesh file which FILE lists"),                \
+					"lines of the mesh file which FILE lists; write FILE: "    \
+					"makes such a list of those that are refused"),            \
 		TS_REAL("precision", T, f.precision, .fallback = "1e-8", .range = TS_POSITIVE,     \
 			.unit = "length", .help = "corners nearer than this are the same"),        \
 		TS_REAL("curvature", T, f.curvature, .fallback = "0.256235", .range = TS_WITHIN,   \

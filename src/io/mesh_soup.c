@@ -3,7 +3,7 @@
 #include <stdio.h>
 
 #include "geom/motion.h"
-#include "io/mesh_scan.h"
+#include "io/mesh_admit.h"
 #include "particles/region.h"
 
 #include "base/banned.h"
@@ -31,49 +31,31 @@ static enum ts_status mark_outside(struct tsim *sim, struct ts_instance *region,
 	return TS_OK;
 }
 
-/* The file has the lines of the mesh file where the triangles stand that are not wanted. */
-static enum ts_status mark_listed(struct ts_scan *s, const struct ts_triangles *soup,
-				  unsigned char *flag)
+static enum ts_status leave_out_listed(struct ts_instance *self, struct tsim *sim,
+				       const struct ts_words *words, struct ts_triangles *soup)
 {
-	while (ts_scan_word(s)) {
-		double line;
+	const struct ts_word *mode = words->word;
 
-		TS_TRY(ts_scan_this_real(s, "the number of a line", &line));
-		for (size_t t = 0; t < soup->n; t++)
-			flag[t] |= soup->t[t].line == (int)line;
-	}
-	return TS_OK;
-}
-
-static enum ts_status mark_excluded(struct ts_instance *self, struct tsim *sim,
-				    const struct ts_words *words, const struct ts_triangles *soup,
-				    unsigned char *flag)
-{
-	struct ts_scan scan = { 0 };
-	enum ts_status status;
-
-	if (words->n != 2 || !ts_streq(words->word[0].text, "read"))
+	if (words->n != 2 || (!ts_streq(mode->text, "read") && !ts_streq(mode->text, "write")))
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "element_exclusion_list"),
-			       "element_exclusion_list: expected `read FILE`; what is wrong with a mesh "
-			       "is told, no list of it is written");
-	status = ts_scan_open(&scan, &sim->error, sim->pool, &words->word[1].place,
-			      words->word[1].text);
-	if (status == TS_OK)
-		status = mark_listed(&scan, soup, flag);
-	ts_scan_close(&scan);
-	return status;
+			       "element_exclusion_list: expected `read FILE` or `write FILE`");
+	if (ts_streq(mode->text, "write"))
+		return TS_OK;
+	return ts_mesh_exclude(sim, &words->word[1].place, words->word[1].text, soup);
 }
 
 enum ts_status ts_mesh_soup_choose(struct ts_instance *self, struct tsim *sim,
 				   const struct ts_mesh_words *w, struct ts_triangles *soup)
 {
-	unsigned char *flag = ts_alloc(soup->n, 1);
-	enum ts_status status = flag ? TS_OK : ts_nomem(&sim->error);
+	unsigned char *flag;
+	enum ts_status status;
 
-	if (status == TS_OK && w->region)
-		status = mark_outside(sim, w->region, soup, flag);
-	if (status == TS_OK && w->exclusion.n)
-		status = mark_excluded(self, sim, &w->exclusion, soup, flag);
+	if (w->exclusion.n)
+		TS_TRY(leave_out_listed(self, sim, &w->exclusion, soup));
+	if (!w->region)
+		return TS_OK;
+	flag = ts_alloc(soup->n, 1);
+	status = flag ? mark_outside(sim, w->region, soup, flag) : ts_nomem(&sim->error);
 	if (status == TS_OK)
 		drop(soup, flag);
 	ts_free(flag);

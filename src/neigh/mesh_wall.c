@@ -160,12 +160,12 @@ static double *alive(const struct ts_wall_contacts *c, size_t k)
 	return ts_wall_memory(c, k) + c->width - TS_MESH_MEMORY;
 }
 
+/* Across a periodic face the image of a triangle may be the neighbour. */
 static bool same_surface(const struct ts_mesh_wall *mw, size_t a, size_t b)
 {
 	const struct ts_mesh_near *p = &mw->near[a], *q = &mw->near[b];
 
-	return a != b && p->mesh == q->mesh && p->shift[0] == q->shift[0] &&
-	       p->shift[1] == q->shift[1] && p->shift[2] == q->shift[2] &&
+	return a != b && p->mesh == q->mesh &&
 	       ts_mesh_flat_neighbours(&mw->mesh[p->mesh].surface->mesh, (size_t)p->triangle,
 				       (size_t)q->triangle);
 }

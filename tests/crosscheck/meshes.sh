@@ -26,7 +26,8 @@ agrees() {
 			set group all diameter 0.1 density 2385
 			velocity all set $velocity units box"
 	} >in.case
-	set -- -in "$decks/in.mesh" -var decks "$decks" -var steps "$steps"
+	set -- -in "$decks/in.mesh" -var decks "$decks" -var steps "$steps" -var faces "${faces:-f f f}" \
+		-var side "${side:-1}"
 	# (without a log LIGGGHTS crashes where it reads a mesh)
 	liggghts "$@" -var program liggghts >err 2>&1
 	report "$what: LIGGGHTS" $? err
@@ -53,6 +54,8 @@ agrees 'turntable' 10000 cad '0 -0.2 0.0501' '0 0 0' \
 agrees 'two meshes' 10000 'cad2 cad' '0.36 0 0.0501' '-1 0.2 0' "$cad plate.stl type 2" \
 	'fix cad2 all mesh/surface file cube.stl type 1 scale 0.5 rotate axis 0 1 0 angle 10'
 agrees 'in a pipe' 20000 cad '0.02 0.03 0.5' '2 1.7 0' "$cad funnel.stl type 2 curvature 31 curvature_tolerant yes"
+faces='p p f' side=0.5 agrees 'across periodic faces' 20000 cad '0.3 0.1 0.0499' '1.5 0.7 0' \
+	"$cad plate.stl type 2"
 agrees 'not of the group' 3000 cad '0 -0.2 0.0501' '0 0 0' 'group nobody id 77' \
 	'fix cad nobody mesh/surface file plate.stl type 2'
 agrees 'through a funnel' 5000 cad '' '' "$cad funnel.stl type 2" 'lattice sc 0.12' \
