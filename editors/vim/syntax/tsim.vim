@@ -78,25 +78,29 @@ syn keyword tsimKeyword  overlapcheck all_in random_distribute uncorrelated orie
 syn keyword tsimKeyword  set_property verbose compress_tags insert_every ntry_mc
 syn keyword tsimKeyword  check_dist_from_subdomain_border warn_region particles_in_region
 syn keyword tsimKeyword  volumefraction_region mass_in_region nparticles particlerate
-syn keyword tsimKeyword  massrate insertion_face extrude_length duration precision
-syn keyword tsimKeyword  curvature curvature_tolerant heal auto_remove_duplicates
-syn keyword tsimKeyword  surface_vel surface_ang_vel reference_point stress wear finnie
-syn keyword tsimKeyword  rescale transrot allow_group_and_set allow_heatsource by_dimension
-syn keyword tsimKeyword  sphere disc atom_type volume_limit relative nspheres ntry spheres
-syn keyword tsimKeyword  inertia_tensor use_volume use_density fflag tflag title ghost
-syn keyword tsimKeyword  writedata peratomtype peratomtypepair matrix force tether couple
-syn keyword tsimKeyword  model hooke hertz hooke/stiffness hertz/stiffness hooke/hysteresis
-syn keyword tsimKeyword  tangential history no_history rolling_friction cdt epsd epsd2
-syn keyword tsimKeyword  epsd3 cohesion sjkr sjkr2 surface limitForce tangential_damping
-syn keyword tsimKeyword  absolute_damping ktToKnUser viscous tangential_reduce
-syn keyword tsimKeyword  torsionTorque heating_normal_hertz heating_tangential_history
-syn keyword tsimKeyword  computeElasticPotential computeDissipatedEnergy
-syn keyword tsimKeyword  disableNormalWhenBonded primitive n_meshes meshes xplane yplane
-syn keyword tsimKeyword  zplane xcylinder ycylinder zcylinder
+syn keyword tsimKeyword  massrate insertion_face extrude_length duration
+syn keyword tsimKeyword  element_exclusion_list precision curvature curvature_tolerant heal
+syn keyword tsimKeyword  auto_remove_duplicates surface_vel surface_ang_vel reference_point
+syn keyword tsimKeyword  stress wear finnie rescale transrot linear/variable axis period
+syn keyword tsimKeyword  rotate/variable amplitude riggle viblin order phase vibrot
+syn keyword tsimKeyword  linear/superposable linear/variable/superposable
+syn keyword tsimKeyword  rotate/superposable rotate/variable/superposable
+syn keyword tsimKeyword  wiggle/superposable riggle/superposable viblin/superposable
+syn keyword tsimKeyword  vibrot/superposable allow_group_and_set allow_heatsource
+syn keyword tsimKeyword  by_dimension sphere disc atom_type volume_limit relative nspheres
+syn keyword tsimKeyword  ntry spheres inertia_tensor use_volume use_density fflag tflag
+syn keyword tsimKeyword  title ghost writedata peratomtype peratomtypepair matrix force
+syn keyword tsimKeyword  tether couple model hooke hertz hooke/stiffness hertz/stiffness
+syn keyword tsimKeyword  hooke/hysteresis tangential history no_history rolling_friction
+syn keyword tsimKeyword  cdt epsd epsd2 epsd3 cohesion sjkr sjkr2 surface limitForce
+syn keyword tsimKeyword  tangential_damping absolute_damping ktToKnUser viscous
+syn keyword tsimKeyword  tangential_reduce torsionTorque heating_normal_hertz
+syn keyword tsimKeyword  heating_tangential_history computeElasticPotential
+syn keyword tsimKeyword  computeDissipatedEnergy disableNormalWhenBonded primitive n_meshes
+syn keyword tsimKeyword  meshes xplane yplane zplane xcylinder ycylinder zcylinder
 syn match tsimKeyword /\<velocity\>/ 
 syn keyword tsimKeyword  store_force xlo xhi ylo yhi zlo zhi viscosity generic
-syn keyword tsimKeyword  limit_damping restitution side in out open axis center bounds
-syn keyword tsimKeyword  angle0
+syn keyword tsimKeyword  limit_damping restitution side in out open center bounds angle0
 
 " numbers of the simulation and of particles
 syn keyword tsimName  id type radius diameter
@@ -125,8 +129,8 @@ syn keyword tsim_fix contained bond/breakage controller deform drag drag/stokes 
 syn keyword tsim_fix contained enforce2d evaporate freeze gravity halt heat/gran
 syn keyword tsim_fix contained heat/gran/conduction insert/pack insert/rate/region insert/stream
 syn keyword tsim_fix contained langevin lineforce mesh/surface mesh/surface/stress momentum move
-syn keyword tsim_fix contained multisphere nve nve/euler nve/limit nve/noforce nve/sphere
-syn keyword tsim_fix contained nve/symplectic particledistribution/discrete
+syn keyword tsim_fix contained move/mesh multisphere nve nve/euler nve/limit nve/noforce
+syn keyword tsim_fix contained nve/sphere nve/symplectic particledistribution/discrete
 syn keyword tsim_fix contained particledistribution/discrete/massbased
 syn keyword tsim_fix contained particledistribution/discrete/numberbased
 syn keyword tsim_fix contained particletemplate/multiplespheres particletemplate/multisphere

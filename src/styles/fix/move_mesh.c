@@ -313,18 +313,12 @@ static const struct ts_arg vibrot_rows[] = {
 		{ "vibrot" ending, "a sum of oscillations around an axis", vibrot_rows }
 static const struct ts_mode modes[] = { MODES(""), MODES("/superposable"), { .name = NULL } };
 
-static const struct ts_arg mesh_rows[] = {
+static const char *const movable[] = { "mesh", NULL };
+static const struct ts_arg args[] = {
+	TS_ENUM("what", struct state, what, movable, .flags = TS_POSITIONAL, .help = "what moves"),
 	TS_WORD("mesh-ID", struct state, mover.mesh, .flags = TS_POSITIONAL,
 		.help = "ID of a fix mesh/surface"),
 	TS_MODE("style", struct state, mode, modes, .help = "kind of motion"),
-	TS_ARGS_END,
-};
-static const struct ts_mode what[] = {
-	{ "mesh", "what moves", mesh_rows },
-	{ .name = NULL },
-};
-static const struct ts_arg args[] = {
-	TS_MODE("what", struct state, what, what, .help = "what moves"),
 	TS_ARGS_END,
 };
 
