@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/group.h"
+#include "core/known.h"
 #include "core/sim.h"
 
 #include "base/banned.h"
@@ -132,6 +133,7 @@ static enum ts_status read_enum(struct parse *p, const struct ts_arg *row, int *
 	const struct ts_word *word = take(p);
 	struct ts_suggest suggest = ts_suggest_start(word ? word->text : "");
 	struct ts_str expected = { 0 };
+	const char *remark = word ? ts_known_choice_remark(row->name, word->text) : NULL;
 	enum ts_status status;
 
 	for (int k = 0; word && row->choices[k]; k++) {
@@ -143,7 +145,10 @@ static enum ts_status read_enum(struct parse *p, const struct ts_arg *row, int *
 	}
 	ts_str_add(&expected, "one of ");
 	list_choices(row->choices, &expected);
-	ts_str_add(&expected, word && suggest.best ? ts_suggest_text(&suggest) : "");
+	if (remark)
+		ts_str_addf(&expected, "; that one is known, but tsim does not have it: %s", remark);
+	else
+		ts_str_add(&expected, word && suggest.best ? ts_suggest_text(&suggest) : "");
 	status = refuse(p, row, word, ts_str_text(&expected));
 	ts_str_release(&expected);
 	return status;

@@ -90,8 +90,40 @@ const struct ts_known ts_known_table[] = {
 	{ TS_KIND_DUMP, "decomposition/vtk", "there is one process, the box is not cut into parts" },
 	{ TS_KIND_DUMP, "image", "pictures are drawn from dumps by other programs (ParaView, OVITO)" },
 	{ TS_KIND_DUMP, "movie", "pictures are drawn from dumps by other programs (ParaView, OVITO)" },
+	{ TS_KIND_PAIR, "granular", "its laws are pair_style gran, gran/hooke, gran/hooke/history and gran/hertz/history here" },
+	{ TS_KIND_FIX, "wall/gran/region", "walls are planes, cylinders and meshes: fix wall/gran" },
 	{ .name = NULL },
 };
+
+#define BRIDGES "bridges of liquid are not built; sjkr is a cohesion of dry contacts"
+
+static const struct {
+	const char *keyword, *choice, *remark;
+} choices[] = {
+	{ "model", "hertz/break", FRAGMENTS },
+	{ "model", "hysteretic/nonlinear2", OTHER_EDITION },
+	{ "model", "jkr", OTHER_EDITION },
+	{ "model", "luding", "hooke/hysteresis is the law of its kind here" },
+	{ "tangential", "incremental_history", OTHER_EDITION },
+	{ "tangential", "jkr_tan", OTHER_EDITION },
+	{ "rolling_friction", "cdtnonlinear2", OTHER_EDITION },
+	{ "cohesion", "bond", BONDS },
+	{ "cohesion", "bond/nonlinear", BONDS },
+	{ "cohesion", "capillary", BRIDGES },
+	{ "cohesion", "easo/capillary/viscous", BRIDGES },
+	{ "cohesion", "washino/capillary/viscous", BRIDGES },
+	{ "surface", "multicontact", "contacts of one particle do not know of each other" },
+	{ "surface", "superquadric", SHAPES },
+	{ .keyword = NULL },
+};
+
+const char *ts_known_choice_remark(const char *keyword, const char *choice)
+{
+	for (size_t k = 0; choices[k].keyword; k++)
+		if (ts_streq(choices[k].keyword, keyword) && ts_streq(choices[k].choice, choice))
+			return choices[k].remark;
+	return NULL;
+}
 
 static bool matches(const char *pattern, const char *name)
 {

@@ -16,4 +16,7 @@ extern const struct ts_known ts_known_table[]; /* closed by .name NULL */
 /* NULL: not known either. */
 const struct ts_known *ts_known_find(enum ts_kind kind, const char *name);
 
+/* The same for the choices of a keyword, `model jkr` of contact laws: the remark, or NULL. */
+const char *ts_known_choice_remark(const char *keyword, const char *choice);
+
 #endif
