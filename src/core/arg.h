@@ -84,6 +84,9 @@ struct ts_arg {
 	const char *fallback; /* default, as the user would write it; NULL: required or TS_OPTIONAL */
 	const char *const *choices;  /* TS_ARG_ENUM, closed by NULL */
 	const struct ts_mode *modes; /* TS_ARG_MODE, closed by .name NULL */
+	/* TS_ARG_REST with TS_TO_KEYWORD: the TS_ARG_INT row that says, where it was given before, how many
+	 * words there are at least, whatever they are. */
+	const char *count;
 };
 
 struct ts_mode {

@@ -294,12 +294,24 @@ static const struct ts_arg *find_keyword(const struct ts_arg *rows, const char *
 	return NULL;
 }
 
+/* How many words another row says there are. */
+static size_t announced(const struct ts_arg *row, const struct ts_words *out, const struct ts_arg *common)
+{
+	const struct ts_arg *count = find_keyword(common, row->count);
+	const char *state = (const char *)out - row->offset;
+	int64_t n = count ? *(const int64_t *)(state + count->offset) : 0;
+
+	return n > 0 ? (size_t)n : 0;
+}
+
 static enum ts_status read_rest(struct parse *p, const struct ts_arg *row, struct ts_words *out,
 				const struct ts_arg *common)
 {
 	struct ts_words rest;
 	size_t least = row->flags & TS_REPEAT ? 1 : 0; /* one word at least, whatever it is */
 
+	if (row->count)
+		least = announced(row, out, common);
 	if (row->flags & TS_NAMED) {
 		p->next--;
 		least++;

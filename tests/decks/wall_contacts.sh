@@ -60,6 +60,13 @@ END
 sed -i 's/tqy\[/torquey[/g; /torquey/d' in.mesh
 agree 'contacts with walls' "$(cat in.mesh)"
 
+# a mesh may be called as a keyword is: n_meshes says how many names there are
+sed 's/^fix cad all/fix mesh all/; s/meshes cad/meshes mesh/' in.begin >in.named
+prints 'variable from index none
+include in.named
+run 1
+print "force $(f_w[3]<0)"' 'force 1'
+
 cat >in.cut <<'END'
 variable from index none
 include in.begin

@@ -220,7 +220,7 @@ static const struct ts_arg args[] = {
 	TS_FLAG("mesh", struct wall, mesh_word, .help = "the wall is made of meshes"),
 	TS_INT("n_meshes", struct wall, nmeshes, .flags = TS_OPTIONAL, .range = TS_POSITIVE,
 	       .help = "mesh: how many"),
-	TS_SOME_KEYWORD("meshes", struct wall, meshes, TS_STATEFUL,
+	TS_SOME_KEYWORD("meshes", struct wall, meshes, TS_STATEFUL, .count = "n_meshes",
 			.help = "mesh: IDs of their fixes; each has the material of its own type"),
 	PLANE("x", 0),
 	PLANE("y", 1),
