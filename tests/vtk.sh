@@ -8,7 +8,7 @@ cat >in.files <<END
 variable out index small
 include $top_srcdir/tests/decks/in.everything
 thermo_modify format float %14.8g
-dump v all custom/vtk 45 p*.vtp id type x y z vx vy vz radius
+dump v all custom/vtk 45 p*.vtp id type type x y z vx vy vz radius
 dump l all local/vtk 45 b*.vtp c_nb[1] c_nb[2] c_nb[4] c_nb[5]
 dump k all local/vtk 45 c*.vtp c_nc[1] c_nc[2] c_nc[3]
 dump x all custom 45 x.dump id x y z vx vy vz radius

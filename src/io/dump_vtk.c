@@ -71,6 +71,15 @@ static bool is_position(const struct ts_dump_column *c)
 	return c->input.quantity && strchr("xyz", c->input.name[0]) && !c->input.name[1];
 }
 
+/* A column that was named before is left out: `id type type x y z` is much written. */
+static bool is_repeated(const struct ts_dump_common *d, size_t k)
+{
+	for (size_t before = 0; before < k; before++)
+		if (ts_streq(d->column[before].input.name, d->column[k].input.name))
+			return true;
+	return false;
+}
+
 static void copy_columns(const struct ts_dump_common *d, size_t first, size_t count, double *to)
 {
 	for (size_t row = 0; row < d->nrows; row++)
@@ -113,7 +122,7 @@ enum ts_status ts_dump_vtk_merge(struct ts_instance *self, struct tsim *sim, boo
 	for (size_t k = 0; k < d->ncolumns;) {
 		size_t taken = 1;
 
-		if (!is_position(&d->column[k])) {
+		if (!is_position(&d->column[k]) && !is_repeated(d, k)) {
 			taken = take_array(self, k, vectors, to);
 			if (!s->array[s->narrays - 1].name)
 				return ts_nomem(&sim->error);

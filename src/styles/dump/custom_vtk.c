@@ -101,7 +101,7 @@ const struct ts_style ts_dump_custom_vtk = {
 	       "collection, named like the frames without the `*`, gives each its time: .pvd, or .vtk.series; open "
 	       "that in ParaView. It is renamed into place, so it is complete at any time. With .vtk the "
 	       "simulation box goes to a file with boundingBox_ before the step, as LIGGGHTS does it.\n\n"
-	       "Positions are always written. Components become vectors: vx vy vz is written as v, fx fy fz as f, "
+	       "Positions are always written, a column that is named twice once. Components become vectors: vx vy vz is written as v, fx fy fz as f, "
 	       "three columns c_ID[1] c_ID[2] c_ID[3] as c_ID[1-3].",
 	.example = "dump rock all custom/vtk 1000 post/rock*.vtp id type x y z vx vy vz radius\n"
 		   "dump old all custom/vtk 1000 post/old*.vtk id type radius",
