@@ -248,6 +248,8 @@ library_sources = \
 	src/neigh/pair_columns.c \
 	src/neigh/pair_columns.h \
 	src/neigh/pressure.c \
+	src/neigh/primitive_wall.c \
+	src/neigh/primitive_wall.h \
 	src/neigh/row_history.c \
 	src/neigh/row_history.h \
 	src/neigh/row_loop.h \

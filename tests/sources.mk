@@ -10,6 +10,7 @@ shell_tests = \
 	tests/crosscheck/insertion.sh \
 	tests/crosscheck/lammps.sh \
 	tests/crosscheck/lammps_granular.sh \
+	tests/crosscheck/lammps_walls.sh \
 	tests/crosscheck/language.sh \
 	tests/crosscheck/legacy.sh \
 	tests/crosscheck/liggghts.sh \
@@ -22,6 +23,7 @@ shell_tests = \
 	tests/crosscheck/scripts.sh \
 	tests/crosscheck/space.sh \
 	tests/crosscheck/text.sh \
+	tests/crosscheck/walls.sh \
 	tests/crosscheck_mode.sh \
 	tests/data_files.sh \
 	tests/decks/averages.sh \
@@ -52,6 +54,7 @@ shell_tests = \
 	tests/decks/regions.sh \
 	tests/decks/rigid.sh \
 	tests/decks/wall_contacts.sh \
+	tests/decks/walls.sh \
 	tests/drilling.sh \
 	tests/dry_run.sh \
 	tests/extremes.sh \

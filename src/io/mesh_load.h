@@ -22,6 +22,8 @@ extern const char *const ts_mesh_heal_names[];
 	TS_WORD("file", T, f.file, .help = "file of triangles: STL, OBJ or legacy VTK"),           \
 		TS_INT("type", T, s.type, .range = TS_POSITIVE,                                    \
 		       .help = "particle type whose material the mesh has"),                       \
+		TS_REAL("temperature", T, s.temperature, .flags = TS_OPTIONAL,                     \
+			.unit = "temperature", .help = "of the mesh, for fix heat/gran"),          \
 		TS_SOME_KEYWORD("scale", T, f.scale, TS_REPEAT | TS_STATEFUL,                      \
 				.help = "factor for all coordinates"),                             \
 		TS_SOME_KEYWORD("move", T, f.move, TS_REPEAT | TS_STATEFUL,                        \

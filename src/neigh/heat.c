@@ -8,6 +8,7 @@
 #include "neigh/row_loop.h"
 #include "particles/moments.h"
 #include "particles/property.h"
+#include "particles/template.h"
 
 #include "base/banned.h"
 
@@ -226,12 +227,9 @@ static enum ts_status capacity_of(struct tsim *sim, int type, const struct ts_pl
 static enum ts_status materials(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_heat *h = self->state;
-	const struct ts_particles *p = sim->particles;
-	int most = 0;
+	int most = ts_largest_type(sim);
 
 	TS_TRY(make_room(self, sim));
-	for (size_t i = 0; i < p->n; i++)
-		most = p->type[i] > most ? p->type[i] : most;
 	for (int t = 1; t <= most; t++) {
 		TS_TRY(ts_heat_conductivity(sim, t, "fix heat/gran", &self->where,
 					    &h->conductivity[t]));
@@ -473,7 +471,7 @@ void ts_heat_from_wall(const struct ts_heat *h, struct tsim *sim, size_t i, doub
 {
 	double q = conductance * (temperature - ts_heat_column(sim, h->temperature)[i]);
 
-	if (sim->in_setup)
+	if (sim->in_setup && !sim->legacy) /* LIGGGHTS adds this to the flux of the last step */
 		return;
 	ts_heat_column(sim, h->flux)[i] += q;
 	ts_heat_column(sim, h->wall_conductance)[i] += conductance;

@@ -134,13 +134,11 @@ enum ts_status ts_mesh_wall_list(struct ts_instance *self, struct tsim *sim, str
 
 	for (size_t k = 0; k < mw->nmeshes; k++)
 		TS_TRY(update_tree(sim, &mw->mesh[k]));
-	for (size_t i = 0; i < p->n; i++) {
-		if (!ts_in_group(p, i, self->group) || p->imass[i] == 0)
-			continue;
+	for (size_t i = 0; i < p->n; i++)
 		for (size_t k = 0; k < mw->nmeshes; k++)
-			if (ts_in_group(p, i, mw->mesh[k].by->group))
+			if (ts_in_group(p, i, mw->mesh[k].by->group) &&
+			    ts_wall_meets(self, sim, i, !isnan(mw->mesh[k].surface->temperature)))
 				TS_TRY(list_images(sim, w, mw, k, i));
-	}
 	return TS_OK;
 }
 
@@ -194,7 +192,11 @@ static void push(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw, s
 	const struct ts_mesh_surface *s = mw->mesh[near->mesh].surface;
 	const struct ts_particles *p = sim->particles;
 	size_t i = (size_t)w->contacts.row[k], t = (size_t)near->triangle;
-	struct ts_wall_spot spot = { .type = (int)s->type, .mesh = near->mesh + 1, .triangle = (int)t };
+	struct ts_wall_spot spot = { .type = (int)s->type,
+				     .mesh = near->mesh + 1,
+				     .triangle = (int)t,
+				     .warm = !isnan(s->temperature),
+				     .temperature = s->temperature };
 	struct ts_mesh_spot at;
 	enum ts_mesh_part part;
 	double x[3];

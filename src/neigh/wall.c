@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "core/plan.h"
 #include "particles/rigid.h"
@@ -9,15 +10,34 @@
 
 #include "base/banned.h"
 
+/* The force on each particle, under the name that LIGGGHTS gives it. */
+static enum ts_status add_column(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_wall *w = self->state;
+	struct ts_str name = { 0 };
+	enum ts_status status;
+
+	ts_str_addf(&name, "force_%s", self->id);
+	status = name.failed ? ts_nomem(&sim->error)
+			     : ts_particles_add_column(sim, ts_str_text(&name), 3,
+						       TS_COL_NAMED | TS_COL_RESULT, &w->stored);
+	ts_str_release(&name);
+	return status;
+}
+
 enum ts_status ts_wall_init(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_wall *w = self->state;
 
 	TS_TRY(ts_granular_words_check(sim, self, "fix wall/gran", &w->words));
-	w->own_model = w->words.normal != TS_NORMAL_OFF;
+	TS_TRY(ts_heat_read_area(sim, "fix wall/gran", w->area_words, &w->area));
+	if (w->store_force)
+		TS_TRY(add_column(self, sim));
+	w->own_model = w->given || w->words.normal != TS_NORMAL_OFF;
 	if (!w->own_model)
 		return TS_OK;
-	w->model = ts_granular_model_of(sim, &w->words);
+	if (!w->given)
+		w->model = ts_granular_model_of(sim, &w->words);
 	return ts_granular_turns(&w->model)
 		       ? ts_particles_need(sim, TS_NEED(OMEGA) | TS_NEED(TORQUE))
 		       : TS_OK;
@@ -57,23 +77,38 @@ static enum ts_status reserve(struct ts_instance *self, struct tsim *sim, int ty
 	if (w->law && w->ntypes >= most)
 		return TS_OK;
 	w->law = ts_arena_alloc(&self->arena, n * n, sizeof *w->law);
+	w->conductivity = ts_arena_alloc(&self->arena, n * n, sizeof *w->conductivity);
 	w->ntypes = most;
-	return w->law ? TS_OK : ts_nomem(&sim->error);
+	return w->law && w->conductivity ? TS_OK : ts_nomem(&sim->error);
+}
+
+static enum ts_status make_law(struct ts_instance *self, struct tsim *sim, int wall, int particle)
+{
+	struct ts_wall *w = self->state;
+	size_t k = (size_t)(wall * (w->ntypes + 1) + particle);
+	double own, other;
+	char who[80];
+
+	snprintf(who, sizeof who, "fix %s", self->style->name);
+	w->law[k] = w->numbers;
+	if (w->own_model && !w->given)
+		TS_TRY(ts_granular_material(sim, &w->model, particle, wall, who, &self->where,
+					    &w->law[k]));
+	if (!ts_heat_of(sim))
+		return TS_OK;
+	TS_TRY(ts_heat_conductivity(sim, particle, who, &self->where, &own));
+	TS_TRY(ts_heat_conductivity(sim, wall, who, &self->where, &other));
+	w->conductivity[k] = ts_heat_pair_conductivity(own, other);
+	return TS_OK;
 }
 
 enum ts_status ts_wall_make_law(struct ts_instance *self, struct tsim *sim, int type)
 {
-	struct ts_wall *w = self->state;
-	char who[80];
 	int most = ts_largest_type(sim);
 
-	if (!w->own_model)
-		return TS_OK;
 	TS_TRY(reserve(self, sim, type));
-	snprintf(who, sizeof who, "fix %s", self->style->name);
 	for (int t = 1; t <= most; t++)
-		TS_TRY(ts_granular_material(sim, &w->model, t, type, who, &self->where,
-					    &w->law[type * (w->ntypes + 1) + t]));
+		TS_TRY(make_law(self, sim, type, t));
 	return TS_OK;
 }
 
@@ -127,7 +162,16 @@ static void report(struct ts_wall_report *r, const struct ts_particles *p, size_
 	}
 }
 
-void ts_wall_push(struct ts_wall *w, struct tsim *sim, size_t k, const struct ts_wall_spot *spot)
+void ts_wall_start(struct ts_wall *w, struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+
+	w->force[0] = w->force[1] = w->force[2] = 0;
+	if (w->store_force && p->n)
+		memset(p->column[w->stored].data, 0, p->n * 3 * sizeof(double));
+}
+
+static void force(struct ts_wall *w, struct tsim *sim, size_t k, const struct ts_wall_spot *spot)
 {
 	const struct ts_granular_model *model = model_of(w, sim);
 	struct ts_particles *p = sim->particles;
@@ -142,6 +186,8 @@ void ts_wall_push(struct ts_wall *w, struct tsim *sim, size_t k, const struct ts
 	ts_sub(w->force, f.force, w->force);
 	for (int d = 0; d < 3 && ts_granular_turns(model); d++)
 		p->torque[i][d] += t.arm[0] * f.turn[d] + f.roll[d];
+	for (size_t d = 0; d < 3 && w->store_force; d++)
+		((double *)p->column[w->stored].data)[3 * i + d] += f.force[d];
 	if (w->contacts.report)
 		report(&w->contacts.report[k], p, i, spot, &t, &f);
 }
@@ -179,6 +225,30 @@ void ts_wall_force_now(const struct ts_wall *w, const struct tsim *sim, size_t k
 		force[d] = f.force[d];
 		torque[d] = t.arm[0] * f.turn[d];
 	}
+}
+
+static void conduct(const struct ts_wall *w, struct tsim *sim, size_t i,
+		    const struct ts_wall_spot *spot)
+{
+	const struct ts_particles *p = sim->particles;
+	const struct ts_heat *heat = ts_heat_of(sim);
+	double k, area;
+
+	if (!heat)
+		return;
+	k = w->conductivity[spot->type * (w->ntypes + 1) + p->type[i]];
+	area = ts_heat_area_at_wall(&w->area, spot->distance, p->radius[i]);
+	ts_heat_from_wall(heat, sim, i, ts_heat_conductance(k, area), spot->temperature);
+}
+
+void ts_wall_push(struct ts_wall *w, struct tsim *sim, size_t k, const struct ts_wall_spot *spot)
+{
+	size_t i = (size_t)w->contacts.row[k];
+
+	if (sim->particles->imass[i] > 0)
+		force(w, sim, k, spot);
+	if (spot->warm)
+		conduct(w, sim, i, spot);
 }
 
 static enum ts_status setup_check(struct ts_instance *self, struct tsim *sim, int type)
@@ -271,7 +341,12 @@ void ts_walls_want_reports(const struct tsim *sim)
 
 enum ts_status ts_wall_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
-	return ts_wall_contacts_archive(a, sim, &((struct ts_wall *)self->state)->contacts);
+	struct ts_wall *w = self->state;
+
+	if (w->store_force)
+		TS_TRY(ts_particles_archive_column(a, sim, sim->particles->column[w->stored].name,
+						   w->stored));
+	return ts_wall_contacts_archive(a, sim, &w->contacts);
 }
 
 void ts_wall_fini(struct ts_instance *self)

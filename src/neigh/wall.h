@@ -3,7 +3,7 @@
  *
  *   POST_BUILD  ts_wall_rebuild_start, ts_wall_contacts_add for each particle and element (a plane,
  *               a triangle) that may touch before the next rebuild, ts_wall_rebuild_finish
- *   POST_FORCE  w->force = 0, then for each contact k where it touches ts_wall_push, where not
+ *   POST_FORCE  ts_wall_start, then for each contact k where it touches ts_wall_push, where not
  *               ts_wall_contact_part
  *
  * Who wants to know each contact - its force, place, overlap - asks for reports:
@@ -13,6 +13,7 @@
 #define TS_NEIGH_WALL_H
 
 #include "law/granular_force.h"
+#include "neigh/heat.h"
 #include "neigh/materials.h"
 #include "neigh/pair.h"
 #include "neigh/wall_contacts.h"
@@ -23,15 +24,32 @@ struct ts_wall {
 	struct ts_wall_contacts contacts;
 	double force[3]; /* on the wall, in the last step */
 	int meshes;	 /* how many it is made of; 0: it is a plane or the like. Set in init */
+	struct ts_words area_words;
+	bool store_force, store_contacts[2];
+	size_t stored; /* column of the force on each particle, with store_force */
 
 	bool own_model;
+	bool given;	 /* its constants are the same for all types */
+	struct ts_granular_pair numbers; /* these */
 	struct ts_granular_model model; /* the own one */
 	struct ts_granular_pair *law;	/* of the own model: type of the wall * (ntypes + 1) + type
 					 * of the particle */
+	struct ts_heat_contact area;
+	double *conductivity; /* 4 k k'/(k + k'), in the same order */
 	int ntypes;
 };
 
 #define TS_FAMILY_WALL "wall"
+
+/* Words that all walls take. */
+#define TS_WALL_ARGS(T, f)                                                                         \
+	TS_HEAT_AREA_ARG(T, f.area_words),                                                         \
+		TS_BOOL("store_force", T, f.store_force, .fallback = "no",                         \
+			.help = "the force on each particle, f_force_ID[1] ... [3]"),              \
+		TS_BOOL("store_force_contact", T, f.store_contacts[0], .fallback = "no",           \
+			.help = "no effect; see compute wall/gran/local"),                         \
+		TS_BOOL("store_force_contact_stress", T, f.store_contacts[1], .fallback = "no",    \
+			.help = "no effect; see compute wall/gran/local")
 
 /* Where the surface is nearest to a particle. */
 struct ts_wall_spot {
@@ -40,10 +58,24 @@ struct ts_wall_spot {
 	double velocity[3]; /* of the surface there */
 	int type;	    /* particle type whose material the surface has */
 	int mesh, triangle; /* from 1 and from 0, for reports; 0, 0: no mesh */
+	bool warm;	    /* it has a temperature and conducts heat */
+	double temperature;
 };
 
 /* In the style's init. */
 enum ts_status ts_wall_init(struct ts_instance *self, struct tsim *sim);
+
+/* Whether particle i may have contacts: one of the group that can move or, at a wall that is warm, take up
+ * heat. */
+static inline bool ts_wall_meets(const struct ts_instance *self, const struct tsim *sim, size_t i,
+				 bool warm)
+{
+	return ts_in_group(sim->particles, i, self->group) &&
+	       (sim->particles->imass[i] > 0 || (warm && ts_heat_of(sim)));
+}
+
+/* Forces and what is stored of them are 0. */
+void ts_wall_start(struct ts_wall *w, struct tsim *sim);
 
 /* Checks that the law exists for particles of the group and a wall of this type, and reports the
  * largest step that contacts allow. */

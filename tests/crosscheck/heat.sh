@@ -49,4 +49,10 @@ agrees 'moving spheres' $plane $plane $plane 1e-6 all hertz 'contact_area overla
 	'fix move all nve/sphere' 'velocity hot set 1.3 0.7 -0.3'
 agrees 'frozen spheres' $plane $line $line 1e-3 all hertz 'contact_area overlap' \
 	'fix hold cold freeze'
+wall='fix w all wall/gran model hertz tangential history primitive type 2 zplane'
+agrees 'warm plane' $plane $plane $line 1e-3 all hertz 'contact_area overlap' "$wall -0.0004 temperature 400.0"
+agrees 'warm plane, constant area' $plane $plane $line 1e-3 all hertz 'contact_area constant 1e-7' \
+	"$wall -0.0004 temperature 400.0 contact_area constant 2e-7"
+agrees 'warm plane, projection' $plane $plane $line 1e-3 cold hertz 'contact_area overlap' \
+	"$wall -0.0004 temperature 400.0 contact_area projection" 'fix hold cold freeze'
 finish

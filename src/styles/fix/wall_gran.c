@@ -1,48 +1,39 @@
-#include "geom/primitive.h"
+#include "neigh/gran_numbers.h"
 #include "neigh/mesh_stress.h"
-#include "neigh/wall.h"
-#include "particles/domain.h"
-#include "particles/particles.h"
+#include "neigh/primitive_wall.h"
 
-#include <math.h>
+#include <stdio.h>
 
 #include "core/plan.h"
 
 #include "base/banned.h"
 
-enum { NSHAPES = 6 };
+/* The laws of LAMMPS, by name of their keywords. */
+enum { NLAWS = 3 };
+static const struct {
+	const char *name;
+	int normal, tangential;
+} laws[NLAWS] = {
+	{ "hooke", TS_NORMAL_HOOKE_STIFFNESS, TS_TANGENTIAL_NO_HISTORY },
+	{ "hooke/history", TS_NORMAL_HOOKE_STIFFNESS, TS_TANGENTIAL_SLIDER },
+	{ "hertz/history", TS_NORMAL_HERTZ_STIFFNESS, TS_TANGENTIAL_SLIDER },
+};
 
 struct wall {
 	struct ts_wall wall;
-	bool primitive_word, mesh_word;
+	bool primitive_word, mesh_word, contacts_word;
 	int64_t type, nmeshes;
-	struct ts_words meshes;
-	double plane[3], cylinder[3][3]; /* as given; NaN: not given */
-	double velocity[3];
-	bool store_force;
-	int shape; /* enum ts_primitive_shape */
-	struct ts_primitive primitive;
+	struct ts_words meshes, law_words[NLAWS];
+	struct ts_gran_numbers numbers;
+	struct ts_primitive_wall primitive;
 	struct ts_mesh_wall mesh;
 };
 
-/* Which of the shapes is given; the first two are an error. */
-static enum ts_status choose_shape(struct ts_instance *self, struct tsim *sim)
+static enum ts_status check_shape(struct ts_instance *self, struct tsim *sim)
 {
-	struct wall *w = self->state;
-	int given = 0;
+	const struct wall *w = self->state;
+	int given = ts_primitive_wall_shapes(&w->primitive);
 
-	for (int k = 0; k < NSHAPES; k++) {
-		const double *value = k < 3 ? &w->plane[k] : w->cylinder[k - 3];
-
-		if (isnan(*value))
-			continue;
-		given++;
-		w->shape = k;
-		w->primitive.position = w->primitive.radius = value[0];
-		w->primitive.centre[0] = k < 3 ? 0 : value[1];
-		w->primitive.centre[1] = k < 3 ? 0 : value[2];
-	}
-	w->primitive.shape = (enum ts_primitive_shape)w->shape;
 	if (given == !w->mesh_word)
 		return TS_OK;
 	if (w->mesh_word)
@@ -55,21 +46,31 @@ static enum ts_status choose_shape(struct ts_instance *self, struct tsim *sim)
 		given);
 }
 
-static enum ts_status check_shape(struct ts_instance *self, struct tsim *sim)
+/* `hooke/history kn kt gamma_n gamma_t xmu dampflag` */
+static enum ts_status choose_law(struct ts_instance *self, struct tsim *sim)
 {
-	const struct wall *w = self->state;
-	int dim = w->shape % 3;
+	static const struct ts_arg rows[] = { TS_GRAN_NUMBERS_ARGS(struct wall, numbers),
+					      TS_ARGS_END };
+	struct wall *w = self->state;
+	bool limit_damping = w->numbers.limit_damping;
+	char what[64];
+	int given = w->wall.words.normal != TS_NORMAL_OFF;
 
-	if (w->type == INT64_MIN)
-		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
-			       "fix wall/gran primitive: which `type`?");
-	if (w->shape >= TS_XCYLINDER && !(w->primitive.radius > 0))
-		return ts_fail(&sim->error, TS_RANGE, &self->where,
-			       "fix wall/gran: the radius of a cylinder must be > 0");
-	if (w->shape <= TS_ZPLANE && ts_sim_has_box(sim) && ts_box_periodic(&sim->domain->box, dim))
-		return ts_fail(&sim->error, TS_STATE, &self->where,
-			       "fix wall/gran: a plane wall across the periodic dimension %c",
-			       'x' + dim);
+	for (int k = 0; k < NLAWS; k++) {
+		if (!w->law_words[k].n)
+			continue;
+		snprintf(what, sizeof what, "fix wall/gran %s", laws[k].name);
+		if (given++)
+			return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, laws[k].name),
+				       "%s: there is another law on this line", what);
+		TS_TRY(ts_args_parse(sim, what, rows, w->law_words[k],
+				     ts_instance_word(self, laws[k].name), &self->arena, w));
+		w->numbers.limit_damping = limit_damping;
+		w->wall.model = ts_gran_numbers_model(laws[k].normal, laws[k].tangential,
+						      &w->numbers);
+		w->wall.given = true;
+		TS_TRY(ts_gran_numbers_law(sim, &w->numbers, &self->where, &w->wall.numbers));
+	}
 	return TS_OK;
 }
 
@@ -92,31 +93,28 @@ static enum ts_status find_meshes(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+static enum ts_status place_primitive(struct ts_instance *self, struct tsim *sim)
+{
+	struct wall *w = self->state;
+
+	if (w->type == INT64_MIN && !w->wall.given)
+		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+			       "fix wall/gran primitive: which `type`?");
+	if (w->type == INT64_MIN) /* LAMMPS' walls have no material */
+		w->type = 1;
+	w->primitive.lammps = w->wall.given;
+	return ts_primitive_wall_read(self, sim, &w->primitive);
+}
+
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct wall *w = self->state;
 
-	TS_TRY(choose_shape(self, sim));
-	TS_TRY(w->mesh_word ? find_meshes(self, sim) : check_shape(self, sim));
+	TS_TRY(check_shape(self, sim));
+	TS_TRY(choose_law(self, sim));
+	TS_TRY(w->mesh_word ? find_meshes(self, sim) : place_primitive(self, sim));
 	w->wall.meshes = w->mesh_word ? (int)w->mesh.nmeshes : 0;
 	return ts_wall_init(self, sim);
-}
-
-static enum ts_status list_near(struct ts_instance *self, struct tsim *sim)
-{
-	struct wall *w = self->state;
-	const struct ts_particles *p = sim->particles;
-
-	for (size_t i = 0; i < p->n; i++) {
-		double n[3];
-
-		if (!ts_in_group(p, i, self->group) || p->imass[i] == 0)
-			continue;
-		if (ts_primitive_distance(&w->primitive, p->xhold[i], n) <
-		    p->radius[i] + sim->neigh->built_skin)
-			TS_TRY(ts_wall_contacts_add(sim, &w->wall.contacts, i, 0));
-	}
-	return TS_OK;
 }
 
 /* The particle types whose materials the wall has: one of each mesh. */
@@ -143,44 +141,26 @@ static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
 	return ts_wall_rebuild_finish(&w->wall, sim, &rebuild,
 				      w->mesh_word
 					      ? ts_mesh_wall_list(self, sim, &w->wall, &w->mesh)
-					      : list_near(self, sim));
+					      : ts_primitive_wall_list(self, sim, &w->wall,
+								       &w->primitive));
 }
 
 static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 {
 	const struct wall *w = self->state;
 
-	if (w->mesh_word && ts_mesh_wall_has_moved(sim, &w->mesh))
-		sim->rebuild = true;
+	sim->rebuild |= w->mesh_word ? ts_mesh_wall_has_moved(sim, &w->mesh)
+				     : ts_primitive_wall_has_moved(sim, &w->primitive);
 	return TS_OK;
-}
-
-static void push_from_primitive(struct tsim *sim, struct wall *w)
-{
-	struct ts_wall *wall = &w->wall;
-	const struct ts_particles *p = sim->particles;
-	struct ts_wall_spot spot = { .type = (int)w->type };
-
-	for (int d = 0; d < 3; d++)
-		spot.velocity[d] = w->velocity[d];
-	for (size_t k = 0; k < wall->contacts.n; k++) {
-		size_t i = (size_t)wall->contacts.row[k];
-
-		spot.distance = ts_primitive_distance(&w->primitive, p->x[i], spot.n);
-		if (spot.distance < p->radius[i])
-			ts_wall_push(wall, sim, k, &spot);
-		else
-			ts_wall_contact_part(&wall->contacts, k);
-	}
 }
 
 static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 {
 	struct wall *w = self->state;
 
-	w->wall.force[0] = w->wall.force[1] = w->wall.force[2] = 0;
+	ts_wall_start(&w->wall, sim);
 	if (!w->mesh_word) {
-		push_from_primitive(sim, w);
+		ts_primitive_wall_push(sim, &w->wall, &w->primitive, (int)w->type);
 		return TS_OK;
 	}
 	ts_mesh_wall_push(sim, &w->wall, &w->mesh);
@@ -192,6 +172,8 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 {
 	const struct wall *w = self->state;
 
+	if (!w->mesh_word)
+		ts_primitive_wall_plan(self, sim, &w->primitive);
 	for (size_t k = 0; k < ntypes(w); k++)
 		TS_TRY(ts_wall_plan(self, sim, type_of(w, k), report));
 	return TS_OK;
@@ -203,16 +185,24 @@ static void fini(struct ts_instance *self)
 	ts_wall_fini(self);
 }
 
-#define PLANE(axis, k)                                                                             \
-	TS_REAL(axis "plane", struct wall, plane[k], .flags = TS_OPTIONAL, .unit = "length",       \
-		.help = "the plane " axis " = this")
-#define CYLINDER(axis, k, first, second)                                                           \
-	TS_VEC3(axis "cylinder", struct wall, cylinder[k], .flags = TS_OPTIONAL, .unit = "length", \
-		.help = "cylinder along " axis ": radius, then its centre along " first            \
-			" and " second)
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	TS_TRY(ts_primitive_wall_archive(a, &((struct wall *)self->state)->primitive));
+	return ts_wall_archive(self, sim, a);
+}
+
+#define LAW(name, k)                                                                               \
+	TS_SOME_KEYWORD(name, struct wall, law_words[k], 0,                                        \
+			.help = "the law of pair_style gran/" name ": kn kt gamma_n gamma_t xmu " \
+				"dampflag")
 
 static const struct ts_arg args[] = {
 	TS_GRANULAR_ARGS(struct wall, wall.words),
+	LAW("hooke", 0),
+	LAW("hooke/history", 1),
+	LAW("hertz/history", 2),
+	TS_FLAG("limit_damping", struct wall, numbers.limit_damping,
+		.help = "with these laws: the normal force never pulls"),
 	TS_FLAG("primitive", struct wall, primitive_word,
 		.help = "the wall is a plane or cylinder"),
 	TS_INT("type", struct wall, type, .flags = TS_OPTIONAL, .range = TS_POSITIVE,
@@ -222,15 +212,10 @@ static const struct ts_arg args[] = {
 	       .help = "mesh: how many"),
 	TS_SOME_KEYWORD("meshes", struct wall, meshes, TS_STATEFUL, .count = "n_meshes",
 			.help = "mesh: IDs of their fixes; each has the material of its own type"),
-	PLANE("x", 0),
-	PLANE("y", 1),
-	PLANE("z", 2),
-	CYLINDER("x", 0, "y", "z"),
-	CYLINDER("y", 1, "z", "x"),
-	CYLINDER("z", 2, "x", "y"),
-	TS_VEC3("velocity", struct wall, velocity, .fallback = "0 0 0", .unit = "velocity",
-		.help = "velocity of the surface in its own plane; the wall stays where it is"),
-	TS_BOOL("store_force", struct wall, store_force, .fallback = "no", .help = "no effect yet"),
+	TS_PRIMITIVE_WALL_ARGS(struct wall, primitive),
+	TS_WALL_ARGS(struct wall, wall),
+	TS_FLAG("contacts", struct wall, contacts_word,
+		.help = "no effect; see compute wall/gran/local"),
 	TS_ARGS_END,
 };
 
@@ -245,41 +230,51 @@ static const struct ts_saved saved[] = {
 	TS_SAVED_ROWS_END,
 };
 
+static const char doc[] =
+	"The particles of the group meet the wall as they would an infinitely heavy partner with a flat\n"
+	"surface: m* = m, R* = R. With `model ...` the wall has contact laws of its own, composed as for\n"
+	"pair_style gran, with the material of its `type`; with `hooke`, `hooke/history` or `hertz/history` and\n"
+	"their numbers those of LAMMPS; with neither, those of the pair style. Planes and cylinders are\n"
+	"two-sided. On the axis of a cylinder there is no force. Each particle remembers its contact with the\n"
+	"wall as with a partner. The centre of a cylinder is given along the next two axes in cyclic order:\n"
+	"xcylinder y z, ycylinder z x, zcylinder x y.\n\n"
+	"`shear DIM V`: the surface moves with V along DIM, but stays where it is. Where DIM is not the axis of\n"
+	"a cylinder, it turns about its axis with the angular velocity V, V a x d at d from the axis a, as in\n"
+	"LIGGGHTS (which confuses two components for ycylinder; `legacy yes` does, too); with the laws of LAMMPS\n"
+	"its speed is V, with the clock as seen from the tip of the axis (and nothing is added along DIM, as\n"
+	"LAMMPS' program does). `wiggle DIM A T`: displacement A (1 - cos(2 pi t/T)), t from the\n"
+	"definition of the fix; along the surface only the velocity matters.\n\n"
+	"`temperature T` makes the wall give Q = h (T - T_i), h = 4 k k_wall/(k + k_wall) sqrt(A), to the\n"
+	"particles (fix heat/gran); A is pi (R^2 - r^2) at the distance r from the wall, or as `contact_area`\n"
+	"says. `store_force yes` keeps the force of the wall on each particle, f_force_ID[1] ... [3].\n\n"
+	"A wall of meshes is met in faces, edges and corners, from both sides; particles of the groups of\n"
+	"both fixes meet it. fix mesh/surface says which edges and corners count, and its temperature. A contact\n"
+	"that moves from one triangle to a flat neighbour goes on with what it remembers.";
+
 TS_STYLE(fix, ts_style, ts_fix_wall_gran)
 const struct ts_style ts_fix_wall_gran = {
 	.name = "wall/gran",
 	.kind = TS_KIND_FIX,
 	.summary = "a rigid wall with the contact law of the pair style",
-	.doc = "The particles of the group meet the wall as they would an infinitely heavy partner "
-	       "with a "
-	       "flat surface: m* = m, R* = R. With `model ...` the wall has contact laws of its "
-	       "own, "
-	       "composed as for pair_style gran, with the material of its `type`; without, those "
-	       "of the "
-	       "pair style. Planes and cylinders are two-sided. On the axis of a cylinder there is "
-	       "no "
-	       "force. Each particle remembers its contact with the wall as with a partner. The "
-	       "centre "
-	       "of a cylinder is given along the next two axes in cyclic order: xcylinder y z, "
-	       "ycylinder "
-	       "z x, zcylinder x y.\n\n"
-	       "A wall of meshes is met in faces, edges and corners, from both sides; particles of the groups of\n"
-	       "both fixes meet it. fix mesh/surface says which edges and corners count. A contact that moves\n"
-	       "from one triangle to a flat neighbour goes on with what it remembers.",
-	.example = "fix floor all wall/gran model hertz tangential history primitive type 1 zplane "
-		   "0.0\n"
-		   "fix drum all wall/gran primitive type 2 zcylinder 0.05 0.0 0.0\n"
+	.doc = doc,
+	.example = "fix floor all wall/gran model hertz tangential history primitive type 1 zplane 0.0\n"
+		   "fix belt all wall/gran model hertz tangential history primitive type 1 zplane 0.0 "
+		   "shear x 0.5\n"
+		   "fix drum all wall/gran primitive type 2 zcylinder 0.05 0.0 0.0 temperature 373.15\n"
+		   "fix lid all wall/gran hooke/history 200000.0 NULL 50.0 NULL 0.5 1 zplane 0.0 0.1 "
+		   "wiggle z 0.001 0.02\n"
 		   "fix walls all wall/gran model hertz tangential history mesh n_meshes 2 meshes cad1 "
 		   "cad2",
 	.args = args,
 	.family = TS_FAMILY_WALL,
 	.state_size = sizeof(struct wall),
-	.archive = ts_wall_archive,
+	.archive = archive,
 	.values = values,
 	.init = init,
 	.saved = saved,
 	.hook = { [TS_STAGE_CHECK] = check,
-		  [TS_STAGE_POST_BUILD] = post_build, [TS_STAGE_POST_FORCE] = post_force },
+		  [TS_STAGE_POST_BUILD] = post_build,
+		  [TS_STAGE_POST_FORCE] = post_force },
 	.plan = plan,
 	.fini = fini,
 };

@@ -1,0 +1,285 @@
+#include "neigh/primitive_wall.h"
+
+#include <math.h>
+
+#include "core/plan.h"
+#include "particles/domain.h"
+
+#include "base/banned.h"
+
+enum { NSHAPES = TS_PRIMITIVE_SHAPES, MOST = TS_MOST_PRIMITIVES };
+static const char *const shape_names[NSHAPES] = { "xplane",    "yplane",    "zplane",
+						  "xcylinder", "ycylinder", "zcylinder" };
+
+/* ---- arguments ---- */
+
+static enum ts_status numbers_of(struct tsim *sim, struct ts_words words, const char *what,
+				 const char *expected, size_t least, size_t most, double *out)
+{
+	bool good = words.n >= least && words.n <= most;
+	size_t bad = good ? 0 : words.n ? words.n - 1 : 0;
+
+	for (size_t k = 0; good && k < words.n; k++) {
+		out[k] = NAN;
+		if (most == MOST && ts_streq(words.word[k].text, "NULL"))
+			continue;
+		good = ts_parse_real(words.word[k].text, &out[k]) && isfinite(out[k]);
+		bad = k;
+	}
+	if (good)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_SYNTAX, &words.word[bad].place,
+		       "fix wall/gran: %s takes %s, found '%s'", what, expected,
+		       words.word[bad].text);
+}
+
+/* `zplane z` or, as in LAMMPS, `zplane lo hi` of which either may be NULL. */
+static enum ts_status read_plane(struct ts_primitive_wall *w, struct tsim *sim, int shape)
+{
+	double at[MOST];
+	struct ts_words words = w->shape_words[shape];
+
+	TS_TRY(numbers_of(sim, words, shape_names[shape],
+			  "one position, or two of which either may be NULL", 1, MOST, at));
+	w->n = 0;
+	for (size_t k = 0; k < words.n; k++)
+		if (!isnan(at[k]))
+			w->primitive[w->n++] = (struct ts_primitive){
+				.shape = (enum ts_primitive_shape)shape, .position = at[k]
+			};
+	return TS_OK;
+}
+
+/* `zcylinder radius x y` or, as in LAMMPS, `zcylinder radius`. */
+static enum ts_status read_cylinder(struct ts_primitive_wall *w, struct tsim *sim, int shape)
+{
+	struct ts_words words = w->shape_words[shape];
+	double value[3] = { 0 };
+
+	TS_TRY(numbers_of(sim, words, shape_names[shape],
+			  "a radius, or a radius and the centre along the next two axes",
+			  words.n == 1 ? 1 : 3, 3, value));
+	if (!(value[0] > 0))
+		return ts_fail(&sim->error, TS_RANGE, &words.word[0].place,
+			       "fix wall/gran: the radius of a cylinder must be > 0");
+	w->n = 1;
+	w->primitive[0] = (struct ts_primitive){ .shape = (enum ts_primitive_shape)shape,
+						 .radius = value[0],
+						 .centre = { value[1], value[2] } };
+	return TS_OK;
+}
+
+int ts_primitive_wall_shapes(const struct ts_primitive_wall *w)
+{
+	int given = 0;
+
+	for (int k = 0; k < NSHAPES; k++)
+		given += w->shape_words[k].n > 0;
+	return given;
+}
+
+static enum ts_status read_shape(struct ts_instance *self, struct tsim *sim, struct ts_primitive_wall *w)
+{
+	int shape = 0;
+
+	while (!w->shape_words[shape].n)
+		shape++;
+	if (shape >= TS_XCYLINDER)
+		return read_cylinder(w, sim, shape);
+	if (ts_sim_has_box(sim) && ts_box_periodic(&sim->domain->box, shape))
+		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, shape_names[shape]),
+			       "fix wall/gran: a plane wall across the periodic dimension %c",
+			       'x' + shape);
+	return read_plane(w, sim, shape);
+}
+
+static enum ts_status read_dimension(struct tsim *sim, const struct ts_word *word, const char *what,
+				     int *out)
+{
+	for (*out = 0; *out < 3; ++*out)
+		if (word->text[0] == 'x' + *out && !word->text[1])
+			return TS_OK;
+	return ts_fail(&sim->error, TS_SYNTAX, &word->place,
+		       "fix wall/gran: %s is along '%s', expected x, y or z", what, word->text);
+}
+
+static enum ts_status read_motion(struct ts_instance *self, struct tsim *sim,
+				      struct ts_primitive_wall *w)
+{
+	double value[2];
+
+	w->wiggle_dim = -1;
+	if (w->shear_words.n) {
+		TS_TRY(read_dimension(sim, &w->shear_words.word[0], "shear", &w->shear_dim));
+		TS_TRY(numbers_of(sim, ts_words_from(w->shear_words, 1), "shear",
+				  "a dimension and a velocity", 1, 1, &w->shear));
+	}
+	if (!w->wiggle_words.n)
+		return TS_OK;
+	if (w->shear_words.n)
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "wiggle"),
+			       "fix wall/gran: either wiggle or shear");
+	TS_TRY(read_dimension(sim, &w->wiggle_words.word[0], "wiggle", &w->wiggle_dim));
+	TS_TRY(numbers_of(sim, ts_words_from(w->wiggle_words, 1), "wiggle",
+			  "a dimension, an amplitude and a period", 2, 2, value));
+	w->amplitude = value[0];
+	w->period = value[1];
+	if (!(w->period > 0))
+		return ts_fail(&sim->error, TS_RANGE, &w->wiggle_words.word[2].place,
+			       "fix wall/gran: the period of wiggle must be > 0");
+	if (!(w->begun > 0))
+		w->origin = ts_sim_time(sim);
+	w->begun = 1;
+	return TS_OK;
+}
+
+enum ts_status ts_primitive_wall_read(struct ts_instance *self, struct tsim *sim,
+				      struct ts_primitive_wall *w)
+{
+	TS_TRY(read_shape(self, sim, w));
+	return read_motion(self, sim, w);
+}
+
+/* ---- motion ---- */
+
+/* Of planes along their normal. */
+static bool moves(const struct ts_primitive_wall *w)
+{
+	return w->n && (int)w->primitive[0].shape == w->wiggle_dim;
+}
+
+/* A (1 - cos wt), as in LAMMPS. */
+static double displacement(const struct ts_primitive_wall *w, const struct tsim *sim)
+{
+	double phase = 2 * TS_PI / w->period * (ts_sim_time(sim) - w->origin);
+
+	return moves(w) ? w->amplitude * (1 - cos(phase)) : 0;
+}
+
+static double wiggle_velocity(const struct ts_primitive_wall *w, const struct tsim *sim)
+{
+	double omega = 2 * TS_PI / w->period;
+
+	return w->amplitude * omega * sin(omega * (ts_sim_time(sim) - w->origin));
+}
+
+/* About the axis of a cylinder, at d from it. LIGGGHTS: the angular velocity `shear` times d, with the
+ * components of d in wrong order for ycylinder, which `legacy yes` reproduces. LAMMPS' manual: the speed
+ * `shear`, with the clock as seen from the tip of the axis; its program (29 Sep 2021) adds the velocity
+ * along that dimension. */
+static void spin(const struct ts_primitive_wall *w, const struct tsim *sim, int axis, const double x[3], double v[3])
+{
+	const double *centre = w->primitive[0].centre;
+	int a = (axis + 1) % 3, b = (axis + 2) % 3;
+	double da = x[a] - centre[0], db = x[b] - centre[1], r = sqrt(da * da + db * db);
+
+	if (w->lammps) {
+		v[a] += r > 0 ? w->shear * db / r : 0;
+		v[b] -= r > 0 ? w->shear * da / r : 0;
+	} else if (sim->legacy && axis == 1) {
+		v[0] += w->shear * db;
+		v[2] -= w->shear * da;
+	} else {
+		v[a] -= w->shear * db;
+		v[b] += w->shear * da;
+	}
+}
+
+static void surface_velocity(const struct ts_primitive_wall *w, const struct tsim *sim, const double x[3],
+			     double v[3])
+{
+	int shape = (int)w->primitive[0].shape;
+
+	for (int d = 0; d < 3; d++)
+		v[d] = w->velocity[d];
+	if (w->wiggle_dim >= 0)
+		v[w->wiggle_dim] += wiggle_velocity(w, sim);
+	if (w->shear_words.n && shape >= TS_XCYLINDER && shape % 3 != w->shear_dim)
+		spin(w, sim, shape % 3, x, v);
+	else if (w->shear_words.n)
+		v[w->shear_dim] += w->shear;
+}
+
+static double distance(const struct ts_primitive_wall *w, int element, double moved, const double x[3],
+		       double n[3])
+{
+	struct ts_primitive primitive = w->primitive[element];
+
+	primitive.position += moved;
+	return ts_primitive_distance(&primitive, x, n);
+}
+
+/* ---- stages ---- */
+
+/* Contacts are listed for as long as particles and wall each move less than half the skin. */
+bool ts_primitive_wall_has_moved(const struct tsim *sim, const struct ts_primitive_wall *w)
+{
+	return moves(w) &&
+	       !(fabs(displacement(w, sim) - w->held) < 0.5 * sim->neigh->built_skin);
+}
+
+enum ts_status ts_primitive_wall_list(struct ts_instance *self, struct tsim *sim, struct ts_wall *wall,
+				      struct ts_primitive_wall *w)
+{
+	const struct ts_particles *p = sim->particles;
+	double n[3];
+
+	if (!sim->resuming)
+		w->held = displacement(w, sim);
+	for (size_t i = 0; i < p->n; i++) {
+		if (!ts_wall_meets(self, sim, i, !isnan(w->temperature)))
+			continue;
+		for (int k = 0; k < w->n; k++)
+			if (distance(w, k, w->held, p->xhold[i], n) <
+			    p->radius[i] + sim->neigh->built_skin)
+				TS_TRY(ts_wall_contacts_add(sim, &wall->contacts, i, k));
+	}
+	return TS_OK;
+}
+
+void ts_primitive_wall_push(struct tsim *sim, struct ts_wall *wall, const struct ts_primitive_wall *w,
+			    int type)
+{
+	const struct ts_particles *p = sim->particles;
+	struct ts_wall_spot spot = { .type = type,
+				     .warm = !isnan(w->temperature),
+				     .temperature = w->temperature };
+	double moved = displacement(w, sim);
+
+	for (size_t k = 0; k < wall->contacts.n; k++) {
+		size_t i = (size_t)wall->contacts.row[k];
+
+		spot.distance = distance(w, wall->contacts.key[k][1], moved, p->x[i], spot.n);
+		if (!(spot.distance < p->radius[i])) {
+			ts_wall_contact_part(&wall->contacts, k);
+			continue;
+		}
+		surface_velocity(w, sim, p->x[i], spot.velocity);
+		ts_wall_push(wall, sim, k, &spot);
+	}
+}
+
+void ts_primitive_wall_plan(struct ts_instance *self, struct tsim *sim,
+			    const struct ts_primitive_wall *w)
+{
+	if (w->n && w->shear_words.n && (int)w->primitive[0].shape == w->shear_dim)
+		ts_warn(&sim->log, ts_instance_word(self, "shear"),
+			"fix wall/gran: a shear along the normal moves no plane, only the dashpot of "
+			"contacts sees the velocity");
+	if (!isnan(w->temperature) && !ts_heat_of(sim))
+		ts_warn(&sim->log, ts_instance_word(self, "temperature"),
+			"fix wall/gran: the temperature has no effect without fix heat/gran");
+}
+
+/* Older files have no such numbers. */
+enum ts_status ts_primitive_wall_archive(struct ts_archive *a, struct ts_primitive_wall *w)
+{
+	double wiggle[3] = { w->origin, w->held, w->begun };
+
+	if (ts_archive_has(a, "wiggle"))
+		TS_TRY(ts_archive_fixed(a, "wiggle", TS_SAVED_F64, wiggle, 3));
+	w->origin = wiggle[0];
+	w->held = wiggle[1];
+	w->begun = wiggle[2];
+	return TS_OK;
+}
