@@ -175,6 +175,7 @@ library_sources = \
 	src/law/energy.h \
 	src/law/granular.h \
 	src/law/granular_force.h \
+	src/law/granular_limit.h \
 	src/law/heat.h \
 	src/law/lens.h \
 	src/law/normal.h \
@@ -232,6 +233,8 @@ library_sources = \
 	src/neigh/heat.c \
 	src/neigh/heat.h \
 	src/neigh/heat_step.c \
+	src/neigh/limits.c \
+	src/neigh/limits.h \
 	src/neigh/material_words.c \
 	src/neigh/materials.c \
 	src/neigh/materials.h \
@@ -533,6 +536,7 @@ library_sources = \
 	src/styles/fix/aveforce.c \
 	src/styles/fix/balance.c \
 	src/styles/fix/bond_breakage.c \
+	src/styles/fix/check_timestep_gran.c \
 	src/styles/fix/controller.c \
 	src/styles/fix/deform.c \
 	src/styles/fix/drag.c \

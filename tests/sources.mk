@@ -23,6 +23,7 @@ shell_tests = \
 	tests/crosscheck/scripts.sh \
 	tests/crosscheck/space.sh \
 	tests/crosscheck/text.sh \
+	tests/crosscheck/timestep.sh \
 	tests/crosscheck/walls.sh \
 	tests/crosscheck_mode.sh \
 	tests/data_files.sh \
@@ -53,6 +54,7 @@ shell_tests = \
 	tests/decks/refusals.sh \
 	tests/decks/regions.sh \
 	tests/decks/rigid.sh \
+	tests/decks/timestep.sh \
 	tests/decks/wall_contacts.sh \
 	tests/decks/walls.sh \
 	tests/drilling.sh \
@@ -121,6 +123,7 @@ unit_tests = \
 	tests/check_unbreakable \
 	tests/check_variables \
 	tests/check_wear \
+	tests/stability/check_contacts \
 	tests/stability/check_limits
 tests_common = \
 	tests/cloud.c \
@@ -263,6 +266,10 @@ tests_check_variables_LDADD = $(tests_ldadd)
 tests_check_wear_SOURCES = tests/check_wear.c $(tests_common)
 tests_check_wear_CFLAGS = $(tests_cflags)
 tests_check_wear_LDADD = $(tests_ldadd)
+
+tests_stability_check_contacts_SOURCES = tests/stability/check_contacts.c $(tests_common)
+tests_stability_check_contacts_CFLAGS = $(tests_cflags)
+tests_stability_check_contacts_LDADD = $(tests_ldadd)
 
 tests_stability_check_limits_SOURCES = tests/stability/check_limits.c $(tests_common)
 tests_stability_check_limits_CFLAGS = $(tests_cflags)

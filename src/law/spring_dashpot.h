@@ -17,6 +17,7 @@
 #include <stdbool.h>
 
 #include "law/granular.h"
+#include "law/granular_limit.h"
 
 struct ts_spring_dashpot {
 	double stiffness;	     /* k, force/length */
@@ -42,16 +43,10 @@ static inline double ts_spring_dashpot_beta(const struct ts_granular_pair *c, do
 	return c->gamman_root != 0 ? c->gamman_root * sqrt(mass) : c->gamman;
 }
 
-/* The largest stable step of leapfrog-like schemes (velocity Verlet and symplectic Euler, the
- * damping force taken at the half step): |z| <= 1 for z^2 - (2 - w^2 h^2 - 2 g h) z + 1 - 2 g h =
- * 0, that is h = 2 (sqrt(w^2 + g^2) - g) / w^2. Explicit Euler, z^2 - (2 - 2 g h) z + 1 - 2 g h +
- * w^2 h^2, is stable for h < 2 g / w^2 = beta / k only. */
 static inline double ts_spring_dashpot_limit(const struct ts_granular_pair *c, double mass,
 					     bool explicit_euler)
 {
-	double w2 = c->kn / mass, g = ts_spring_dashpot_beta(c, mass) / (2 * mass);
-
-	return explicit_euler ? 2 * g / w2 : 2 * (sqrt(w2 + g * g) - g) / w2;
+	return ts_oscillator_limit(c->kn, ts_spring_dashpot_beta(c, mass), mass, explicit_euler);
 }
 
 #endif

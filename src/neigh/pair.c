@@ -1,9 +1,11 @@
 #include "neigh/pair.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "core/plan.h"
+#include "neigh/limits.h"
 #include "particles/template.h"
 
 #include "base/banned.h"
@@ -133,7 +135,7 @@ static void types_present(const struct tsim *sim, bool *present)
 	for (size_t i = 0; i < p->n; i++)
 		present[p->type[i]] = true;
 	for (int t = 1; t <= p->ntypes; t++)
-		present[t] |= ts_template_inverse_mass(sim, t) > 0;
+		present[t] |= ts_template_inverse_mass(sim, t, NULL) > 0;
 }
 
 static enum ts_status check_given(struct tsim *sim, struct ts_instance *self)
@@ -207,52 +209,59 @@ void ts_pair_fingerprint(const struct ts_instance *self, const struct tsim *sim,
 	ts_coeffs_fingerprint(&pair->coeffs, sim, hash);
 }
 
-/* The two largest inverse masses of each type, frozen particles having 0; -1 where there is none.
- */
-static double (*largest_inverse_masses(const struct tsim *sim))[2]
+/* The deepest overlap that there is of each pair of types. */
+static double *deepest_overlaps(const struct tsim *sim, const struct ts_pair *pair)
 {
+	size_t n = (size_t)pair->ntypes + 1;
+	const struct ts_rows *rows = &sim->neigh->rows;
 	const struct ts_particles *p = sim->particles;
-	double(*most)[2] = ts_alloc((size_t)p->ntypes + 1, sizeof *most);
+	double *most = ts_alloc(n * n, sizeof *most);
 
-	for (int t = 0; most && t <= p->ntypes; t++)
-		most[t][0] = most[t][1] = -1;
-	for (size_t i = 0; most && i < p->n; i++) {
-		double *m = most[p->type[i]], inverse = p->imass[i];
+	for (size_t r = 0; most && r < rows->n; r++) {
+		size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
+		double d[3], *one = &most[entry_of(pair, p->type[i], p->type[j])];
+		double *other = &most[entry_of(pair, p->type[j], p->type[i])];
 
-		m[1] = fmax(m[1], fmin(m[0], inverse));
-		m[0] = fmax(m[0], inverse);
-	}
-	for (int t = 1; most && t <= p->ntypes; t++) {
-		most[t][0] = fmax(most[t][0], ts_template_inverse_mass(sim, t));
-		most[t][1] = fmax(most[t][1], ts_template_inverse_mass(sim, t));
+		ts_sub(p->x[i], p->x[j], d);
+		*one = *other = fmax(*one, p->radius[i] + p->radius[j] - ts_norm(d));
 	}
 	return most;
+}
+
+static enum ts_status report_types(const struct ts_instance *self, struct tsim *sim,
+				   const struct ts_lightest *lightest, double overlap, int a, int b,
+				   double speed, struct ts_plan_report *report)
+{
+	const struct ts_pair *pair = self->state;
+	const struct ts_lightest *one = &lightest[a], *other = &lightest[b];
+	double sum = one->inverse_mass[0] + other->inverse_mass[a == b];
+	double r = one->radius[0] * other->radius[a == b] /
+		   (one->radius[0] + other->radius[a == b]);
+	struct ts_contact_case c = { &pair->model, ts_pair_law(pair, a, b), r, 1 / sum, overlap,
+				     speed };
+	char what[48];
+
+	/* no such pair, or both are held */
+	if (one->inverse_mass[0] < 0 || other->inverse_mass[a == b] < 0 || !(sum > 0))
+		return TS_OK;
+	snprintf(what, sizeof what, "of types %d and %d", a, b);
+	return ts_report_contact(report, sim, &self->where, &c, what);
 }
 
 enum ts_status ts_pair_plan(struct ts_instance *self, struct tsim *sim,
 			    struct ts_plan_report *report)
 {
-	const struct ts_pair_style *style = ts_pair_style_of(self);
 	const struct ts_pair *pair = self->state;
-	double(*most)[2] = largest_inverse_masses(sim);
-	enum ts_status status = most ? TS_OK : ts_nomem(&sim->error);
+	struct ts_lightest *lightest = ts_lightest(sim, 0);
+	double *overlap = deepest_overlaps(sim, pair), speed = 2 * ts_fastest(sim, 0);
+	enum ts_status status = lightest && overlap ? TS_OK : ts_nomem(&sim->error);
 
-	for (int a = 1; status == TS_OK && a <= pair->ntypes; a++) {
-		for (int b = a; status == TS_OK && b <= pair->ntypes; b++) {
-			double one = most[a][0], other = most[b][a == b], mass = 1 / (one + other);
-
-			/* no such pair, or both are held */
-			if (!style->limit || one < 0 || other < 0 || one + other == 0)
-				continue;
-			status = ts_report_limit(
-				report,
-				style->limit(ts_pair_law(pair, a, b), mass, sim->explicit_euler),
-				!sim->explicit_euler, &self->where,
-				"a contact of types %d and %d (m* = %.4g)%s", a, b, mass,
-				sim->explicit_euler ? " under fix nve/euler" : "");
-		}
-	}
-	ts_free(most);
+	for (int a = 1; status == TS_OK && a <= pair->ntypes; a++)
+		for (int b = a; status == TS_OK && b <= pair->ntypes; b++)
+			status = report_types(self, sim, lightest, overlap[entry_of(pair, a, b)], a,
+					      b, speed, report);
+	ts_free(lightest);
+	ts_free(overlap);
 	return status;
 }
 

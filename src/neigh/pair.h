@@ -14,8 +14,6 @@ struct ts_pair_style {
 	enum ts_status (*complete)(struct tsim *sim, void *coeff, const struct ts_place *where);
 	/* Where in an entry the constants of the law are. */
 	size_t law_offset;
-	/* Largest stable step of a contact of this effective mass; NULL: not known. */
-	double (*limit)(const struct ts_granular_pair *law, double mass, bool explicit_euler);
 };
 
 /* First member of every pair style's state. */

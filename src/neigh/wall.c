@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/plan.h"
+#include "neigh/limits.h"
 #include "particles/rigid.h"
 #include "particles/template.h"
 
@@ -287,26 +288,26 @@ enum ts_status ts_wall_plan(struct ts_instance *self, struct tsim *sim, int type
 			    struct ts_plan_report *plan)
 {
 	const struct ts_wall *w = self->state;
-	const struct ts_particles *p = sim->particles;
-	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
-	double least = INFINITY;
-	int lightest = 0;
+	struct ts_lightest *lightest;
+	double speed = ts_fastest(sim, self->group);
+	enum ts_status status = TS_OK;
+	char what[64];
 
 	TS_TRY(setup_check(self, sim, type));
-	for (size_t i = 0; i < p->n; i++) {
-		if (!ts_in_group(p, i, self->group) || !(p->mass[i] < least))
-			continue;
-		least = p->mass[i];
-		lightest = p->type[i];
+	lightest = ts_lightest(sim, self->group);
+	if (!lightest)
+		return ts_nomem(&sim->error);
+	for (int t = 1; t <= sim->particles->ntypes && status == TS_OK; t++) {
+		struct ts_contact_case c = { model_of(w, sim), law_of(w, sim, type, t),
+					     lightest[t].radius[0], 1 / lightest[t].inverse_mass[0],
+					     0, speed };
+
+		snprintf(what, sizeof what, "of type %d with wall %.24s", t, self->id);
+		if (lightest[t].inverse_mass[0] > 0)
+			status = ts_report_contact(plan, sim, &self->where, &c, what);
 	}
-	if (!lightest || w->own_model || !ts_pair_style_of(pair)->limit)
-		return TS_OK;
-	return ts_report_limit(
-		plan,
-		ts_pair_style_of(pair)->limit(ts_pair_law(pair->state, lightest, type), least,
-					      sim->explicit_euler),
-		!sim->explicit_euler, &self->where, "a contact with wall %s (m* = %.4g)", self->id,
-		least);
+	ts_free(lightest);
+	return status;
 }
 
 enum ts_status ts_wall_eval_force(struct ts_instance *self, const struct tsim *sim,

@@ -200,7 +200,7 @@ int ts_largest_type(const struct tsim *sim)
 	return most;
 }
 
-double ts_template_inverse_mass(const struct tsim *sim, int type)
+double ts_template_inverse_mass(const struct tsim *sim, int type, double *radius)
 {
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
 	double most = -1;
@@ -208,8 +208,11 @@ double ts_template_inverse_mass(const struct tsim *sim, int type)
 	for (size_t k = 0; k < fixes->n; k++) {
 		const struct ts_template *t = fixes->item[k]->state;
 
-		if (is_template(fixes->item[k]) && t->type == type)
-			most = fmax(most, 1 / t->lightest);
+		if (!is_template(fixes->item[k]) || t->type != type || !(1 / t->lightest > most))
+			continue;
+		most = 1 / t->lightest;
+		if (radius)
+			*radius = t->least;
 	}
 	return most;
 }

@@ -66,8 +66,9 @@ enum ts_status ts_template_require(struct tsim *sim, const struct ts_word *id,
 /* The largest type that a particle has or may get from a template; 0: there are none. Laws of contact must be
  * known for all up to it, as in LIGGGHTS. */
 int ts_largest_type(const struct tsim *sim);
-/* 1 / mass of the lightest particle of this type that a template may make; -1: there is no such template. */
-double ts_template_inverse_mass(const struct tsim *sim, int type);
+/* 1 / mass of the lightest particle of this type that a template may make, and its radius (may be NULL); -1:
+ * there is no such template. */
+double ts_template_inverse_mass(const struct tsim *sim, int type, double *radius);
 
 /* Refuses a seed that LIGGGHTS refuses: they must be primes above 10000, which keeps apart streams that
  * start near one another. `word` is where it stands, the `what` names the owner. */

@@ -1,4 +1,5 @@
 #include "neigh/energy.h"
+#include "neigh/limits.h"
 #include "neigh/materials.h"
 #include "neigh/pair.h"
 #include "neigh/row_loop.h"
@@ -117,6 +118,28 @@ static enum ts_status force(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+/* What granular codes go by, where the laws know the material. */
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
+			   struct ts_plan_report *report)
+{
+	const struct gran *g = self->state;
+	int law = g->pair.model.normal;
+	double speed = 2 * ts_fastest(sim, 0);
+	struct ts_granular_times times;
+
+	TS_TRY(ts_pair_plan(self, sim, report));
+	if (law != TS_NORMAL_HERTZ && law != TS_NORMAL_HOOKE && law != TS_NORMAL_HOOKE_HYSTERESIS)
+		return TS_OK;
+	TS_TRY(ts_granular_times(sim, 0, speed, false, "pair_style gran", &self->where, &times));
+	if (isfinite(times.rayleigh))
+		TS_TRY(ts_report_limit(report, times.rayleigh, false, &self->where,
+				       "waves along the surface of particles (Rayleigh's time)"));
+	if (isfinite(times.hertz))
+		TS_TRY(ts_report_limit(report, times.hertz, false, &self->where,
+				       "collisions at the speed %.4g (Hertz' time)", speed));
+	return TS_OK;
+}
+
 static enum ts_status complete(struct tsim *sim, void *coeff, const struct ts_place *where)
 {
 	(void)sim, (void)coeff, (void)where;
@@ -202,7 +225,7 @@ const struct ts_pair_style ts_pair_gran = {
 		   .init = init,
 		   .hook = { [TS_STAGE_FORCE] = force },
 		   .energy = ts_pair_energy,
-		   .plan = ts_pair_plan,
+		   .plan = plan,
 		   .fini = ts_pair_fini },
 	.coeff_size = sizeof(struct ts_granular_pair),
 	.complete = complete,

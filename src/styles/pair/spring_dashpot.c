@@ -104,5 +104,4 @@ const struct ts_pair_style ts_pair_spring_dashpot = {
 	.coeff_size = sizeof(struct ts_spring_dashpot),
 	.complete = complete,
 	.law_offset = offsetof(struct ts_spring_dashpot, law),
-	.limit = ts_spring_dashpot_limit,
 };

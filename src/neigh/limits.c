@@ -1,0 +1,187 @@
+#include "neigh/limits.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "particles/body.h"
+#include "particles/property.h"
+#include "particles/template.h"
+
+#include "base/banned.h"
+
+static void insert(struct ts_lightest *l, double inverse_mass, double radius)
+{
+	int k = inverse_mass > l->inverse_mass[0] ? 0 : inverse_mass > l->inverse_mass[1] ? 1 : 2;
+
+	if (k == 2)
+		return;
+	if (k == 0) {
+		l->inverse_mass[1] = l->inverse_mass[0];
+		l->radius[1] = l->radius[0];
+	}
+	l->inverse_mass[k] = inverse_mass;
+	l->radius[k] = radius;
+}
+
+struct ts_lightest *ts_lightest(const struct tsim *sim, int group)
+{
+	const struct ts_particles *p = sim->particles;
+	struct ts_lightest *list = ts_alloc((size_t)p->ntypes + 1, sizeof *list);
+
+	for (int t = 0; list && t <= p->ntypes; t++)
+		list[t].inverse_mass[0] = list[t].inverse_mass[1] = -1;
+	for (size_t i = 0; list && i < p->n; i++)
+		if (ts_in_group(p, i, group))
+			insert(&list[p->type[i]], p->imass[i], p->radius[i]);
+	for (int t = 1; list && t <= p->ntypes; t++) {
+		double radius, inverse_mass = ts_template_inverse_mass(sim, t, &radius);
+
+		for (int k = 0; k < 2 && inverse_mass > 0; k++) /* of which there will be several */
+			insert(&list[t], inverse_mass, radius);
+	}
+	return list;
+}
+
+double ts_fastest(const struct tsim *sim, int group)
+{
+	const struct ts_particles *p = sim->particles;
+	double most = 0;
+
+	for (size_t i = 0; i < p->n; i++)
+		if (ts_in_group(p, i, group))
+			most = fmax(most, ts_norm(p->v[i]));
+	return most;
+}
+
+enum ts_status ts_report_contact(struct ts_plan_report *report, const struct tsim *sim,
+				 const struct ts_place *where, const struct ts_contact_case *c,
+				 const char *what)
+{
+	bool stiffens = ts_granular_stiffens(c->model), euler = sim->explicit_euler;
+	const char *how = euler ? " under fix nve/euler" : "";
+	double overlap = 1, limit, slip;
+	char depth[48] = "";
+
+	if (stiffens) {
+		overlap = fmax(c->overlap,
+			       ts_granular_depth(c->model, c->law, c->r_eff, c->m_eff, c->speed));
+		snprintf(depth, sizeof depth, ", overlap %.3g", overlap);
+	}
+	if (!(overlap > 0) || !isfinite(overlap))
+		return TS_OK;
+	limit = ts_granular_limit(c->model, c->law, c->r_eff, c->m_eff, overlap, euler);
+	slip = ts_granular_slip_limit(c->model, c->law, c->r_eff, c->m_eff, overlap,
+				      ts_inertia_factor(sim), euler);
+	if (isfinite(limit))
+		TS_TRY(ts_report_limit(report, limit, !euler && !stiffens, where,
+				       "a contact %s (m* = %.4g%s)%s", what, c->m_eff, depth, how));
+	if (isfinite(slip))
+		TS_TRY(ts_report_limit(report, slip, false, where,
+				       "the slip of a contact %s (m* = %.4g%s)%s", what, c->m_eff,
+				       depth, how));
+	return TS_OK;
+}
+
+/* ---- times that granular codes go by ---- */
+
+static enum ts_status elastic(struct tsim *sim, int type, const char *who,
+			      const struct ts_place *where, double *young, double *nu)
+{
+	TS_TRY(ts_property_value(sim, "youngsModulus", type, 0, who, where, young));
+	return ts_property_value(sim, "poissonsRatio", type, 0, who, where, nu);
+}
+
+static enum ts_status rayleigh(struct tsim *sim, int group, const char *who,
+			       const struct ts_place *where, double *out)
+{
+	const struct ts_particles *p = sim->particles;
+	double young = 0, nu = 0;
+	int type = 0;
+
+	*out = INFINITY;
+	for (size_t i = 0; i < p->n; i++) {
+		double density = p->mass[i] / ts_body_volume(sim, p->radius[i]);
+
+		if (!ts_in_group(p, i, group))
+			continue;
+		if (p->type[i] != type)
+			TS_TRY(elastic(sim, p->type[i], who, where, &young, &nu));
+		type = p->type[i];
+		*out = fmin(*out, ts_rayleigh_time(p->radius[i], density, young / (2 * (1 + nu)), nu));
+	}
+	return TS_OK;
+}
+
+/* Y* of two types. */
+static enum ts_status young_of(struct tsim *sim, int a, int b, const char *who,
+			       const struct ts_place *where, double *out)
+{
+	double young[2], nu[2];
+
+	TS_TRY(elastic(sim, a, who, where, &young[0], &nu[0]));
+	TS_TRY(elastic(sim, b, who, where, &young[1], &nu[1]));
+	*out = 1 / ((1 - nu[0] * nu[0]) / young[0] + (1 - nu[1] * nu[1]) / young[1]);
+	return TS_OK;
+}
+
+/* m*^2/R* grows with either partner, so the lightest are enough: of one type the two lightest, or one and
+ * itself where it is alone. */
+static enum ts_status hertz(struct tsim *sim, const struct ts_lightest *list, double speed,
+			    const char *who, const struct ts_place *where, double *out)
+{
+	int n = sim->particles->ntypes;
+
+	for (int a = 1; a <= n; a++) {
+		for (int b = a; b <= n; b++) {
+			const struct ts_lightest *one = &list[a], *other = &list[b];
+			int k = a == b && other->inverse_mass[1] >= 0;
+			double sum = one->inverse_mass[0] + other->inverse_mass[k], r, young;
+
+			if (one->inverse_mass[0] < 0 || other->inverse_mass[k] < 0 || !(sum > 0))
+				continue;
+			TS_TRY(young_of(sim, a, b, who, where, &young));
+			r = one->radius[0] * other->radius[k] / (one->radius[0] + other->radius[k]);
+			*out = fmin(*out, ts_hertz_time(r, 1 / sum, young, speed));
+		}
+	}
+	return TS_OK;
+}
+
+static enum ts_status legacy_hertz(struct tsim *sim, int group, double speed, const char *who,
+				   const struct ts_place *where, double *out)
+{
+	const struct ts_particles *p = sim->particles;
+	double young = 0;
+	int type = 0;
+
+	for (size_t i = 0; i < p->n; i++) {
+		if (!ts_in_group(p, i, group))
+			continue;
+		if (p->type[i] != type)
+			TS_TRY(young_of(sim, p->type[i], p->type[i], who, where, &young));
+		type = p->type[i];
+		*out = fmin(*out, ts_hertz_time(0.5 * p->radius[i], p->mass[i], young, speed));
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_granular_times(struct tsim *sim, int group, double speed, bool legacy,
+				 const char *who, const struct ts_place *where,
+				 struct ts_granular_times *out)
+{
+	struct ts_lightest *list;
+	enum ts_status status;
+
+	out->hertz = INFINITY;
+	TS_TRY(rayleigh(sim, group, who, where, &out->rayleigh));
+	if (!(speed > 0))
+		return TS_OK;
+	if (legacy)
+		return legacy_hertz(sim, group, speed, who, where, &out->hertz);
+	list = ts_lightest(sim, group);
+	if (!list)
+		return ts_nomem(&sim->error);
+	status = hertz(sim, list, speed, who, where, &out->hertz);
+	ts_free(list);
+	return status;
+}
