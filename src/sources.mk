@@ -171,6 +171,7 @@ library_sources = \
 	src/io/vtk.h \
 	src/io/vtk_legacy.c \
 	src/io/vtk_legacy.h \
+	src/law/buoyancy.h \
 	src/law/cohesion.h \
 	src/law/energy.h \
 	src/law/granular.h \
@@ -293,6 +294,7 @@ library_sources = \
 	src/particles/exchange.h \
 	src/particles/force_filter.c \
 	src/particles/force_filter.h \
+	src/particles/gravity.h \
 	src/particles/group.c \
 	src/particles/group_dynamic.c \
 	src/particles/group_dynamic.h \
@@ -536,6 +538,7 @@ library_sources = \
 	src/styles/fix/aveforce.c \
 	src/styles/fix/balance.c \
 	src/styles/fix/bond_breakage.c \
+	src/styles/fix/buoyancy.c \
 	src/styles/fix/check_timestep_gran.c \
 	src/styles/fix/controller.c \
 	src/styles/fix/deform.c \

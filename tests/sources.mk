@@ -29,6 +29,7 @@ shell_tests = \
 	tests/data_files.sh \
 	tests/decks/averages.sh \
 	tests/decks/box.sh \
+	tests/decks/buoyancy.sh \
 	tests/decks/chunk_values.sh \
 	tests/decks/commands.sh \
 	tests/decks/computes.sh \

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "math/vec3.h"
+#include "particles/gravity.h"
 #include "particles/moments.h"
 #include "particles/rigid.h"
 
@@ -12,10 +13,9 @@
 enum { VECTOR, CHUTE, SPHERICAL };
 
 struct gravity {
-	struct ts_number magnitude;
+	struct ts_gravity base; /* what others see */
 	int mode;
 	double vector[3], angle, phi, theta;
-	double direction[3]; /* unit vector */
 	struct tsim *sim;
 };
 
@@ -23,7 +23,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct gravity *g = self->state;
 	const double degree = 3.14159265358979323846 / 180;
-	double *d = g->direction, length;
+	double *d = g->base.direction, length;
 
 	g->sim = sim;
 	if (g->mode == VECTOR) {
@@ -53,9 +53,9 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	struct ts_particles *p = sim->particles;
 	double magnitude, a[3];
 
-	TS_TRY(ts_number_now(sim, &g->magnitude, &self->where, &magnitude));
+	TS_TRY(ts_number_now(sim, &g->base.magnitude, &self->where, &magnitude));
 	for (int k = 0; k < 3; k++)
-		a[k] = magnitude * g->direction[k];
+		a[k] = magnitude * g->base.direction[k];
 #pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
 	for (size_t i = 0; i < p->n; i++)
 		if (ts_in_group(p, i, self->group) && !ts_rigid_member(p, i))
@@ -84,8 +84,8 @@ static enum ts_status energy(struct ts_instance *self, const struct tsim *sim, s
 	struct weights weights;
 	double magnitude;
 
-	TS_TRY(ts_number_now(g->sim, &g->magnitude, &self->where, &magnitude));
-	ts_scale(magnitude, g->direction, weights.g);
+	TS_TRY(ts_number_now(g->sim, &g->base.magnitude, &self->where, &magnitude));
+	ts_scale(magnitude, g->base.direction, weights.g);
 	ts_group_sum(sim, self->group, 1, weight, &weights, out->data);
 	return TS_OK;
 }
@@ -120,7 +120,7 @@ static const struct ts_mode modes[] = {
 };
 
 static const struct ts_arg args[] = {
-	TS_NUMBER("magnitude", struct gravity, magnitude, .flags = TS_POSITIONAL,
+	TS_NUMBER("magnitude", struct gravity, base.magnitude, .flags = TS_POSITIONAL,
 		  .unit = "acceleration", .help = "size of the acceleration; may be v_name"),
 	TS_MODE("mode", struct gravity, mode, modes, .help = "how its direction is given"),
 	TS_ARGS_END,
@@ -137,6 +137,7 @@ const struct ts_style ts_fix_gravity = {
 	       "a whole, with their own mass.",
 	.example = "fix g all gravity 9.81 vector 0.0 0.0 -1.0",
 	.args = args,
+	.family = TS_FAMILY_GRAVITY,
 	.state_size = sizeof(struct gravity),
 	.values = values,
 	.init = init,
