@@ -7,7 +7,7 @@
  *
  * Leapfrog-like schemes (velocity Verlet and symplectic Euler, the damping force taken at the half step) bear
  * |z| <= 1 for z^2 - (2 - w^2 h^2 - 2 g h) z + 1 - 2 g h = 0, w^2 = k/m, g = gamma/(2 m): that is
- * h = 2 (sqrt(w^2 + g^2) - g)/w^2. Explicit Euler, z^2 - (2 - 2 g h) z + 1 - 2 g h + w^2 h^2, is stable for
+ * h = 2 (sqrt(w^2 + g^2) - g)/w^2 = 2/(sqrt(w^2 + g^2) + g). Explicit Euler, z^2 - (2 - 2 g h) z + 1 - 2 g h + w^2 h^2, is stable for
  * h < 2 g/w^2 = gamma/k only.
  *
  * Besides, what granular codes go by: the time that a surface wave takes along a sphere (J. W. S. Rayleigh;
@@ -23,9 +23,9 @@ static inline double ts_oscillator_limit(double stiffness, double damping, doubl
 {
 	double w2 = stiffness / mass, g = damping / (2 * mass);
 
-	if (!(w2 > 0))
-		return g > 0 && !explicit_euler ? 1 / g : INFINITY;
-	return explicit_euler ? 2 * g / w2 : 2 * (sqrt(w2 + g * g) - g) / w2;
+	if (explicit_euler)
+		return w2 > 0 ? 2 * g / w2 : INFINITY;
+	return w2 > 0 || g > 0 ? 2 / (sqrt(w2 + g * g) + g) : INFINITY;
 }
 
 /* Whether the stiffness grows with the overlap. */
