@@ -471,7 +471,7 @@ void ts_heat_from_wall(const struct ts_heat *h, struct tsim *sim, size_t i, doub
 {
 	double q = conductance * (temperature - ts_heat_column(sim, h->temperature)[i]);
 
-	if (sim->in_setup && !sim->legacy) /* LIGGGHTS adds this to the flux of the last step */
+	if (sim->in_setup)
 		return;
 	ts_heat_column(sim, h->flux)[i] += q;
 	ts_heat_column(sim, h->wall_conductance)[i] += conductance;

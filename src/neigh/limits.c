@@ -53,6 +53,17 @@ double ts_fastest(const struct tsim *sim, int group)
 	return most;
 }
 
+/* Where nothing integrates the motion, contacts cannot swing (heat in a packing at rest). */
+static bool moves(const struct tsim *sim)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+	bool some = false;
+
+	for (size_t k = 0; k < fixes->n; k++)
+		some |= fixes->item[k]->style->hook[TS_STAGE_INITIAL_INTEGRATE] != NULL;
+	return some;
+}
+
 enum ts_status ts_report_contact(struct ts_plan_report *report, const struct tsim *sim,
 				 const struct ts_place *where, const struct ts_contact_case *c,
 				 const char *what)
@@ -67,7 +78,7 @@ enum ts_status ts_report_contact(struct ts_plan_report *report, const struct tsi
 			       ts_granular_depth(c->model, c->law, c->r_eff, c->m_eff, c->speed));
 		snprintf(depth, sizeof depth, ", overlap %.3g", overlap);
 	}
-	if (!(overlap > 0) || !isfinite(overlap))
+	if (!(overlap > 0) || !isfinite(overlap) || !moves(sim))
 		return TS_OK;
 	limit = ts_granular_limit(c->model, c->law, c->r_eff, c->m_eff, overlap, euler);
 	slip = ts_granular_slip_limit(c->model, c->law, c->r_eff, c->m_eff, overlap,

@@ -159,4 +159,11 @@ pair_style gran model hooke
 pair_coeff * *
 timestep 0.1
 run 1' 'is beyond the stability limit'
+prints 'include in.two
+unfix n
+pair_style gran model hooke
+pair_coeff * *
+timestep 0.1
+run 1
+print "nothing moves"' 'nothing moves'
 finish

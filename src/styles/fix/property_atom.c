@@ -18,11 +18,20 @@ struct state {
 	double initial[MOST]; /* of the numbers of LIGGGHTS' grammar */
 };
 
-/* LIGGGHTS: NAME scalar|vector restart ghost reverse value ... */
+static bool is_yes_or_no(const struct ts_word *word)
+{
+	return ts_streq(word->text, "yes") || ts_streq(word->text, "no");
+}
+
+/* LIGGGHTS: NAME scalar|vector|vector_one_entry restart ghost reverse value ... */
+static const char *const shapes[] = { "scalar", "vector", "vector_one_entry", NULL };
 static bool is_liggghts(const struct state *s)
 {
-	return s->words.n > 1 && (ts_streq(s->words.word[1].text, "scalar") ||
-				  ts_streq(s->words.word[1].text, "vector"));
+	bool is = s->words.n > 2 && is_yes_or_no(&s->words.word[2]);
+
+	for (int k = 0; shapes[k]; k++)
+		is |= s->words.n > 1 && ts_streq(s->words.word[1].text, shapes[k]);
+	return is;
 }
 
 static enum ts_status read_flag(struct tsim *sim, const struct ts_word *word, bool *out)
@@ -61,9 +70,15 @@ static enum ts_status read_liggghts(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	const struct ts_word *word = s->words.word;
-	bool vector = ts_streq(word[1].text, "vector"), reverse;
+	bool vector = ts_streq(word[1].text, "vector"), reverse, known = false;
 	size_t values = s->words.n > 5 ? s->words.n - 5 : 0;
 
+	for (int k = 0; shapes[k]; k++)
+		known |= ts_streq(word[1].text, shapes[k]);
+	if (!known)
+		return ts_fail(&sim->error, TS_SYNTAX, &word[1].place,
+			       "fix property/atom: found '%s', expected scalar, vector or "
+			       "vector_one_entry", word[1].text);
 	if (!values || values > MOST || (!vector && values != 1))
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
 			       "fix property/atom: expected NAME %s restart ghost reverse and %s",
@@ -168,7 +183,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 
 static const struct ts_arg args[] = {
 	TS_LIST_STATEFUL("names", struct state, words,
-		.help = "NAME scalar|vector, then yes or no for restart files, ghosts and reverse "
+		.help = "NAME scalar|vector|vector_one_entry, then yes or no for restart files, ghosts and reverse "
 			"(no effect), then the first value or values; or mol, q, rmass, i_NAME, "
 			"d_NAME, i2_NAME N, d2_NAME N"),
 	TS_BOOL("ghost", struct state, ghost, .fallback = "no",
