@@ -102,25 +102,45 @@ static enum ts_status elastic(struct tsim *sim, int type, const char *who,
 	return ts_property_value(sim, "poissonsRatio", type, 0, who, where, nu);
 }
 
+/* By type the least of a number of each particle of the group; infinite where there is none. */
+typedef double number_fn(const struct tsim *sim, size_t i);
+static double *least_by_type(const struct tsim *sim, int group, number_fn *number)
+{
+	const struct ts_particles *p = sim->particles;
+	double *least = ts_alloc((size_t)p->ntypes + 1, sizeof *least);
+
+	for (int t = 0; least && t <= p->ntypes; t++)
+		least[t] = INFINITY;
+	for (size_t i = 0; least && i < p->n; i++)
+		if (ts_in_group(p, i, group))
+			least[p->type[i]] = fmin(least[p->type[i]], number(sim, i));
+	return least;
+}
+
+/* Rayleigh's time is proportional to it. */
+static double radius_root_density(const struct tsim *sim, size_t i)
+{
+	double radius = sim->particles->radius[i];
+
+	return radius * sqrt(sim->particles->mass[i] / ts_body_volume(sim, radius));
+}
+
 static enum ts_status rayleigh(struct tsim *sim, int group, const char *who,
 			       const struct ts_place *where, double *out)
 {
-	const struct ts_particles *p = sim->particles;
-	double young = 0, nu = 0;
-	int type = 0;
+	double *least = least_by_type(sim, group, radius_root_density), young, nu;
+	enum ts_status status = least ? TS_OK : ts_nomem(&sim->error);
 
 	*out = INFINITY;
-	for (size_t i = 0; i < p->n; i++) {
-		double density = p->mass[i] / ts_body_volume(sim, p->radius[i]);
-
-		if (!ts_in_group(p, i, group))
+	for (int t = 1; status == TS_OK && t <= sim->particles->ntypes; t++) {
+		if (isinf(least[t]))
 			continue;
-		if (p->type[i] != type)
-			TS_TRY(elastic(sim, p->type[i], who, where, &young, &nu));
-		type = p->type[i];
-		*out = fmin(*out, ts_rayleigh_time(p->radius[i], density, young / (2 * (1 + nu)), nu));
+		status = elastic(sim, t, who, where, &young, &nu);
+		if (status == TS_OK)
+			*out = fmin(*out, ts_rayleigh_time(least[t], 1, young / (2 * (1 + nu)), nu));
 	}
-	return TS_OK;
+	ts_free(least);
+	return status;
 }
 
 /* Y* of two types. */
@@ -158,22 +178,27 @@ static enum ts_status hertz(struct tsim *sim, const struct ts_lightest *list, do
 	return TS_OK;
 }
 
+/* The Hertz time of a particle with one of its kind goes with it to the power 1/5. */
+static double mass2_by_radius(const struct tsim *sim, size_t i)
+{
+	return sim->particles->mass[i] * sim->particles->mass[i] / (0.5 * sim->particles->radius[i]);
+}
+
 static enum ts_status legacy_hertz(struct tsim *sim, int group, double speed, const char *who,
 				   const struct ts_place *where, double *out)
 {
-	const struct ts_particles *p = sim->particles;
-	double young = 0;
-	int type = 0;
+	double *least = least_by_type(sim, group, mass2_by_radius), young;
+	enum ts_status status = least ? TS_OK : ts_nomem(&sim->error);
 
-	for (size_t i = 0; i < p->n; i++) {
-		if (!ts_in_group(p, i, group))
+	for (int t = 1; status == TS_OK && t <= sim->particles->ntypes; t++) {
+		if (isinf(least[t]))
 			continue;
-		if (p->type[i] != type)
-			TS_TRY(young_of(sim, p->type[i], p->type[i], who, where, &young));
-		type = p->type[i];
-		*out = fmin(*out, ts_hertz_time(0.5 * p->radius[i], p->mass[i], young, speed));
+		status = young_of(sim, t, t, who, where, &young);
+		if (status == TS_OK)
+			*out = fmin(*out, ts_hertz_time(1 / least[t], 1, young, speed));
 	}
-	return TS_OK;
+	ts_free(least);
+	return status;
 }
 
 enum ts_status ts_granular_times(struct tsim *sim, int group, double speed, bool legacy,

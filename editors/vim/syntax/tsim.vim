@@ -69,38 +69,42 @@ syn keyword tsimKeyword  avesq sumabs aveabs minabs maxabs inputs peratom update
 syn keyword tsimKeyword  adof cdof primitives reset energy sample running window overwrite
 syn keyword tsimKeyword  title1 title2 title3 auto upper lower auto/upper auto/lower full
 syn keyword tsimKeyword  prefactor nevery cell_size_relative parallel basevolume_region
-syn keyword tsimKeyword  scalar kind global beyond end extra final delta erate trate volume
-syn keyword tsimKeyword  wiggle xy xz yz v flip axes xyz scheme explicit exact wob spring
-syn keyword tsimKeyword  body clearance chute spherical hard soft continue message path
-syn keyword tsimKeyword  initial_temperature contact_area area_correction
-syn keyword tsimKeyword  store_contact_data euler seed distributiontemplate maxattempt
-syn keyword tsimKeyword  overlapcheck all_in random_distribute uncorrelated orientation
-syn keyword tsimKeyword  set_property verbose compress_tags insert_every ntry_mc
-syn keyword tsimKeyword  check_dist_from_subdomain_border warn_region particles_in_region
-syn keyword tsimKeyword  volumefraction_region mass_in_region nparticles particlerate
-syn keyword tsimKeyword  massrate insertion_face extrude_length duration
-syn keyword tsimKeyword  element_exclusion_list precision curvature curvature_tolerant heal
-syn keyword tsimKeyword  auto_remove_duplicates surface_vel surface_ang_vel reference_point
-syn keyword tsimKeyword  stress wear finnie rescale transrot linear/variable axis period
-syn keyword tsimKeyword  rotate/variable amplitude riggle viblin order phase vibrot
-syn keyword tsimKeyword  linear/superposable linear/variable/superposable
-syn keyword tsimKeyword  rotate/superposable rotate/variable/superposable
-syn keyword tsimKeyword  wiggle/superposable riggle/superposable viblin/superposable
-syn keyword tsimKeyword  vibrot/superposable allow_group_and_set allow_heatsource
-syn keyword tsimKeyword  by_dimension sphere disc atom_type volume_limit relative nspheres
-syn keyword tsimKeyword  ntry spheres inertia_tensor use_volume use_density fflag tflag
-syn keyword tsimKeyword  title ghost writedata peratomtype peratomtypepair matrix force
-syn keyword tsimKeyword  tether couple model hooke hertz hooke/stiffness hertz/stiffness
-syn keyword tsimKeyword  hooke/hysteresis tangential history no_history rolling_friction
-syn keyword tsimKeyword  cdt epsd epsd2 epsd3 cohesion sjkr sjkr2 surface limitForce
-syn keyword tsimKeyword  tangential_damping absolute_damping ktToKnUser viscous
-syn keyword tsimKeyword  tangential_reduce torsionTorque heating_normal_hertz
-syn keyword tsimKeyword  heating_tangential_history computeElasticPotential
-syn keyword tsimKeyword  computeDissipatedEnergy disableNormalWhenBonded primitive n_meshes
-syn keyword tsimKeyword  meshes xplane yplane zplane xcylinder ycylinder zcylinder
+syn keyword tsimKeyword  scalar kind global beyond end extra dim level vmax
+syn match tsimKeyword /\<legacy\>/ 
+syn keyword tsimKeyword  final delta erate trate volume wiggle xy xz yz v flip axes xyz
+syn keyword tsimKeyword  scheme explicit exact wob spring body clearance chute spherical
+syn keyword tsimKeyword  hard soft continue message path initial_temperature contact_area
+syn keyword tsimKeyword  area_correction store_contact_data euler seed distributiontemplate
+syn keyword tsimKeyword  maxattempt overlapcheck all_in random_distribute uncorrelated
+syn keyword tsimKeyword  orientation set_property verbose compress_tags insert_every
+syn keyword tsimKeyword  ntry_mc check_dist_from_subdomain_border warn_region
+syn keyword tsimKeyword  particles_in_region volumefraction_region mass_in_region
+syn keyword tsimKeyword  nparticles particlerate massrate insertion_face extrude_length
+syn keyword tsimKeyword  duration temperature element_exclusion_list precision curvature
+syn keyword tsimKeyword  curvature_tolerant heal auto_remove_duplicates surface_vel
+syn keyword tsimKeyword  surface_ang_vel reference_point stress wear finnie rescale
+syn keyword tsimKeyword  transrot linear/variable axis period rotate/variable amplitude
+syn keyword tsimKeyword  riggle viblin order phase vibrot linear/superposable
+syn keyword tsimKeyword  linear/variable/superposable rotate/superposable
+syn keyword tsimKeyword  rotate/variable/superposable wiggle/superposable
+syn keyword tsimKeyword  riggle/superposable viblin/superposable vibrot/superposable
+syn keyword tsimKeyword  allow_group_and_set allow_heatsource by_dimension sphere disc
+syn keyword tsimKeyword  atom_type volume_limit relative nspheres ntry spheres
+syn keyword tsimKeyword  inertia_tensor use_volume use_density fflag tflag title ghost
+syn keyword tsimKeyword  writedata peratomtype peratomtypepair matrix force tether couple
+syn keyword tsimKeyword  model hooke hertz hooke/stiffness hertz/stiffness hooke/hysteresis
+syn keyword tsimKeyword  tangential history no_history rolling_friction cdt epsd epsd2
+syn keyword tsimKeyword  epsd3 cohesion sjkr sjkr2 surface limitForce tangential_damping
+syn keyword tsimKeyword  absolute_damping ktToKnUser viscous tangential_reduce
+syn keyword tsimKeyword  torsionTorque heating_normal_hertz heating_tangential_history
+syn keyword tsimKeyword  computeElasticPotential computeDissipatedEnergy
+syn keyword tsimKeyword  disableNormalWhenBonded hooke/history hertz/history limit_damping
+syn keyword tsimKeyword  primitive n_meshes meshes xplane yplane zplane xcylinder ycylinder
+syn keyword tsimKeyword  zcylinder shear
 syn match tsimKeyword /\<velocity\>/ 
-syn keyword tsimKeyword  store_force xlo xhi ylo yhi zlo zhi viscosity generic
-syn keyword tsimKeyword  limit_damping restitution side in out open center bounds angle0
+syn keyword tsimKeyword  store_force store_force_contact store_force_contact_stress
+syn keyword tsimKeyword  contacts xlo xhi ylo yhi zlo zhi viscosity generic restitution
+syn keyword tsimKeyword  side in out open center bounds angle0
 
 " numbers of the simulation and of particles
 syn keyword tsimName  id type radius diameter
@@ -125,12 +129,13 @@ syn match tsimHead /^\s*fix\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariab
 syn keyword tsim_fix contained adapt addforce ave/atom ave/chunk ave/correlate ave/euler
 syn keyword tsim_fix contained ave/histo ave/histo/weight ave/spatial ave/time aveforce
 syn match tsim_fix /\<balance\>/ contained
-syn keyword tsim_fix contained bond/breakage controller deform drag drag/stokes drill/bit
-syn keyword tsim_fix contained enforce2d evaporate freeze gravity halt heat/gran
-syn keyword tsim_fix contained heat/gran/conduction insert/pack insert/rate/region insert/stream
-syn keyword tsim_fix contained langevin lineforce mesh/surface mesh/surface/stress momentum move
-syn keyword tsim_fix contained move/mesh multisphere nve nve/euler nve/limit nve/noforce
-syn keyword tsim_fix contained nve/sphere nve/symplectic particledistribution/discrete
+syn keyword tsim_fix contained bond/breakage buoyancy check/timestep/gran controller deform drag
+syn keyword tsim_fix contained drag/stokes drill/bit enforce2d evaporate freeze gravity halt
+syn keyword tsim_fix contained heat/gran heat/gran/conduction insert/pack insert/rate/region
+syn keyword tsim_fix contained insert/stream langevin lineforce mesh/surface mesh/surface/stress
+syn keyword tsim_fix contained momentum move move/mesh multisphere nve nve/euler nve/limit
+syn keyword tsim_fix contained nve/noforce nve/sphere nve/symplectic
+syn keyword tsim_fix contained particledistribution/discrete
 syn keyword tsim_fix contained particledistribution/discrete/massbased
 syn keyword tsim_fix contained particledistribution/discrete/numberbased
 syn keyword tsim_fix contained particletemplate/multiplespheres particletemplate/multisphere
