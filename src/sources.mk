@@ -557,8 +557,11 @@ library_sources = \
 	src/styles/fix/insert_stream.c \
 	src/styles/fix/langevin.c \
 	src/styles/fix/lineforce.c \
+	src/styles/fix/massflow_mesh.c \
 	src/styles/fix/mesh_surface.c \
+	src/styles/fix/mesh_surface_planar.c \
 	src/styles/fix/mesh_surface_stress.c \
+	src/styles/fix/mesh_surface_stress_servo.c \
 	src/styles/fix/momentum.c \
 	src/styles/fix/move.c \
 	src/styles/fix/move_mesh.c \

@@ -15,7 +15,9 @@ shell_tests = \
 	tests/crosscheck/legacy.sh \
 	tests/crosscheck/liggghts.sh \
 	tests/crosscheck/local.sh \
+	tests/crosscheck/massflow.sh \
 	tests/crosscheck/mesh_dumps.sh \
+	tests/crosscheck/mesh_servo.sh \
 	tests/crosscheck/mesh_stress.sh \
 	tests/crosscheck/meshes.sh \
 	tests/crosscheck/refusals.sh \
@@ -46,8 +48,10 @@ shell_tests = \
 	tests/decks/inputs.sh \
 	tests/decks/insertion.sh \
 	tests/decks/legacy.sh \
+	tests/decks/massflow.sh \
 	tests/decks/materials.sh \
 	tests/decks/mesh_dumps.sh \
+	tests/decks/mesh_servo.sh \
 	tests/decks/mesh_stress.sh \
 	tests/decks/mistakes.sh \
 	tests/decks/neigh_words.sh \

@@ -132,3 +132,17 @@ double ts_mesh_area(const struct ts_mesh *m)
 		sum += m->area[t];
 	return sum;
 }
+
+/* Where it bends an edge acts in contacts, though it is no rim. */
+bool ts_mesh_planar(const struct ts_mesh *m, size_t *corner)
+{
+	for (*corner = 0; *corner < 3 * m->n; ++*corner) {
+		size_t t = *corner / 3;
+		int k = (int)(*corner % 3);
+
+		if (m->neighbour[t][k] == TS_MESH_MANY ||
+		    (m->neighbour[t][k] >= 0 && ts_mesh_edge_active(m, t, k)))
+			return false;
+	}
+	return true;
+}

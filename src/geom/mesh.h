@@ -71,6 +71,10 @@ void ts_mesh_triangle_moved(struct ts_mesh *mesh, size_t t);
 /* Whether two triangles share a corner and are flat neighbours. */
 bool ts_mesh_flat_neighbours(const struct ts_mesh *mesh, size_t a, size_t b);
 
+/* Whether all triangles that share an edge are flat neighbours; else *corner is 3 t + k of an edge k where
+ * the surface bends. */
+bool ts_mesh_planar(const struct ts_mesh *mesh, size_t *corner);
+
 /* Box around all triangles; lo > hi for a mesh of none. */
 void ts_mesh_bounds(const struct ts_mesh *mesh, double lo[3], double hi[3]);
 double ts_mesh_area(const struct ts_mesh *mesh);

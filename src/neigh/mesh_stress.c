@@ -110,6 +110,7 @@ enum ts_status ts_mesh_stress_clear(struct ts_instance *self, struct tsim *sim)
 		s->load[k / 3][k % 3] = 0;
 	for (int k = 0; k < 6; k++)
 		s->sum[k / 3][k % 3] = 0;
+	s->near = 0;
 	return TS_OK;
 }
 
@@ -164,10 +165,16 @@ static size_t list_touching(const struct ts_wall_contacts *c, struct ts_mesh_wal
 {
 	size_t n = 0;
 
-	for (size_t k = 0; k < c->n; k++)
-		if (ts_wall_report(c, k) && surface_at(mw, k)->stress)
+	for (size_t k = 0; k < c->n; k++) {
+		struct ts_mesh_stress *s = surface_at(mw, k)->stress;
+
+		if (!s)
+			continue;
+		s->near++;
+		if (ts_wall_report(c, k))
 			mw->touching[n++] =
 				(struct ts_mesh_touching){ c->key[k][1], c->key[k][0], k };
+	}
 	if (n)
 		qsort(mw->touching, n, sizeof *mw->touching, by_element);
 	return n;

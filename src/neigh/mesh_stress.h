@@ -19,6 +19,7 @@ struct ts_mesh_stress {
 
 	double (*load)[3];   /* force on each triangle, in the last computation of forces */
 	double sum[2][3];    /* of it: force, torque */
+	size_t near;	     /* contacts that may be before the next rebuild */
 	/* as of the last whole step */
 	double total[2][3];
 	double *normal, *shear; /* of each triangle: |force| / area, across and along it */

@@ -127,6 +127,7 @@ static enum ts_status list_images(struct tsim *sim, struct ts_wall *w, struct ts
 	return TS_OK;
 }
 
+/* A particle that is held does not feel the wall, but who sums forces on the mesh wants to know. */
 enum ts_status ts_mesh_wall_list(struct ts_instance *self, struct tsim *sim, struct ts_wall *w,
 				 struct ts_mesh_wall *mw)
 {
@@ -137,7 +138,9 @@ enum ts_status ts_mesh_wall_list(struct ts_instance *self, struct tsim *sim, str
 	for (size_t i = 0; i < p->n; i++)
 		for (size_t k = 0; k < mw->nmeshes; k++)
 			if (ts_in_group(p, i, mw->mesh[k].by->group) &&
-			    ts_wall_meets(self, sim, i, !isnan(mw->mesh[k].surface->temperature)))
+			    ts_wall_meets(self, sim, i,
+					  !isnan(mw->mesh[k].surface->temperature) ||
+						  mw->mesh[k].surface->stress))
 				TS_TRY(list_images(sim, w, mw, k, i));
 	return TS_OK;
 }

@@ -155,7 +155,8 @@ enum ts_status ts_mesh_mover_check(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(mesh_of(self, sim, &s));
 	if (s->v && !s->nmotions)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
-			       "fix %s: a mesh with surface_vel or surface_ang_vel cannot move",
+			       "fix %s: a mesh with surface_vel or surface_ang_vel cannot move, and one "
+			       "that is a servo moves by itself",
 			       self->style->name);
 	return TS_OK;
 }
@@ -179,6 +180,16 @@ enum ts_status ts_mesh_mover_move(struct ts_instance *self, struct tsim *sim,
 		advance(s, k, sim->clock.dt);
 	s->travelled += place(s);
 	add_velocity(s, k);
+	return TS_OK;
+}
+
+enum ts_status ts_mesh_surface_carry(struct tsim *sim, struct ts_mesh_surface *s,
+				     const struct ts_motion *motion)
+{
+	if (leave_home(s) != TS_OK)
+		return ts_nomem(&sim->error);
+	s->carried = *motion;
+	s->travelled += place(s);
 	return TS_OK;
 }
 

@@ -22,6 +22,10 @@ enum ts_status ts_mesh_mover_check(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_mesh_mover_move(struct ts_instance *self, struct tsim *sim,
 				  const struct ts_mesh_motion *m);
 
+/* A mesh that moves by itself, without movers: this is its motion from where it was at first. */
+enum ts_status ts_mesh_surface_carry(struct tsim *sim, struct ts_mesh_surface *surface,
+				     const struct ts_motion *motion);
+
 /* For the mesh: before a run, motions whose mover is gone end. */
 void ts_mesh_motions_settle(const struct ts_instance *by, struct tsim *sim);
 enum ts_status ts_mesh_motions_archive(struct ts_mesh_surface *surface, struct tsim *sim,

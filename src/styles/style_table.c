@@ -188,8 +188,11 @@ TS_STYLE(fix, ts_style, ts_fix_insert_rate_region)
 TS_STYLE(fix, ts_style, ts_fix_insert_stream)
 TS_STYLE(fix, ts_style, ts_fix_langevin)
 TS_STYLE(fix, ts_style, ts_fix_lineforce)
+TS_STYLE(fix, ts_style, ts_fix_massflow_mesh)
 TS_STYLE(fix, ts_style, ts_fix_mesh_surface)
+TS_STYLE(fix, ts_style, ts_fix_mesh_surface_planar)
 TS_STYLE(fix, ts_style, ts_fix_mesh_surface_stress)
+TS_STYLE(fix, ts_style, ts_fix_mesh_surface_stress_servo)
 TS_STYLE(fix, ts_style, ts_fix_momentum)
 TS_STYLE(fix, ts_style, ts_fix_move)
 TS_STYLE(fix, ts_style, ts_fix_move_mesh)
@@ -420,8 +423,11 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_insert_stream,
 	&ts_fix_langevin,
 	&ts_fix_lineforce,
+	&ts_fix_massflow_mesh,
 	&ts_fix_mesh_surface,
+	&ts_fix_mesh_surface_planar,
 	&ts_fix_mesh_surface_stress,
+	&ts_fix_mesh_surface_stress_servo,
 	&ts_fix_momentum,
 	&ts_fix_move,
 	&ts_fix_move_mesh,

@@ -1,0 +1,360 @@
+/* Fix mesh/surface/stress/servo: a mesh that a controller presses or turns until it meets a force or torque. */
+#include "io/mesh_load.h"
+#include "neigh/mesh_stress.h"
+#include "core/plan.h"
+#include "neigh/neigh.h"
+#include "particles/mesh_motion.h"
+
+#include <math.h>
+
+#include "base/banned.h"
+
+struct state {
+	struct ts_mesh_surface surface;
+	struct ts_mesh_words words;
+	struct ts_mesh_stress stress;
+	/* arguments */
+	double com[3], axis[3], target, fastest, kp, ki, kd, ratio;
+	int controlled, mode;
+
+	int moves; /* or was stopped by fix_modify */
+	double unit[3]; /* along the axis */
+	double lever;	/* of the corner farthest from the axis, for torque */
+	/* saved */
+	double speed;	/* for the next step: of the mesh, or of that corner */
+	double gone;	/* way, or angle, so far */
+	double sum, last; /* of the error: integral over time, value of the last step */
+};
+
+enum { FORCE, TORQUE };
+enum { PID, AUTO };
+enum { START, STOP };
+static const char *const controlled_names[] = { "force", "torque", NULL };
+static const char *const mode_names[] = { "pid", "auto", NULL };
+static const char *const moves_names[] = { "start", "stop", NULL };
+
+/* ---- before a run ---- */
+
+static double largest_lever(const struct state *s)
+{
+	double most = 0;
+
+	for (size_t c = 0; c < 3 * s->surface.mesh.n; c++) {
+		double arm[3], across[3];
+
+		ts_sub(s->surface.mesh.x[c / 3][c % 3], s->com, arm);
+		ts_cross(s->unit, arm, across);
+		most = fmax(most, ts_norm(across));
+	}
+	return most;
+}
+
+static enum ts_status check(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	double length = ts_norm(s->axis);
+
+	if (!(length > 0))
+		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "axis"),
+			       "fix %s: the axis has no length", self->style->name);
+	ts_scale(1 / length, s->axis, s->unit);
+	if (!(fabs(s->target) > 0))
+		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "target_val"),
+			       "fix %s: target_val must not be 0: errors are relative to it",
+			       self->style->name);
+	if (s->mode == AUTO && !(s->ratio > 0))
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "mode"),
+			       "fix %s: mode auto needs `ratio`, > 0", self->style->name);
+	return TS_OK;
+}
+
+/* As LIGGGHTS has it, where the skin is given. */
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
+{
+	const struct state *s = self->state;
+	double limit = sim->neigh->skin / (2 * sim->clock.dt);
+
+	TS_TRY(ts_mesh_surface_plan(self, sim, report));
+	if (!(sim->neigh->skin > 0) || s->fastest < limit)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "vel_max"),
+		       "fix %s: vel_max is %g, but must be below skin/(2 dt) = %g: in a step the mesh may "
+		       "not pass the skin that `neighbor` gives; take a larger one or a smaller `timestep`",
+		       self->style->name, s->fastest, limit);
+}
+
+/* To where it has gone by now. */
+static enum ts_status carry(struct state *s, struct tsim *sim)
+{
+	struct ts_motion m = ts_motion_none();
+
+	ts_scale(1, s->com, m.origin);
+	if (s->controlled == FORCE)
+		ts_scale(s->gone, s->unit, m.shift);
+	else
+		ts_motion_set_turn(&m, s->unit, s->gone);
+	return ts_mesh_surface_carry(sim, &s->surface, &m);
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	bool first = !s->surface.mesh.n;
+
+	if (first)
+		ts_scale(1, s->com, s->stress.given);
+	TS_TRY(ts_mesh_surface_init(self, sim, &s->words));
+	TS_TRY(ts_mesh_stress_init(self, sim, &s->surface, &s->stress));
+	TS_TRY(check(self, sim));
+	if (!first)
+		return TS_OK;
+	s->last = s->target > 0 ? 1 : -1;
+	s->lever = largest_lever(s);
+	return carry(s, sim);
+}
+
+/* ---- the controller ---- */
+
+static double smallest_radius(const struct ts_particles *p)
+{
+	double least = INFINITY;
+
+	for (size_t i = 0; i < p->n; i++)
+		least = fmin(least, p->radius[i]);
+	return p->n ? least : 0;
+}
+
+/* Far from all particles with the largest speed; else with ratio R / dt, and as the error goes below 1
+ * with less: a tenth of it, times the error, where that is below 0.9. */
+static double scheduled(const struct state *s, const struct tsim *sim, double error)
+{
+	double size = fmin(fabs(error), 1), gain = size <= 0.9 ? 0.1 : 0.1 + 9 * (size - 0.9);
+	double speed = s->fastest;
+
+	if (s->stress.near)
+		speed = s->ratio * smallest_radius(sim->particles) / sim->clock.dt;
+	return copysign(size * gain, error) * speed;
+}
+
+/* Where the output is beyond its limit the integral is set so that proportional and integral part make the
+ * opposite limit, as LIGGGHTS has it. */
+static double pid(struct state *s, double error, double dt)
+{
+	double output;
+
+	s->sum += error * dt;
+	output = s->kp * error + s->ki * s->sum + s->kd * (error - s->last) / dt;
+	s->last = error;
+	if (fabs(output) <= 1)
+		return s->fastest * output;
+	if (s->ki > 0)
+		s->sum = (-copysign(1, output) - s->kp * error) / s->ki;
+	return s->fastest * copysign(1, output);
+}
+
+static void set_velocities(struct state *s, double speed)
+{
+	const struct ts_mesh *m = &s->surface.mesh;
+
+	for (size_t c = 0; c < 3 * m->n; c++) {
+		double *v = s->surface.v[c / 3][c % 3], arm[3];
+
+		ts_scale(speed, s->unit, v);
+		if (s->controlled == FORCE)
+			continue;
+		ts_sub(m->x[c / 3][c % 3], s->com, arm);
+		ts_cross(s->unit, arm, v);
+		ts_scale(speed / s->lever, v, v);
+	}
+}
+
+static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	double met, error;
+
+	TS_TRY(ts_mesh_stress_settle(self, sim));
+	if (s->moves == STOP)
+		return TS_OK;
+	met = -ts_dot(s->stress.sum[s->controlled == TORQUE], s->unit);
+	error = (s->target - met) / fabs(s->target);
+	s->speed = s->mode == AUTO ? scheduled(s, sim, error) : pid(s, error, sim->clock.dt);
+	set_velocities(s, s->speed);
+	return TS_OK;
+}
+
+static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	if (s->moves == STOP)
+		return TS_OK;
+	s->gone += (s->controlled == FORCE ? s->speed : s->speed / s->lever) * sim->clock.dt;
+	return carry(s, sim);
+}
+
+/* ---- fix_modify ---- */
+
+static const struct ts_arg gain_rows[] = {
+	TS_REAL("kp", struct state, kp, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE, .help = "kp"),
+	TS_REAL("ki", struct state, ki, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE, .help = "ki"),
+	TS_REAL("kd", struct state, kd, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE, .help = "kd"),
+	TS_ARGS_END,
+};
+static const struct ts_arg target_rows[] = {
+	TS_REAL("target_val", struct state, target, .flags = TS_POSITIONAL, .help = "target"),
+	TS_ARGS_END,
+};
+static const struct ts_arg fastest_rows[] = {
+	TS_REAL("vel_max", struct state, fastest, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+		.help = "largest speed"),
+	TS_ARGS_END,
+};
+static const struct ts_arg integrate_rows[] = {
+	TS_ENUM("integrate", struct state, moves, moves_names, .flags = TS_POSITIONAL,
+		.help = "start or stop"),
+	TS_ARGS_END,
+};
+
+/* The error of the last step is seen from the new target. With a target or gains that are new its integral
+ * begins anew. */
+static void begin_anew(struct state *s, double before)
+{
+	double met = before - s->last * fabs(before);
+
+	s->last = (s->target - met) / fabs(s->target);
+	s->sum = 0;
+}
+
+static const struct modifier {
+	const char *name;
+	size_t nwords;
+	const struct ts_arg *rows;
+} modifiers[] = {
+	{ "servo/integrate", 1, integrate_rows },
+	{ "servo/target_val", 1, target_rows },
+	{ "servo/vel_max", 1, fastest_rows },
+	{ "servo/ctrlParam", 3, gain_rows },
+};
+
+static enum ts_status modify(struct ts_instance *self, struct tsim *sim, struct ts_words words,
+			     size_t *used)
+{
+	struct ts_words rest = ts_words_from(words, 1);
+	struct state *s = self->state;
+	double target = s->target;
+
+	*used = 0;
+	for (size_t k = 0; k < sizeof modifiers / sizeof *modifiers; k++) {
+		const struct modifier *m = &modifiers[k];
+
+		if (!ts_streq(m->name, words.word[0].text))
+			continue;
+		*used = 1 + (rest.n < m->nwords ? rest.n : m->nwords);
+		rest.n = *used - 1;
+		TS_TRY(ts_args_parse(sim, m->name, m->rows, rest, &words.word[0].place, &self->arena, s));
+		TS_TRY(check(self, sim));
+		if (m->rows == target_rows || m->rows == gain_rows)
+			begin_anew(s, target);
+		return TS_OK;
+	}
+	return TS_OK;
+}
+
+/* ---- the style ---- */
+
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive)
+{
+	TS_TRY(ts_mesh_surface_archive(self, sim, archive));
+	return ts_mesh_stress_archive(archive, sim, self->state);
+}
+
+static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
+{
+	TS_TRY(ts_mesh_surface_post_build(self, sim));
+	return ts_mesh_stress_constants(self, sim);
+}
+
+static void fini(struct ts_instance *self)
+{
+	ts_mesh_stress_release(&((struct state *)self->state)->stress);
+	ts_mesh_surface_fini(self);
+}
+
+static const struct ts_arg args[] = {
+	TS_MESH_ARGS(struct state, words, surface),
+	TS_MESH_STRESS_ARGS(struct state, stress),
+	TS_VEC3("com", struct state, com, .unit = "length",
+		.help = "a point of the mesh as it is placed: torques, and turns, are about it"),
+	TS_ENUM("ctrlPV", struct state, controlled, controlled_names, .flags = TS_STATEFUL,
+		.help = "what is controlled: force (the mesh shifts along the axis) or torque (it turns "
+			"about it)"),
+	TS_VEC3("axis", struct state, axis, .flags = TS_STATEFUL, .help = "direction"),
+	TS_REAL("target_val", struct state, target, .unit = "force or torque",
+		.help = "what the mesh should exert on the particles along the axis"),
+	TS_REAL("vel_max", struct state, fastest, .range = TS_POSITIVE, .unit = "velocity",
+		.help = "largest speed of the mesh; with torque, of its corner farthest from the axis"),
+	TS_REAL("kp", struct state, kp, .fallback = "0.01", .range = TS_NOT_NEGATIVE, .unit = "",
+		.help = "gain of the error"),
+	TS_REAL("ki", struct state, ki, .fallback = "0", .range = TS_NOT_NEGATIVE, .unit = "1/time",
+		.help = "gain of its integral"),
+	TS_REAL("kd", struct state, kd, .fallback = "0", .range = TS_NOT_NEGATIVE, .unit = "time",
+		.help = "gain of its rate"),
+	TS_ENUM("mode", struct state, mode, mode_names, .fallback = "pid",
+		.help = "pid, or auto: speeds after `ratio`"),
+	TS_REAL("ratio", struct state, ratio, .fallback = "0", .range = TS_NOT_NEGATIVE, .unit = "",
+		.help = "mode auto: of the smallest radius, how much the mesh moves in a step, at most"),
+	TS_ARGS_END,
+};
+
+static const struct ts_value values[] = {
+	TS_MESH_STRESS_VALUE,
+	{ .name = NULL },
+};
+
+static const struct ts_saved saved[] = {
+	TS_SAVE_F64(struct state, speed),
+	TS_SAVE_F64(struct state, gone),
+	TS_SAVE_F64(struct state, lever),
+	TS_SAVE_F64(struct state, sum),
+	TS_SAVE_F64(struct state, last),
+	TS_SAVED_ROWS_END,
+};
+
+TS_STYLE(fix, ts_style, ts_fix_mesh_surface_stress_servo)
+const struct ts_style ts_fix_mesh_surface_stress_servo = {
+	.name = "mesh/surface/stress/servo",
+	.kind = TS_KIND_FIX,
+	.summary = "A mesh that shifts or turns until particles meet it with a given force or torque",
+	.doc = "A mesh as with fix mesh/surface/stress, with com as its reference point, that moves along the\n"
+	       "axis (ctrlPV force) or turns about the axis through com (ctrlPV torque). After each step\n\n"
+	       "  e = (target_val - P)/|target_val|,\n\n"
+	       "P being what the mesh exerts on particles along the axis, the opposite of f_ID[1..3] or\n"
+	       "f_ID[4..6]; for the next step the speed is vel_max o, with\n\n"
+	       "  o = kp e + ki sum(e h) + kd (e - e_last)/h,  |o| <= 1.\n\n"
+	       "Where o meets its limit, sum(e h) is set so that kp e + ki sum(e h) is the opposite limit, as\n"
+	       "LIGGGHTS does. With ctrlPV torque it is the corner farthest from the axis that has this speed.\n\n"
+	       "`mode auto`: the speed is vel_max where no particle is near (in the neighbour list); else it is\n"
+	       "ratio R_min/h, times min(|e|, 1) g, with g = 0.1 up to |e| = 0.9 and from there linearly to 1.\n\n"
+	       "vel_max must be below skin/(2 h). No fix move/mesh can move a servo. Between runs,\n"
+	       "`fix_modify ID servo/integrate stop` holds the mesh and the controller (particles still feel the\n"
+	       "velocity it had, as with LIGGGHTS), `start` lets them go on;\n"
+	       "`servo/target_val T`, `servo/vel_max V` and `servo/ctrlParam kp ki kd` change their values.",
+	.example = "fix lid all mesh/surface/stress/servo file lid.stl type 1 com 0 0 0.1 ctrlPV force axis 0 0 "
+		   "-1 target_val 10 vel_max 0.1 kp 5",
+	.args = args,
+	.family = TS_FAMILY_MESH,
+	.state_size = sizeof(struct state),
+	.saved = saved,
+	.archive = archive,
+	.fingerprint = ts_mesh_surface_fingerprint,
+	.values = values,
+	.init = init,
+	.modify = modify,
+	.plan = plan,
+	.hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,
+		  [TS_STAGE_POST_BUILD] = post_build,
+		  [TS_STAGE_PRE_FORCE] = ts_mesh_stress_clear,
+		  [TS_STAGE_FINAL_INTEGRATE] = final_integrate },
+	.fini = fini,
+};

@@ -1,0 +1,72 @@
+#!/bin/bash
+# Counting what passes a mesh, against LIGGGHTS 3.8: tables and files, byte for byte.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+. "$top_srcdir/tests/lib_meshes.sh"
+if ! command -v liggghts >/dev/null; then
+	echo 'skipped: needs liggghts (apt-get install liggghts)'
+	exit 77
+fi
+plate 3 0 >plate.stl
+cat >in.both <<'END2'
+atom_style granular
+atom_modify map array sort 0 0
+boundary f f f
+newton off
+communicate single vel yes
+units si
+region reg block -1 1 -1 1 -1 1 units box
+create_box 2 reg
+neighbor 0.01 bin
+neigh_modify delay 0
+fix m1 all property/global youngsModulus peratomtype 5.e6 6.3e6
+fix m2 all property/global poissonsRatio peratomtype 0.45 0.31
+fix m3 all property/global coefficientRestitution peratomtypepair 2 0.5 0.6 0.6 0.7
+fix m4 all property/global coefficientFriction peratomtypepair 2 0.5 0.4 0.4 0.3
+pair_style gran model hertz tangential history
+pair_coeff * *
+timestep 1e-3
+fix a all mesh/surface file plate.stl type 2
+create_atoms 1 single 0.1 0.1 0.055 units box
+create_atoms 1 single 0.2 0.1 0.065 units box
+create_atoms 1 single -0.3 0.1 0.035 units box
+create_atoms 1 single 0.53 0.1 0.065 units box
+create_atoms 2 single 0.1 0.2 -0.05 units box
+create_atoms 2 single 0.7 0.2 0.05 units box
+set type 1 diameter 0.1 density 2385
+set type 2 diameter 0.12 density 1385
+velocity all set 0 0 -1.3
+region low block -1 1 -1 1 -1 0 units box
+group low region low
+velocity low set 0.1 0 1.1
+fix g all gravity 9.81 vector 0 0 -1
+fix nv all nve/sphere
+fix mf all massflow/mesh mesh a ${words}
+thermo 10
+thermo_style custom step f_mf[1] f_mf[2] f_mf[3] f_mf[4] f_mf[5] f_mf[6]
+thermo_modify format float %.10g lost ignore
+run 300
+END2
+
+agree() {
+	for side in theirs ours; do
+		rm -rf $side && mkdir $side && cp plate.stl in.both $side
+	done
+	(cd theirs && liggghts -in in.both -var words "$1" -log log >out 2>&1)
+	report "$1: LIGGGHTS" $? theirs/out
+	(cd ours && "$TSIM" -in in.both -var words "$1" -log log -screen none 2>out)
+	report "$1: tsim" $? ours/out
+	for side in theirs ours; do
+		rows $side/log >$side/table
+	done
+	same "$1: table" theirs/table ours/table
+	same "$1: file" theirs/out.txt ours/out.txt
+}
+agree 'vec_side 0 0 -1 count once file out.txt'
+agree 'vec_side 0.1 0.2 -0.3 count multiple file out.txt writeTime'
+agree 'vec_side 0 0 1 append out.txt'
+agree 'vec_side 0 0 -1 count once file out.txt delete_atoms yes'
+agree 'count once point_at_outlet 0 0 -5 file out.txt'
+agree 'count once point_at_outlet 0 0 -5 inside_out file out.txt'
+agree 'count once point_at_outlet 0 0 0.03 file out.txt'
+finish

@@ -1,0 +1,80 @@
+#!/bin/bash
+# Servo meshes against LIGGGHTS 3.8: place, force and torque in every step.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+. "$top_srcdir/tests/lib_meshes.sh"
+if ! command -v liggghts >/dev/null; then
+	echo 'skipped: needs liggghts (apt-get install liggghts)'
+	exit 77
+fi
+plate 2 0 >plate.stl
+cat >in.both <<'END2'
+atom_style granular
+atom_modify map array sort 0 0
+boundary f f f
+newton off
+communicate single vel yes
+units si
+region reg block -1 1 -1 1 -1 1 units box
+create_box 2 reg
+neighbor 0.01 bin
+neigh_modify delay 0
+fix m1 all property/global youngsModulus peratomtype 5.e6 6.3e6
+fix m2 all property/global poissonsRatio peratomtype 0.45 0.31
+fix m3 all property/global coefficientRestitution peratomtypepair 2 0.5 0.6 0.6 0.7
+fix m4 all property/global coefficientFriction peratomtypepair 2 0.5 0.4 0.4 0.3
+pair_style gran model hertz tangential history
+pair_coeff * *
+timestep 1e-5
+fix a all mesh/surface/stress/servo file plate.stl type 2 move -0.1 -0.05 0 com 0.05 0.06 0.01 ${servo}
+fix w all wall/gran model hertz tangential history mesh n_meshes 1 meshes a
+create_atoms 1 single 0.1 0.1 0.0495 units box
+create_atoms 1 single -0.2 0.3 ${z} units box
+set type 1 diameter 0.1 density 2385
+fix nv all ${fix}
+thermo 1
+thermo_style custom step f_a[1] f_a[2] f_a[3] f_a[4] f_a[5] f_a[6] f_a[7] f_a[8] f_a[9]
+thermo_modify format float %.17g
+include in.runs
+END2
+
+# agree WHAT FIX Z SERVO COMMANDS...: the tables; where a run follows another LIGGGHTS shows forces twice
+agree() {
+	local what=$1 options=(-in in.both -var fix "$2" -var z "$3" -var servo "$4")
+	shift 4
+	printf '%s\n' "$@" >in.runs
+	liggghts "${options[@]}" -log theirs >out 2>&1
+	report "$what: LIGGGHTS" $? out
+	"$TSIM" "${options[@]}" -log ours -screen none 2>out
+	report "$what: tsim" $? out
+	for side in theirs ours; do
+		grep -hE '^ +[0-9]+ [-+0-9.e ]+$' $side | awk '!seen[$1]++' >$side.table
+	done
+	paste -d '\n' theirs.table ours.table | awk '
+		NR % 2 { n = split($0, a); next }
+		{
+			lines++
+			for (k = 1; k <= n; k++) {
+				d = a[k] - $k; size = a[k] < 0 ? -a[k] : a[k]
+				if (NF != n || !(d <= 1e-11 * (size + 1) && -d <= 1e-11 * (size + 1))) {
+					print "step " a[1] ", column " k ": " a[k] " and " $k
+					exit bad = 1
+				}
+			}
+		}
+		END { exit bad || lines < 10 }' >difference
+	report "$what" $? difference
+}
+force='vel_max 0.3 axis 0 0 2 ctrlPV force target_val'
+agree 'PID' freeze 0.2 "$force 50 kp 0.01 ki 100 kd 1e-7" 'run 100'
+agree 'away' freeze 0.2 "$force -50 kp 0.01 ki 100 kd 1e-7" 'run 100'
+agree 'at the limit' freeze 0.2 "$force 50 kp 0.9 ki 30000 kd 3e-7" 'run 200'
+agree 'at the other limit' freeze 0.2 'vel_max 0.003 axis 0 0 1 ctrlPV force target_val 9 kp 6 ki 3000' 'run 50'
+agree 'loose particles' nve/sphere 0.06 "$force 12 kp 0.9" 'run 500'
+agree 'auto' nve/sphere 0.055 "$force 12 mode auto ratio 0.00001" 'run 500'
+agree 'auto, far' nve/sphere 0.075 "$force 120 mode auto ratio 0.001" 'run 800'
+agree 'torque' nve/sphere 0.0497 'vel_max 0.3 axis 1 0.2 0.1 ctrlPV torque target_val 0.5 kp 0.3 ki 20' 'run 300'
+agree 'fix_modify' freeze 0.2 "$force 50 kp 0.01 ki 100 kd 1e-7" 'run 3' 'fix_modify a servo/integrate stop' \
+	'run 3' 'fix_modify a servo/integrate start' 'run 3' 'fix_modify a servo/target_val 90' 'run 2' \
+	'fix_modify a servo/vel_max 0.03' 'run 2' 'fix_modify a servo/ctrlParam 0.5 3 1e-8' 'run 2'
+finish

@@ -1,0 +1,78 @@
+#!/bin/bash
+# Counting what passes a mesh: known numbers, and what is refused.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+. "$top_srcdir/tests/lib_meshes.sh"
+plate 4 0 >plate.stl
+cuboid 0.2 0.15 0.1 >cube.stl
+start='units si
+atom_style granular
+boundary p p f
+region box block -0.5 0.5 -0.5 0.5 -0.5 0.5 units box
+create_box 2 box
+fix cad all mesh/surface file plate.stl type 2
+fix cube all mesh/surface file cube.stl type 2
+timestep 1e-3
+'
+rain='lattice sc 0.1
+region above block -0.5 0.49 -0.5 0.49 0.05 0.35 units box
+create_atoms 1 region above
+set type 1 diameter 0.0385 density 2385
+velocity all set 0 0 -1 units box
+fix move all nve/sphere
+thermo_modify lost ignore
+'
+
+# three layers of 100 particles fall through one after the other; at 0.1, 0.2 and 0.3 s
+agree 'rain' "$start $rain
+fix flow all massflow/mesh mesh cad vec_side 0 0.1 -1 count once
+variable m equal mass(all)
+variable one equal mass(all)/300
+run 50
+print 'is none \$(f_flow[2]) 0'
+run 100
+print 'is first \$(f_flow[2]) 100'
+run 100
+print 'is mass \$(f_flow[1]) \$(200*v_one)'
+print 'is rate \$(f_flow[3]) \$(100*v_one/0.1)'
+run 100
+print 'is all \$(f_flow[2]) 300'
+print 'is rate \$(f_flow[4]) \$(100/0.1)'
+print 'is deleted \$(f_flow[5]) 0'"
+
+# deleted ones leave; none is forgotten
+agree 'deleted' "$start $rain
+variable m equal \$(mass(all))
+fix flow all massflow/mesh mesh cad vec_side 0 0 -1 count once delete_atoms yes
+run 420
+print 'is deleted \$(f_flow[6]) 300'
+print 'is mass \$(f_flow[5]/v_m) 1'
+print 'is left \$(atoms) 0'"
+
+prints "$start
+create_atoms 1 single 0.1 0.1 0.0505 units box
+set type 1 diameter 0.1 density 2385
+velocity all set 0 0 -1 units box
+fix move all nve/sphere
+fix flow all massflow/mesh mesh cad vec_side 0 0 -1 count once screen yes writeTime
+compute mark all reduce sum f_massflow_flow
+run 20
+print 'mark \$(c_mark)'
+run 60
+print 'mark \$(c_mark)'" 'mark 0' 'mark 2' ' 1  0.051   0.1  0.1  0.1 -0.0005'
+
+for words in \
+	"count once|expected one of vec_side, point_at_outlet" \
+	"vec_side 0 0 1 point_at_outlet 0 0 1 count once|found both" \
+	"point_at_outlet 0 0 1|requires \`count once\`" \
+	"vec_side 0 0 1 inside_out|with point_at_outlet only" \
+	"vec_side 0 0 1 delete_atoms yes|requires \`count once\`" \
+	"vec_side 0 0 0|has no length" \
+	"vec_side 1 1 0|does not say which" \
+	"vec_side 0 0 1 count twice|expected one of once, multiple" \
+	"vec_side 0 0 1 file a append b|found both"; do
+	rejects "$start fix flow all massflow/mesh mesh cad ${words%|*}" "${words#*|}"
+done
+rejects "$start fix flow all massflow/mesh mesh cude vec_side 0 0 1" "did you mean 'cube'"
+rejects "$start fix flow all massflow/mesh mesh cube vec_side 0 0 1" 'mesh cube is not planar'
+finish
