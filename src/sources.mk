@@ -114,6 +114,8 @@ library_sources = \
 	src/geom/triangles.h \
 	src/io/average_file.c \
 	src/io/average_file.h \
+	src/io/cell_region.c \
+	src/io/cell_region.h \
 	src/io/chunk_average.c \
 	src/io/chunk_average.h \
 	src/io/clump_template.c \
@@ -605,6 +607,8 @@ library_sources = \
 	src/styles/region/cylinder.c \
 	src/styles/region/ellipsoid.c \
 	src/styles/region/intersect.c \
+	src/styles/region/mesh_hex.c \
+	src/styles/region/mesh_tet.c \
 	src/styles/region/plane.c \
 	src/styles/region/prism.c \
 	src/styles/region/sphere.c \

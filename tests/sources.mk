@@ -32,6 +32,7 @@ shell_tests = \
 	tests/decks/averages.sh \
 	tests/decks/box.sh \
 	tests/decks/buoyancy.sh \
+	tests/decks/cell_regions.sh \
 	tests/decks/chunk_values.sh \
 	tests/decks/commands.sh \
 	tests/decks/computes.sh \

@@ -8,7 +8,6 @@
 #define SPH "smoothed-particle hydrodynamics is not built; the fluid is solved on a grid (flow_style)"
 #define COUPLING "there is no other program to couple to: the fluid is solved by tsim (flow_style)"
 #define SHAPES "grains are spheres; other shapes are made of bonded spheres (bond_style)"
-#define MESH "regions made of meshes are not built"
 #define CHEMISTRY "chemical reactions are not built"
 #define BONDS                                                                                      \
 	"bonds are made by create_bonds and break as bond_style says (bond_style contact), not by "  \
@@ -55,8 +54,6 @@ const struct ts_known ts_known_table[] = {
 	{ TS_KIND_PAIR, "lj/*", MOLECULAR },
 	{ TS_KIND_PAIR, "sph/*", SPH },
 	{ TS_KIND_BOND, "fene*", MOLECULAR },
-	{ TS_KIND_REGION, "mesh", MESH },
-	{ TS_KIND_REGION, "mesh/*", MESH },
 	{ TS_KIND_REGION, "grid", "there are no grids of computes and fixes" },
 	{ TS_KIND_COMPUTE, "erotate/superquadric", SHAPES },
 	{ TS_KIND_COMPUTE, "erotate/asphere", SHAPES },

@@ -138,9 +138,8 @@ enum ts_status ts_mesh_wall_list(struct ts_instance *self, struct tsim *sim, str
 	for (size_t i = 0; i < p->n; i++)
 		for (size_t k = 0; k < mw->nmeshes; k++)
 			if (ts_in_group(p, i, mw->mesh[k].by->group) &&
-			    ts_wall_meets(self, sim, i,
-					  !isnan(mw->mesh[k].surface->temperature) ||
-						  mw->mesh[k].surface->stress))
+			    (ts_wall_meets(self, sim, i, !isnan(mw->mesh[k].surface->temperature)) ||
+			     (mw->mesh[k].surface->stress && ts_in_group(p, i, self->group))))
 				TS_TRY(list_images(sim, w, mw, k, i));
 	return TS_OK;
 }
@@ -211,6 +210,7 @@ static void push(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw, s
 		     (*alive(&w->contacts, k) > 0 || begin_contact(w, mw, from, to, k, part));
 	if (!near->done)
 		return;
+	spot.sums = s->stress != NULL;
 	spot.distance = at.distance;
 	for (int d = 0; d < 3; d++)
 		spot.n[d] = at.n[d];

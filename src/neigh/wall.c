@@ -246,7 +246,7 @@ void ts_wall_push(struct ts_wall *w, struct tsim *sim, size_t k, const struct ts
 {
 	size_t i = (size_t)w->contacts.row[k];
 
-	if (sim->particles->imass[i] > 0)
+	if (sim->particles->imass[i] > 0 || spot->sums)
 		force(w, sim, k, spot);
 	if (spot->warm)
 		conduct(w, sim, i, spot);

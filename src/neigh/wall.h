@@ -53,6 +53,7 @@ struct ts_wall {
 
 /* Where the surface is nearest to a particle. */
 struct ts_wall_spot {
+	bool sums;	    /* the wall sums what it feels: held particles push it as well */
 	double distance;    /* of the particle's centre, >= 0 */
 	double n[3];	    /* unit vector from the surface to the centre; 0 where there is none */
 	double velocity[3]; /* of the surface there */

@@ -236,6 +236,8 @@ TS_STYLE(region, ts_region_style, ts_region_cone)
 TS_STYLE(region, ts_region_style, ts_region_cylinder)
 TS_STYLE(region, ts_region_style, ts_region_ellipsoid)
 TS_STYLE(region, ts_region_style, ts_region_intersect)
+TS_STYLE(region, ts_region_style, ts_region_mesh_hex)
+TS_STYLE(region, ts_region_style, ts_region_mesh_tet)
 TS_STYLE(region, ts_region_style, ts_region_plane)
 TS_STYLE(region, ts_region_style, ts_region_prism)
 TS_STYLE(region, ts_region_style, ts_region_sphere)
@@ -471,6 +473,8 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_region_cylinder.style,
 	&ts_region_ellipsoid.style,
 	&ts_region_intersect.style,
+	&ts_region_mesh_hex.style,
+	&ts_region_mesh_tet.style,
 	&ts_region_plane.style,
 	&ts_region_prism.style,
 	&ts_region_sphere.style,

@@ -80,19 +80,22 @@ syn keyword tsimKeyword  orientation set_property verbose compress_tags insert_e
 syn keyword tsimKeyword  ntry_mc check_dist_from_subdomain_border warn_region
 syn keyword tsimKeyword  particles_in_region volumefraction_region mass_in_region
 syn keyword tsimKeyword  nparticles particlerate massrate insertion_face extrude_length
-syn keyword tsimKeyword  duration temperature element_exclusion_list precision curvature
+syn keyword tsimKeyword  duration vec_side multiple point_at_outlet inside_out writeTime
+syn match tsimKeyword /\<delete_atoms\>/ 
+syn keyword tsimKeyword  temperature element_exclusion_list precision curvature
 syn keyword tsimKeyword  curvature_tolerant heal auto_remove_duplicates surface_vel
-syn keyword tsimKeyword  surface_ang_vel reference_point stress wear finnie rescale
-syn keyword tsimKeyword  transrot linear/variable axis period rotate/variable amplitude
-syn keyword tsimKeyword  riggle viblin order phase vibrot linear/superposable
+syn keyword tsimKeyword  surface_ang_vel reference_point stress wear finnie ctrlPV force
+syn keyword tsimKeyword  axis target_val vel_max kp ki kd pid rescale transrot
+syn keyword tsimKeyword  linear/variable period rotate/variable amplitude riggle viblin
+syn keyword tsimKeyword  order phase vibrot linear/superposable
 syn keyword tsimKeyword  linear/variable/superposable rotate/superposable
 syn keyword tsimKeyword  rotate/variable/superposable wiggle/superposable
 syn keyword tsimKeyword  riggle/superposable viblin/superposable vibrot/superposable
 syn keyword tsimKeyword  allow_group_and_set allow_heatsource by_dimension sphere disc
 syn keyword tsimKeyword  atom_type volume_limit relative nspheres ntry spheres
 syn keyword tsimKeyword  inertia_tensor use_volume use_density fflag tflag title ghost
-syn keyword tsimKeyword  writedata peratomtype peratomtypepair matrix force tether couple
-syn keyword tsimKeyword  model hooke hertz hooke/stiffness hertz/stiffness hooke/hysteresis
+syn keyword tsimKeyword  writedata peratomtype peratomtypepair matrix tether couple model
+syn keyword tsimKeyword  hooke hertz hooke/stiffness hertz/stiffness hooke/hysteresis
 syn keyword tsimKeyword  tangential history no_history rolling_friction cdt epsd epsd2
 syn keyword tsimKeyword  epsd3 cohesion sjkr sjkr2 surface limitForce tangential_damping
 syn keyword tsimKeyword  absolute_damping ktToKnUser viscous tangential_reduce
@@ -132,7 +135,8 @@ syn match tsim_fix /\<balance\>/ contained
 syn keyword tsim_fix contained bond/breakage buoyancy check/timestep/gran controller deform drag
 syn keyword tsim_fix contained drag/stokes drill/bit enforce2d evaporate freeze gravity halt
 syn keyword tsim_fix contained heat/gran heat/gran/conduction insert/pack insert/rate/region
-syn keyword tsim_fix contained insert/stream langevin lineforce mesh/surface mesh/surface/stress
+syn keyword tsim_fix contained insert/stream langevin lineforce massflow/mesh mesh/surface
+syn keyword tsim_fix contained mesh/surface/planar mesh/surface/stress mesh/surface/stress/servo
 syn keyword tsim_fix contained momentum move move/mesh multisphere nve nve/euler nve/limit
 syn keyword tsim_fix contained nve/noforce nve/sphere nve/symplectic
 syn keyword tsim_fix contained particledistribution/discrete
@@ -158,8 +162,8 @@ syn keyword tsim_compute contained reduce/chunk reduce/region rigid slice stress
 syn keyword tsim_compute contained temp/com torque/chunk vacf vcm/chunk wall/gran/local
 hi def link tsim_compute Type
 syn match tsimHead /^\s*region\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_region
-syn keyword tsim_region contained block cone cylinder ellipsoid intersect plane prism sphere union
-syn keyword tsim_region contained wedge
+syn keyword tsim_region contained block cone cylinder ellipsoid intersect mesh/hex mesh/tet plane
+syn keyword tsim_region contained prism sphere union wedge
 hi def link tsim_region Type
 syn match tsimHead /^\s*dump\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_dump
 syn keyword tsim_dump contained atom custom custom/vtk euler/vtk local local/gran/vtk local/vtk
