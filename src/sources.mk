@@ -64,6 +64,8 @@ library_sources = \
 	src/core/settings.h \
 	src/core/sim.c \
 	src/core/sim.h \
+	src/core/standard.c \
+	src/core/standard.h \
 	src/core/stepping.c \
 	src/core/stepping.h \
 	src/core/style.h \
@@ -158,12 +160,12 @@ library_sources = \
 	src/io/mesh_soup.h \
 	src/io/mesh_stl.c \
 	src/io/mesh_vtk.c \
-	src/io/newest.c \
-	src/io/newest.h \
 	src/io/replace.c \
 	src/io/replace.h \
 	src/io/restart.c \
 	src/io/restart.h \
+	src/io/series.c \
+	src/io/series.h \
 	src/io/textfile.c \
 	src/io/textfile.h \
 	src/io/thermo.c \
@@ -321,6 +323,7 @@ library_sources = \
 	src/particles/mesh_motion.h \
 	src/particles/mesh_surface.c \
 	src/particles/mesh_surface.h \
+	src/particles/molecule.c \
 	src/particles/moments.c \
 	src/particles/moments.h \
 	src/particles/particles.c \
@@ -350,6 +353,8 @@ library_sources = \
 	src/particles/template.h \
 	src/particles/type_factors.c \
 	src/particles/type_factors.h \
+	src/particles/user_columns.c \
+	src/particles/user_columns.h \
 	src/script/check.c \
 	src/script/check.h \
 	src/script/check_trace.c \
@@ -477,6 +482,7 @@ library_sources = \
 	src/styles/compute/coord_atom.c \
 	src/styles/compute/count_type.c \
 	src/styles/compute/displace_atom.c \
+	src/styles/compute/erotate.c \
 	src/styles/compute/erotate_multisphere.c \
 	src/styles/compute/erotate_sphere.c \
 	src/styles/compute/erotate_sphere_atom.c \

@@ -267,7 +267,7 @@ START_TEST(conditions)
 	expect_error("python f input 1", 1, 1, 6, "runs no Python");
 	expect_error("if \"1\" \"print x\"", 1, 1, 2, "expected");
 	expect_error("if \"1\" than \"print x\"", 1, 8, 4, "expected 'then'");
-	expect_error("if \"1\" then \"print x\" else", 1, 23, 4, "expected a command");
+	expect_error("if \"0\" then \"print x\" else", 1, 23, 4, "expected a command");
 	expect_error("if \"1 >\" then \"print x\"", 1, 7, 1, "found the end");
 	expect_error("if \"a < b\" then \"print x\"", 1, 5, 1, "'a' is a word");
 }

@@ -73,6 +73,19 @@ report 'read_dump adds' $? add.out
 grep -q '^atoms 200 box 1 ' add.out
 report 'all of them, and the box' $? add.out
 
+# One file for each frame: the series is read by number, 20 before 100.
+printf '%s\n' "$scene" 'dump d all custom 20 one.*.dump id type x y z vx vy vz fx
+dump_modify d format float %.17g
+run 100' >in.series
+"$TSIM" -in in.series -log none >series.out 2>&1
+touch one.last.dump one.1x.dump
+printf '%s\n' "$scene" 'velocity all set 7 7 7 units box
+rerun one.*.dump post no dump x y z vx vy vz' >in.again
+"$TSIM" -in in.again -log none >again.out 2>&1
+report 'the series' $? again.out
+rows again.out >again.rows
+same 'the same table from the series' whole.rows again.rows
+
 wrong() { # WHAT FILE-EDIT LINE TEXT
 	sed "$2" whole.dump | head -n 30 >bad.dump
 	printf '%s\n' "$scene" "$3" >in.bad
@@ -90,5 +103,6 @@ wrong 'no identities' "$small; 9s/ id / di /" 'read_dump bad.dump 0 x' 'there is
 wrong 'identity 0' "$small; 10s/^1 /0 /" 'read_dump bad.dump 0 x' 'row 1 has no identity'
 wrong 'field that cannot be' "$small" 'read_dump bad.dump 0 vol' "'vol'"
 wrong 'no file' '' 'rerun nowhere.dump dump x y z' "cannot open 'nowhere.dump'"
+wrong 'no series' '' 'rerun nowhere.*.dump dump x y z' "no file with a number for the * of 'nowhere.*.dump'"
 wrong 'nothing taken' '' 'rerun bad.dump first 3' "keyword 'dump' is missing"
 finish

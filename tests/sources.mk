@@ -27,6 +27,7 @@ shell_tests = \
 	tests/crosscheck/text.sh \
 	tests/crosscheck/timestep.sh \
 	tests/crosscheck/walls.sh \
+	tests/crosscheck/words_lammps.sh \
 	tests/crosscheck_mode.sh \
 	tests/data_files.sh \
 	tests/decks/averages.sh \
@@ -37,6 +38,8 @@ shell_tests = \
 	tests/decks/commands.sh \
 	tests/decks/computes.sh \
 	tests/decks/contact_computes.sh \
+	tests/decks/data_words.sh \
+	tests/decks/dump_words.sh \
 	tests/decks/dumps.sh \
 	tests/decks/energy.sh \
 	tests/decks/euler.sh \
@@ -48,6 +51,7 @@ shell_tests = \
 	tests/decks/info.sh \
 	tests/decks/inputs.sh \
 	tests/decks/insertion.sh \
+	tests/decks/last_words.sh \
 	tests/decks/legacy.sh \
 	tests/decks/massflow.sh \
 	tests/decks/materials.sh \
@@ -60,7 +64,9 @@ shell_tests = \
 	tests/decks/refusals.sh \
 	tests/decks/regions.sh \
 	tests/decks/rigid.sh \
+	tests/decks/temperature_words.sh \
 	tests/decks/timestep.sh \
+	tests/decks/velocity_words.sh \
 	tests/decks/wall_contacts.sh \
 	tests/decks/walls.sh \
 	tests/drilling.sh \

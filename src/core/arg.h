@@ -67,8 +67,8 @@ enum ts_arg_flags {
 	TS_STATEFUL = 16,  /* state saved in a restart file has a meaning only with the same value */
 	TS_WRITES = 32,    /* TS_ARG_WORD: a file that will be written */
 	TS_REPEAT = 64,    /* a TS_ARG_REST keyword that may be given again, and then adds words */
-	TS_NAMED = 128     /* a repeated one whose name ends in NAME, which stands for anything: d_NAME
-			    * is met by d_heat, and the keyword is the first of the words it adds */
+	TS_NAMED = 128     /* the keyword itself is the first of its words, so that one without others shows;
+			    * where its name ends in NAME, that stands for anything: d_NAME is met by d_heat */
 };
 
 struct ts_mode;

@@ -279,10 +279,11 @@ static enum ts_status read_region(struct parse *p, const struct ts_arg *row,
 
 static bool is_named(const struct ts_arg *row, const char *name)
 {
-	size_t n = strlen(row->name) - strlen("NAME");
+	size_t n;
 
-	if (!(row->flags & TS_NAMED))
+	if (!(row->flags & TS_NAMED) || !ts_ends_with(row->name, "NAME"))
 		return ts_streq(row->name, name);
+	n = strlen(row->name) - strlen("NAME");
 	return strncmp(row->name, name, n) == 0 && name[n];
 }
 

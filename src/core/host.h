@@ -30,6 +30,8 @@ struct ts_host {
 			      double value);
 	/* Writes or reads what the script must remember between runs: its streams of random numbers. */
 	enum ts_status (*archive)(void *host, struct ts_archive *archive);
+	/* A line for each variable: name, style, definition, place. */
+	enum ts_status (*list_variables)(void *host, struct ts_str *out);
 	void (*suggest_variable)(void *host, struct ts_suggest *suggest);
 	/* -check: keeps the message of an error that others may follow, and makes a success of it. */
 	enum ts_status (*pardon)(void *host, enum ts_status status);

@@ -80,7 +80,6 @@ const struct ts_known ts_known_table[] = {
 	{ TS_KIND_BOND, "gran", "bonded grains are bond_style contact here" },
 	{ TS_KIND_BOND, "harmonic*", MOLECULAR },
 	{ TS_KIND_COMPUTE, "bond/counter", OTHER_EDITION },
-	{ TS_KIND_COMPUTE, "erotate", "compute erotate/sphere is the energy of rotation of spheres" },
 	{ TS_KIND_FIX, "massflow/mesh/face", OTHER_EDITION },
 	{ TS_KIND_COMPUTE, "nparticles/tracer/region", TRACERS },
 	{ TS_KIND_COMPUTE, "pair/gran/local/bond", BONDS },

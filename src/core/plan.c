@@ -165,13 +165,27 @@ enum ts_status ts_plan_start(struct ts_plan *plan, struct tsim *sim, bool setup)
 	return leave_run(sim, status);
 }
 
+/* timer timeout: the run ends with this step, later ones do nothing. */
+static void look_at_clock(struct tsim *sim)
+{
+	int64_t done = sim->clock.step - sim->clock.first_step;
+
+	if (!(sim->timeout > 0) || done % sim->timeout_every != 0 || ts_clock() < sim->timeout)
+		return;
+	ts_log(&sim->log, "Wall time limit reached at step %" PRId64 "\n", sim->clock.step);
+	sim->clock.last_step = sim->clock.step;
+	sim->halted = true;
+}
+
 enum ts_status ts_plan_steps(struct ts_plan *plan, struct tsim *sim)
 {
 	enum ts_status status = TS_OK;
 
 	sim->running = true;
-	while (status == TS_OK && sim->clock.step < sim->clock.last_step && !sim->stop)
+	while (status == TS_OK && sim->clock.step < sim->clock.last_step && !sim->stop) {
 		status = step(plan, sim);
+		look_at_clock(sim);
+	}
 	return leave_run(sim, status);
 }
 

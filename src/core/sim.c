@@ -81,6 +81,10 @@ static void set_defaults(struct tsim *sim)
 	if (sim->threads == 0)
 		sim->threads = threads && ts_parse_int(threads, &n) && n > 0 && n < 1024 ? (int)n
 											 : 1;
+	sim->timeout = 0;
+	sim->timeout_every = 10;
+	for (int k = 0; k < TS_NSTANDARD; k++)
+		sim->standard[k] = NULL;
 }
 
 struct tsim *ts_sim_new(void)
@@ -269,8 +273,11 @@ enum ts_status ts_sim_create(struct tsim *sim, enum ts_kind kind, const struct t
 enum ts_status ts_sim_choose(struct tsim *sim, enum ts_kind kind, struct ts_words line,
 			     const struct ts_place *where)
 {
+	const struct ts_word id = { .text = "", .place = line.word[0].place };
 	const struct ts_style *style;
 
+	if (line.n == 1 && ts_streq(line.word[0].text, "none"))
+		return ts_sim_only(sim, kind) ? ts_sim_destroy(sim, kind, &id) : TS_OK;
 	TS_TRY(ts_style_require(sim, kind, &line.word[0], &style));
 	return ts_sim_create(sim, kind, style, "", 0, ts_words_from(line, 1), where, NULL);
 }

@@ -64,6 +64,9 @@ struct ts_clock {
 	double wall_start;  /* ts_clock() at the start of the current run */
 };
 
+/* What computes may stand for; see core/standard.h. */
+enum ts_standard { TS_STANDARD_TEMPERATURE, TS_STANDARD_PRESSURE, TS_NSTANDARD };
+
 struct tsim {
 	struct ts_error error;
 	struct ts_log log;
@@ -124,6 +127,10 @@ struct tsim {
 	struct ts_instance *outside; /* acts last in its stages: the program around the library */
 	struct ts_library *library;  /* what the C library keeps; NULL without it */
 
+	double timeout; /* ts_clock() when runs are to end (timer timeout); 0: never */
+	int64_t timeout_every; /* steps between looks */
+	const char *standard[TS_NSTANDARD]; /* names of computes; NULL: none */
+
 	const char *settings; /* the last record of settings in the log; core/settings.h */
 	struct ts_words line; /* of the command that runs */
 	const struct ts_host *host;
@@ -154,7 +161,7 @@ void ts_sim_set_dt(struct tsim *sim, double dt);
 enum ts_status ts_sim_create(struct tsim *sim, enum ts_kind kind, const struct ts_style *style,
 			     const char *id, int group, struct ts_words args,
 			     const struct ts_place *where, struct ts_instance **out);
-/* For kinds of which one lives at most: creates it from a line `STYLE arguments`. */
+/* For kinds of which one lives at most: creates it from a line `STYLE arguments`; `none`: there is none. */
 enum ts_status ts_sim_choose(struct tsim *sim, enum ts_kind kind, struct ts_words line,
 			     const struct ts_place *where);
 enum ts_status ts_sim_destroy(struct tsim *sim, enum ts_kind kind, const struct ts_word *id);

@@ -92,7 +92,9 @@ struct ts_style {
 	ts_hook_fn *hook[TS_NSTAGE];
 	/* Potential energy; NULL: there is none. Of a fix it counts as far as fix_modify says so. */
 	enum ts_status (*energy)(struct ts_instance *self, struct tsim *sim, double *out);
-	/* The words of fix_modify that are its own: reads the first ones, says how many. */
+	/* Computes: what they keep of the past starts anew (dump_modify refresh). */
+	ts_hook_fn *refresh;
+	/* The words of fix_modify or compute_modify that are its own: reads the first ones, says how many. */
 	enum ts_status (*modify)(struct ts_instance *self, struct tsim *sim, struct ts_words words,
 				 size_t *used);
 	/* Appends limits of the time step and other lines to the plan; see core/plan.h. */

@@ -255,10 +255,37 @@ static enum ts_status resolve_instance(struct tsim *sim, const char *name, enum 
 	return TS_OK;
 }
 
+/* Computes that exist elsewhere without a line of the script: what the keywords give. */
+static const char *standard_keyword(const struct tsim *sim, const char *name)
+{
+	static const struct {
+		const char *name, *keyword;
+	} rows[] = {
+		{ "c_thermo_temp", "temp" },	 { "c_thermo_pe", "pe" },
+		{ "c_thermo_press", "press" },	 { "c_thermo_press[1]", "pxx" },
+		{ "c_thermo_press[2]", "pyy" },	 { "c_thermo_press[3]", "pzz" },
+		{ "c_thermo_press[4]", "pxy" },	 { "c_thermo_press[5]", "pxz" },
+		{ "c_thermo_press[6]", "pyz" },
+	};
+	char id[16];
+
+	for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+		if (!ts_streq(rows[k].name, name))
+			continue;
+		snprintf(id, sizeof id, "%.*s", (int)strcspn(name + 2, "["), name + 2);
+		return ts_sim_find(sim, TS_KIND_COMPUTE, id) ? NULL : rows[k].keyword;
+	}
+	return NULL;
+}
+
 enum ts_status ts_ref_resolve(struct tsim *sim, const char *name, const struct ts_place *where,
 			      struct ts_ref *ref)
 {
+	const char *keyword = standard_keyword(sim, name);
+
 	*ref = (struct ts_ref){ .name = name, .removals = sim->removals };
+	if (keyword)
+		return resolve_keyword(sim, keyword, where, ref);
 	if (strncmp(name, "c_", 2) == 0)
 		return resolve_instance(sim, name, TS_KIND_COMPUTE, where, ref);
 	if (strncmp(name, "f_", 2) == 0)

@@ -49,7 +49,16 @@ struct ts_data_coeff {
 	struct ts_words words;
 };
 
-/* Zero-initialise. */
+/* A section of its own for numbers of particles: lines of an identity and so many numbers. */
+struct ts_data_section {
+	const char *title, *header; /* lines of the header that have this are passed over; NULL: none */
+	size_t width;
+	double *value; /* rows of identity and numbers */
+	size_t n, capacity;
+	bool seen;
+};
+
+/* Zero-initialise, but for the sections. */
 struct ts_data {
 	const char *file;
 	int64_t natoms, nbonds, ntypes, nbond_types; /* as the header says */
@@ -63,6 +72,8 @@ struct ts_data {
 	struct ts_data_coeff *coeff;
 	size_t ncoeff, coeff_capacity;
 	double *mass; /* by type; NULL: no section Masses */
+	struct ts_data_section *section;
+	size_t nsections;
 	struct ts_arena arena;
 };
 
@@ -77,6 +88,7 @@ struct ts_data_options {
 	int add;		   /* enum ts_data_add */
 	int64_t type_offset, bond_type_offset, tag_offset;
 	int64_t extra_types, extra_bond_types;
+	bool keep_box; /* a box there is does not grow */
 	double shift[3];
 	int group;
 };
@@ -89,6 +101,10 @@ struct ts_data_counts {
 	size_t bonds;
 	int bond_types;
 };
+struct ts_user_columns;
+/* A section of numbers of particles, under its title. */
+enum ts_status ts_data_write_columns(struct tsim *sim, struct ts_textfile *out,
+				     const struct ts_user_columns *columns);
 enum ts_status ts_data_write(struct tsim *sim, struct ts_textfile *out, struct ts_data_counts counts);
 
 #endif

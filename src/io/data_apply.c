@@ -154,7 +154,8 @@ enum ts_status ts_data_apply(struct tsim *sim, const struct ts_data *data,
 		wanted.box.lo[d] = wanted.first_lo[d] = data->lo[d] + o->shift[d];
 		wanted.box.hi[d] = wanted.first_hi[d] = data->hi[d] + o->shift[d];
 	}
-	unite(data, o->shift, &wanted);
+	if (!o->keep_box)
+		unite(data, o->shift, &wanted);
 	TS_TRY(check_atoms(sim, data, &wanted.box, ntypes, o));
 	if (new)
 		TS_TRY(ts_domain_make(sim, ntypes, wanted.box.lo, wanted.box.hi, NULL));

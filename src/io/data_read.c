@@ -92,6 +92,19 @@ static enum ts_status read_tilt(struct reader *r)
 	return TS_OK;
 }
 
+/* A line that a fix is to get, by a part of it: those that there are have no use for any. */
+static bool passed_over(const struct reader *r)
+{
+	for (size_t j = 0; j < r->d->nsections; j++) {
+		const char *text = r->d->section[j].header;
+
+		for (size_t k = 0; text && k < r->l->nwords; k++)
+			if (strstr(r->l->word[k], text))
+				return true;
+	}
+	return false;
+}
+
 /* *known is false where the line belongs to no row: the header ends before it. */
 static enum ts_status read_header_line(struct reader *r, bool *known)
 {
@@ -107,7 +120,7 @@ static enum ts_status read_header_line(struct reader *r, bool *known)
 	for (size_t k = 0; k < sizeof header_rows / sizeof *header_rows; k++)
 		if (l->nwords > 1 && ts_lines_match(l, 1, header_rows[k].words))
 			return read_count(r, &header_rows[k]);
-	*known = false;
+	*known = passed_over(r);
 	return TS_OK;
 }
 
@@ -365,6 +378,23 @@ static enum ts_status bond(struct reader *r)
 	return check_length(r, 4);
 }
 
+/* A line of a section of the user's own. */
+static enum ts_status user_line(struct reader *r, struct ts_data_section *s)
+{
+	size_t row = s->width + 1;
+	struct ts_data_atom *a;
+	int32_t tag;
+
+	if (TS_GROW(s->value, s->capacity, (s->n + 1) * row) != TS_OK)
+		return ts_nomem(&r->sim->error);
+	TS_TRY(find_atom(r, 0, "id", &tag, &a));
+	s->value[s->n * row] = tag;
+	for (size_t k = 1; k < row; k++)
+		TS_TRY(ts_lines_real(r->l, k, s->title, &s->value[s->n * row + k]));
+	s->n++;
+	return check_length(r, row);
+}
+
 static int64_t atoms_wanted(const struct ts_data *d)
 {
 	return d->natoms;
@@ -474,10 +504,34 @@ static enum ts_status read_lines(struct reader *r, const struct section *s)
 	return TS_OK;
 }
 
+/* As many lines as there are particles. */
+static enum ts_status read_user_section(struct reader *r, struct ts_data_section *s, bool after_atoms)
+{
+	if (s->seen || !after_atoms)
+		return ts_lines_fail(r->l, TS_DAMAGED, 0,
+				     s->seen ? "there is a section %s already"
+					     : "section %s must come after section Atoms",
+				     s->title);
+	s->seen = true;
+	for (int64_t k = 0; k < r->d->natoms; k++) {
+		TS_TRY(ts_lines_next_filled(r->l, &r->more));
+		if (!r->more)
+			return ts_lines_fail(r->l, TS_DAMAGED, SIZE_MAX,
+					     "the file ends after %" PRId64 " of %" PRId64
+					     " lines of section %s",
+					     k, r->d->natoms, s->title);
+		TS_TRY(user_line(r, s));
+	}
+	return TS_OK;
+}
+
 static enum ts_status read_section(struct reader *r, unsigned *seen)
 {
 	const struct section *s = NULL;
 
+	for (size_t k = 0; k < r->d->nsections; k++)
+		if (ts_lines_match(r->l, 0, r->d->section[k].title))
+			return read_user_section(r, &r->d->section[k], *seen & 1u);
 	for (int k = 0; k < NSECTIONS && !s; k++)
 		if (ts_lines_match(r->l, 0, sections[k].title))
 			s = &sections[k];
@@ -522,6 +576,8 @@ void ts_data_release(struct ts_data *d)
 	ts_free(d->atom);
 	ts_free(d->bond);
 	ts_free(d->coeff);
+	for (size_t k = 0; k < d->nsections; k++)
+		ts_free(d->section[k].value);
 	ts_arena_release(&d->arena);
 	*d = (struct ts_data){ 0 };
 }

@@ -6,7 +6,7 @@
 #include "particles/body.h"
 #include "particles/domain.h"
 #include "particles/identity.h"
-#include "particles/particles.h"
+#include "particles/user_columns.h"
 
 #include "base/banned.h"
 
@@ -131,6 +131,44 @@ enum ts_status ts_data_write(struct tsim *sim, struct ts_textfile *out, struct t
 	if (status == TS_OK)
 		status = text.failed ? ts_nomem(&sim->error)
 				     : ts_textfile_write(out, ts_str_text(&text), text.length);
+	ts_str_release(&text);
+	return status;
+}
+
+static enum ts_status add_rows(struct tsim *sim, const struct ts_user_columns *columns,
+			       const struct ts_identities *map, double *value, struct ts_str *out)
+{
+	const struct ts_particles *p = sim->particles;
+
+	ts_str_addf(out, "\n%s\n\n", columns->title);
+	for (size_t k = 0; k < map->n; k++) {
+		ts_user_columns_get(p, columns, (size_t)map->row[k], value);
+		ts_str_addf(out, "%d", p->tag[map->row[k]]);
+		for (size_t j = 0; j < columns->width; j++)
+			add_number(out, value[j]);
+		ts_str_add(out, "\n");
+	}
+	return out->failed ? ts_nomem(&sim->error) : TS_OK;
+}
+
+enum ts_status ts_data_write_columns(struct tsim *sim, struct ts_textfile *out,
+				     const struct ts_user_columns *columns)
+{
+	struct ts_str text = { 0 };
+	struct ts_identities map;
+	double *value;
+	enum ts_status status;
+
+	if (!columns->title || !sim->particles->n)
+		return TS_OK;
+	TS_TRY(ts_identities(sim, true, &map));
+	value = ts_alloc(columns->width, sizeof *value);
+	if (!value)
+		return ts_nomem(&sim->error);
+	status = add_rows(sim, columns, &map, value, &text);
+	if (status == TS_OK)
+		status = ts_textfile_write(out, ts_str_text(&text), text.length);
+	ts_free(value);
 	ts_str_release(&text);
 	return status;
 }

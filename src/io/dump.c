@@ -155,7 +155,8 @@ enum ts_status ts_dump_frame(struct ts_instance *self, struct tsim *sim, bool lo
 		return TS_OK;
 	TS_TRY(ts_dump_gather(self, sim, local));
 	TS_TRY(ts_dump_open(self, sim));
-	ts_dump_header(d, sim, local ? "ENTRIES" : "ATOMS");
+	if (!d->headless)
+		ts_dump_header(d, sim, local ? "ENTRIES" : "ATOMS");
 	TS_TRY(ts_dump_write_rows(d, sim, true));
 	return ts_dump_frame_done(d, sim);
 }

@@ -31,11 +31,13 @@ struct ts_dump_common {
 	bool unsorted, first, append, time, units;
 	bool binary; /* of legacy VTK files */
 	bool plain, image; /* of dump atom: positions as they are, image flags too */
-	const char *label, *region;
+	const char *label, *region, *refresh;
 	struct ts_formats formats;
 	struct ts_words element;
 	struct ts_dump_threshold *threshold;
 	size_t nthresholds;
+	bool headless;	 /* header no: rows alone */
+	size_t restored; /* columns of values of the last frame that a restart file gave back */
 	char **old; /* names of the last frames, a ring */
 	int64_t nold;
 	/* workings */
@@ -59,22 +61,29 @@ struct ts_dump_common {
 struct ts_dump_changes {
 	struct ts_number every;
 	int64_t pad, delay, nfile, fileper, maxfiles;
-	int first, append, flush, time, units, scale, image, pbc, binary; /* -1, or 0 no, 1 yes */
-	const char *label, *sort, *region;
+	/* -1, or 0 no, 1 yes */
+	int first, append, flush, buffer, time, units, scale, image, pbc, binary, header;
+	int compressor;
+	const char *label, *sort, *region, *refresh;
 	struct ts_words format, thresh, element;
 };
 enum ts_status ts_dump_modify(struct tsim *sim, struct ts_instance *dump,
 			      const struct ts_dump_changes *changes, const struct ts_place *where);
 
-/* A condition for particles to be written: value OPERATOR limit. */
+/* A condition for particles to be written: value OPERATOR limit, or OPERATOR the value it had at the last
+ * frame, which a column of particles keeps. */
 struct ts_dump_threshold {
 	struct ts_dump_column value;
 	int operator;
 	double limit;
+	bool last;
+	size_t column;
 };
 /* From triples of words; `none` forgets all before it. */
 enum ts_status ts_dump_set_thresholds(struct ts_instance *self, struct tsim *sim,
 				      struct ts_words words);
+/* For the slot archive of dumps of particles: the values at the last frame. */
+enum ts_status ts_dump_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive);
 /* Which particles are written and in which order. */
 enum ts_status ts_dump_select(struct ts_instance *self, struct tsim *sim);
 void ts_dump_release_thresholds(struct ts_dump_common *d);

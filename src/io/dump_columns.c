@@ -147,6 +147,18 @@ static enum ts_status number_rows(struct ts_dump_common *d, struct tsim *sim)
 	return TS_OK;
 }
 
+/* dump_modify refresh: the values of this frame are taken already. */
+static enum ts_status refresh(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_dump_common *d = self->state;
+	struct ts_instance *compute = ts_sim_find(sim, TS_KIND_COMPUTE, d->refresh);
+
+	if (compute && compute->style->refresh)
+		return compute->style->refresh(compute, sim);
+	return ts_fail(&sim->error, TS_STATE, &self->where, "dump %s: its compute '%s' is gone", self->id,
+		       d->refresh);
+}
+
 enum ts_status ts_dump_gather(struct ts_instance *self, struct tsim *sim, bool local)
 {
 	struct ts_dump_common *d = self->state;
@@ -154,5 +166,6 @@ enum ts_status ts_dump_gather(struct ts_instance *self, struct tsim *sim, bool l
 	for (size_t k = 0; k < d->ncolumns; k++)
 		TS_TRY(ts_dump_evaluate(&d->column[k], sim));
 	TS_TRY(local ? select_rows(d, sim) : ts_dump_select(self, sim));
-	return number_rows(d, sim);
+	TS_TRY(number_rows(d, sim));
+	return d->refresh ? refresh(self, sim) : TS_OK;
 }

@@ -7,6 +7,7 @@
 #include "base/banned.h"
 
 const char *const ts_dump_answers[] = { "no", "yes", NULL };
+const char *const ts_dump_compressors[] = { "none", "zlib", "lz4", NULL };
 
 static enum ts_status keep(struct tsim *sim, struct ts_instance *dump, const char *text,
 			   const char **out)
@@ -69,6 +70,24 @@ static enum ts_status set_region(struct tsim *sim, struct ts_instance *dump, con
 	return keep(sim, dump, region, &d->region);
 }
 
+static enum ts_status set_refresh(struct tsim *sim, struct ts_instance *dump, const char *refresh,
+				  const struct ts_place *where)
+{
+	struct ts_dump_common *d = dump->state;
+	bool prefixed = strncmp(refresh, "c_", 2) == 0;
+	const struct ts_word id = { .text = refresh + (prefixed ? 2 : 0),
+				    .place = *ts_sim_word_of(sim, refresh, where) };
+	struct ts_instance *found;
+
+	TS_TRY(ts_sim_require(sim, TS_KIND_COMPUTE, &id, &found));
+	if (!found->style->refresh)
+		return ts_fail(&sim->error, TS_RANGE, &id.place,
+			       "dump_modify: compute %s keeps nothing that could start anew; displace/atom "
+			       "does",
+			       found->style->name);
+	return keep(sim, dump, id.text, &d->refresh);
+}
+
 static enum ts_status set_maxfiles(struct tsim *sim, struct ts_dump_common *d, int64_t most,
 				   const struct ts_place *where)
 {
@@ -105,6 +124,8 @@ static void set_answers(struct ts_dump_common *d, const struct ts_dump_changes *
 	set_answer(&d->units, c->units);
 	set_answer(&d->binary, c->binary);
 	set_answer(&d->image, c->image);
+	if (c->header >= 0)
+		d->headless = !c->header;
 	if (c->scale >= 0)
 		d->plain = !c->scale;
 	if (c->pad != INT64_MIN)
@@ -129,6 +150,8 @@ enum ts_status ts_dump_modify(struct tsim *sim, struct ts_instance *dump,
 		TS_TRY(keep(sim, dump, c->label, &d->label));
 	if (c->region)
 		TS_TRY(set_region(sim, dump, c->region, where));
+	if (c->refresh)
+		TS_TRY(set_refresh(sim, dump, c->refresh, where));
 	if (c->maxfiles != INT64_MIN)
 		TS_TRY(set_maxfiles(sim, d, c->maxfiles, where));
 	TS_TRY(ts_dump_set_thresholds(dump, sim, c->thresh));

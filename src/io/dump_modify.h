@@ -4,7 +4,7 @@
 
 #include "io/dump.h"
 
-extern const char *const ts_dump_answers[];
+extern const char *const ts_dump_answers[], *const ts_dump_compressors[];
 
 #define TS_DUMP_ANSWER(T, name, field, help_)                                                      \
 	TS_ENUM(name, T, changes.field, ts_dump_answers, .flags = TS_OPTIONAL, .help = help_)
@@ -23,8 +23,9 @@ extern const char *const ts_dump_answers[];
 		.help = "order of rows: id (as from the start), off (as they lie in memory), N or -N (by " \
 			"column N, up or down)"),                                               \
 	TS_DUMP_WORDS(T, "thresh", thresh, TS_REPEAT,                                           \
-	      "quantity, one of < <= > >= == != |^, number: only particles for which this holds, and " \
-	      "all others given; none forgets them"),                                           \
+	      "quantity, one of < <= > >= == != |^, number or LAST (its value at the last frame; none is " \
+	      "written in the first): only particles for which this holds, and all others given; none " \
+	      "forgets them"),                                           \
 	TS_WORD("region", T, changes.region, .flags = TS_OPTIONAL,                              \
 		.help = "only particles whose centres are in it; none: all"),                   \
 	TS_DUMP_WORDS(T, "format", format, TS_REPEAT,                                           \
@@ -43,6 +44,13 @@ extern const char *const ts_dump_answers[];
 	TS_DUMP_WORDS(T, "element", element, 0, "names of the types, for the column element and for dump xyz"), \
 	TS_DUMP_ANSWER(T, "scale", scale, "dump atom: positions from 0 to 1 across the box (as from the start)"), \
 	TS_DUMP_ANSWER(T, "image", image, "dump atom: image flags too"),                        \
+	TS_WORD("refresh", T, changes.refresh, .flags = TS_OPTIONAL,                            \
+		.help = "c_ID of a compute displace/atom that starts anew after each frame, as its own " \
+			"words say"),                                                           \
+	TS_DUMP_ANSWER(T, "header", header, "the ITEM lines of each frame (as from the start)"), \
+	TS_DUMP_ANSWER(T, "buffer", buffer, "no effect: frames are written in large pieces"),   \
+	TS_ENUM("compressor", T, changes.compressor, ts_dump_compressors, .flags = TS_OPTIONAL, \
+		.help = "no effect: VTK files are compressed with zlib"),                       \
 	TS_DUMP_ANSWER(T, "flush", flush, "no effect: every frame is handed to the system at once"), \
 	TS_DUMP_ANSWER(T, "pbc", pbc, "no effect: positions are wrapped when neighbours are searched"), \
 	TS_DUMP_ANSWER(T, "binary", binary, "numbers of .vtk files as bytes, not as text; other VTK files always"),      \

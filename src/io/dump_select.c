@@ -4,6 +4,7 @@
 #endif
 #include "io/dump.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "particles/particles.h"
@@ -36,9 +37,68 @@ static bool holds(int operator, double a, double b)
 
 void ts_dump_release_thresholds(struct ts_dump_common *d)
 {
+	d->restored = 0;
 	for (size_t k = 0; k < d->nthresholds; k++)
 		ts_table_release(&d->threshold[k].value.values);
 	d->nthresholds = 0;
+}
+
+/* A column that keeps a value and, as 1, that it is known. */
+enum { VALUE, KNOWN, WIDTH };
+
+static enum ts_status last_column(struct ts_instance *self, struct tsim *sim, size_t k, size_t *column)
+{
+	struct ts_str name = { 0 };
+	enum ts_status status;
+
+	ts_str_addf(&name, "dump %s last %zu", self->id, k);
+	status = name.failed ? ts_nomem(&sim->error)
+			     : ts_particles_add_column(sim, ts_str_text(&name), WIDTH, TS_COL_RESULT,
+						       column);
+	ts_str_release(&name);
+	return status;
+}
+
+static size_t count_last(const struct ts_dump_common *d)
+{
+	size_t n = 0;
+
+	for (size_t k = 0; k < d->nthresholds; k++)
+		n += d->threshold[k].last;
+	return n;
+}
+
+static double *last_of(const struct tsim *sim, const struct ts_dump_threshold *t, size_t i)
+{
+	return (double *)sim->particles->column[t->column].data + WIDTH * i;
+}
+
+static enum ts_status keep_last(struct ts_instance *self, struct tsim *sim, struct ts_dump_threshold *t)
+{
+	const struct ts_dump_common *d = self->state;
+	size_t k = count_last(d);
+
+	TS_TRY(last_column(self, sim, k, &t->column));
+	for (size_t i = 0; k >= d->restored && i < sim->particles->n; i++)
+		last_of(sim, t, i)[KNOWN] = 0; /* the column may be left over from another dump */
+	return TS_OK;
+}
+
+enum ts_status ts_dump_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive)
+{
+	struct ts_dump_common *d = self->state;
+	size_t n = ts_archive_writing(archive) ? count_last(d) : SIZE_MAX, column;
+	char name[32];
+
+	for (size_t k = 0; k < n; k++) {
+		snprintf(name, sizeof name, "last %zu", k);
+		if (!ts_archive_writing(archive) && !ts_archive_has(archive, name))
+			break;
+		TS_TRY(last_column(self, sim, k, &column));
+		TS_TRY(ts_particles_archive_column(archive, sim, name, column));
+		d->restored = k + 1;
+	}
+	return TS_OK;
 }
 
 static enum ts_status read_threshold(struct ts_instance *self, struct tsim *sim,
@@ -56,13 +116,16 @@ static enum ts_status read_threshold(struct ts_instance *self, struct tsim *sim,
 		return ts_fail(&sim->error, TS_SYNTAX, &words.word[1].place,
 			       "dump_modify: thresh: '%s' is none of < <= > >= == != |^",
 			       words.word[1].text);
-	if (!ts_parse_real(words.word[2].text, &t->limit))
+	t->last = ts_streq(words.word[2].text, "LAST");
+	if (!t->last && !ts_parse_real(words.word[2].text, &t->limit))
 		return ts_fail(&sim->error, TS_SYNTAX, &words.word[2].place,
-			       "dump_modify: thresh: '%s' is no number", words.word[2].text);
+			       "dump_modify: thresh: '%s' is no number, nor LAST", words.word[2].text);
 	name = ts_arena_strdup(&self->arena, words.word[0].text);
 	if (!name)
 		return ts_nomem(&sim->error);
 	t->value.input = (struct ts_ref_input){ .name = name, .where = words.word[0].place };
+	if (t->last)
+		TS_TRY(keep_last(self, sim, t));
 	return ts_dump_make_column(self, sim, &t->value, false);
 }
 
@@ -105,13 +168,28 @@ static enum ts_status find_region(struct ts_instance *self, struct tsim *sim,
 		       self->id, d->region);
 }
 
-static bool passes(const struct ts_dump_common *d, size_t i)
+/* With LAST the value becomes that of the last frame, for all particles. */
+static bool passes_one(const struct tsim *sim, const struct ts_dump_threshold *t, size_t i)
 {
+	double value = t->value.values.data[i], *last;
+	bool yes;
+
+	if (!t->last)
+		return holds(t->operator, value, t->limit);
+	last = last_of(sim, t, i);
+	yes = last[KNOWN] > 0 && holds(t->operator, value, last[VALUE]);
+	last[VALUE] = value;
+	last[KNOWN] = 1;
+	return yes;
+}
+
+static bool passes(const struct tsim *sim, const struct ts_dump_common *d, size_t i)
+{
+	bool yes = true;
+
 	for (size_t k = 0; k < d->nthresholds; k++)
-		if (!holds(d->threshold[k].operator, d->threshold[k].value.values.data[i],
-			   d->threshold[k].limit))
-			return false;
-	return true;
+		yes &= passes_one(sim, &d->threshold[k], i);
+	return yes;
 }
 
 /* Of equal values the smaller identity comes first. */
@@ -165,8 +243,8 @@ enum ts_status ts_dump_select(struct ts_instance *self, struct tsim *sim)
 		return ts_nomem(&sim->error);
 	d->nrows = 0;
 	for (size_t i = 0; i < p->n; i++)
-		if (ts_in_group(p, i, self->group) &&
-		    (!region || ts_region_contains(region, p->x[i])) && passes(d, i))
+		if (passes(sim, d, i) && ts_in_group(p, i, self->group) &&
+		    (!region || ts_region_contains(region, p->x[i])))
 			d->order[d->nrows++] = (int32_t)i;
 	return sort(self, sim);
 }

@@ -156,7 +156,7 @@ enum ts_status ts_dump_vtk_archive(struct ts_instance *self, struct tsim *sim,
 {
 	struct ts_dump_vtk *s = self->state;
 
-	(void)sim;
+	TS_TRY(ts_dump_archive(self, sim, archive));
 	return ts_vtk_series_archive(archive, &s->series);
 }
 

@@ -32,6 +32,8 @@ enum ts_status ts_thermo_columns(struct tsim *sim, struct ts_words names, bool m
 	t->n = 0;
 	t->multi = multi;
 	t->norm = t->norm_default;
+	for (int k = 0; k < TS_NSTANDARD; k++)
+		sim->standard[k] = NULL;
 	t->formats = (struct ts_formats){ 0 };
 	ts_arena_release(&t->arena);
 	TS_TRY(ts_refs_expand(sim, &t->arena, names, TS_WANT(SCALAR), &copy));

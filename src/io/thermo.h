@@ -6,6 +6,7 @@
 #include "core/sim.h"
 #include "io/format.h"
 #include "io/textfile.h"
+#include "particles/temperature.h"
 
 struct ts_thermo_column {
 	const char *title;
@@ -18,6 +19,7 @@ struct ts_thermo {
 	const char *variable; /* instead: says the step of the next row; NULL: none */
 	int64_t next;
 	bool multi; /* a row is a block of lines */
+	struct ts_freedom freedom; /* of the keyword temp: compute_modify thermo_temp */
 	bool norm, norm_default; /* energies are divided by the number of particles */
 	struct ts_thermo_column *column;
 	size_t n;

@@ -5,6 +5,7 @@
 
 #include "base/clock.h"
 #include "core/energy.h"
+#include "core/standard.h"
 #include "math/exactsum.h"
 #include "particles/domain.h"
 #include "particles/energy.h"
@@ -65,6 +66,12 @@ static enum ts_status spcpu(struct tsim *sim, double *out)
 	return TS_OK;
 }
 
+static enum ts_status timeremain(struct tsim *sim, double *out)
+{
+	*out = sim->timeout > 0 ? sim->timeout - ts_clock() : 0;
+	return TS_OK;
+}
+
 /* Cundall's number: particles times steps by the wall time, of the run so far. */
 static enum ts_status cundall(struct tsim *sim, double *out)
 {
@@ -115,9 +122,13 @@ static enum ts_status erotate(struct tsim *sim, double *out)
 static enum ts_status temp(struct tsim *sim, double *out)
 {
 	double tensor[7];
+	bool replaced;
 
+	TS_TRY(ts_standard_value(sim, TS_STANDARD_TEMPERATURE, -1, &replaced, out));
+	if (replaced)
+		return TS_OK;
 	ts_kinetic_tensor(sim, 0, NULL, tensor);
-	*out = ts_temperature(sim, tensor);
+	*out = ts_temperature(sim, tensor, &sim->thermo->freedom);
 	return TS_OK;
 }
 
@@ -263,7 +274,7 @@ const struct ts_keyword ts_thermo_keywords[] = {
 	{ "tpcpu", "T/CPU", "time/s", "simulated time per second since the row before", 0, tpcpu },
 	{ "spcpu", "S/CPU", "1/s", "steps per second since the row before", 0, spcpu },
 	{ "cpuremain", "CPULeft", "s", "wall time the rest of the run will take", 0, cpuremain },
-	{ "timeremain", "TimeoutLeft", "s", "wall time that `timer timeout` leaves; 0 without it", 0, zero },
+	{ "timeremain", "TimeoutLeft", "s", "wall time that `timer timeout` leaves; 0 without it", 0, timeremain },
 	{ "cu", "Cu", "1/s", "particles times steps by the wall time of the run so far", 0, cundall },
 	{ "atoms", "Atoms", "", "number of particles", 1, atoms },
 	{ "ke", "KinEng", "energy", "kinetic energy of translation", 0, ke },
@@ -275,6 +286,8 @@ const struct ts_keyword ts_thermo_keywords[] = {
 	{ "emol", "E_mol", "energy", "elastic energy of bonds", 0, ebond },
 	{ "ebond", "E_bond", "energy", "the same as emol", 0, ebond },
 	{ "enthalpy", "Enthalpy", "energy", "etotal + press vol", 0, enthalpy },
+	{ "ecouple", "Ecouple", "energy", "handed over by thermostats: 0, none counts it", 0, zero },
+	{ "econserve", "Econserve", "energy", "etotal + ecouple", 0, etotal },
 	{ "ecoul", "E_coul", "energy", "of charges: 0", 0, zero },
 	{ "elong", "E_long", "energy", "of charges far away: 0", 0, zero },
 	{ "etail", "E_tail", "energy", "of what lies beyond a cutoff: 0", 0, zero },

@@ -155,17 +155,21 @@ static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-const double *ts_neigh_molecules(const struct ts_particles *p)
+bool ts_neigh_uses_group(const struct ts_neigh *neigh, int bit)
 {
-	size_t k;
-	const struct ts_column *c = ts_particles_named_column(p, "mol", &k);
+	bool uses = neigh->include && neigh->include == bit;
 
-	return c && c->width == 1 ? c->data : NULL;
+	for (int k = 0; k < neigh->nexclude; k++) {
+		const struct ts_exclude *e = &neigh->exclude[k];
+
+		uses |= e->by != TS_EXCLUDE_TYPES && (e->a == bit || e->b == bit);
+	}
+	return uses;
 }
 
 static bool same_molecule(const struct ts_particles *p, size_t i, size_t j)
 {
-	const double *molecule = ts_neigh_molecules(p);
+	const double *molecule = ts_particles_molecules(p);
 
 	j = j < p->n ? j : (size_t)p->ghost_owner[j - p->n];
 	return molecule && molecule[i] == molecule[j];

@@ -34,8 +34,8 @@ struct ts_neigh {
 /* The skin in use: as given by `neighbor`, else 0.4 of the smallest radius (at least 0.05 of the
  * largest). */
 double ts_neigh_skin(const struct tsim *sim);
-/* The molecules of particles, as `fix property/atom mol` keeps them; NULL: there are none. */
-const double *ts_neigh_molecules(const struct ts_particles *p);
+/* Whether neigh_modify names the group of this bit. */
+bool ts_neigh_uses_group(const struct ts_neigh *neigh, int bit);
 
 /* The pairs that neigh_modify exclude and special_bonds leave out; NULL: none. */
 ts_excluded_fn *ts_neigh_excluded(const struct tsim *sim);

@@ -1,4 +1,5 @@
 /* What the neighbour search and the contacts give to the table of the log. */
+#include "core/standard.h"
 #include "neigh/contact_list.h"
 #include "particles/temperature.h"
 
@@ -23,20 +24,33 @@ static enum ts_status tensor(struct tsim *sim, double out[6])
 static enum ts_status press(struct tsim *sim, double *out)
 {
 	double t[6];
+	bool replaced;
 
+	TS_TRY(ts_standard_value(sim, TS_STANDARD_PRESSURE, -1, &replaced, out));
+	if (replaced)
+		return TS_OK;
 	TS_TRY(tensor(sim, t));
 	*out = ts_pressure_mean(sim, t);
+	return TS_OK;
+}
+
+static enum ts_status component(struct tsim *sim, int k, double *out)
+{
+	double t[6];
+	bool replaced;
+
+	TS_TRY(ts_standard_value(sim, TS_STANDARD_PRESSURE, k, &replaced, out));
+	if (replaced)
+		return TS_OK;
+	TS_TRY(tensor(sim, t));
+	*out = t[k];
 	return TS_OK;
 }
 
 #define COMPONENT(name, k)                                                                         \
 	static enum ts_status name(struct tsim *sim, double *out)                                  \
 	{                                                                                          \
-		double t[6];                                                                       \
-                                                                                                   \
-		TS_TRY(tensor(sim, t));                                                            \
-		*out = t[k];                                                                       \
-		return TS_OK;                                                                      \
+		return component(sim, k, out);                                                     \
 	}
 COMPONENT(pxx, 0)
 COMPONENT(pyy, 1)

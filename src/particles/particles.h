@@ -158,6 +158,12 @@ void ts_particles_suggest_quantity(struct ts_suggest *suggest);
 const struct ts_column *ts_particles_named_column(const struct ts_particles *p, const char *name,
 						  size_t *k);
 
+/* The molecules of particles, as `fix property/atom mol` keeps them; NULL: there are none. */
+const double *ts_particles_molecules(const struct ts_particles *p);
+/* An error where they are needed; `what` for the message: "group". */
+enum ts_status ts_particles_need_molecules(struct tsim *sim, const char *what,
+					   const struct ts_place *where);
+
 /* The same, written: the k-th value goes to row[k], or to row k where row is NULL. All values are
  * checked before the first is written. A radius keeps the density, a density the radius, a mass
  * the radius. */

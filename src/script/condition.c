@@ -41,6 +41,13 @@ static size_t branch_end(struct ts_words words, size_t k)
 	return k;
 }
 
+static enum ts_status no_command(struct tsim *sim, const struct ts_word *word)
+{
+	return ts_fail(&sim->error, TS_SYNTAX, &word->place,
+		       "expected a command for this branch, found none");
+}
+
+/* An `else` with nothing behind it is an error only where it is reached. */
 static enum ts_status check(struct tsim *sim, struct ts_words words, const struct ts_place *where)
 {
 	const struct ts_word *word = words.word;
@@ -60,9 +67,8 @@ static enum ts_status check(struct tsim *sim, struct ts_words words, const struc
 		if (first < words.n && k && !otherwise && is(&word[first], "then"))
 			first++;
 		end = branch_end(words, first);
-		if (first >= words.n || end == first)
-			return ts_fail(&sim->error, TS_SYNTAX, &word[k].place,
-				       "expected a command for this branch, found none");
+		if ((first >= words.n || end == first) && !(otherwise && k))
+			return no_command(sim, &word[k]);
 		if (otherwise && end < words.n)
 			return ts_fail(&sim->error, TS_SYNTAX, &word[end].place,
 				       "nothing may follow the else branch, found '%s'",
@@ -107,6 +113,8 @@ static enum ts_status run_if(struct tsim *sim, void *state, const struct ts_plac
 			TS_TRY(holds(script, &words.word[test], &yes));
 			first += is(&words.word[first], "then");
 		}
+		if (yes && first >= words.n)
+			return no_command(sim, &words.word[k]);
 		if (yes) {
 			TS_TRY(ts_check_branch(script, where, k ? words.word[k].text : "then"));
 			return run_branch(script, words, first);

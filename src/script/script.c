@@ -1,6 +1,5 @@
 #include "script/script.h"
 
-#include <inttypes.h>
 #include <string.h>
 
 #include "script/check.h"
@@ -95,6 +94,28 @@ static void host_suggest_variable(void *host, struct ts_suggest *suggest)
 		ts_suggest_try(suggest, script->variables.item[k]->name);
 }
 
+/* "  k, equal, 2*b, in.script:7"; lists say which value is theirs now. */
+static enum ts_status host_list_variables(void *host, struct ts_str *out)
+{
+	struct ts_script *script = host;
+
+	for (size_t k = 0; k < script->variables.n; k++) {
+		struct ts_variable *v = script->variables.item[k];
+
+		ts_str_addf(out, "  %s, %s,", v->name, v->style->name);
+		for (size_t j = 0; j < v->values.n; j++)
+			ts_str_addf(out, " %s", v->values.word[j].text);
+		if (v->style->next && !v->feed) {
+			ts_str_add(out, ", now ");
+			TS_TRY(v->style->text(script, v, &v->where, out));
+		}
+		if (v->where.file && v->where.line)
+			ts_str_addf(out, ", %s:%d", v->where.file, v->where.line);
+		ts_str_add(out, "\n");
+	}
+	return TS_OK;
+}
+
 static enum ts_status host_pardon(void *host, enum ts_status status)
 {
 	const struct ts_script *script = host;
@@ -128,6 +149,7 @@ static const struct ts_host host_table = {
 	.is_vector = host_is_vector,
 	.set = host_set,
 	.archive = host_archive,
+	.list_variables = host_list_variables,
 	.suggest_variable = host_suggest_variable,
 	.pardon = host_pardon,
 	.planned = host_planned,

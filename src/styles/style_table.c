@@ -105,6 +105,7 @@ TS_STYLE(compute, ts_style, ts_compute_contacts)
 TS_STYLE(compute, ts_style, ts_compute_coord_atom)
 TS_STYLE(compute, ts_style, ts_compute_count_type)
 TS_STYLE(compute, ts_style, ts_compute_displace_atom)
+TS_STYLE(compute, ts_style, ts_compute_erotate)
 TS_STYLE(compute, ts_style, ts_compute_erotate_multisphere)
 TS_STYLE(compute, ts_style, ts_compute_erotate_sphere)
 TS_STYLE(compute, ts_style, ts_compute_erotate_sphere_atom)
@@ -342,6 +343,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_coord_atom,
 	&ts_compute_count_type,
 	&ts_compute_displace_atom,
+	&ts_compute_erotate,
 	&ts_compute_erotate_multisphere,
 	&ts_compute_erotate_sphere,
 	&ts_compute_erotate_sphere_atom,

@@ -191,6 +191,6 @@ rejects "$head
 compute stored all pe pear" "did you mean 'pair'"
 
 prints "$head
-thermo_style custom step cu timeremain ecoul elong etail eangle edihed eimp angles dihedrals impropers
+thermo_style custom step cu ecouple econserve timeremain ecoul elong etail eangle edihed eimp angles dihedrals impropers
 run 0" 'TimeoutLeft' 'Impros'
 finish

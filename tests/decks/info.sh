@@ -24,6 +24,19 @@ for line in '  no box yet' '  units micro, 3 dimensions, step 0, time 0, time st
 	grep -qF -- "$line" out
 	report "says: $line" $? out
 done
+prints 'variable b index x y z
+variable l loop 3
+variable k equal 2*l
+next l
+next b
+info variables time configuration styles region accelerator fft' '  b, index, x y z, now y, in.script:1' \
+	'  l, loop, 3, now 2, in.script:2' '  k, equal, 2*l, in.script:3' '  region: block cone'
+prints 'print begun file state.txt
+info groups out append state.txt fft
+info groups out screen' '  all, static, 0 particles'
+printf 'begun\nGroups:\n  all, static, 0 particles\nFourier transforms: none\n' >want
+same 'info in a file' state.txt want
+rejects 'info groups out' 'expected out log, out screen, out append FILE or out overwrite FILE'
 echo 'info sistem' >in.bad
 refused 'misspelt' "unknown subject 'sistem'; did you mean 'system'?" -in in.bad
 for units in real metal electron nano; do

@@ -28,7 +28,7 @@ contacts() { # number, neigh_modify words
 neigh_modify $2
 $count" "contacts $1"
 }
-contacts 2 'delay 0 every 1 check yes binsize 0.1 page 100000 one 2000 once no cluster no'
+contacts 2 'delay 0 every 1 check yes binsize 0.1 page 100000 one 2000 once no cluster no collection/type 2 1 2 collection/interval 2 1.5 2.5'
 contacts 1 'include low'
 contacts 1 'include high exclude type 1 2'
 contacts 2 'include all'
@@ -99,6 +99,23 @@ set atom 3 d2_q[4] 1.5" 'has the numbers [1] to [3], not [4]'
 rejects "$four
 fix p all property/atom i_mark d2_q 3
 set atom 3 d2_q 1.5" "takes 3 numbers, but 1 are given"
+
+prints "$four
+group a molecule 7
+group b molecule > 7
+group c id 3
+group c include molecule
+set mol 7 vx 1.5
+set mol 8* vy 2.5
+dump d all custom 1 mol.dump id mol vx vy
+run 0" '3 atoms in group a' '1 atoms in group b' '3 atoms in group c'
+printf '1 7 1.5 0 \n2 7 1.5 0 \n3 7 1.5 0 \n4 8 0 2.5 \n' >want
+tail -n 4 mol.dump >got
+same 'molecules in a dump' got want
+rejects "$four
+group a molecule 8
+neigh_modify exclude molecule a
+group a delete" "group 'a' is used by neigh_modify"
 
 # A box that could not be made in two dimensions does not nest the check.
 cat >in.two <<'END'

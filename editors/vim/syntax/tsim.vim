@@ -38,20 +38,23 @@ syn match tsimKeyword /\<variable\>/
 syn keyword tsimKeyword  compress bond atom stats any remove special undo move ramp x y z
 syn keyword tsimKeyword  every thresh format pad delay append
 syn match tsimKeyword /\<label\>/ 
-syn keyword tsimKeyword  time maxfiles element scale image flush pbc binary fileper nfile
-syn keyword tsimKeyword  none screen
+syn keyword tsimKeyword  time maxfiles element scale image refresh header buffer compressor
+syn keyword tsimKeyword  none zlib lz4 flush pbc binary fileper nfile screen
 syn match tsimKeyword /\<log\>/ 
 syn keyword tsimKeyword  both type union subtract intersect empty initialize
 syn match tsimKeyword /\<clear\>/ 
 syn keyword tsimKeyword  delete dynamic static
 syn match tsimKeyword /\<include\>/ 
 syn keyword tsimKeyword  molecule sc bcc fcc hcp diamond sq sq2 hex custom origin orient
-syn keyword tsimKeyword  spacing a1 a2 a3 file check binsize page one once cluster exclude
-syn keyword tsimKeyword  bin nsq omp grain shift tail mix geometric arithmetic sixthpower
-syn keyword tsimKeyword  universe grid part numa add offset nocoeff extra/atom/types
-syn keyword tsimKeyword  extra/bond/types replace trim purge bbox last skip start stop
+syn keyword tsimKeyword  spacing a1 a2 a3 file check binsize page one once cluster
+syn keyword tsimKeyword  collection/type collection/interval exclude bin nsq omp grain
+syn keyword tsimKeyword  shift tail mix geometric arithmetic sixthpower universe grid part
+syn keyword tsimKeyword  numa add offset nocoeff extra/atom/types extra/bond/types
+syn keyword tsimKeyword  extra/angle/types extra/dihedral/types extra/improper/types
+syn match tsimKeyword /\<fix\>/ 
+syn keyword tsimKeyword  replace trim purge bbox last skip start stop
 syn match tsimKeyword /\<dump\>/ 
-syn keyword tsimKeyword  upto pre post unsafe diameter density density/disc
+syn keyword tsimKeyword  post upto pre unsafe diameter density density/disc
 syn match tsimKeyword /\<mass\>/ 
 syn keyword tsimKeyword  vx vy vz omegax omegay omegaz omega type/fraction type/ratio
 syn keyword tsimKeyword  type/subset property/atom d_NAME i_NAME d2_NAME i2_NAME lj coul
@@ -59,17 +62,18 @@ syn keyword tsimKeyword  lj/coul angle dihedral lost ignore warn error lost/bond
 syn keyword tsimKeyword  temp press si cgs micro real metal electron nano index loop world
 syn keyword tsimKeyword  uloop string getenv
 syn match tsimKeyword /\<timer\>/ 
-syn keyword tsimKeyword  internal atomfile equal vector create dist uniform gaussian mom
-syn keyword tsimKeyword  rot local geom zero linear angular angularIndividual sum pair ii
-syn keyword tsimKeyword  ij nofix modify noinit discard default mixed bound reduced nchunk
-syn keyword tsimKeyword  limit ids nfreq kspace tensor com average property xcm vcm fcm
-syn keyword tsimKeyword  torque quat angmom masstotal inertia clumptype id_multisphere
-syn keyword tsimKeyword  ex_space ey_space ez_space bond/type radius min max ave sumsq
-syn keyword tsimKeyword  avesq sumabs aveabs minabs maxabs inputs peratom update_on_run_end
-syn keyword tsimKeyword  adof cdof primitives reset energy sample running window overwrite
-syn keyword tsimKeyword  title1 title2 title3 auto upper lower auto/upper auto/lower full
-syn keyword tsimKeyword  prefactor nevery cell_size_relative parallel basevolume_region
-syn keyword tsimKeyword  scalar kind global beyond end extra dim level vmax
+syn keyword tsimKeyword  internal atomfile equal vector create zero linear angular
+syn keyword tsimKeyword  angularIndividual sum dist uniform gaussian mom rot local geom
+syn keyword tsimKeyword  bias pair ii ij nofix modify noinit discard default mixed bound
+syn keyword tsimKeyword  reduced nchunk limit ids nfreq kspace tensor com average property
+syn keyword tsimKeyword  xcm vcm fcm torque quat angmom masstotal inertia clumptype
+syn keyword tsimKeyword  id_multisphere ex_space ey_space ez_space bond/type radius min max
+syn keyword tsimKeyword  ave sumsq avesq sumabs aveabs minabs maxabs inputs peratom
+syn keyword tsimKeyword  update_on_run_end adof cdof primitives reset energy sample running
+syn keyword tsimKeyword  window overwrite title1 title2 title3 auto upper lower auto/upper
+syn keyword tsimKeyword  auto/lower full prefactor nevery cell_size_relative parallel
+syn keyword tsimKeyword  basevolume_region scalar kind global beyond end extra dim level
+syn keyword tsimKeyword  vmax
 syn match tsimKeyword /\<legacy\>/ 
 syn keyword tsimKeyword  final delta erate trate volume wiggle xy xz yz v flip axes xyz
 syn keyword tsimKeyword  scheme explicit exact wob spring body clearance chute spherical
@@ -117,10 +121,10 @@ syn keyword tsimName  tqz xu yu zu xs ys zs xsu ysu zsu ix iy iz proc press pxx 
 syn keyword tsimName  pxy pxz pyz nbuild ndanger bonds numbonds brokenbonds gonebonds
 syn keyword tsimName  step elapsed elaplong part time dt cpu tpcpu spcpu cpuremain
 syn keyword tsimName  timeremain cu atoms ke erotate pe etotal epair evdwl emol ebond
-syn keyword tsimName  enthalpy ecoul elong etail eangle edihed eimp angles dihedrals
-syn keyword tsimName  impropers temp fmax fnorm vol lx ly lz xlo xhi ylo yhi zlo zhi xy
-syn keyword tsimName  xz yz xlat ylat zlat cella cellb cellc cellalpha cellbeta
-syn keyword tsimName  cellgamma PI yes no true false on off
+syn keyword tsimName  enthalpy ecouple econserve ecoul elong etail eangle edihed eimp
+syn keyword tsimName  angles dihedrals impropers temp fmax fnorm vol lx ly lz xlo xhi
+syn keyword tsimName  ylo yhi zlo zhi xy xz yz xlat ylat zlat cella cellb cellc
+syn keyword tsimName  cellalpha cellbeta cellgamma PI yes no true false on off
 
 syn match tsimFunction /\<\%(sqrt\|exp\|ln\|log\|abs\|sign\|sin\|cos\|tan\|asin\|acos\|atan\|atan2\|ceil\|floor\|round\|ternary\|random\|normal\|ramp\|vdisplace\|swiggle\|cwiggle\|stagger\|logfreq\|logfreq2\|logfreq3\|stride\|stride2\|sum\|ave\|min\|max\|trap\|slope\|stderr\|sort\|rsort\|next\|is_file\|is_os\|is_defined\|is_active\|is_available\|extract_setting\|volume\|count\|mass\|ke\|gyration\|xcm\|vcm\|fcm\|angmom\|torque\|inertia\|omega\|bound\|property\|gmask\|rmask\|grmask\)\ze(/
 
@@ -152,7 +156,7 @@ hi def link tsim_fix Type
 syn match tsimHead /^\s*compute\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_compute
 syn keyword tsim_compute contained aggregate/atom angmom/chunk bond/local bonds chunk/atom
 syn keyword tsim_compute contained chunk/spread/atom cluster/atom com com/chunk contact/atom contacts
-syn keyword tsim_compute contained coord/atom count/type displace/atom erotate/multisphere
+syn keyword tsim_compute contained coord/atom count/type displace/atom erotate erotate/multisphere
 syn keyword tsim_compute contained erotate/sphere erotate/sphere/atom fragment/atom group/group
 syn keyword tsim_compute contained gyration gyration/chunk inertia/chunk ke ke/atom ke/multisphere
 syn keyword tsim_compute contained leave msd msd/chunk multisphere nbond/atom neighbor/atom

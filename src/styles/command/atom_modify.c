@@ -1,11 +1,11 @@
 /* Command atom_modify: accepted for compatibility. */
-#include "core/group.h"
 #include "core/sim.h"
 
 #include "base/banned.h"
 
 struct state {
-	int map, first;
+	int map;
+	const char *first;
 	bool id;
 	struct ts_words sort;
 };
@@ -41,8 +41,8 @@ static const struct ts_arg args[] = {
 		.help = "no effect: particles are found by identity when that is needed"),
 	TS_BOOL("id", struct state, id, .fallback = "yes",
 		.help = "yes; no is refused: histories and random numbers hang on identities"),
-	TS_GROUP("first", struct state, first, .fallback = "all",
-		 .help = "no effect: the order in memory decides only the speed; see neigh_modify include"),
+	TS_WORD("first", struct state, first, .flags = TS_OPTIONAL,
+		.help = "no effect: the order in memory decides only the speed; see neigh_modify include"),
 	TS_SOME_KEYWORD("sort", struct state, sort, 0,
 			.help = "steps and size of bins: no effect, particles are sorted by place when "
 				"that pays; results and dumps (sort id) do not depend on it"),

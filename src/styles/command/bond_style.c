@@ -14,7 +14,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 }
 
 static const struct ts_arg args[] = {
-	TS_REST("style", struct style_line, words, .help = "a bond style and its arguments"),
+	TS_REST("style", struct style_line, words, .help = "a bond style and its arguments, or none"),
 	TS_ARGS_END,
 };
 

@@ -1,10 +1,13 @@
 /* Command group: puts particles into groups. */
 #include "core/sim.h"
 
+#include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "core/group.h"
 #include "core/uses.h"
+#include "neigh/neigh.h"
 #include "particles/group_dynamic.h"
 #include "particles/particles.h"
 #include "particles/region.h"
@@ -35,7 +38,7 @@ struct state {
 	struct ts_words rest;
 	struct ts_instance *region;
 	const char *variable;
-	int parent;
+	int parent, of;
 	int64_t every;
 };
 
@@ -216,10 +219,53 @@ static enum ts_status delete_group(struct tsim *sim, const struct state *s,
 			return ts_fail(&sim->error, TS_STATE, where,
 				       "group '%s' is the parent of the dynamic group '%s'", s->id,
 				       sim->particles->group[child]);
+	if (ts_neigh_uses_group(sim->neigh, bit))
+		return ts_fail(&sim->error, TS_STATE, where, "group '%s' is used by neigh_modify", s->id);
 	remove_all(sim->particles, bit);
 	sim->particles->dynamic[bit].every = 0;
 	sim->particles->group[bit] = NULL;
 	return TS_OK;
+}
+
+static int compare_numbers(const void *a, const void *b)
+{
+	int32_t i = *(const int32_t *)a, j = *(const int32_t *)b;
+
+	return (i > j) - (i < j);
+}
+
+/* Members bring in all of their molecules. */
+static void include_molecules(struct ts_particles *p, const int32_t *molecule, int32_t *known, int bit)
+{
+	size_t n = 0;
+
+	for (size_t i = 0; i < p->n; i++)
+		if (ts_in_group(p, i, bit))
+			known[n++] = molecule[i];
+	if (n)
+		qsort(known, n, sizeof *known, compare_numbers);
+	for (size_t i = 0; n && i < p->n; i++)
+		if (bsearch(&molecule[i], known, n, sizeof *known, compare_numbers))
+			add(p, i, bit);
+}
+
+static enum ts_status add_molecules(struct tsim *sim, const struct state *s, int bit)
+{
+	struct ts_particles *p = sim->particles;
+	const double *from = ts_particles_molecules(p);
+	int32_t *molecule = ts_alloc(2 * p->n, sizeof *molecule);
+	enum ts_status status = TS_OK;
+
+	if (!molecule)
+		return ts_nomem(&sim->error);
+	for (size_t i = 0; i < p->n; i++)
+		molecule[i] = (int32_t)fmax(INT32_MIN, fmin(from[i], INT32_MAX));
+	if (s->mode == INCLUDE)
+		include_molecules(p, molecule, molecule + p->n, bit);
+	else
+		status = add_numbers(sim, s->rest, molecule, bit);
+	ts_free(molecule);
+	return status;
 }
 
 static enum ts_status fill(struct tsim *sim, const struct state *s, int bit,
@@ -242,6 +288,9 @@ static enum ts_status fill(struct tsim *sim, const struct state *s, int bit,
 	case SUBTRACT:
 	case INTERSECT:
 		return combine(sim, s->rest, s->mode, bit);
+	case MOLECULE:
+	case INCLUDE:
+		return add_molecules(sim, s, bit);
 	case VARIABLE:
 		return add_where_variable(sim, s, bit, where);
 	case CLEAR:
@@ -270,8 +319,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	if (s->mode == DELETE)
 		return delete_group(sim, s, where);
 	if (s->mode == INCLUDE || s->mode == MOLECULE)
-		return ts_fail(&sim->error, TS_UNKNOWN, where,
-			       "group: particles belong to no molecules in tsim");
+		TS_TRY(ts_particles_need_molecules(sim, "group", where));
 	bit = ts_group_find(p, s->id);
 	if (bit >= 0 && p->dynamic[bit].every && s->mode != DYNAMIC && s->mode != STATIC)
 		return ts_fail(&sim->error, TS_STATE, where,
@@ -308,8 +356,10 @@ static const struct ts_arg variable[] = {
 	TS_ARGS_END,
 };
 
-static const struct ts_arg molecules[] = {
-	TS_REST("numbers", struct state, rest, .help = "refused: there are no molecules"),
+static const char *const include_words[] = { "molecule", NULL };
+static const struct ts_arg includes[] = {
+	TS_ENUM("molecule", struct state, of, include_words, .flags = TS_POSITIONAL,
+		.help = "all particles of the molecules (fix property/atom mol) that members belong to"),
 	TS_ARGS_END,
 };
 
@@ -339,8 +389,8 @@ static const struct ts_mode modes[] = {
 	[DELETE] = { "delete", "forget the group", NULL },
 	[DYNAMIC] = { "dynamic", "members chosen anew during runs", dynamic },
 	[STATIC] = { "static", "a dynamic group keeps the members it has", NULL },
-	[INCLUDE] = { "include", "refused: particles belong to no molecules", molecules },
-	[MOLECULE] = { "molecule", "refused: particles belong to no molecules", molecules },
+	[INCLUDE] = { "include", "also those of the same molecules as members", includes },
+	[MOLECULE] = { "molecule", "particles of these molecules (fix property/atom mol)", numbers },
 	{ .name = NULL },
 };
 

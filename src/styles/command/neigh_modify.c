@@ -14,7 +14,7 @@ struct state {
 	bool check, once, cluster;
 	double binsize;
 	int include;
-	struct ts_words exclude;
+	struct ts_words exclude, collections;
 };
 
 static enum ts_status read_type(struct tsim *sim, const struct ts_word *word, int32_t *type)
@@ -41,11 +41,7 @@ static enum ts_status read_group(struct tsim *sim, const struct ts_word *word, i
 static enum ts_status read_members(struct tsim *sim, struct ts_words words, struct ts_exclude *pair)
 {
 	TS_TRY(read_group(sim, &words.word[1], &pair->a));
-	if (ts_neigh_molecules(sim->particles))
-		return TS_OK;
-	return ts_fail(&sim->error, TS_STATE, &words.word[0].place,
-		       "neigh_modify exclude: particles belong to no molecules: `fix ID all "
-		       "property/atom mol` and `set ... mol` say to which");
+	return ts_particles_need_molecules(sim, "neigh_modify exclude", &words.word[0].place);
 }
 
 static enum ts_status add(struct tsim *sim, const struct ts_exclude *pair, const struct ts_place *where)
@@ -135,6 +131,10 @@ static const struct ts_arg args[] = {
 		.help = "no effect: a search is due when contacts could be missed without it"),
 	TS_BOOL("cluster", struct state, cluster, .fallback = "no",
 		.help = "no effect: partners of bonds are found by identity"),
+	TS_SOME_KEYWORD("collection/type", struct state, collections, TS_REPEAT,
+			.help = "no effect, as binsize"),
+	TS_SOME_KEYWORD("collection/interval", struct state, collections, TS_REPEAT,
+			.help = "no effect, as binsize"),
 	TS_GROUP("include", struct state, include, .flags = TS_OPTIONAL,
 		 .help = "particles outside of the group touch nobody; all: forgets that"),
 	TS_SOME_KEYWORD("exclude", struct state, exclude, TS_REPEAT,

@@ -14,7 +14,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 }
 
 static const struct ts_arg args[] = {
-	TS_REST("style", struct style_line, words, .help = "a pair style and its arguments"),
+	TS_REST("style", struct style_line, words, .help = "a pair style and its arguments, or none"),
 	TS_ARGS_END,
 };
 
@@ -24,7 +24,7 @@ const struct ts_command_style ts_command_pair_style = {
 		   .kind = TS_KIND_COMMAND,
 		   .summary = "chooses the contact law between particles",
 		   .doc = "Replaces the pair style there was, and its coefficients. Without one, "
-			  "particles do not touch.",
+			  "particles do not touch; `none` ends the one there is.",
 		   .example = "pair_style spring/dashpot",
 		   .args = args,
 		   .state_size = sizeof(struct style_line) },

@@ -5,42 +5,50 @@
 #include "neigh/bonds.h"
 #include "particles/domain.h"
 #include "particles/identity.h"
-#include "particles/particles.h"
+#include "particles/user_columns.h"
 
 #include "base/banned.h"
 
+enum { NUNUSED = 8 }; /* words for rooms that are made as they are needed */
+
 struct read_data {
-	const char *file, *add, *group;
-	struct ts_words offset;
+	const char *file, *group;
+	struct ts_words add, offset, fix;
 	struct ts_data_options options;
 	bool nocoeff;
-	int64_t unused[2];
+	int64_t unused[NUNUSED];
 };
 
 static enum ts_status read_add(struct tsim *sim, struct read_data *c, const struct ts_place *where)
 {
-	struct ts_suggest suggest = ts_suggest_start(c->add ? c->add : "");
+	const char *how = c->add.n > 1 ? c->add.word[1].text : "merge";
+	struct ts_suggest suggest = ts_suggest_start(how);
 
-	if (!c->add && sim->domain->exists)
+	if (!c->add.n && sim->domain->exists)
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "there is a simulation box already: use `add append` or `add merge`");
-	if (!c->add)
+	if (!c->add.n)
 		return TS_OK;
-	if (ts_streq(c->add, "append")) {
+	if (c->add.n > 2)
+		return ts_fail(&sim->error, TS_SYNTAX, &c->add.word[2].place,
+			       "read_data: add takes one word, found '%s' behind it",
+			       c->add.word[2].text);
+	c->options.keep_box = c->add.n == 1;
+	if (ts_streq(how, "append")) {
 		c->options.add = TS_DATA_APPEND;
 		return TS_OK;
 	}
 	c->options.add = TS_DATA_MERGE;
-	if (ts_streq(c->add, "merge"))
+	if (ts_streq(how, "merge"))
 		return TS_OK;
-	if (ts_parse_int(c->add, &c->options.tag_offset) && c->options.tag_offset >= 0)
+	if (ts_parse_int(how, &c->options.tag_offset) && c->options.tag_offset >= 0)
 		return TS_OK;
 	ts_suggest_try(&suggest, "append");
 	ts_suggest_try(&suggest, "merge");
 	return ts_fail(&sim->error, TS_SYNTAX, where,
 		       "read_data: add is '%s', expected append, merge or what is added to the "
 		       "identities of the file%s",
-		       c->add, ts_suggest_text(&suggest));
+		       how, ts_suggest_text(&suggest));
 }
 
 /* offset TYPE BOND [ANGLE DIHEDRAL IMPROPER] */
@@ -141,6 +149,55 @@ static enum ts_status apply(struct tsim *sim, struct read_data *c, const struct 
 	return TS_OK;
 }
 
+/* The sections that fixes property/atom get. */
+static enum ts_status name_sections(struct tsim *sim, struct read_data *c, struct ts_data *data)
+{
+	const struct ts_words words = c->fix;
+
+	if (words.n % 3)
+		return ts_fail(&sim->error, TS_SYNTAX, &words.word[0].place,
+			       "read_data: fix takes the name of a fix, a text of the header or NULL, and "
+			       "the title of a section");
+	data->section = ts_arena_alloc(&data->arena, words.n / 3 + 1, sizeof *data->section);
+	if (!data->section)
+		return ts_nomem(&sim->error);
+	for (size_t k = 0; k < words.n; k += 3) {
+		const char *header = words.word[k + 1].text;
+		const struct ts_user_columns *columns;
+
+		TS_TRY(ts_user_columns_of(sim, &words.word[k], "read_data", &columns));
+		data->section[k / 3] = (struct ts_data_section){
+			.title = words.word[k + 2].text,
+			.header = ts_streq(header, "NULL") ? NULL : header,
+			.width = columns->width
+		};
+		data->nsections++;
+	}
+	return TS_OK;
+}
+
+static enum ts_status give_sections(struct tsim *sim, struct read_data *c, const struct ts_data *data)
+{
+	struct ts_identities map;
+
+	TS_TRY(ts_identities(sim, false, &map));
+	for (size_t k = 0; k < data->nsections; k++) {
+		const struct ts_data_section *s = &data->section[k];
+		const struct ts_user_columns *columns;
+
+		TS_TRY(ts_user_columns_of(sim, &c->fix.word[3 * k], "read_data", &columns));
+		for (size_t j = 0; j < s->n; j++) {
+			const double *line = s->value + j * (s->width + 1);
+			int32_t tag = (int32_t)(line[0] + (double)c->options.tag_offset);
+
+			ts_user_columns_set(sim->particles, columns, (size_t)ts_row_of(&map, tag),
+					    line + 1);
+		}
+		ts_log(&sim->log, "  reading %s ...\n  %zu lines\n", s->title, s->n);
+	}
+	return TS_OK;
+}
+
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	struct read_data *c = state;
@@ -152,23 +209,28 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	if (c->group)
 		TS_TRY(ts_group_make(sim, c->group, where, &c->options.group));
 	ts_log(&sim->log, "Reading data file ...\n");
-	status = read_file(sim, c, where, &data);
+	status = name_sections(sim, c, &data);
+	if (status == TS_OK)
+		status = read_file(sim, c, where, &data);
 	if (status == TS_OK)
 		status = apply(sim, c, &data);
+	if (status == TS_OK && data.nsections)
+		status = give_sections(sim, c, &data);
 	ts_data_release(&data);
 	return status;
 }
 
 #define UNUSED(name, k)                                                                            \
 	TS_INT(name, struct read_data, unused[k], .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE,  \
-	       .help = "no effect: room is made as it is needed")
+	       .help = "no effect: room is made as it is needed, and there are only bonds")
 
 static const struct ts_arg args[] = {
 	TS_WORD("file", struct read_data, file, .flags = TS_POSITIONAL,
 		.help = "name of the file; it may be compressed with gzip"),
-	TS_WORD("add", struct read_data, add, .flags = TS_OPTIONAL,
-		.help = "to particles there are: append (identities go on after the last), merge "
-			"(identities as in the file) or a number added to the identities"),
+	TS_SOME_KEYWORD("add", struct read_data, add, TS_NAMED,
+			.help = "to particles there are: append (identities go on after the last), merge "
+				"(identities as in the file), a number added to the identities, or "
+				"nothing: as merge, into the box there is"),
 	{ .name = "offset",
 	  .type = TS_ARG_REST,
 	  .flags = TS_OPTIONAL | TS_TO_KEYWORD,
@@ -185,8 +247,17 @@ static const struct ts_arg args[] = {
 	TS_INT("extra/bond/types", struct read_data, options.extra_bond_types, .fallback = "0",
 	       .range = TS_WITHIN, .lo = 0, .hi = 10000,
 	       .help = "types of bonds there are besides those of the file"),
-	UNUSED("extra/bond/per/atom", 0),
-	UNUSED("extra/special/per/atom", 1),
+	UNUSED("extra/angle/types", 0),
+	UNUSED("extra/dihedral/types", 1),
+	UNUSED("extra/improper/types", 2),
+	UNUSED("extra/bond/per/atom", 3),
+	UNUSED("extra/angle/per/atom", 4),
+	UNUSED("extra/dihedral/per/atom", 5),
+	UNUSED("extra/improper/per/atom", 6),
+	UNUSED("extra/special/per/atom", 7),
+	TS_SOME_KEYWORD("fix", struct read_data, fix, TS_REPEAT,
+			.help = "name of a fix property/atom, NULL or a text of lines of the header that are "
+				"passed over, and the title of the section with its numbers; may be repeated"),
 	TS_ARGS_END,
 };
 
@@ -205,9 +276,12 @@ const struct ts_command_style ts_command_read_data = {
 		       "bond_coeff. Molecules are read and forgotten. The mass is the density times 4/3 pi R^3. A bond\n"
 		       "gets the present distance of its partners as its length without force. Positions are wrapped\n"
 		       "into periodic boxes; outside of fixed faces they are refused. Nothing changes when the file\n"
-		       "is refused.",
+		       "is refused.\n\n"
+		       "`fix ID NULL TITLE`: the section TITLE has the numbers that fix property/atom ID keeps, lines\n"
+		       "of an identity and the numbers in the order of the fix, one for each particle.",
 		.example = "read_data bed.data\n"
-			   "read_data rock.data.gz add append shift 0 0 0.25 group rock",
+			   "read_data rock.data.gz add append shift 0 0 0.25 group rock\n"
+			   "read_data clumps.data fix marks NULL Molecules",
 		.args = args,
 		.state_size = sizeof(struct read_data),
 	},

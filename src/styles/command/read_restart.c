@@ -1,6 +1,6 @@
 /* Command read_restart: continues from a saved state. */
 #include "core/sim.h"
-#include "io/newest.h"
+#include "io/series.h"
 #include "io/restart.h"
 
 #include <inttypes.h>
@@ -14,16 +14,10 @@ struct state {
 	bool remap;
 };
 
-static enum ts_status read_path(struct tsim *sim, const struct ts_str *path,
-				const struct state *s, const struct ts_place *where)
+static enum ts_status read_path(struct tsim *sim, const char *path, const struct ts_place *where)
 {
-	if (path->failed)
-		return ts_nomem(&sim->error);
-	if (!path->length)
-		return ts_fail(&sim->error, TS_IO, where,
-			       "there is no restart file with a number for the * of '%s'", s->file);
-	ts_log(&sim->log, "Reading restart file %s ...\n", ts_str_text(path));
-	TS_TRY(ts_restart_read(sim, ts_str_text(path), where));
+	ts_log(&sim->log, "Reading restart file %s ...\n", path);
+	TS_TRY(ts_restart_read(sim, path, where));
 	ts_log(&sim->log, "  step %" PRId64 ", %zu atoms\n", sim->clock.step, sim->particles->n);
 	return TS_OK;
 }
@@ -31,12 +25,17 @@ static enum ts_status read_path(struct tsim *sim, const struct ts_str *path,
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct state *s = state;
-	struct ts_str path = { 0 };
-	enum ts_status status;
+	struct ts_series series = { 0 };
+	enum ts_status status = ts_series_find(s->file, &series);
 
-	ts_newest_path(s->file, &path);
-	status = read_path(sim, &path, s, where);
-	ts_str_release(&path);
+	if (status != TS_OK)
+		status = ts_nomem(&sim->error);
+	else if (!series.n)
+		status = ts_fail(&sim->error, TS_IO, where,
+				 "there is no restart file with a number for the * of '%s'", s->file);
+	else
+		status = read_path(sim, series.file[series.n - 1].path, where);
+	ts_series_release(&series);
 	return status;
 }
 

@@ -1,12 +1,14 @@
 /* Command rerun: forces, computes and output anew for the frames of dumps. */
 #include "core/plan.h"
 #include "io/frames.h"
+#include "io/series.h"
 
 #include "base/banned.h"
 
 struct rerun {
 	struct ts_words files;
 	int64_t first, last, every, skip, start, stop;
+	bool post;
 	struct ts_frame_use use;
 	int64_t seen, done; /* frames within first .. last; those computed */
 };
@@ -57,18 +59,36 @@ static enum ts_status take_frame(struct tsim *sim, struct rerun *c, struct ts_pl
 }
 
 static enum ts_status run_file(struct tsim *sim, struct rerun *c, struct ts_plan *plan,
-			       const struct ts_word *name)
+			       const char *path, const struct ts_place *where)
 {
 	struct ts_frames f = { 0 };
 	bool got = true;
-	enum ts_status status = ts_frames_open(&f, sim, name->text, &name->place);
+	enum ts_status status = ts_frames_open(&f, sim, path, where);
 
 	while (status == TS_OK && got && !sim->stop) {
 		status = ts_frames_next(&f, &got);
 		if (status == TS_OK && got && wanted(c, f.step))
-			status = take_frame(sim, c, plan, &f, &name->place);
+			status = take_frame(sim, c, plan, &f, where);
 	}
 	ts_frames_close(&f);
+	return status;
+}
+
+/* One file, or those of a series in the order of their steps. */
+static enum ts_status run_word(struct tsim *sim, struct rerun *c, struct ts_plan *plan,
+			       const struct ts_word *word)
+{
+	struct ts_series series = { 0 };
+	enum ts_status status = ts_series_find(word->text, &series);
+
+	if (status != TS_OK)
+		status = ts_nomem(&sim->error);
+	else if (!series.n)
+		status = ts_fail(&sim->error, TS_IO, &word->place,
+				 "rerun: there is no file with a number for the * of '%s'", word->text);
+	for (size_t k = 0; k < series.n && status == TS_OK; k++)
+		status = run_file(sim, c, plan, series.file[k].path, &word->place);
+	ts_series_release(&series);
 	return status;
 }
 
@@ -85,7 +105,7 @@ static enum ts_status run_files(struct tsim *sim, struct rerun *c, struct ts_pla
 	sim->running = true;
 	status = TS_OK;
 	for (size_t k = 0; k < c->files.n && status == TS_OK; k++)
-		status = run_file(sim, c, plan, &c->files.word[k]);
+		status = run_word(sim, c, plan, &c->files.word[k]);
 	if (status == TS_OK)
 		status = ts_plan_stage(plan, sim, TS_STAGE_FINISH);
 	sim->running = sim->in_setup = sim->rebuild = false;
@@ -114,7 +134,8 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 
 static const struct ts_arg args[] = {
 	TS_LIST("files", struct rerun, files,
-		.help = "files of dump atom or dump custom, in the order of their steps"),
+		.help = "files of dump atom or dump custom, in the order of their steps; of a name with `*` "
+			"those with a number there"),
 	STEP("first", first, "0", "frames of earlier steps are passed over"),
 	STEP("last", last, "9000000000000000000", "frames of later steps are passed over"),
 	STEP("every", every, "0", "only frames whose step is a multiple of this; 0: all"),
@@ -129,6 +150,7 @@ static const struct ts_arg args[] = {
 	  .flags = TS_TO_KEYWORD,
 	  .offset = TS_FIELD(struct rerun, use.fields, struct ts_words *),
 	  .help = "what is taken from the frames, as in read_dump: x y z vx ..." },
+	TS_BOOL("post", struct rerun, post, .fallback = "yes", .help = "no effect: no times are shown"),
 	TS_BOOL("box", struct rerun, use.box, .fallback = "yes",
 		.help = "the box becomes that of the frame"),
 	TS_BOOL("trim", struct rerun, use.trim, .fallback = "no",
@@ -153,7 +175,8 @@ const struct ts_command_style ts_command_rerun = {
 		.doc = "For each frame the particles get what the frame says, neighbours and forces are computed as at\n"
 		       "the start of a run (contact histories stand still), fixes act that act at the end of steps, and\n"
 		       "the table of the log and the dumps are written as they are due. Nothing is integrated.",
-		.example = "rerun post/rock.dump first 1000 every 500 dump x y z vx vy vz",
+		.example = "rerun post/rock.dump first 1000 every 500 dump x y z vx vy vz\n"
+			   "rerun post/rock_*.dump.gz dump x y z",
 		.args = args,
 		.state_size = sizeof(struct rerun),
 	},

@@ -39,7 +39,6 @@ struct state {
 	int mode, group;
 	struct ts_types range;
 	struct ts_instance *region;
-	const char *refused;
 	struct ts_number value[NPROPERTIES];
 	struct ts_words words[NWORDS];
 };
@@ -55,7 +54,9 @@ static const char *const word_names[NWORDS] = { "type/fraction", "type/ratio", "
 static bool selected(const struct tsim *sim, const struct state *s, size_t i)
 {
 	const struct ts_particles *p = sim->particles;
-	int32_t number = s->mode == ATOM ? p->tag[i] : p->type[i];
+	double number = s->mode == ATOM	      ? p->tag[i]
+			: s->mode == MOLECULE ? ts_particles_molecules(p)[i]
+					      : p->type[i];
 
 	if (s->mode == GROUP)
 		return ts_in_group(p, i, s->group);
@@ -259,8 +260,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	size_t count = 0;
 
 	if (s->mode == MOLECULE)
-		return ts_fail(&sim->error, TS_UNKNOWN, where,
-			       "set: particles belong to no molecules in tsim");
+		TS_TRY(ts_particles_need_molecules(sim, "set", where));
 	TS_TRY(ts_region_update(s->region, sim));
 	for (int what = OMEGAX; what <= OMEGAZ; what++)
 		if (!s->value[what].null)
@@ -299,8 +299,8 @@ static const struct ts_arg by_region[] = {
 };
 
 static const struct ts_arg by_molecule[] = {
-	TS_WORD("molecules", struct state, refused, .flags = TS_POSITIONAL,
-		.help = "refused: there are no molecules"),
+	TS_TYPES("molecules", struct state, range, .flags = TS_POSITIONAL,
+		 .help = "molecules (fix property/atom mol): n, *, n*, *m or n*m"),
 	TS_ARGS_END,
 };
 
@@ -309,7 +309,7 @@ static const struct ts_mode modes[] = {
 	[TYPE] = { "type", "particles of these types", by_type },
 	[GROUP] = { "group", "particles of a group", by_group },
 	[REGION] = { "region", "particles whose centers lie in a region", by_region },
-	[MOLECULE] = { "mol", "refused: particles belong to no molecules", by_molecule },
+	[MOLECULE] = { "mol", "particles of these molecules", by_molecule },
 	{ .name = NULL },
 };
 

@@ -1,4 +1,5 @@
 /* Command thermo_modify: how the table in the log is written; what a lost particle means. */
+#include "core/standard.h"
 #include "io/thermo.h"
 #include "particles/particles.h"
 
@@ -15,6 +16,19 @@ static const char *const policies[] = { "ignore", "warn", "error", NULL };
 static const char *const answers[] = { "no", "yes", NULL };
 static const char *const lines[] = { "one", "multi", NULL };
 
+static enum ts_status stand_for(struct tsim *sim, enum ts_standard which, const char *id,
+				const struct ts_place *where)
+{
+	struct ts_word word = { .text = id };
+
+	if (!id)
+		return TS_OK;
+	word.place = *ts_sim_word_of(sim, id, where);
+	if (ts_streq(id, which == TS_STANDARD_PRESSURE ? "thermo_press" : "thermo_temp"))
+		return ts_standard_set(sim, which, NULL);
+	return ts_standard_set(sim, which, &word);
+}
+
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct state *s = state;
@@ -26,10 +40,8 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 		sim->thermo->norm = s->norm;
 	if (s->line >= 0)
 		sim->thermo->multi = s->line;
-	if (s->temperature || s->pressure)
-		ts_warn(&sim->log, where,
-			"thermo_modify: temp and press are those of all particles; print c_%s instead",
-			s->temperature ? s->temperature : s->pressure);
+	TS_TRY(stand_for(sim, TS_STANDARD_TEMPERATURE, s->temperature, where));
+	TS_TRY(stand_for(sim, TS_STANDARD_PRESSURE, s->pressure, where));
 	return ts_thermo_format(sim, s->format.n ? s->format : none);
 }
 
@@ -47,9 +59,9 @@ static const struct ts_arg args[] = {
 	TS_ENUM("warn", struct state, warn, policies, .flags = TS_OPTIONAL,
 		.help = "no effect: a warning is said once"),
 	TS_WORD("temp", struct state, temperature, .flags = TS_OPTIONAL,
-		.help = "no effect: temp is the temperature of all particles"),
+		.help = "name of a compute that gives what the keyword temp says; thermo_temp: of all particles"),
 	TS_WORD("press", struct state, pressure, .flags = TS_OPTIONAL,
-		.help = "no effect: press is the pressure of all particles"),
+		.help = "name of a compute pressure that gives what press, pxx ... say; thermo_press: of all"),
 	{ .name = "format",
 	  .type = TS_ARG_REST,
 	  .flags = TS_OPTIONAL | TS_TO_KEYWORD | TS_REPEAT,
@@ -66,7 +78,8 @@ const struct ts_command_style ts_command_thermo_modify = {
 		.kind = TS_KIND_COMMAND,
 		.summary = "How the table in the log is written; what to do about lost particles",
 		.doc = "Defaults: format float %14.8g, format int %8d, in blocks %14.4f and %14d; norm yes after the\n"
-		       "command `units lj`, else no. thermo_style brings the defaults back, but for lost. A format of a\n"
+		       "command `units lj`, else no. thermo_style brings the defaults back, but for lost. temp and\n"
+		       "press change these keywords alone: ke and etotal are those of all particles. A format of a\n"
 		       "column goes before those of a kind, and those before the line's.",
 		.example = "thermo_modify lost warn norm no\n"
 			   "thermo_modify format float %20.15g format 3 %10.4f",

@@ -1,5 +1,9 @@
-/* Command timer: lets runs go on after fix halt, else accepted for compatibility. */
+/* Command timer: ends runs after some wall time. */
 #include "core/sim.h"
+
+#include <string.h>
+
+#include "base/clock.h"
 
 #include "base/banned.h"
 
@@ -7,19 +11,95 @@ struct state {
 	struct ts_words words;
 };
 
+/* seconds, minutes:seconds or hours:minutes:seconds; off, unlimited: -1. */
+static bool read_time(const char *text, double *seconds)
+{
+	*seconds = 0;
+	if (ts_streq(text, "off") || ts_streq(text, "unlimited")) {
+		*seconds = -1;
+		return true;
+	}
+	for (int part = 0; part < 3; part++) {
+		size_t n = strcspn(text, ":");
+		char number[24] = "";
+		double value;
+
+		if (n >= sizeof number)
+			return false;
+		memcpy(number, text, n);
+		if (!ts_parse_real(number, &value) || !(value >= 0))
+			return false;
+		*seconds = 60 * *seconds + value;
+		if (!text[n])
+			return true;
+		text += n + 1;
+	}
+	return false;
+}
+
+static enum ts_status wrong(struct tsim *sim, const struct ts_word *word, const char *expected)
+{
+	return ts_fail(&sim->error, TS_SYNTAX, &word->place, "timer: %s takes %s", word->text, expected);
+}
+
+static enum ts_status timeout(struct tsim *sim, struct ts_words words)
+{
+	double seconds;
+
+	sim->halted = false;
+	if (words.n > 1 && ts_streq(words.word[1].text, "reset"))
+		return TS_OK;
+	if (words.n < 2 || !read_time(words.word[1].text, &seconds))
+		return wrong(sim, words.word, "seconds, m:s, h:m:s, off, unlimited or reset");
+	sim->timeout = seconds < 0 ? 0 : ts_clock() + seconds;
+	return TS_OK;
+}
+
+static enum ts_status every(struct tsim *sim, struct ts_words words)
+{
+	if (words.n < 2 || !ts_parse_int(words.word[1].text, &sim->timeout_every) ||
+	    sim->timeout_every < 1) {
+		sim->timeout_every = 10;
+		return wrong(sim, words.word, "a number of steps > 0");
+	}
+	return TS_OK;
+}
+
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
 {
+	static const char *const ignored[] = { "off",  "loop",	 "normal", "full",
+					       "sync", "nosync", NULL };
 	const struct state *s = state;
 
 	(void)where;
-	for (size_t k = 0; k < s->words.n; k++)
-		if (ts_streq(s->words.word[k].text, "timeout"))
-			sim->halted = false;
+	for (struct ts_words rest = s->words; rest.n;) {
+		const struct ts_word *word = rest.word;
+		size_t used = 2;
+		int k = 0;
+
+		while (ignored[k] && !ts_streq(ignored[k], word->text))
+			k++;
+		if (ts_streq(word->text, "timeout"))
+			TS_TRY(timeout(sim, rest));
+		else if (ts_streq(word->text, "every"))
+			TS_TRY(every(sim, rest));
+		else if (ignored[k])
+			used = 1;
+		else
+			return ts_fail(&sim->error, TS_SYNTAX, &word->place,
+				       "timer: found '%s', expected off, loop, normal, full, sync, nosync, "
+				       "timeout or every",
+				       word->text);
+		rest = ts_words_from(rest, used);
+	}
 	return TS_OK;
 }
 
 static const struct ts_arg args[] = {
-	TS_REST("words", struct state, words, .help = "timeout reset: run again after fix halt; all others: no effect"),
+	TS_REST("words", struct state, words,
+		.help = "timeout T (seconds, m:s, h:m:s, off or unlimited): runs end after so much wall time "
+			"from now, and later ones do nothing; timeout reset: run again; every N: steps "
+			"between looks; off, loop, normal, full, sync, nosync: no effect"),
 	TS_ARGS_END,
 };
 
@@ -28,10 +108,12 @@ const struct ts_command_style ts_command_timer = {
 	.style = {
 		.name = "timer",
 		.kind = TS_KIND_COMMAND,
-		.summary = "Lets runs go on after fix halt, else has no effect",
-		.doc = "The times spent in each stage are always taken and shown after a run; to stop after some\n"
-		       "wall time, see fix halt.",
-		.example = "timer full\ntimer timeout reset",
+		.summary = "Ends runs after some wall time",
+		.doc = "A run that reaches the limit ends with its step as if it had been asked for no more; later ones\n"
+		       "do nothing until `timer timeout` is said again, so that a script can still write a restart\n"
+		       "file. The clock is looked at every 10 steps of a run, or as `every` says. The times spent in\n"
+		       "each stage are always taken and shown after a run.",
+		.example = "timer timeout 2:30:00 every 100\ntimer timeout reset",
 		.args = args,
 		.state_size = sizeof(struct state),
 	},

@@ -28,6 +28,8 @@ struct state {
 	int component, dim; /* of ramp */
 	double v[2], x[2];
 	int zero, units;
+	const char *temp; /* name of the compute that measures temperatures; NULL: of the group */
+	bool bias;
 };
 
 /* Lengths of `units lattice` are lattice spacings. */
@@ -74,16 +76,61 @@ static double temperature(const struct tsim *sim, int group, double *count)
 	*count = tensor[6];
 	if (tensor[6] == 1) /* one particle has all its degrees of freedom */
 		tensor[6] = 2;
-	return ts_temperature(sim, tensor);
+	return ts_temperature(sim, tensor, NULL);
 }
 
-static enum ts_status rescale(struct tsim *sim, const struct state *s, const struct ts_place *where)
+static enum ts_status thermometer(struct tsim *sim, const struct state *s,
+				  const struct ts_place *where, struct ts_instance **out)
+{
+	const struct ts_word id = { .text = s->temp, .place = *ts_sim_word_of(sim, s->temp, where) };
+	const struct ts_value *value;
+
+	TS_TRY(ts_sim_require(sim, TS_KIND_COMPUTE, &id, out));
+	value = ts_value_find(*out, TS_SCALAR);
+	if (!value || !ts_streq(value->unit, "temperature"))
+		return ts_fail(&sim->error, TS_RANGE, &id.place,
+			       "velocity: compute %s gives no temperature", s->temp);
+	if (s->bias && !ts_streq((*out)->style->name, "temp/com"))
+		return ts_fail(&sim->error, TS_RANGE, &id.place,
+			       "velocity: bias yes needs a temperature of what is left of the velocities "
+			       "without a part of them: compute temp/com; %s leaves out nothing",
+			       (*out)->style->name);
+	return TS_OK;
+}
+
+static enum ts_status measure(struct tsim *sim, const struct state *s, const struct ts_place *where,
+			      double *now)
+{
+	struct ts_instance *inst;
+
+	TS_TRY(thermometer(sim, s, where, &inst));
+	TS_TRY(ts_value_eval(inst, sim, ts_value_find(inst, TS_SCALAR), &inst->table));
+	*now = inst->table.data[0];
+	return TS_OK;
+}
+
+/* The velocity of the centre of mass, which temp/com leaves out, times `sign` onto its group. */
+static void shift(struct tsim *sim, const struct state *s, const double mean[3], double sign)
+{
+	struct ts_particles *p = sim->particles;
+	int group = ts_sim_find(sim, TS_KIND_COMPUTE, s->temp)->group;
+
+	for (size_t i = 0; i < p->n; i++)
+		if (ts_in_group(p, i, group))
+			ts_axpy(sign, mean, p->v[i]);
+}
+
+/* `alone`: as the group moves now, whatever compute there is. */
+static enum ts_status rescale(struct tsim *sim, const struct state *s, bool alone,
+			      const struct ts_place *where)
 {
 	struct ts_particles *p = sim->particles;
 	double count, now = temperature(sim, s->group, &count), factor;
 
 	if (count == 0)
 		return TS_OK;
+	if (s->temp && !alone)
+		TS_TRY(measure(sim, s, where, &now));
 	if (!(now > 0) && s->temperature > 0)
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "velocity: the group is at rest, so no factor gives it a temperature");
@@ -92,6 +139,22 @@ static enum ts_status rescale(struct tsim *sim, const struct state *s, const str
 		for (int d = 0; ts_in_group(p, i, s->group) && d < 3; d++)
 			p->v[i][d] *= factor;
 	return TS_OK;
+}
+
+static enum ts_status scale(struct tsim *sim, const struct state *s, const struct ts_place *where)
+{
+	struct ts_instance *inst;
+	double mean[3];
+	enum ts_status status;
+
+	if (!s->bias)
+		return rescale(sim, s, false, where);
+	TS_TRY(thermometer(sim, s, where, &inst));
+	ts_group_velocity(sim, inst->group, mean);
+	shift(sim, s, mean, -1);
+	status = rescale(sim, s, false, where);
+	shift(sim, s, mean, 1);
+	return status;
 }
 
 static enum ts_status set(struct tsim *sim, const struct state *s, const struct ts_place *where)
@@ -137,25 +200,35 @@ static void draw(struct tsim *sim, const struct state *s)
 	}
 }
 
-/* The numbers belong to the identities of the particles. With `sum` the old velocities come back on
- * top. */
+/* The numbers belong to the identities of the particles. With `bias` the mean velocity stays; with `sum`
+ * the old velocities come back on top. */
 static enum ts_status create(struct tsim *sim, const struct state *s, const struct ts_place *where)
 {
 	struct ts_particles *p = sim->particles;
-	double(*old)[3] = ts_alloc(p->n, sizeof *old);
+	double(*old)[3], mean[3] = { 0 };
+	struct ts_instance *inst = NULL;
 	enum ts_status status;
 
+	if (s->temp)
+		TS_TRY(thermometer(sim, s, where, &inst));
+	if (s->bias)
+		ts_group_velocity(sim, inst->group, mean);
+	old = ts_alloc(p->n, sizeof *old);
 	if (!old)
 		return ts_nomem(&sim->error);
 	for (size_t i = 0; i < p->n; i++)
 		for (int d = 0; d < 3; d++)
 			old[i][d] = p->v[i][d];
+	if (s->bias)
+		shift(sim, s, mean, -1);
 	draw(sim, s);
 	if (s->momentum && ts_group_count(sim, s->group) > 1)
 		zero_momentum(sim, s->group);
 	if (s->rotation)
 		zero_rotation(sim, s->group);
-	status = rescale(sim, s, where);
+	status = rescale(sim, s, s->bias, where);
+	if (s->bias)
+		shift(sim, s, mean, 1);
 	for (size_t i = 0; s->sum && status == TS_OK && i < p->n; i++)
 		for (int d = 0; ts_in_group(p, i, s->group) && d < 3; d++)
 			p->v[i][d] += old[i][d];
@@ -187,6 +260,9 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	const struct state *s = state;
 	struct ts_particles *p = sim->particles;
 
+	if (s->bias && !s->temp)
+		return ts_fail(&sim->error, TS_SYNTAX, ts_sim_word_of(sim, "bias", where),
+			       "velocity: bias yes needs `temp` with the name of a compute temp/com");
 	if (s->mode == SET || s->mode == RAMP)
 		ts_domain_units_said(sim, s->units, where);
 	switch (s->mode) {
@@ -195,7 +271,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	case CREATE:
 		return create(sim, s, where);
 	case SCALE:
-		return rescale(sim, s, where);
+		return scale(sim, s, where);
 	case RAMP:
 		return ramp(sim, s, where);
 	default:
@@ -229,14 +305,6 @@ static const struct ts_arg create_args[] = {
 		.help = "temperature of the translation"),
 	TS_INT("seed", struct state, seed, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
 	       .help = "seed of the random numbers"),
-	TS_ENUM("dist", struct state, gaussian, distributions, .fallback = "uniform",
-		.help = "distribution of each component"),
-	TS_BOOL("mom", struct state, momentum, .fallback = "yes",
-		.help = "take away the momentum of the group"),
-	TS_BOOL("rot", struct state, rotation, .fallback = "no",
-		.help = "take away the angular momentum of the group"),
-	TS_ENUM("loop", struct state, loop, loops, .fallback = "all",
-		.help = "no effect: the numbers belong to the identities"),
 	TS_ARGS_END,
 };
 
@@ -288,6 +356,20 @@ static const struct ts_arg args[] = {
 	TS_MODE("style", struct state, mode, modes, .help = "which velocities they get"),
 	TS_BOOL("sum", struct state, sum, .fallback = "no",
 		.help = "add to the velocities they have (not scale and zero)"),
+	TS_ENUM("dist", struct state, gaussian, distributions, .fallback = "uniform",
+		.help = "create: distribution of each component"),
+	TS_BOOL("mom", struct state, momentum, .fallback = "yes",
+		.help = "create: take away the momentum of the group"),
+	TS_BOOL("rot", struct state, rotation, .fallback = "no",
+		.help = "create: take away the angular momentum of the group"),
+	TS_ENUM("loop", struct state, loop, loops, .fallback = "all",
+		.help = "no effect: the numbers belong to the identities"),
+	TS_WORD("temp", struct state, temp, .flags = TS_OPTIONAL,
+		.help = "name of a compute whose temperature create and scale reach; without it that of the "
+			"group"),
+	TS_BOOL("bias", struct state, bias, .fallback = "no",
+		.help = "create and scale keep what compute temp/com, given by temp, leaves out: the motion "
+			"of the centre of mass"),
 	TS_ENUM("units", struct state, units, ts_region_units, .flags = TS_OPTIONAL,
 		.help = "whether set and ramp count lengths in lattice spacings or as they are"),
 	TS_ARGS_END,
@@ -306,6 +388,7 @@ const struct ts_command_style ts_command_velocity = {
 		       "of the group.",
 		.example = "velocity all set 0 0 -1.5\n"
 			   "velocity gas create 300 86028157 dist gaussian\n"
+			   "velocity gas scale 250 temp drifting bias yes\n"
 			   "velocity all ramp vx 0 1 z 0 0.1\n"
 			   "velocity all zero linear",
 		.args = args,

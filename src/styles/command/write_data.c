@@ -2,6 +2,7 @@
 #include "io/data.h"
 #include "neigh/bonds.h"
 #include "neigh/pair.h"
+#include "particles/user_columns.h"
 
 #include "base/banned.h"
 
@@ -83,6 +84,17 @@ static enum ts_status write_bonds(struct tsim *sim, struct ts_textfile *out)
 	return TS_OK;
 }
 
+/* What fixes property/atom keep. */
+static enum ts_status write_columns(struct tsim *sim, struct ts_textfile *out)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+
+	for (size_t k = 0; k < fixes->n; k++)
+		if (ts_streq(fixes->item[k]->style->name, "property/atom"))
+			TS_TRY(ts_data_write_columns(sim, out, fixes->item[k]->state));
+	return TS_OK;
+}
+
 static enum ts_status write(struct tsim *sim, const struct write_data *c, struct ts_textfile *out)
 {
 	struct ts_data_counts counts = { sim->bonds->n, sim->bonds->ntypes };
@@ -91,6 +103,8 @@ static enum ts_status write(struct tsim *sim, const struct write_data *c, struct
 
 	TS_TRY(ts_data_write(sim, out, counts));
 	TS_TRY(write_bonds(sim, out));
+	if (!c->nofix)
+		TS_TRY(write_columns(sim, out));
 	if (!c->nocoeff) {
 		add_pair_coeffs(sim, c->pairs, &text);
 		add_bond_coeffs(sim, &text);
@@ -129,7 +143,7 @@ static const struct ts_arg args[] = {
 	TS_ENUM("pair", struct write_data, pairs, pair_choices, .fallback = "ij",
 		.help = "coefficients of equal types only, or of all pairs of types"),
 	TS_FLAG("nocoeff", struct write_data, nocoeff, .help = "without coefficients of pairs and bonds"),
-	TS_FLAG("nofix", struct write_data, nofix, .help = "no effect: fixes write nothing here"),
+	TS_FLAG("nofix", struct write_data, nofix, .help = "without the numbers that fixes property/atom keep"),
 	TS_ARGS_END,
 };
 

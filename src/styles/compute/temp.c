@@ -9,7 +9,7 @@ static enum ts_status eval_temperature(struct ts_instance *self, const struct ts
 	double sum[7];
 
 	ts_kinetic_tensor(sim, self->group, NULL, sum);
-	out->data[0] = ts_temperature(sim, sum);
+	out->data[0] = ts_temperature(sim, sum, self->state);
 	return TS_OK;
 }
 
@@ -37,7 +37,10 @@ const struct ts_style ts_compute_temp = {
 	.summary = "Temperature of the translation",
 	.doc = "T = sum m u^2 / (D (N - 1) k_B), u = v, for N particles of the group in D dimensions. k_B is 1 in "
 	       "lj units\nand 1.380649e-23 in si. The list has sum m u_a u_b for ab = xx, yy, zz, xy, xz, "
-	       "yz: twice the kinetic\nenergy in its trace. Without degrees of freedom T is 0.",
+	       "yz: twice the kinetic\nenergy in its trace. Without degrees of freedom T is 0. `compute_modify ID "
+	       "extra M` makes of D (N - 1)\ndegrees of freedom D N - M.",
 	.example = "compute heat gas temp",
+	.state_size = sizeof(struct ts_freedom),
 	.values = values,
+	.modify = ts_freedom_modify,
 };

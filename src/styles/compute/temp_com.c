@@ -10,7 +10,7 @@ static enum ts_status eval_temperature(struct ts_instance *self, const struct ts
 
 	ts_group_velocity(sim, self->group, mean);
 	ts_kinetic_tensor(sim, self->group, mean, sum);
-	out->data[0] = ts_temperature(sim, sum);
+	out->data[0] = ts_temperature(sim, sum, self->state);
 	return TS_OK;
 }
 
@@ -41,5 +41,7 @@ const struct ts_style ts_compute_temp_com = {
 	       "factor k_B\nby the mass of a grain it is the granular temperature of a cloud that drifts as "
 	       "a whole.",
 	.example = "compute heat gas temp/com",
+	.state_size = sizeof(struct ts_freedom),
 	.values = values,
+	.modify = ts_freedom_modify,
 };

@@ -56,6 +56,7 @@ const struct ts_style ts_dump_custom = {
 	.args = args,
 	.state_size = sizeof(struct state),
 	.saved = saved,
+	.archive = ts_dump_archive,
 	.init = init,
 	.plan = plan,
 	.hook[TS_STAGE_OUTPUT] = output,

@@ -53,6 +53,7 @@ const struct ts_style ts_dump_xyz = {
 	.args = args,
 	.state_size = sizeof(struct state),
 	.saved = saved,
+	.archive = ts_dump_archive,
 	.init = init,
 	.hook[TS_STAGE_OUTPUT] = output,
 	.fini = ts_dump_fini,

@@ -3,18 +3,18 @@
 
 #include <string.h>
 
-#include "particles/particles.h"
+#include "particles/user_columns.h"
 
 #include "base/banned.h"
 
-enum { MOST = 64 }; /* numbers of a vector, names in a line */
+/* numbers of a vector, names in a line */
+enum { MOST = TS_MOST_USER_COLUMNS };
 
 struct state {
+	struct ts_user_columns columns;
 	struct ts_words words;
 	bool ghost, write_data; /* as LAMMPS says */
 	bool keep;		/* in restart files */
-	size_t column[MOST], n; /* columns */
-	size_t width;
 	double initial[MOST]; /* of the numbers of LIGGGHTS' grammar */
 };
 
@@ -53,16 +53,16 @@ static enum ts_status add(struct ts_instance *self, struct tsim *sim, const stru
 	unsigned flags = TS_COL_NAMED | (s->ghost ? TS_COL_BORDER | TS_COL_FORWARD : 0);
 	size_t known = p->ncolumns;
 
-	if (s->n == MOST)
+	if (s->columns.n == MOST)
 		return ts_fail(&sim->error, TS_RANGE, &name->place,
 			       "fix property/atom: at most %d names", MOST);
-	TS_TRY(ts_particles_add_column(sim, column, width, flags, &s->column[s->n]));
-	if (s->column[s->n] < TS_NCOLUMN_BUILTIN ||
-	    (p->ncolumns == known && p->column[s->column[s->n]].width != width))
+	TS_TRY(ts_particles_add_column(sim, column, width, flags, &s->columns.column[s->columns.n]));
+	if (s->columns.column[s->columns.n] < TS_NCOLUMN_BUILTIN ||
+	    (p->ncolumns == known && p->column[s->columns.column[s->columns.n]].width != width))
 		return ts_fail(&sim->error, TS_STATE, &name->place,
 			       "fix property/atom: '%s' has a meaning already", column);
-	s->width += width;
-	s->n++;
+	s->columns.width += width;
+	s->columns.n++;
 	return TS_OK;
 }
 
@@ -87,11 +87,12 @@ static enum ts_status read_liggghts(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(read_flag(sim, &word[3], &s->ghost));
 	TS_TRY(read_flag(sim, &word[4], &reverse));
 	for (size_t k = 0; k < values; k++)
-		if (!ts_parse_real(word[5 + k].text, &s->initial[k]))
+		if (!ts_streq(word[5 + k].text, "none") && /* 0 */
+		    !ts_parse_real(word[5 + k].text, &s->initial[k]))
 			return ts_fail(&sim->error, TS_SYNTAX, &word[5 + k].place,
 				       "fix property/atom: '%s' is not a number", word[5 + k].text);
 	TS_TRY(add(self, sim, &word[0], word[0].text, values));
-	return ts_particles_column_initial(sim, s->column[0], s->initial);
+	return ts_particles_column_initial(sim, s->columns.column[0], s->initial);
 }
 
 /* mol q rmass temperature heatflow, i_NAME d_NAME, i2_NAME n d2_NAME n */
@@ -129,11 +130,25 @@ static enum ts_status read_lammps(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+/* As LAMMPS calls the section of a data file. */
+static const char *section_title(const struct ts_instance *self)
+{
+	const struct state *s = self->state;
+
+	if (!s->write_data || is_liggghts(s))
+		return NULL;
+	if (s->words.n == 1 && ts_streq(s->words.word[0].text, "mol"))
+		return "Molecules";
+	if (s->words.n == 1 && ts_streq(s->words.word[0].text, "q"))
+		return "Charges";
+	return self->id;
+}
+
 /* What particles have before anyone sets it. */
 static void fill(const struct state *s, struct ts_particles *p)
 {
-	for (size_t k = 0; k < s->n; k++) {
-		struct ts_column *c = &p->column[s->column[k]];
+	for (size_t k = 0; k < s->columns.n; k++) {
+		struct ts_column *c = &p->column[s->columns.column[k]];
 
 		if (p->n)
 			memset(c->data, 0, p->n * c->width * c->element);
@@ -145,9 +160,10 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 
-	if (s->width)
+	if (s->columns.width)
 		return TS_OK;
 	TS_TRY(is_liggghts(s) ? read_liggghts(self, sim) : read_lammps(self, sim));
+	s->columns.title = section_title(self);
 	fill(s, sim->particles);
 	return TS_OK;
 }
@@ -156,39 +172,32 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 {
 	const struct state *s = self->state;
 
-	for (size_t k = 0; s->keep && k < s->n; k++)
+	for (size_t k = 0; s->keep && k < s->columns.n; k++)
 		TS_TRY(ts_particles_archive_column(
-			a, sim, sim->particles->column[s->column[k]].name, s->column[k]));
+			a, sim, sim->particles->column[s->columns.column[k]].name, s->columns.column[k]));
 	return TS_OK;
 }
 
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
-	const struct state *s = self->state;
-	const struct ts_particles *p = sim->particles;
-	size_t first = 0;
+	const struct ts_user_columns *columns = &((const struct state *)self->state)->columns;
 
-	TS_TRY(ts_table_resize(out, p->n, s->width));
-	for (size_t k = 0; k < s->n; k++) {
-		const struct ts_column *c = &p->column[s->column[k]];
-		const double *data = c->data;
-
-		for (size_t i = 0; i < p->n; i++)
-			for (size_t j = 0; j < c->width; j++)
-				out->data[i * s->width + first + j] = data[i * c->width + j];
-		first += c->width;
-	}
+	TS_TRY(ts_table_resize(out, sim->particles->n, columns->width));
+	for (size_t i = 0; i < sim->particles->n; i++)
+		ts_user_columns_get(sim->particles, columns, i, out->data + i * columns->width);
 	return TS_OK;
 }
 
 static const struct ts_arg args[] = {
 	TS_LIST_STATEFUL("names", struct state, words,
 		.help = "NAME scalar|vector|vector_one_entry, then yes or no for restart files, ghosts and reverse "
-			"(no effect), then the first value or values; or mol, q, rmass, i_NAME, "
+			"(no effect), then the first value or values, none for 0; or mol, q, rmass, i_NAME, "
 			"d_NAME, i2_NAME N, d2_NAME N"),
 	TS_BOOL("ghost", struct state, ghost, .fallback = "no",
 		.help = "periodic images have the numbers, too"),
-	TS_BOOL("writedata", struct state, write_data, .fallback = "yes", .help = "no effect"),
+	TS_BOOL("writedata", struct state, write_data, .fallback = "yes",
+		.help = "with the names of LAMMPS: write_data writes a section Molecules (mol alone), Charges "
+			"(q alone) or with the name of the fix"),
 	TS_ARGS_END,
 };
 

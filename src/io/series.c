@@ -1,0 +1,113 @@
+#include "io/series.h"
+
+#include <dirent.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/alloc.h"
+
+#include "base/banned.h"
+
+/* A pattern in its parts: folder, before the `*`, behind it. */
+struct pattern {
+	const char *text, *last, *star;
+};
+
+static struct pattern parts(const char *text)
+{
+	const char *slash = strrchr(text, '/'), *last = slash ? slash + 1 : text;
+
+	return (struct pattern){ text, last, strchr(last, '*') };
+}
+
+bool ts_series_is(const char *pattern)
+{
+	return parts(pattern).star != NULL;
+}
+
+/* The number at the place of the `*`, if there is nothing else. */
+static bool number_in(const char *name, const struct pattern *p, int64_t *out)
+{
+	const char *after = p->star + 1;
+	size_t n = (size_t)(p->star - p->last), length = strlen(name), tail = strlen(after);
+	size_t digits = length - n - tail;
+	char text[24];
+
+	if (length <= n + tail || digits >= sizeof text || strncmp(name, p->last, n) != 0 ||
+	    !ts_streq(name + length - tail, after) || strspn(name + n, "0123456789") < digits)
+		return false;
+	memcpy(text, name + n, digits);
+	text[digits] = 0;
+	return ts_parse_int(text, out);
+}
+
+static enum ts_status add(struct ts_series *series, const struct pattern *p, const char *name,
+			  int64_t step)
+{
+	struct ts_str path = { 0 };
+
+	TS_TRY(TS_GROW(series->file, series->capacity, series->n + 1));
+	ts_str_add_n(&path, p->text, (size_t)(p->last - p->text));
+	ts_str_add(&path, name);
+	if (path.failed) {
+		ts_str_release(&path);
+		return TS_NOMEM;
+	}
+	series->file[series->n] = (struct ts_series_file){ step, ts_strdup(ts_str_text(&path)) };
+	ts_str_release(&path);
+	return series->file[series->n++].path ? TS_OK : TS_NOMEM;
+}
+
+static enum ts_status search(DIR *folder, const struct pattern *p, struct ts_series *series)
+{
+	struct dirent *entry;
+	int64_t step;
+
+	while ((entry = readdir(folder)))
+		if (number_in(entry->d_name, p, &step))
+			TS_TRY(add(series, p, entry->d_name, step));
+	return TS_OK;
+}
+
+/* Of equal numbers, as 7 and 007, the shorter name comes first. */
+static int compare(const void *a, const void *b)
+{
+	const struct ts_series_file *f = a, *g = b;
+
+	if (f->step != g->step)
+		return f->step < g->step ? -1 : 1;
+	return (strlen(f->path) > strlen(g->path)) - (strlen(f->path) < strlen(g->path));
+}
+
+enum ts_status ts_series_find(const char *pattern, struct ts_series *out)
+{
+	struct pattern p = parts(pattern);
+	struct ts_str folder = { 0 };
+	enum ts_status status = TS_OK;
+	DIR *open;
+
+	if (!p.star) {
+		p.last = p.text;
+		return add(out, &p, pattern, 0);
+	}
+	ts_str_add_n(&folder, pattern, (size_t)(p.last - pattern));
+	if (folder.failed)
+		return TS_NOMEM;
+	open = opendir(folder.length ? folder.text : ".");
+	if (open) {
+		status = search(open, &p, out);
+		closedir(open);
+	}
+	ts_str_release(&folder);
+	if (out->n)
+		qsort(out->file, out->n, sizeof *out->file, compare);
+	return status;
+}
+
+void ts_series_release(struct ts_series *series)
+{
+	for (size_t k = 0; k < series->n; k++)
+		ts_free(series->file[k].path);
+	ts_free(series->file);
+	*series = (struct ts_series){ 0 };
+}

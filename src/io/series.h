@@ -1,0 +1,24 @@
+/* Files of a series: "rock.*.dump" stands for those that have a number, the step, at the place of the `*`. */
+#ifndef TS_IO_SERIES_H
+#define TS_IO_SERIES_H
+
+#include "base/str.h"
+
+struct ts_series_file {
+	int64_t step;
+	char *path;
+};
+
+/* Zero-initialise. */
+struct ts_series {
+	struct ts_series_file *file; /* by their numbers */
+	size_t n, capacity;
+};
+
+/* `*` counts in the last part of the path only. Without `*` the path itself, whether there is such a file
+ * or not. */
+bool ts_series_is(const char *pattern);
+enum ts_status ts_series_find(const char *pattern, struct ts_series *out); /* TS_OK or TS_NOMEM */
+void ts_series_release(struct ts_series *series);
+
+#endif

@@ -1,0 +1,57 @@
+#!/bin/bash
+# compute_modify extra and thermo_modify temp and press, with the numbers of LAMMPS' rules.
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+
+gas='units lj
+boundary p p p
+region box block 0 10 0 10 0 10 units box
+create_box 1 box
+create_atoms 1 random 40 86028157 NULL
+set group all diameter 0.1 mass 2.385
+group low id 1:10
+velocity all create 1.5 86028157
+velocity all set 0.7 NULL NULL sum yes
+thermo_modify norm no
+compute all all temp
+compute low low temp
+compute drift all temp/com
+compute pall all pressure thermo_temp
+compute pnone all pressure NULL virial
+run 0'
+agree 'degrees of freedom' "$gas
+variable two equal 2*ke
+print 'is before \$(c_all) \$(v_two/(3*39))'
+compute_modify all extra 0 dynamic yes
+compute_modify drift extra/dof 7.5
+compute_modify thermo_temp extra 5 dynamic/dof no
+print 'is all \$(c_all) \$(v_two/(3*40))'
+print 'is drift \$(c_drift) \$((v_two-mass(all)*(vcm(all,x)^2+vcm(all,y)^2+vcm(all,z)^2))/(3*40-7.5))'
+print 'is temp \$(temp) \$(v_two/(3*40-5))'"
+agree 'keywords by computes' "$gas
+variable before equal \$(temp)
+print 'is press \$(press) \$(c_pall)'
+thermo_modify temp low press pnone
+print 'is temp \$(temp) \$(c_low)'
+print 'is press \$(press) \$(c_pnone)'
+print 'is pxx \$(pxx) \$(c_pnone[1])'
+thermo_modify temp thermo_temp press thermo_press
+print 'is temp \$(temp) \$(v_before)'
+print 'is press \$(press) \$(c_pall)'
+thermo_modify temp low
+thermo_style custom step temp
+print 'is temp \$(temp) \$(v_before)'"
+rejects "$gas
+thermo_modify temp pall" 'compute pall gives no temperature'
+rejects "$gas
+thermo_modify press low" 'compute low gives no pressure'
+rejects "$gas
+thermo_modify temp lwo" "there is no compute 'lwo'"
+rejects "$gas
+compute_modify all extra many" 'takes the number of degrees of freedom'
+rejects "$gas
+compute_modify all dynamic" 'dynamic takes yes or no'
+rejects "$gas
+compute_modify pall extra 0" "the compute has no word 'extra'"
+rejects "$gas
+compute_modify all extre 0" "did you mean 'extra'?"
+finish
