@@ -97,7 +97,10 @@ static enum ts_status survey_file(struct ts_pairing *p, int who, struct ts_reade
 static size_t stem(const char *name, double *floor)
 {
 	size_t n = strlen(name);
-	const char *bracket = strchr(name, '[');
+	const char *bracket = strpbrk(name, "[(");
+
+	if (bracket && *bracket == '(' && bracket > name)
+		bracket--; /* "normal (2)" belongs to "normal" */
 
 	*floor = bracket ? 1e-6 : 1;
 	if (bracket)
@@ -127,8 +130,8 @@ static void set_scales(struct ts_pairing *p)
 			double unused;
 
 			if ((single(c->name) && single(other->name)) ||
-			    (n && stem(other->name, &unused) == n &&
-			     strncmp(c->name, other->name, n) == 0))
+			    (n && strncmp(c->name, other->name, n) == 0 &&
+			     (stem(other->name, &unused) == n || !other->name[n])))
 				c->scale = fmax(c->scale, floor * other->scale);
 		}
 	}
