@@ -95,7 +95,7 @@ static enum ts_status make_law(struct ts_instance *self, struct tsim *sim, int w
 	if (w->own_model && !w->given)
 		TS_TRY(ts_granular_material(sim, &w->model, particle, wall, who, &self->where,
 					    &w->law[k]));
-	if (!ts_heat_of(sim))
+	if (!w->warm || !ts_heat_of(sim))
 		return TS_OK;
 	TS_TRY(ts_heat_conductivity(sim, particle, who, &self->where, &own));
 	TS_TRY(ts_heat_conductivity(sim, wall, who, &self->where, &other));

@@ -34,6 +34,7 @@ struct ts_wall {
 	struct ts_granular_model model; /* the own one */
 	struct ts_granular_pair *law;	/* of the own model: type of the wall * (ntypes + 1) + type
 					 * of the particle */
+	bool warm; /* some of it has a temperature; set in init */
 	struct ts_heat_contact area;
 	double *conductivity; /* 4 k k'/(k + k'), in the same order */
 	int ntypes;

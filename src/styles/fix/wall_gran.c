@@ -2,6 +2,7 @@
 #include "neigh/mesh_stress.h"
 #include "neigh/primitive_wall.h"
 
+#include <math.h>
 #include <stdio.h>
 
 #include "core/plan.h"
@@ -114,6 +115,9 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(choose_law(self, sim));
 	TS_TRY(w->mesh_word ? find_meshes(self, sim) : place_primitive(self, sim));
 	w->wall.meshes = w->mesh_word ? (int)w->mesh.nmeshes : 0;
+	w->wall.warm = !w->mesh_word && !isnan(w->primitive.temperature);
+	for (int k = 0; k < w->wall.meshes; k++)
+		w->wall.warm |= !isnan(w->mesh.mesh[k].surface->temperature);
 	return ts_wall_init(self, sim);
 }
 
