@@ -24,7 +24,7 @@ trap 'rm -rf "$work"' EXIT
 } >"$work/in"
 $tsim -check -in "$work/in" >/dev/null 2>"$work/errors" </dev/null
 style() {
-	if grep -qF "'$2' is known from" "$work/errors"; then
+	if grep -qE "$1 (style )?'$(printf %s "$2" | sed 's/[*]/\\*/g')' is known from" "$work/errors"; then
 		echo known
 	elif grep -qE "unknown ($1 style|command) '$(printf %s "$2" | sed 's/[*]/\\*/g')'" "$work/errors"; then
 		echo no
