@@ -71,8 +71,8 @@ interrupted INT 5
 [ $status = 130 ] && ! ls ./*.interrupted.restart 2>/dev/null
 report 'no file, said in the script' $? out
 mv in.paced.all in.paced
-interrupted INT 5 -restart-on-signal missing/file
-[ $status = 130 ] && grep -q "missing/file'" err
+interrupted INT 5 -restart-on-signal in.paced/file
+[ $status = 130 ] && grep -q "in.paced/file'" err
 report 'a file that cannot be written' $? err
 again=yes
 interrupted INT 5
