@@ -55,8 +55,8 @@ static FILE *open_potential(const char *name)
 	for (size_t k = 1; !file && k < sizeof folders / sizeof *folders; k++) {
 		if (!folders[k])
 			continue;
-		snprintf(path, sizeof path, "%s/%s", folders[k], name);
-		file = fopen(path, "r");
+		if ((size_t)snprintf(path, sizeof path, "%s/%s", folders[k], name) < sizeof path)
+			file = fopen(path, "r");
 	}
 	return file;
 }

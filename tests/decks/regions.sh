@@ -123,7 +123,7 @@ rejects 'region r block 0 1 0 1 0 1 open 7' 'expected a face from 1 to 6'
 rejects 'region r wedge axis z center 0 0 radius 1 bounds 0 1 angle0 0 angle 0' 'angle is 0'
 rejects 'region r wedge axis z center 0 radius 1 bounds 0 1 angle0 0 angle 10' 'c2 is missing'
 rejects 'region r wedge axis z radius 1 bounds 0 1 angle0 0 angle 10' 'c1 is missing'
-rejects 'region r mesh/tet file a.vtk scale 1' 'known from LIGGGHTS'
+rejects 'region r mesh/tet file a.vtk scale 1' 'cannot open'
 rejects 'region r plane 0 0 0 0 0 1
 print "$(volume(r))"' 'is not known'
 finish
