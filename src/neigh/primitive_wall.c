@@ -13,17 +13,22 @@ static const char *const shape_names[NSHAPES] = { "xplane",    "yplane",    "zpl
 
 /* ---- arguments ---- */
 
-static enum ts_status numbers_of(struct tsim *sim, struct ts_words words, const char *what,
-				 const char *expected, size_t least, size_t most, double *out)
+/* Reads the words from number `first` on, `least` to `most` of them. NULL stands for a plane that is not
+ * there. */
+static enum ts_status numbers_of(struct tsim *sim, struct ts_words words, size_t first,
+				 const char *what, const char *expected, size_t least, size_t most,
+				 double *out)
 {
-	bool good = words.n >= least && words.n <= most;
-	size_t bad = good ? 0 : words.n ? words.n - 1 : 0;
+	bool good = words.n >= first + least && words.n <= first + most;
+	size_t bad = words.n - 1;
 
-	for (size_t k = 0; good && k < words.n; k++) {
-		out[k] = NAN;
-		if (most == MOST && ts_streq(words.word[k].text, "NULL"))
+	for (size_t k = first; good && k < words.n; k++) {
+		double *number = &out[k - first];
+
+		*number = NAN;
+		if (first == 0 && most == MOST && ts_streq(words.word[k].text, "NULL"))
 			continue;
-		good = ts_parse_real(words.word[k].text, &out[k]) && isfinite(out[k]);
+		good = ts_parse_real(words.word[k].text, number) && isfinite(*number);
 		bad = k;
 	}
 	if (good)
@@ -39,7 +44,7 @@ static enum ts_status read_plane(struct ts_primitive_wall *w, struct tsim *sim, 
 	double at[MOST];
 	struct ts_words words = w->shape_words[shape];
 
-	TS_TRY(numbers_of(sim, words, shape_names[shape],
+	TS_TRY(numbers_of(sim, words, 0, shape_names[shape],
 			  "one position, or two of which either may be NULL", 1, MOST, at));
 	w->n = 0;
 	for (size_t k = 0; k < words.n; k++)
@@ -56,7 +61,7 @@ static enum ts_status read_cylinder(struct ts_primitive_wall *w, struct tsim *si
 	struct ts_words words = w->shape_words[shape];
 	double value[3] = { 0 };
 
-	TS_TRY(numbers_of(sim, words, shape_names[shape],
+	TS_TRY(numbers_of(sim, words, 0, shape_names[shape],
 			  "a radius, or a radius and the centre along the next two axes",
 			  words.n == 1 ? 1 : 3, 3, value));
 	if (!(value[0] > 0))
@@ -111,7 +116,7 @@ static enum ts_status read_motion(struct ts_instance *self, struct tsim *sim,
 	w->wiggle_dim = -1;
 	if (w->shear_words.n) {
 		TS_TRY(read_dimension(sim, &w->shear_words.word[0], "shear", &w->shear_dim));
-		TS_TRY(numbers_of(sim, ts_words_from(w->shear_words, 1), "shear",
+		TS_TRY(numbers_of(sim, w->shear_words, 1, "shear",
 				  "a dimension and a velocity", 1, 1, &w->shear));
 	}
 	if (!w->wiggle_words.n)
@@ -120,7 +125,7 @@ static enum ts_status read_motion(struct ts_instance *self, struct tsim *sim,
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "wiggle"),
 			       "fix wall/gran: either wiggle or shear");
 	TS_TRY(read_dimension(sim, &w->wiggle_words.word[0], "wiggle", &w->wiggle_dim));
-	TS_TRY(numbers_of(sim, ts_words_from(w->wiggle_words, 1), "wiggle",
+	TS_TRY(numbers_of(sim, w->wiggle_words, 1, "wiggle",
 			  "a dimension, an amplitude and a period", 2, 2, value));
 	w->amplitude = value[0];
 	w->period = value[1];

@@ -137,6 +137,10 @@ fix w all wall/gran ${law} zplane 0.0 shear x' 'shear takes a dimension and a ve
 rejects 'include in.sphere
 fix w all wall/gran ${law} zplane 0.0 shear x fast' "found 'fast'"
 rejects 'include in.sphere
+fix w all wall/gran ${law} zplane 0.0 wiggle z NULL 0.1' "found 'NULL'"
+rejects 'include in.sphere
+fix w all wall/gran ${law} zplane 0.0 wiggle z' "found 'z'"
+rejects 'include in.sphere
 fix w all wall/gran ${law} zplane 0.0 wiggle x 1' 'wiggle takes a dimension, an amplitude and a period'
 rejects 'include in.sphere
 fix w all wall/gran ${law} zplane 0.0 wiggle x 1 0' 'the period of wiggle must be > 0'
