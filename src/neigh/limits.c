@@ -5,6 +5,7 @@
 
 #include "particles/body.h"
 #include "particles/property.h"
+#include "particles/rigid.h"
 #include "particles/template.h"
 
 #include "base/banned.h"
@@ -120,9 +121,7 @@ static double *least_by_type(const struct tsim *sim, int group, number_fn *numbe
 /* Rayleigh's time is proportional to it. */
 static double radius_root_density(const struct tsim *sim, size_t i)
 {
-	double radius = sim->particles->radius[i];
-
-	return radius * sqrt(sim->particles->mass[i] / ts_body_volume(sim, radius));
+	return sim->particles->radius[i] * sqrt(ts_material_density(sim, i));
 }
 
 static enum ts_status rayleigh(struct tsim *sim, int group, const char *who,
@@ -181,7 +180,10 @@ static enum ts_status hertz(struct tsim *sim, const struct ts_lightest *list, do
 /* The Hertz time of a particle with one of its kind goes with it to the power 1/5. */
 static double mass2_by_radius(const struct tsim *sim, size_t i)
 {
-	return sim->particles->mass[i] * sim->particles->mass[i] / (0.5 * sim->particles->radius[i]);
+	double radius = sim->particles->radius[i];
+	double mass = ts_material_density(sim, i) * ts_body_volume(sim, radius);
+
+	return mass * mass / (0.5 * radius);
 }
 
 static enum ts_status legacy_hertz(struct tsim *sim, int group, double speed, const char *who,

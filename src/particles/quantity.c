@@ -1,10 +1,10 @@
 /* Per-particle numbers by the names scripts use. */
 #include <string.h>
 
-#include "particles/body.h"
 #include "particles/domain.h"
 #include "particles/moments.h"
 #include "particles/particles.h"
+#include "particles/rigid.h"
 
 #include "base/banned.h"
 
@@ -101,7 +101,7 @@ static double mass(const struct tsim *sim, size_t i)
 
 static double density(const struct tsim *sim, size_t i)
 {
-	return sim->particles->mass[i] / ts_body_volume(sim, sim->particles->radius[i]);
+	return ts_material_density(sim, i);
 }
 
 static double body(const struct tsim *sim, size_t i)
@@ -121,7 +121,7 @@ static const struct quantity quantities[] = {
 	{ { "radius", "length", "radius" }, radius },
 	{ { "diameter", "length", "diameter" }, diameter },
 	{ { "mass", "mass", "mass" }, mass },
-	{ { "density", "density", "mass by volume" }, density },
+	{ { "density", "density", "mass by volume; in a clump that of its material" }, density },
 	{ { "mol", "", "molecule, by fix property/atom mol; else id of its rigid body, or 0" }, body },
 	{ { "x", "length", "position" }, position_x },
 	{ { "y", "length", "position" }, position_y },

@@ -5,6 +5,7 @@
 
 #include "core/plan.h"
 #include "math/rigid_turn.h"
+#include "particles/body.h"
 #include "particles/moments.h"
 #include "particles/rigid_motion.h"
 
@@ -135,6 +136,15 @@ const struct ts_body *ts_rigid_body_of(const struct tsim *sim, size_t i)
 		return NULL;
 	b = body_of(r, sim->particles->body[i]);
 	return b < r->n ? &r->body[b] : NULL;
+}
+
+double ts_material_density(const struct tsim *sim, size_t i)
+{
+	const struct ts_body *body = ts_rigid_body_of(sim, i);
+	const struct ts_particles *p = sim->particles;
+
+	return body && body->density > 0 ? body->density
+					 : p->mass[i] / ts_body_volume(sim, p->radius[i]);
 }
 
 /* By identity, so that sums over members do not depend on their order in memory. */
