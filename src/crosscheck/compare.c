@@ -255,7 +255,7 @@ static void compare_row(struct walk *w, const struct row *a, const struct row *b
 		if (!c || m == SIZE_MAX)
 			continue;
 		d = difference(c, &a->cell[k], &b->cell[m]);
-		if (d > c->most || (d == c->most && !c->most)) {
+		if (d > c->most || (d == c->most && c->most == 0)) {
 			c->most = d;
 			c->at = step;
 		}

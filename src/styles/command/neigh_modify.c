@@ -86,7 +86,7 @@ static enum ts_status exclude(struct tsim *sim, struct ts_words words, size_t *u
 		return ts_fail(&sim->error, TS_SYNTAX, &word[0].place,
 			       "neigh_modify exclude: expected type m n, group a b, molecule/intra a, "
 			       "molecule/inter a or none");
-	pair.by = kinds[kind].by;
+	pair.by = (int32_t)kinds[kind].by;
 	*used += kinds[kind].words;
 	if (kinds[kind].words == 1) {
 		TS_TRY(read_members(sim, words, &pair));

@@ -91,7 +91,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(refuse_clumps(self, sim));
 	TS_TRY(ts_insertion_rate_init(self, sim, &s->rate));
 	TS_TRY(face_of(self, sim));
-	if (!s->base.every_word == isnan(s->given_length))
+	if ((s->base.every_word != NULL) == !isnan(s->given_length))
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
 			       "fix insert/stream: expected one of insert_every and extrude_length");
 	if (s->base.every_word && s->base.every < 1)
