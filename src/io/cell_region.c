@@ -55,6 +55,12 @@ static enum ts_status add(struct ts_cell_region *r, struct tsim *sim, const stru
 	return TS_OK;
 }
 
+/* VTK's points, lines and surfaces, which mesh makers write beside the cells. */
+static bool has_no_volume(int type)
+{
+	return type >= 1 && type <= 9;
+}
+
 static enum ts_status take(struct ts_instance *self, struct tsim *sim, const struct ts_vtk_cells *cells,
 			   int shape)
 {
@@ -72,6 +78,8 @@ static enum ts_status take(struct ts_instance *self, struct tsim *sim, const str
 		r->hi[d] = -INFINITY;
 	}
 	for (size_t k = 0; k < cells->ncells; k++) {
+		if (has_no_volume(cells->type[k]))
+			continue;
 		if (cells->type[k] != shape ||
 		    cells->offset[k + 1] - cells->offset[k] != (tet ? 4 : 8))
 			return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, r->file),
@@ -84,7 +92,7 @@ static enum ts_status take(struct ts_instance *self, struct tsim *sim, const str
 	if (r->n)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_DAMAGED, ts_instance_word(self, r->file),
-		       "region %s: there are no cells in '%s'", self->style->name, r->file);
+		       "region %s: '%s' has no cell with a volume", self->style->name, r->file);
 }
 
 /* ---- the grid ---- */
