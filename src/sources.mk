@@ -260,6 +260,7 @@ library_sources = \
 	src/neigh/primitive_wall.h \
 	src/neigh/row_history.c \
 	src/neigh/row_history.h \
+	src/neigh/row_loop.c \
 	src/neigh/row_loop.h \
 	src/neigh/rows.c \
 	src/neigh/rows.h \

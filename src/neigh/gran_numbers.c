@@ -47,6 +47,16 @@ enum ts_status ts_gran_numbers_init(struct ts_instance *self, struct tsim *sim, 
 	return ts_pair_init(self, sim);
 }
 
+enum ts_status ts_gran_numbers_force(struct ts_instance *self, struct tsim *sim,
+				     ts_share_fn *specialised)
+{
+	const struct ts_gran_numbers_pair *g = self->state;
+	bool generic = g->generic || g->pair.model.no_tension;
+
+	ts_row_loop(sim, &g->pair, generic ? ts_row_share_generic : specialised);
+	return TS_OK;
+}
+
 enum ts_status ts_gran_numbers_complete(struct tsim *sim, void *coeff, const struct ts_place *where)
 {
 	(void)sim, (void)coeff, (void)where;

@@ -46,6 +46,9 @@ struct ts_gran_numbers_pair {
 };
 enum ts_status ts_gran_numbers_init(struct ts_instance *self, struct tsim *sim, int normal,
 				    int tangential);
+/* The hook of stage FORCE; `specialised` is for the model without limit_damping. */
+enum ts_status ts_gran_numbers_force(struct ts_instance *self, struct tsim *sim,
+				     ts_share_fn *specialised);
 enum ts_status ts_gran_numbers_complete(struct tsim *sim, void *coeff, const struct ts_place *where);
 extern const struct ts_arg ts_gran_numbers_args[], ts_gran_numbers_coeff[];
 

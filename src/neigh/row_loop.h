@@ -145,6 +145,9 @@ static inline __attribute__((always_inline)) void ts_row_share(const struct ts_r
 	}
 }
 
+/* The generic instance: for any model, that of the pair. */
+void ts_row_share_generic(void *task, size_t from, size_t to);
+
 /* Forces of all rows by the shares, then the sum of each particle. */
 static inline void ts_row_loop(struct tsim *sim, const struct ts_pair *pair, ts_share_fn *share)
 {

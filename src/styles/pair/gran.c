@@ -29,11 +29,6 @@ static void share_hooke_history(void *task, size_t from, size_t to)
 	ts_row_share(task, from, to, &hooke_history);
 }
 
-static void share_generic(void *task, size_t from, size_t to)
-{
-	ts_row_share(task, from, to, &((const struct ts_row_task *)task)->pair->model);
-}
-
 static bool same_model(const struct ts_granular_model *a, const struct ts_granular_model *b)
 {
 	return a->normal == b->normal && a->tangential == b->tangential &&
@@ -58,7 +53,7 @@ static ts_share_fn *share_of(const struct gran *g)
 	for (size_t k = 0; k < sizeof fast / sizeof *fast && !g->generic; k++)
 		if (same_model(&g->pair.model, fast[k].model))
 			return fast[k].share;
-	return share_generic;
+	return ts_row_share_generic;
 }
 
 /* All pairs of types that particles have. */

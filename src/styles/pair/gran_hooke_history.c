@@ -3,7 +3,7 @@
 
 #include "base/banned.h"
 
-/* Without the words of the line: limit_damping has the generic loop. */
+/* Without the words of the line. */
 static const struct ts_granular_model law = { .normal = TS_NORMAL_HOOKE_STIFFNESS,
 					      .tangential = TS_TANGENTIAL_SLIDER,
 					      .full_arms = true };
@@ -13,11 +13,6 @@ static void specialised(void *task, size_t from, size_t to)
 	ts_row_share(task, from, to, &law);
 }
 
-static void generic(void *task, size_t from, size_t to)
-{
-	ts_row_share(task, from, to, &((const struct ts_row_task *)task)->pair->model);
-}
-
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	return ts_gran_numbers_init(self, sim, law.normal, law.tangential);
@@ -25,10 +20,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 static enum ts_status force(struct ts_instance *self, struct tsim *sim)
 {
-	const struct ts_gran_numbers_pair *g = self->state;
-
-	ts_row_loop(sim, &g->pair, g->generic || g->pair.model.no_tension ? generic : specialised);
-	return TS_OK;
+	return ts_gran_numbers_force(self, sim, specialised);
 }
 
 TS_STYLE(pair, ts_pair_style, ts_pair_gran_hooke_history)

@@ -33,11 +33,6 @@ static void specialised(void *task, size_t from, size_t to)
 	ts_row_share(task, from, to, &spring);
 }
 
-static void generic(void *task, size_t from, size_t to)
-{
-	ts_row_share(task, from, to, &((const struct ts_row_task *)task)->pair->model);
-}
-
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	((struct spring_dashpot *)self->state)->pair.model = spring;
@@ -48,7 +43,7 @@ static enum ts_status force(struct ts_instance *self, struct tsim *sim)
 {
 	const struct spring_dashpot *s = self->state;
 
-	ts_row_loop(sim, &s->pair, s->generic ? generic : specialised);
+	ts_row_loop(sim, &s->pair, s->generic ? ts_row_share_generic : specialised);
 	return TS_OK;
 }
 
