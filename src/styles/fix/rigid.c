@@ -14,6 +14,7 @@ struct rigid {
 	struct ts_words groups;
 	struct ts_words force, torque; /* which body, and on or off for x, y, z */
 	uint8_t made;		       /* saved: the bodies exist */
+	int *group;		       /* of each body */
 };
 
 /* "*", or a number: bodies from .. to-1 of n. */
@@ -115,8 +116,10 @@ static enum ts_status groups_of(struct ts_instance *self, struct tsim *sim, int 
 	if (s->mode == GROUP && (int64_t)*n != s->ngroups)
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
 			       "fix rigid: expected %d groups, found %zu", (int)s->ngroups, *n);
-	*group = ts_arena_alloc(&self->arena, *n, sizeof **group);
-	if (!*group)
+	if (!s->group)
+		s->group = ts_arena_alloc(&self->arena, *n, sizeof *s->group);
+	*group = s->group;
+	if (!s->group)
 		return ts_nomem(&sim->error);
 	(*group)[0] = self->group;
 	for (size_t b = 0; s->mode == GROUP && b < *n; b++)
