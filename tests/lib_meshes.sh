@@ -1,4 +1,4 @@
-# For shell tests: files of triangles.
+# For shell tests: files of triangles, and the head of scripts that use them.
 
 # solid: lines of nine numbers on standard input become an STL file
 solid() {
@@ -47,4 +47,24 @@ funnel() {
 			print p(r[j], z[j], k), p(r[j + 1], z[j + 1], k + 1), p(r[j], z[j], k + 1)
 		}
 	}' | solid
+}
+
+# two_materials: a box of side 2 about the origin, for grains of type 1 and meshes of type 2
+two_materials() {
+	cat <<'END3'
+atom_style granular
+atom_modify map array sort 0 0
+boundary f f f
+newton off
+communicate single vel yes
+units si
+region reg block -1 1 -1 1 -1 1 units box
+create_box 2 reg
+neighbor 0.01 bin
+neigh_modify delay 0
+fix m1 all property/global youngsModulus peratomtype 5.e6 6.3e6
+fix m2 all property/global poissonsRatio peratomtype 0.45 0.31
+fix m3 all property/global coefficientRestitution peratomtypepair 2 0.5 0.6 0.6 0.7
+fix m4 all property/global coefficientFriction peratomtypepair 2 0.5 0.4 0.4 0.3
+END3
 }

@@ -8,21 +8,8 @@ if ! command -v liggghts >/dev/null; then
 	exit 77
 fi
 plate 3 0 >plate.stl
-cat >in.both <<'END2'
-atom_style granular
-atom_modify map array sort 0 0
-boundary f f f
-newton off
-communicate single vel yes
-units si
-region reg block -1 1 -1 1 -1 1 units box
-create_box 2 reg
-neighbor 0.01 bin
-neigh_modify delay 0
-fix m1 all property/global youngsModulus peratomtype 5.e6 6.3e6
-fix m2 all property/global poissonsRatio peratomtype 0.45 0.31
-fix m3 all property/global coefficientRestitution peratomtypepair 2 0.5 0.6 0.6 0.7
-fix m4 all property/global coefficientFriction peratomtypepair 2 0.5 0.4 0.4 0.3
+two_materials >in.both
+cat >>in.both <<'END2'
 pair_style gran model hertz tangential history
 pair_coeff * *
 timestep 1e-3
