@@ -288,6 +288,11 @@ static int add_words(struct word_list *list, const char *option, char *const *va
 	return 0;
 }
 
+static int usage(bool wrong)
+{
+	return wrong ? EXIT_USAGE : 0;
+}
+
 static int apply(struct tsim *sim, struct setup *setup, enum option_id id, char *const *value,
 		 int n)
 {
@@ -296,10 +301,8 @@ static int apply(struct tsim *sim, struct setup *setup, enum option_id id, char 
 		setup->input = value[0];
 		break;
 	case OPT_VAR:
-		return add_words(&setup->variables, "-var", value, n) ||
-				       set_variable(sim, value, n)
-			       ? EXIT_USAGE
-			       : 0;
+		return usage(add_words(&setup->variables, "-var", value, n) ||
+			     set_variable(sim, value, n));
 	case OPT_LOG:
 		setup->log = value[0];
 		setup->log_given = true;
@@ -310,9 +313,7 @@ static int apply(struct tsim *sim, struct setup *setup, enum option_id id, char 
 	case OPT_ECHO:
 		return set_echo(sim, value[0]);
 	case OPT_THREADS:
-		return add_words(&setup->own, "-threads", value, n) || set_threads(sim, value[0])
-			       ? EXIT_USAGE
-			       : 0;
+		return usage(add_words(&setup->own, "-threads", value, n) || set_threads(sim, value[0]));
 	case OPT_LEGACY:
 		sim->legacy = true;
 		break;
@@ -320,9 +321,7 @@ static int apply(struct tsim *sim, struct setup *setup, enum option_id id, char 
 		sim->restart_on_signal = ts_streq(value[0], "none") ? "" : value[0];
 		break;
 	case OPT_SHELL:
-		return add_words(&setup->own, "-shell", value, n) || set_shell(sim, value[0])
-			       ? EXIT_USAGE
-			       : 0;
+		return usage(add_words(&setup->own, "-shell", value, n) || set_shell(sim, value[0]));
 	case OPT_EXPLAIN:
 		sim->explain = setup->explain = true;
 		break;
