@@ -20,7 +20,8 @@ interrupted() {
 	local signal=$1 at=$2
 	shift 2
 	rm -f ./*.interrupted.restart
-	"$TSIM" -in in.paced -log a.log -var out a -var last 700 "$@" >out 2>err &
+	# HUP may be ignored by who called this test (nohup).
+	env --default-signal=HUP "$TSIM" -in in.paced -log a.log -var out a -var last 700 "$@" >out 2>err &
 	local run=$!
 	exec 3< <(timeout 60 cat pace) # a run that never opens it must not hang this test
 	while read -r step _ && [ "${step/none/0}" -lt "$at" ]; do :; done <&3
