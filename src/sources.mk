@@ -90,6 +90,10 @@ library_sources = \
 	src/crosscheck/reader_vtk.c \
 	src/crosscheck/report.c \
 	src/flow/flow.h \
+	src/flow/fluid.h \
+	src/flow/grid.c \
+	src/flow/grid.h \
+	src/flow/poisson.h \
 	src/geom/box.h \
 	src/geom/mesh.c \
 	src/geom/mesh.h \
@@ -441,6 +445,7 @@ library_sources = \
 	src/styles/command/pair_modify.c \
 	src/styles/command/pair_style.c \
 	src/styles/command/partitioner_style.c \
+	src/styles/command/pressure_style.c \
 	src/styles/command/processors.c \
 	src/styles/command/read_data.c \
 	src/styles/command/read_dump.c \

@@ -12,8 +12,8 @@
 
 /* Within a stage, kinds act in this order. */
 static const enum ts_kind kind_order[] = { TS_KIND_SYSTEM, TS_KIND_PAIR, TS_KIND_BOND,
-					   TS_KIND_FLOW,   TS_KIND_REGION, TS_KIND_FIX,
-					   TS_KIND_COMPUTE, TS_KIND_DUMP };
+					   TS_KIND_FLOW,   TS_KIND_PRESSURE, TS_KIND_REGION,
+					   TS_KIND_FIX,	   TS_KIND_COMPUTE,  TS_KIND_DUMP };
 enum { NORDER = sizeof kind_order / sizeof *kind_order };
 /* The site of random numbers that only the fingerprint sees. */
 enum { LOOKING = 2 };
@@ -301,7 +301,7 @@ static bool only_looks(const struct ts_instance *inst)
 static enum ts_status hash_all(struct tsim *sim, uint64_t *out)
 {
 	static const enum ts_kind kinds[] = { TS_KIND_SYSTEM, TS_KIND_PAIR, TS_KIND_BOND,
-					      TS_KIND_FLOW, TS_KIND_FIX };
+					      TS_KIND_FLOW, TS_KIND_PRESSURE, TS_KIND_FIX };
 	struct ts_hash hash = ts_hash_start();
 
 	ts_hash_add(&hash, &sim->clock.dt, sizeof sim->clock.dt);

@@ -112,7 +112,7 @@ struct tsim {
 	uint64_t fingerprint; /* of all that forces depend on, at the end of the last run */
 
 	unsigned columns;     /* all that live styles need */
-	struct ts_instances instances[TS_NKIND]; /* systems, pair, bond, flow: at most one live  */
+	struct ts_instances instances[TS_NKIND]; /* systems, pair, bond, flow, pressure: at most one live  */
 
 	/* the systems, by type: set when they are created */
 	struct ts_domain *domain;

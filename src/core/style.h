@@ -28,7 +28,8 @@ struct tsim;
 	X(COMPUTE, "compute")                                                                      \
 	X(REGION, "region")                                                                        \
 	X(DUMP, "dump")                                                                            \
-	X(FLOW, "flow")
+	X(FLOW, "flow")                                                                            \
+	X(PRESSURE, "pressure")
 #define TS_KIND_ENUM(name, text) TS_KIND_##name,
 enum ts_kind { TS_KIND_LIST(TS_KIND_ENUM) TS_NKIND };
 #undef TS_KIND_ENUM
@@ -37,7 +38,7 @@ const char *ts_kind_name(enum ts_kind kind);
 /* The stages of a run, in order. SETUP comes once, after the first forces. Of a step, PRE_EXCHANGE to
  * POST_BUILD are done when sim->rebuild is set (CHECK decides), else FORWARD. Particles are made in
  * PRE_EXCHANGE, which a set-up does not have. Within a stage
- * systems act first, then pair, bond, flow, fixes in script order, computes, dumps. */
+ * systems act first, then pair, bond, flow, pressure, fixes in script order, computes, dumps. */
 #define TS_STAGE_LIST(X)                                                                           \
 	X(INITIAL_INTEGRATE)                                                                       \
 	X(POST_INTEGRATE)                                                                          \

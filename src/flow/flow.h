@@ -4,17 +4,25 @@
 
 #include "core/sim.h"
 
+struct ts_fluid;
+
 struct ts_flow_style {
 	struct ts_style style;
-	/* Velocity of the undisturbed fluid at x. */
+	/* Velocity of the undisturbed fluid at x: between the particles, where these leave a void fraction. */
 	void (*velocity)(const struct ts_instance *self, const double x[3], double u[3]);
 	double (*viscosity)(const struct ts_instance *self); /* dynamic */
 	double (*density)(const struct ts_instance *self);
+	/* Its fields on a grid, made by now (flow/fluid.h); NULL: the velocity is imposed, nobody acts on it. */
+	struct ts_fluid *(*fluid)(const struct ts_instance *self);
 };
 
 static inline const struct ts_flow_style *ts_flow_style_of(const struct ts_instance *inst)
 {
 	return (const struct ts_flow_style *)inst->style;
 }
+
+/* The live flow style's fields; an error for `who` ("fix drag/ergun") where there is no fluid that is solved for. */
+enum ts_status ts_flow_require_fluid(struct tsim *sim, const char *who, const struct ts_place *where,
+				     struct ts_fluid **out);
 
 #endif

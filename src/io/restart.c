@@ -25,7 +25,7 @@ enum { NNAMES = 3, LONGEST_NAME = 4096, LARGEST_RATIO = 1040 /* zlib compresses 
 
 static const enum ts_kind saved_kinds[] = { TS_KIND_SYSTEM, TS_KIND_PAIR, TS_KIND_BOND,
 					    TS_KIND_FLOW,   TS_KIND_FIX,  TS_KIND_COMPUTE,
-					    TS_KIND_DUMP };
+					    TS_KIND_DUMP,   TS_KIND_PRESSURE };
 
 _Static_assert(TS_KIND_FIX == 2 && TS_KIND_FLOW == 8, "files know kinds by these numbers");
 

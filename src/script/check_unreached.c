@@ -16,7 +16,7 @@ static const struct {
 	{ "fix", TS_KIND_FIX, 3 },	   { "compute", TS_KIND_COMPUTE, 3 },
 	{ "region", TS_KIND_REGION, 2 },   { "dump", TS_KIND_DUMP, 3 },
 	{ "pair_style", TS_KIND_PAIR, 1 }, { "bond_style", TS_KIND_BOND, 1 },
-	{ "flow_style", TS_KIND_FLOW, 1 },
+	{ "flow_style", TS_KIND_FLOW, 1 }, { "pressure_style", TS_KIND_PRESSURE, 1 },
 };
 
 static enum ts_status parse(struct ts_script *script, const struct ts_style *style,

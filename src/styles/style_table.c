@@ -59,6 +59,7 @@ TS_STYLE(command, ts_command_style, ts_command_pair_modify)
 TS_STYLE(command, ts_command_style, ts_command_pair_style)
 TS_STYLE(command, ts_command_style, ts_command_partition)
 TS_STYLE(command, ts_command_style, ts_command_partitioner_style)
+TS_STYLE(command, ts_command_style, ts_command_pressure_style)
 TS_STYLE(command, ts_command_style, ts_command_print)
 TS_STYLE(command, ts_command_style, ts_command_processors)
 TS_STYLE(command, ts_command_style, ts_command_quit)
@@ -297,6 +298,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_command_pair_style.style,
 	&ts_command_partition.style,
 	&ts_command_partitioner_style.style,
+	&ts_command_pressure_style.style,
 	&ts_command_print.style,
 	&ts_command_processors.style,
 	&ts_command_quit.style,

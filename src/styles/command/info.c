@@ -99,6 +99,7 @@ static void laws(struct tsim *sim, struct ts_str *out)
 	list(sim, out, "Pair style", TS_KIND_PAIR);
 	list(sim, out, "Bond style", TS_KIND_BOND);
 	list(sim, out, "Flow style", TS_KIND_FLOW);
+	list(sim, out, "Pressure style", TS_KIND_PRESSURE);
 }
 
 static void memory(struct tsim *sim, struct ts_str *out)

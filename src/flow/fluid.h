@@ -1,0 +1,84 @@
+/* A fluid whose flow is solved for: its fields on the grid, and how others take part.
+ *
+ * Incompressible, Newtonian; u is the interstitial velocity where particles leave the void fraction e:
+ *   d(e)/dt + div(e u) = 0
+ *   e rho (du/dt + u.grad u) = -e grad p + div(e tau) + e rho g + f - k u
+ * f and k come from particles (per volume of the cell: f the explicit part, k >= 0 the semi-implicit one),
+ * forces of immersed bodies enter between predictor and projection.
+ *
+ * Order of a time step of the simulation: particles move; forces, among them drag with the fluid of the last
+ * step, are added up in POST_FORCE, where the coupling fixes put the reaction into f and k; in
+ * END_OF_STEP, before all fixes, the fluid makes its step (or several, or one each N: see `every`, `substeps`).
+ * Fields f and k are zeroed after the step in which they were used. */
+#ifndef TS_FLOW_FLUID_H
+#define TS_FLOW_FLUID_H
+
+#include "core/sim.h"
+#include "flow/grid.h"
+
+enum ts_side { TS_LOW, TS_HIGH };
+
+enum ts_flow_face {
+	TS_FLOW_PERIODIC,
+	TS_FLOW_WALL,  /* no slip; may move */
+	TS_FLOW_SLIP,  /* no flow across, no shear; symmetry */
+	TS_FLOW_INLET, /* velocity given */
+	TS_FLOW_OUTLET /* zero gauge pressure, no normal gradient of velocity */
+};
+
+struct ts_fluid {
+	struct ts_grid grid;
+	enum ts_flow_face face[3][2];
+	double density, viscosity; /* viscosity: dynamic */
+	double *u[3]; /* at lower faces; ghosts hold what the boundary conditions say */
+	double *p;    /* at centres */
+
+	/* On demand, see ts_fluid_want: NULL where nobody has asked. */
+	double *force[3];    /* f above, at lower faces, force per volume: particles add */
+	double *exchange[3]; /* k above, at lower faces */
+	double *empty;       /* void fraction e, at centres */
+	double *empty_rate;  /* de/dt since the last step of the fluid, at centres */
+	double *empty_face[3]; /* e at lower faces: made by the fluid from `empty` */
+
+	double dt;       /* of the last step of the fluid; 0: there was none */
+	double time;     /* of the fields */
+	int64_t steps;   /* of the fluid, since its beginning */
+	double courant;  /* largest sum |u| dt/h in the last step */
+	double divergence; /* largest |div(e u) + de/dt| after the last projection */
+	double residual;   /* largest |change of u|/dt in the last step */
+	int iterations;    /* of the pressure solver in the last projection */
+	double body_force[3]; /* acceleration of all fluid, now (body_force of the style) */
+};
+
+enum ts_fluid_field { TS_FLUID_FORCE = 1, TS_FLUID_EXCHANGE = 2, TS_FLUID_VOID = 4 };
+
+/* Makes optional fields, in the init of who needs them. */
+enum ts_status ts_fluid_want(struct ts_fluid *fluid, struct tsim *sim, unsigned fields);
+
+/* Who takes part in a step of the fluid: state of a fix begins with this and its family is TS_FAMILY_FLOW_PART.
+ * Called in script order; NULL: nothing to do. */
+#define TS_FAMILY_FLOW_PART "flow part"
+struct ts_flow_part {
+	/* After each predictor, before its projection: may change u to u + dt f (direct forcing). `dt` is that of
+	 * the (sub)step, `time` the one the fields will have. */
+	enum ts_status (*force)(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
+				double time, double dt);
+	/* After a whole step of the fluid: scalars are carried on, forces summed. */
+	enum ts_status (*carry)(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
+				double dt);
+	/* Largest stable dt of the fluid as far as it is concerned, or INFINITY. */
+	double (*limit)(const struct ts_instance *self, const struct ts_fluid *fluid);
+};
+
+/* Writes ghosts of u, of p, or of a scalar at centres (no gradient at faces that are not periodic). */
+void ts_fluid_fill_velocity(struct ts_fluid *fluid, double *const u[3]);
+void ts_fluid_fill_centred(const struct ts_fluid *fluid, double *field);
+
+/* Velocity at a place, trilinear between the values of each component; exact at boundary faces with the
+ * conditions there. Outside the grid: of the nearest place in it. */
+void ts_fluid_velocity(const struct ts_fluid *fluid, const double x[3], double u[3]);
+/* The same for a centred field, and for its gradient where it is wanted (NULL: not). */
+double ts_fluid_value(const struct ts_fluid *fluid, const double *field, const double x[3],
+		      double gradient[3]);
+
+#endif

@@ -1,0 +1,37 @@
+#include "core/sim.h"
+
+#include "base/banned.h"
+
+struct style_line {
+	struct ts_words words;
+};
+
+static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	struct ts_words line = ((const struct style_line *)state)->words;
+	struct ts_word none = { .text = "none", .place = *where };
+
+	if (line.n == 1 && ts_streq(line.word[0].text, "auto"))
+		line = (struct ts_words){ &none, 1 };
+	return ts_sim_choose(sim, TS_KIND_PRESSURE, line, where);
+}
+
+static const struct ts_arg args[] = {
+	TS_REST("style", struct style_line, words, .help = "a pressure style and its arguments, or auto"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(command, ts_command_style, ts_command_pressure_style)
+const struct ts_command_style ts_command_pressure_style = {
+	.style = { .name = "pressure_style",
+		   .kind = TS_KIND_COMMAND,
+		   .summary = "chooses the solver for the pressure of a fluid",
+		   .doc = "Replaces the pressure style there was. Without one, or with `auto`, the fluid "
+			  "takes the cheapest that suits the grid, its boundaries and the void fraction; "
+			  "-explain and the log say which, and why. All give the same pressure to their "
+			  "tolerance.",
+		   .example = "pressure_style auto",
+		   .args = args,
+		   .state_size = sizeof(struct style_line) },
+	.run = run,
+};
