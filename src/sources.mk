@@ -593,6 +593,7 @@ library_sources = \
 	src/styles/fix/particletemplate_multisphere.c \
 	src/styles/fix/particletemplate_sphere.c \
 	src/styles/fix/planeforce.c \
+	src/styles/fix/pour.c \
 	src/styles/fix/print.c \
 	src/styles/fix/property_atom.c \
 	src/styles/fix/property_global.c \

@@ -20,6 +20,7 @@ shell_tests = \
 	tests/crosscheck/mesh_servo.sh \
 	tests/crosscheck/mesh_stress.sh \
 	tests/crosscheck/meshes.sh \
+	tests/crosscheck/pour.sh \
 	tests/crosscheck/refusals.sh \
 	tests/crosscheck/rigid.sh \
 	tests/crosscheck/scripts.sh \
@@ -61,6 +62,7 @@ shell_tests = \
 	tests/decks/mistakes.sh \
 	tests/decks/neigh_words.sh \
 	tests/decks/plane.sh \
+	tests/decks/pour.sh \
 	tests/decks/refusals.sh \
 	tests/decks/regions.sh \
 	tests/decks/rigid.sh \

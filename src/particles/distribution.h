@@ -30,7 +30,7 @@ enum ts_status ts_distribution_require(struct tsim *sim, const struct ts_word *i
 
 /* A particle that is to be made. */
 struct ts_newcomer {
-	struct ts_instance *template;
+	struct ts_instance *template; /* NULL: a sphere of nobody's */
 	uint32_t mask; /* groups of template and distribution */
 	int32_t type;
 	double radius, density;

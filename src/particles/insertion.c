@@ -318,9 +318,14 @@ void ts_insertion_draw_orientation(struct ts_insertion *s, struct ts_newcomer *o
 
 /* ---- spheres of a newcomer */
 
+static const struct ts_template *template_of(const struct ts_newcomer *one)
+{
+	return one->template ? one->template->state : NULL;
+}
+
 static const struct ts_clump *clump_of(const struct ts_newcomer *one)
 {
-	return ((const struct ts_template *)one->template->state)->clump;
+	return one->template ? template_of(one)->clump : NULL;
 }
 
 static size_t spheres_of(const struct ts_newcomer *one)
@@ -331,11 +336,11 @@ static size_t spheres_of(const struct ts_newcomer *one)
 /* Where its k-th sphere is; returns the radius. */
 static double sphere_of(const struct ts_newcomer *one, size_t k, double x[3])
 {
-	const struct ts_template *t = one->template->state;
+	const struct ts_template *t = template_of(one);
 	double m[3][3], d[3], arm[3];
 
 	ts_scale(1, one->x, x);
-	if (!t->clump)
+	if (!clump_of(one))
 		return one->radius;
 	ts_sub(t->clump->sphere[k].x, t->origin, d);
 	ts_quaternion_matrix(one->q, m);
@@ -379,8 +384,10 @@ enum ts_status ts_insertion_join(struct tsim *sim, struct ts_spherehash *crowd,
 }
 
 /* Rounded as LIGGGHTS rounds it, where particles are inserted. */
-static double sphere_mass(const struct ts_newcomer *one, double r)
+static double sphere_mass(const struct tsim *sim, const struct ts_newcomer *one, double r)
 {
+	if (sim->dimension == 2)
+		return one->density * ts_body_volume(sim, r);
 	if (clump_of(one)) /* its 4 pi / 3 */
 		return one->density * (r * r * r * 4.18879020479);
 	return one->density * (r * r * r * 4 * TS_BODY_PI / 3);
@@ -394,7 +401,7 @@ static void fill_in(struct ts_instance *self, struct tsim *sim, const struct ts_
 	p->type[i] = one->type;
 	p->mask[i] |= one->mask | 1u << self->group;
 	p->radius[i] = sphere_of(one, k, p->x[i]);
-	p->mass[i] = sphere_mass(one, p->radius[i]);
+	p->mass[i] = sphere_mass(sim, one, p->radius[i]);
 	p->imass[i] = 1 / p->mass[i];
 	for (int d = 0; d < 3; d++) {
 		p->v[i][d] = one->v[d];
@@ -457,14 +464,14 @@ static enum ts_status make_body(struct ts_instance *self, struct tsim *sim,
 static enum ts_status make_one(struct ts_instance *self, struct tsim *sim,
 			       const struct ts_newcomer *one, size_t from)
 {
-	const struct ts_template *t = one->template->state;
+	const struct ts_template *t = template_of(one);
 	struct ts_insertion *s = self->state;
 
 	for (size_t k = 0; k < spheres_of(one); k++)
 		fill_in(self, sim, one, k, from + k);
-	s->mass += t->clump ? t->mass : sim->particles->mass[from];
+	s->mass += clump_of(one) ? t->mass : sim->particles->mass[from];
 	s->inserted++;
-	return t->rigid ? make_body(self, sim, one, from, t->clump->n) : TS_OK;
+	return t && t->rigid ? make_body(self, sim, one, from, t->clump->n) : TS_OK;
 }
 
 static enum ts_status set_property(struct ts_instance *self, struct tsim *sim, size_t from)

@@ -15,6 +15,7 @@ struct ts_insertion_velocity {
 
 /* First member of the state of every fix insert/... */
 struct ts_insertion {
+	struct ts_prospect own; /* of fixes that have no templates */
 	int64_t seed, maxattempt, start;
 	const char *distribution_id, *every_word;
 	int random_distribute;

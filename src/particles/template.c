@@ -183,6 +183,20 @@ enum ts_status ts_template_require(struct tsim *sim, const struct ts_word *id,
 		       id->text, (*out)->style->name);
 }
 
+/* What the fix may make. */
+static bool prospect_of(const struct ts_instance *fix, struct ts_prospect *out)
+{
+	const struct ts_template *t = fix->state;
+
+	if (is_template(fix))
+		*out = (struct ts_prospect){ t->type, t->least, t->lightest };
+	else if (fix->style->family && ts_streq(fix->style->family, TS_FAMILY_PROSPECT))
+		*out = *(const struct ts_prospect *)fix->state;
+	else
+		return false;
+	return true;
+}
+
 int ts_largest_type(const struct tsim *sim)
 {
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
@@ -192,10 +206,10 @@ int ts_largest_type(const struct tsim *sim)
 	for (size_t i = 0; i < p->n; i++)
 		most = p->type[i] > most ? p->type[i] : most;
 	for (size_t k = 0; k < fixes->n; k++) {
-		const struct ts_template *t = fixes->item[k]->state;
+		struct ts_prospect one;
 
-		if (is_template(fixes->item[k]) && t->type > most)
-			most = (int)t->type;
+		if (prospect_of(fixes->item[k], &one) && one.type > most)
+			most = (int)one.type;
 	}
 	return most;
 }
@@ -206,13 +220,14 @@ double ts_template_inverse_mass(const struct tsim *sim, int type, double *radius
 	double most = -1;
 
 	for (size_t k = 0; k < fixes->n; k++) {
-		const struct ts_template *t = fixes->item[k]->state;
+		struct ts_prospect one;
 
-		if (!is_template(fixes->item[k]) || t->type != type || !(1 / t->lightest > most))
+		if (!prospect_of(fixes->item[k], &one) || one.type != type ||
+		    !(1 / one.lightest > most))
 			continue;
-		most = 1 / t->lightest;
+		most = 1 / one.lightest;
 		if (radius)
-			*radius = t->least;
+			*radius = one.least;
 	}
 	return most;
 }

@@ -63,11 +63,18 @@ enum ts_status ts_minstd_archive(struct ts_archive *archive, struct tsim *sim, c
 enum ts_status ts_template_require(struct tsim *sim, const struct ts_word *id,
 				   struct ts_instance **out);
 
-/* The largest type that a particle has or may get from a template; 0: there are none. Laws of contact must be
+/* What a fix may make without templates; first member of the state of TS_FAMILY_PROSPECT. */
+#define TS_FAMILY_PROSPECT "prospect"
+struct ts_prospect {
+	int64_t type;
+	double least, lightest; /* radius and mass */
+};
+
+/* The largest type that a particle has or may get from a template or another fix; 0: there are none. Laws of contact must be
  * known for all up to it, as in LIGGGHTS. */
 int ts_largest_type(const struct tsim *sim);
-/* 1 / mass of the lightest particle of this type that a template may make, and its radius (may be NULL); -1:
- * there is no such template. */
+/* 1 / mass of the lightest particle of this type that a fix may make, and its radius (may be NULL); -1: there is
+ * no such fix. */
 double ts_template_inverse_mass(const struct tsim *sim, int type, double *radius);
 
 /* Refuses a seed that LIGGGHTS refuses: they must be primes above 10000, which keeps apart streams that

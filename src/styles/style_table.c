@@ -212,6 +212,7 @@ TS_STYLE(fix, ts_style, ts_fix_particletemplate_multiplespheres)
 TS_STYLE(fix, ts_style, ts_fix_particletemplate_multisphere)
 TS_STYLE(fix, ts_style, ts_fix_particletemplate_sphere)
 TS_STYLE(fix, ts_style, ts_fix_planeforce)
+TS_STYLE(fix, ts_style, ts_fix_pour)
 TS_STYLE(fix, ts_style, ts_fix_print)
 TS_STYLE(fix, ts_style, ts_fix_property_atom)
 TS_STYLE(fix, ts_style, ts_fix_property_global)
@@ -451,6 +452,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_particletemplate_multisphere,
 	&ts_fix_particletemplate_sphere,
 	&ts_fix_planeforce,
+	&ts_fix_pour,
 	&ts_fix_print,
 	&ts_fix_property_atom,
 	&ts_fix_property_global,

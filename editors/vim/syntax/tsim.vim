@@ -97,13 +97,16 @@ syn keyword tsimKeyword  rotate/variable/superposable wiggle/superposable
 syn keyword tsimKeyword  riggle/superposable viblin/superposable vibrot/superposable
 syn keyword tsimKeyword  allow_group_and_set allow_heatsource by_dimension sphere disc
 syn keyword tsimKeyword  atom_type volume_limit relative nspheres ntry spheres
-syn keyword tsimKeyword  inertia_tensor use_volume use_density fflag tflag title ghost
-syn keyword tsimKeyword  writedata peratomtype peratomtypepair matrix tether couple model
-syn keyword tsimKeyword  hooke hertz hooke/stiffness hertz/stiffness hooke/hysteresis
-syn keyword tsimKeyword  tangential history no_history rolling_friction cdt epsd epsd2
-syn keyword tsimKeyword  epsd3 cohesion sjkr sjkr2 surface limitForce tangential_damping
-syn keyword tsimKeyword  absolute_damping ktToKnUser viscous tangential_reduce
-syn keyword tsimKeyword  torsionTorque heating_normal_hertz heating_tangential_history
+syn keyword tsimKeyword  inertia_tensor use_volume use_density fflag tflag diam dens vol
+syn keyword tsimKeyword  rate
+syn match tsimKeyword /\<next\>/ 
+syn keyword tsimKeyword  molfrac rigid shake title ghost writedata peratomtype
+syn keyword tsimKeyword  peratomtypepair matrix tether couple model hooke hertz
+syn keyword tsimKeyword  hooke/stiffness hertz/stiffness hooke/hysteresis tangential
+syn keyword tsimKeyword  history no_history rolling_friction cdt epsd epsd2 epsd3 cohesion
+syn keyword tsimKeyword  sjkr sjkr2 surface limitForce tangential_damping absolute_damping
+syn keyword tsimKeyword  ktToKnUser viscous tangential_reduce torsionTorque
+syn keyword tsimKeyword  heating_normal_hertz heating_tangential_history
 syn keyword tsimKeyword  computeElasticPotential computeDissipatedEnergy
 syn keyword tsimKeyword  disableNormalWhenBonded hooke/history hertz/history limit_damping
 syn keyword tsimKeyword  primitive n_meshes meshes xplane yplane zplane xcylinder ycylinder
@@ -147,7 +150,7 @@ syn keyword tsim_fix contained particledistribution/discrete
 syn keyword tsim_fix contained particledistribution/discrete/massbased
 syn keyword tsim_fix contained particledistribution/discrete/numberbased
 syn keyword tsim_fix contained particletemplate/multiplespheres particletemplate/multisphere
-syn keyword tsim_fix contained particletemplate/sphere planeforce
+syn keyword tsim_fix contained particletemplate/sphere planeforce pour
 syn match tsim_fix /\<print\>/ contained
 syn keyword tsim_fix contained property/atom property/global recenter rigid setforce spring
 syn keyword tsim_fix contained spring/self store/force store/state vector viscous viscous/sphere
