@@ -350,12 +350,15 @@ library_sources = \
 	src/particles/rigid_motion.h \
 	src/particles/sites.c \
 	src/particles/sites.h \
+	src/particles/stream.h \
 	src/particles/tally.c \
 	src/particles/tally.h \
 	src/particles/temperature.c \
 	src/particles/temperature.h \
 	src/particles/template.c \
 	src/particles/template.h \
+	src/particles/tracer.c \
+	src/particles/tracer.h \
 	src/particles/type_factors.c \
 	src/particles/type_factors.h \
 	src/particles/user_columns.c \
@@ -506,6 +509,7 @@ library_sources = \
 	src/styles/compute/multisphere.c \
 	src/styles/compute/nbond_atom.c \
 	src/styles/compute/neighbor_atom.c \
+	src/styles/compute/nparticles_tracer_region.c \
 	src/styles/compute/omega_chunk.c \
 	src/styles/compute/pair_gran_local.c \
 	src/styles/compute/pair_local.c \
@@ -596,6 +600,9 @@ library_sources = \
 	src/styles/fix/pour.c \
 	src/styles/fix/print.c \
 	src/styles/fix/property_atom.c \
+	src/styles/fix/property_atom_regiontracer_time.c \
+	src/styles/fix/property_atom_tracer.c \
+	src/styles/fix/property_atom_tracer_stream.c \
 	src/styles/fix/property_global.c \
 	src/styles/fix/recenter.c \
 	src/styles/fix/rigid.c \

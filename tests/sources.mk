@@ -27,6 +27,7 @@ shell_tests = \
 	tests/crosscheck/space.sh \
 	tests/crosscheck/text.sh \
 	tests/crosscheck/timestep.sh \
+	tests/crosscheck/tracers.sh \
 	tests/crosscheck/walls.sh \
 	tests/crosscheck/words_lammps.sh \
 	tests/crosscheck_mode.sh \
@@ -68,6 +69,7 @@ shell_tests = \
 	tests/decks/rigid.sh \
 	tests/decks/temperature_words.sh \
 	tests/decks/timestep.sh \
+	tests/decks/tracers.sh \
 	tests/decks/velocity_words.sh \
 	tests/decks/wall_contacts.sh \
 	tests/decks/walls.sh \

@@ -13,7 +13,6 @@
 	"bonds are made by create_bonds and break as bond_style says (bond_style contact), not by "  \
 	"cohesion models or fixes"
 #define FRAGMENTS "particles do not break into others; bonded spheres do (bond_style)"
-#define TRACERS "particles are not marked by where they have been"
 #define OTHER_EDITION "it belongs to another edition of LIGGGHTS: 3.8 does not have it either"
 #define ACCELERATORS "all styles use threads by themselves; see -threads"
 
@@ -74,14 +73,13 @@ const struct ts_known ts_known_table[] = {
 	{ TS_KIND_FIX, "particletemplate/fragments", FRAGMENTS },
 	{ TS_KIND_FIX, "pour/legacy", OTHER_EDITION },
 	{ TS_KIND_FIX, "pour/dev", OTHER_EDITION },
-	{ TS_KIND_FIX, "property/atom/tracer*", TRACERS },
+	{ TS_KIND_FIX, "property/atom/timetracer", "it is called property/atom/regiontracer/time now" },
 	{ TS_KIND_FIX, "remove", OTHER_EDITION },
 	{ TS_KIND_FIX, "scale/diameter", OTHER_EDITION },
 	{ TS_KIND_BOND, "gran", "bonded grains are bond_style contact here" },
 	{ TS_KIND_BOND, "harmonic*", MOLECULAR },
 	{ TS_KIND_COMPUTE, "bond/counter", OTHER_EDITION },
 	{ TS_KIND_FIX, "massflow/mesh/face", OTHER_EDITION },
-	{ TS_KIND_COMPUTE, "nparticles/tracer/region", TRACERS },
 	{ TS_KIND_COMPUTE, "pair/gran/local/bond", BONDS },
 	{ TS_KIND_DUMP, "decomposition/vtk", "there is one process, the box is not cut into parts" },
 	{ TS_KIND_DUMP, "image", "pictures are drawn from dumps by other programs (ParaView, OVITO)" },

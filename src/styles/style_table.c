@@ -124,6 +124,7 @@ TS_STYLE(compute, ts_style, ts_compute_msd_chunk)
 TS_STYLE(compute, ts_style, ts_compute_multisphere)
 TS_STYLE(compute, ts_style, ts_compute_nbond_atom)
 TS_STYLE(compute, ts_style, ts_compute_neighbor_atom)
+TS_STYLE(compute, ts_style, ts_compute_nparticles_tracer_region)
 TS_STYLE(compute, ts_style, ts_compute_omega_chunk)
 TS_STYLE(compute, ts_style, ts_compute_pair_gran_local)
 TS_STYLE(compute, ts_style, ts_compute_pair_local)
@@ -215,6 +216,9 @@ TS_STYLE(fix, ts_style, ts_fix_planeforce)
 TS_STYLE(fix, ts_style, ts_fix_pour)
 TS_STYLE(fix, ts_style, ts_fix_print)
 TS_STYLE(fix, ts_style, ts_fix_property_atom)
+TS_STYLE(fix, ts_style, ts_fix_property_atom_regiontracer_time)
+TS_STYLE(fix, ts_style, ts_fix_property_atom_tracer)
+TS_STYLE(fix, ts_style, ts_fix_property_atom_tracer_stream)
 TS_STYLE(fix, ts_style, ts_fix_property_global)
 TS_STYLE(fix, ts_style, ts_fix_recenter)
 TS_STYLE(fix, ts_style, ts_fix_rigid)
@@ -364,6 +368,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_multisphere,
 	&ts_compute_nbond_atom,
 	&ts_compute_neighbor_atom,
+	&ts_compute_nparticles_tracer_region,
 	&ts_compute_omega_chunk,
 	&ts_compute_pair_gran_local,
 	&ts_compute_pair_local,
@@ -455,6 +460,9 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_pour,
 	&ts_fix_print,
 	&ts_fix_property_atom,
+	&ts_fix_property_atom_regiontracer_time,
+	&ts_fix_property_atom_tracer,
+	&ts_fix_property_atom_tracer_stream,
 	&ts_fix_property_global,
 	&ts_fix_recenter,
 	&ts_fix_rigid,

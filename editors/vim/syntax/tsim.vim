@@ -67,13 +67,13 @@ syn keyword tsimKeyword  angularIndividual sum dist uniform gaussian mom rot loc
 syn keyword tsimKeyword  bias pair ii ij nofix modify noinit discard default mixed bound
 syn keyword tsimKeyword  reduced nchunk limit ids nfreq kspace tensor com average property
 syn keyword tsimKeyword  xcm vcm fcm torque quat angmom masstotal inertia clumptype
-syn keyword tsimKeyword  id_multisphere ex_space ey_space ez_space bond/type radius min max
-syn keyword tsimKeyword  ave sumsq avesq sumabs aveabs minabs maxabs inputs peratom
-syn keyword tsimKeyword  update_on_run_end adof cdof primitives reset energy sample running
-syn keyword tsimKeyword  window overwrite title1 title2 title3 auto upper lower auto/upper
-syn keyword tsimKeyword  auto/lower full prefactor nevery cell_size_relative parallel
-syn keyword tsimKeyword  basevolume_region scalar kind global beyond end extra dim level
-syn keyword tsimKeyword  vmax
+syn keyword tsimKeyword  id_multisphere ex_space ey_space ez_space bond/type region_count
+syn keyword tsimKeyword  tracer periodic reset_marker radius min max ave sumsq avesq sumabs
+syn keyword tsimKeyword  aveabs minabs maxabs inputs peratom update_on_run_end adof cdof
+syn keyword tsimKeyword  primitives reset energy sample running window overwrite title1
+syn keyword tsimKeyword  title2 title3 auto upper lower auto/upper auto/lower full
+syn keyword tsimKeyword  prefactor nevery cell_size_relative parallel basevolume_region
+syn keyword tsimKeyword  scalar kind global beyond end extra dim level vmax
 syn match tsimKeyword /\<legacy\>/ 
 syn keyword tsimKeyword  final delta erate trate volume wiggle xy xz yz v flip axes xyz
 syn keyword tsimKeyword  scheme explicit exact wob spring body clearance chute spherical
@@ -100,7 +100,9 @@ syn keyword tsimKeyword  atom_type volume_limit relative nspheres ntry spheres
 syn keyword tsimKeyword  inertia_tensor use_volume use_density fflag tflag diam dens vol
 syn keyword tsimKeyword  rate
 syn match tsimKeyword /\<next\>/ 
-syn keyword tsimKeyword  molfrac rigid shake title ghost writedata peratomtype
+syn keyword tsimKeyword  molfrac rigid shake title ghost writedata add_region
+syn keyword tsimKeyword  check_region_every region_mark mark_step marker_style dirac
+syn keyword tsimKeyword  heaviside check_mark_every insert_stream n_tracer peratomtype
 syn keyword tsimKeyword  peratomtypepair matrix tether couple model hooke hertz
 syn keyword tsimKeyword  hooke/stiffness hertz/stiffness hooke/hysteresis tangential
 syn keyword tsimKeyword  history no_history rolling_friction cdt epsd epsd2 epsd3 cohesion
@@ -152,9 +154,10 @@ syn keyword tsim_fix contained particledistribution/discrete/numberbased
 syn keyword tsim_fix contained particletemplate/multiplespheres particletemplate/multisphere
 syn keyword tsim_fix contained particletemplate/sphere planeforce pour
 syn match tsim_fix /\<print\>/ contained
-syn keyword tsim_fix contained property/atom property/global recenter rigid setforce spring
-syn keyword tsim_fix contained spring/self store/force store/state vector viscous viscous/sphere
-syn keyword tsim_fix contained wall/gran wall/reflect
+syn keyword tsim_fix contained property/atom property/atom/regiontracer/time property/atom/tracer
+syn keyword tsim_fix contained property/atom/tracer/stream property/global recenter rigid
+syn keyword tsim_fix contained setforce spring spring/self store/force store/state vector viscous
+syn keyword tsim_fix contained viscous/sphere wall/gran wall/reflect
 hi def link tsim_fix Type
 syn match tsimHead /^\s*compute\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_compute
 syn keyword tsim_compute contained aggregate/atom angmom/chunk bond/local bonds chunk/atom
@@ -163,10 +166,10 @@ syn keyword tsim_compute contained coord/atom count/type displace/atom erotate e
 syn keyword tsim_compute contained erotate/sphere erotate/sphere/atom fragment/atom group/group
 syn keyword tsim_compute contained gyration gyration/chunk inertia/chunk ke ke/atom ke/multisphere
 syn keyword tsim_compute contained leave msd msd/chunk multisphere nbond/atom neighbor/atom
-syn keyword tsim_compute contained omega/chunk pair/gran/local pair/local pe pe/atom pressure
-syn keyword tsim_compute contained property/atom property/chunk property/local rdf reduce
-syn keyword tsim_compute contained reduce/chunk reduce/region rigid slice stress/atom temp temp/chunk
-syn keyword tsim_compute contained temp/com torque/chunk vacf vcm/chunk wall/gran/local
+syn keyword tsim_compute contained nparticles/tracer/region omega/chunk pair/gran/local pair/local pe
+syn keyword tsim_compute contained pe/atom pressure property/atom property/chunk property/local rdf
+syn keyword tsim_compute contained reduce reduce/chunk reduce/region rigid slice stress/atom temp
+syn keyword tsim_compute contained temp/chunk temp/com torque/chunk vacf vcm/chunk wall/gran/local
 hi def link tsim_compute Type
 syn match tsimHead /^\s*region\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_region
 syn keyword tsim_region contained block cone cylinder ellipsoid intersect mesh/hex mesh/tet plane

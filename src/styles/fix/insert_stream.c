@@ -6,14 +6,15 @@
 #include "particles/insertion_rate.h"
 #include "particles/mesh_surface.h"
 #include "particles/particles.h"
+#include "particles/stream.h"
 
 #include "base/banned.h"
 
-/* What a particle of the stream remembers until it goes through the face. */
-enum { START, RELEASE, VELOCITY, PLACE = VELOCITY + 3, MEMORY = PLACE + 3 };
-
 struct state {
-	struct ts_insertion base;
+	union {
+		struct ts_insertion base;
+		struct ts_stream stream;
+	};
 	struct ts_insertion_rate rate;
 	const char *face_id;
 	double given_length;
@@ -24,11 +25,9 @@ struct state {
 	double length;	  /* of the space behind the face that is filled */
 	double normal[3]; /* of the face, against the stream */
 	double speed;	  /* through the face */
-	size_t column;
-
-	int64_t age;	   /* saved: steps done */
-	int64_t release;   /* saved: age at which the last one is free */
-	int32_t measured;  /* saved */
+	/* saved */
+	int64_t release; /* age at which the last one is free */
+	int32_t measured;
 };
 
 /* LIGGGHTS seeds the stream of points on a mesh with this; fixes with the same face share it. */
@@ -104,7 +103,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	if (!s->face->random.state)
 		s->face->random = ts_minstd_start(MESH_SEED);
 	snprintf(name, sizeof name, "stream %s", self->id);
-	return ts_particles_add_column(sim, name, MEMORY, 0, &s->column);
+	return ts_particles_add_column(sim, name, TS_STREAM_MEMORY, 0, &s->stream.column);
 }
 
 /* Interval and length belong together by the speed; the step may be another one in each run. */
@@ -291,11 +290,6 @@ static enum ts_status place_all(struct ts_instance *self, struct tsim *sim)
 
 /* ---- the stream */
 
-static double *memory_of(const struct state *s, const struct tsim *sim, size_t i)
-{
-	return (double *)sim->particles->column[s->column].data + i * MEMORY;
-}
-
 /* New particles move straight to the face; there they get the velocity that was asked for. */
 static void start(struct ts_instance *self, struct tsim *sim, size_t from)
 {
@@ -303,26 +297,28 @@ static void start(struct ts_instance *self, struct tsim *sim, size_t from)
 	struct ts_particles *p = sim->particles;
 
 	for (size_t i = from; i < p->n; i++) {
-		double *memory = memory_of(s, sim, i), d[3];
+		double *memory = ts_stream_memory(&s->stream, sim, i), d[3];
 		struct ts_newcomer free = { 0 };
 
 		ts_insertion_draw_velocity(&s->base, &free);
 		ts_sub(p->x[i], s->face->mesh.x[0][0], d);
-		memory[START] = (double)s->age;
-		memory[RELEASE] = (double)s->age +
-				  floor(ts_dot(d, s->normal) / (s->speed * sim->clock.dt));
+		memory[TS_STREAM_START] = (double)s->stream.age;
+		memory[TS_STREAM_WAY] = ts_dot(d, s->normal);
+		memory[TS_STREAM_RELEASE] =
+			(double)s->stream.age +
+			floor(memory[TS_STREAM_WAY] / (s->speed * sim->clock.dt));
 		for (int k = 0; k < 3; k++) {
-			memory[VELOCITY + k] = free.v[k];
-			memory[PLACE + k] = p->x[i][k];
+			memory[TS_STREAM_VELOCITY + k] = free.v[k];
+			memory[TS_STREAM_PLACE + k] = p->x[i][k];
 			p->v[i][k] = -s->speed * s->normal[k];
 		}
-		s->release = (int64_t)fmax((double)s->release, memory[RELEASE]);
+		s->release = (int64_t)fmax((double)s->release, memory[TS_STREAM_RELEASE]);
 	}
 }
 
 static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 {
-	((struct state *)self->state)->age++;
+	((struct ts_stream *)self->state)->age++;
 	return ts_insertion_check(self, sim);
 }
 
@@ -367,16 +363,17 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	double v[3];
 
 	ts_scale(-s->speed, s->normal, v);
-	for (size_t i = 0; s->age <= s->release && i < p->n; i++) {
-		double *memory = memory_of(s, sim, i);
-		bool free = (double)s->age >= memory[RELEASE];
+	for (size_t i = 0; s->stream.age <= s->release && i < p->n; i++) {
+		double *memory = ts_stream_memory(&s->stream, sim, i);
+		bool free = (double)s->stream.age >= memory[TS_STREAM_RELEASE];
 
-		if (!(memory[RELEASE] > 0))
+		if (!(memory[TS_STREAM_RELEASE] > 0))
 			continue;
-		keep_on_its_way(p, i, memory + PLACE, v,
-				((double)s->age - memory[START]) * sim->clock.dt, sim->clock.dt);
+		keep_on_its_way(p, i, memory + TS_STREAM_PLACE, v,
+				((double)s->stream.age - memory[TS_STREAM_START]) * sim->clock.dt,
+				sim->clock.dt);
 		for (int k = 0; k < 3; k++) {
-			p->v[i][k] = free ? memory[VELOCITY + k] : v[k];
+			p->v[i][k] = free ? memory[TS_STREAM_VELOCITY + k] : v[k];
 			p->f[i][k] = 0;
 			if (p->torque)
 				p->torque[i][k] = 0;
@@ -384,7 +381,7 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 				p->omega[i][k] = free ? s->base.omega[k] : 0;
 		}
 		if (free)
-			memory[RELEASE] = 0;
+			memory[TS_STREAM_RELEASE] = 0;
 	}
 	return TS_OK;
 }
@@ -395,7 +392,8 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 
 	TS_TRY(ts_insertion_archive(self, sim, a));
 	TS_TRY(ts_minstd_archive(a, sim, "face", &s->face->random));
-	return ts_particles_archive_column(a, sim, sim->particles->column[s->column].name, s->column);
+	return ts_particles_archive_column(
+		a, sim, sim->particles->column[s->stream.column].name, s->stream.column);
 }
 
 static const struct ts_arg args[] = {
@@ -417,7 +415,7 @@ static const struct ts_arg args[] = {
 };
 
 static const struct ts_saved saved[] = {
-	TS_INSERTION_SAVED(struct state),	TS_SAVE_I64(struct state, age),
+	TS_INSERTION_SAVED(struct state),	TS_SAVE_I64(struct state, stream.age),
 	TS_SAVE_I64(struct state, release), TS_SAVE_I32(struct state, measured),
 	TS_SAVED_ROWS_END,
 };
@@ -437,6 +435,7 @@ const struct ts_style ts_fix_insert_stream = {
 	       "reach out of the box; else from R to L - R. all_in yes keeps particles within the outer edges of the\n"
 	       "face. The number in an event is rounded up or down by lot. The face must not move.",
 	.example = "fix pour all insert/stream seed 32452867 distributiontemplate mix nparticles 5000 vel constant 0 -0.5 -2 particlerate 1000 overlapcheck yes insertion_face hole extrude_length 0.6",
+	.family = TS_FAMILY_STREAM,
 	.args = args,
 	.state_size = sizeof(struct state),
 	.saved = saved,

@@ -1,0 +1,34 @@
+/* The stream of particles of fix insert/stream, for those who watch it. */
+#ifndef TS_PARTICLES_STREAM_H
+#define TS_PARTICLES_STREAM_H
+
+#include "particles/insertion.h"
+#include "particles/particles.h"
+
+#define TS_FAMILY_STREAM "stream"
+
+/* What a particle of the stream remembers until it goes through the face: at which age of the stream it came
+ * and goes through (0: it is free), its way to the face, the velocity that it gets there, the place where it
+ * began. */
+enum {
+	TS_STREAM_START,
+	TS_STREAM_RELEASE,
+	TS_STREAM_WAY,
+	TS_STREAM_VELOCITY,
+	TS_STREAM_PLACE = TS_STREAM_VELOCITY + 3,
+	TS_STREAM_MEMORY = TS_STREAM_PLACE + 3
+};
+
+/* First member of the state of every style of the family. */
+struct ts_stream {
+	struct ts_insertion base;
+	size_t column; /* of the particles: TS_STREAM_MEMORY numbers */
+	int64_t age;   /* saved: steps done */
+};
+
+static inline double *ts_stream_memory(const struct ts_stream *stream, const struct tsim *sim, size_t i)
+{
+	return (double *)sim->particles->column[stream->column].data + i * TS_STREAM_MEMORY;
+}
+
+#endif
