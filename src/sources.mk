@@ -5,6 +5,7 @@ library_sources = \
 	src/base/banned.h \
 	src/base/clock.c \
 	src/base/clock.h \
+	src/base/clones.h \
 	src/base/hash.c \
 	src/base/hash.h \
 	src/base/hold.c \
@@ -89,11 +90,19 @@ library_sources = \
 	src/crosscheck/reader.h \
 	src/crosscheck/reader_vtk.c \
 	src/crosscheck/report.c \
+	src/flow/conjugate.c \
+	src/flow/conjugate.h \
 	src/flow/flow.h \
 	src/flow/fluid.h \
 	src/flow/grid.c \
 	src/flow/grid.h \
+	src/flow/poisson.c \
 	src/flow/poisson.h \
+	src/flow/pressure.c \
+	src/flow/pressure.h \
+	src/flow/pressure_choose.c \
+	src/flow/stencil.c \
+	src/flow/stencil.h \
 	src/geom/box.h \
 	src/geom/mesh.c \
 	src/geom/mesh.h \
@@ -622,6 +631,7 @@ library_sources = \
 	src/styles/pair/gran_hooke.c \
 	src/styles/pair/gran_hooke_history.c \
 	src/styles/pair/spring_dashpot.c \
+	src/styles/pressure/cg.c \
 	src/styles/region/block.c \
 	src/styles/region/cone.c \
 	src/styles/region/cylinder.c \

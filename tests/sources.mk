@@ -132,6 +132,7 @@ unit_tests = \
 	tests/check_order \
 	tests/check_pairs \
 	tests/check_particles \
+	tests/check_poisson \
 	tests/check_price \
 	tests/check_rigid \
 	tests/check_script \
@@ -254,6 +255,10 @@ tests_check_pairs_LDADD = $(tests_ldadd)
 tests_check_particles_SOURCES = tests/check_particles.c $(tests_common)
 tests_check_particles_CFLAGS = $(tests_cflags)
 tests_check_particles_LDADD = $(tests_ldadd)
+
+tests_check_poisson_SOURCES = tests/check_poisson.c $(tests_common)
+tests_check_poisson_CFLAGS = $(tests_cflags)
+tests_check_poisson_LDADD = $(tests_ldadd)
 
 tests_check_price_SOURCES = tests/check_price.c $(tests_common)
 tests_check_price_CFLAGS = $(tests_cflags)

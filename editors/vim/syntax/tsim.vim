@@ -116,7 +116,8 @@ syn keyword tsimKeyword  zcylinder shear
 syn match tsimKeyword /\<velocity\>/ 
 syn keyword tsimKeyword  store_force store_force_contact store_force_contact_stress
 syn keyword tsimKeyword  contacts xlo xhi ylo yhi zlo zhi viscosity generic restitution
-syn keyword tsimKeyword  side in out open center bounds angle0
+syn keyword tsimKeyword  tolerance iterations unfinished side in out open center bounds
+syn keyword tsimKeyword  angle0
 
 " numbers of the simulation and of particles
 syn keyword tsimName  id type radius diameter
@@ -192,6 +193,7 @@ syn match tsimHead /^\s*flow_style\s\+/ contains=tsimCommand,tsimVariable nextgr
 syn keyword tsim_flow contained uniform
 hi def link tsim_flow Type
 syn match tsimHead /^\s*pressure_style\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_pressure
+syn keyword tsim_pressure contained cg
 hi def link tsim_pressure Type
 
 hi def link tsimCommand Statement

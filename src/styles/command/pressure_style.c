@@ -9,10 +9,11 @@ struct style_line {
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	struct ts_words line = ((const struct style_line *)state)->words;
-	struct ts_word none = { .text = "none", .place = *where };
+	const struct ts_word chosen = { .text = "", .place = *where };
 
 	if (line.n == 1 && ts_streq(line.word[0].text, "auto"))
-		line = (struct ts_words){ &none, 1 };
+		return ts_sim_find(sim, TS_KIND_PRESSURE, "") ?
+			       ts_sim_destroy(sim, TS_KIND_PRESSURE, &chosen) : TS_OK;
 	return ts_sim_choose(sim, TS_KIND_PRESSURE, line, where);
 }
 
