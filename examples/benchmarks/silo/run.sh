@@ -1,14 +1,20 @@
 #!/bin/sh
-# The silo: sh run.sh [-var NAME VALUE ...] as in in.silo. TSIM is the program; discharge.txt has N(t).
+# The silo: sh run.sh [large|small [DIAMETER [-var NAME VALUE ...]]], an orifice of 60 or of 40 mm. With the grains
+# of 4 mm filling takes minutes and a second of discharge half an hour; with 0.014 both take seconds. TSIM is the
+# program. discharge.txt is drawn by plot.gp.
 tsim=${TSIM:-tsim}
 here=$(cd "$(dirname "$0")" && pwd)
-small=
-case " $* " in *' orifice 0.04 '*) small=1 ;; esac
+case ${1:-large} in
+large) orifice=0.06 lip=-0.0554222 height=0.07 ;;
+small) orifice=0.04 lip=-0.0593008 height=0.08 ;;
+*) echo "run.sh: large or small, not $1" >&2; exit 2 ;;
+esac
+d=${2:-0.004}
+shift $(($# < 2 ? $# : 2))
 # the cone as 64 pairs of triangles
-awk -v small="$small" 'BEGIN {
-	lip = small ? -0.0593008 : -0.0554222
-	top = lip + (small ? 0.08 : 0.07)
-	bottom = small ? 0.02 : 0.03
+awk -v bottom="$orifice" -v lip="$lip" -v height="$height" 'BEGIN {
+	bottom /= 2
+	top = lip + height
 	n = 64
 	print "solid cone"
 	for (k = 0; k < n; k++) {
@@ -27,4 +33,5 @@ function triangle(r1, a1, z1, r2, a2, z2, r3, a3, z3) {
 	vertex(r3, a3, z3)
 	print "    endloop\n  endfacet"
 }' >cone.stl
-"$tsim" -in "$here/in.silo" -log none "$@"
+set -- -log none -var here "$here" -var d "$d" -var lip "$lip" "$@"
+"$tsim" -in "$here/in.fill" "$@" && "$tsim" -in "$here/in.discharge" -var orifice "$orifice" "$@"
