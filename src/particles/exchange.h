@@ -20,7 +20,9 @@ enum ts_status ts_exchange_borders(struct tsim *sim, double cutoff);
 /* Refreshes positions, velocities and other TS_COL_FORWARD columns of the ghosts. */
 void ts_exchange_forward(struct tsim *sim);
 
-/* Coordinates beyond which a particle has left through a fixed face; infinite where there is none. */
+/* Coordinates beyond which a particle has to be taken out at once, as it has left through a fixed face; infinite
+ * where there is none, and where `thermo_modify lost ignore` lets it wait for the next build of neighbours: in an
+ * outflow there would be one for each that leaves. */
 void ts_exchange_limits(const struct tsim *sim, double lo[3], double hi[3]);
 
 #endif

@@ -80,7 +80,9 @@ const struct ts_command_style ts_command_thermo_modify = {
 		.doc = "Defaults: format float %14.8g, format int %8d, in blocks %14.4f and %14d; norm yes after the\n"
 		       "command `units lj`, else no. thermo_style brings the defaults back, but for lost. temp and\n"
 		       "press change these keywords alone: ke and etotal are those of all particles. A format of a\n"
-		       "column goes before those of a kind, and those before the line's.",
+		       "column goes before those of a kind, and those before the line's.\n\n"
+		       "A particle that leaves is taken out in that step. With lost ignore it goes with the next rebuild of\n"
+		       "neighbours, as in LIGGGHTS and LAMMPS, so until then it is counted: where many leave this is faster.",
 		.example = "thermo_modify lost warn norm no\n"
 			   "thermo_modify format float %20.15g format 3 %10.4f",
 		.args = args,
