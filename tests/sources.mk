@@ -28,6 +28,7 @@ shell_tests = \
 	tests/crosscheck/text.sh \
 	tests/crosscheck/timestep.sh \
 	tests/crosscheck/tracers.sh \
+	tests/crosscheck/vtk_layout.sh \
 	tests/crosscheck/walls.sh \
 	tests/crosscheck/words_lammps.sh \
 	tests/crosscheck_mode.sh \
@@ -62,6 +63,7 @@ shell_tests = \
 	tests/decks/mesh_stress.sh \
 	tests/decks/mistakes.sh \
 	tests/decks/neigh_words.sh \
+	tests/decks/outflow.sh \
 	tests/decks/plane.sh \
 	tests/decks/pour.sh \
 	tests/decks/refusals.sh \

@@ -23,12 +23,44 @@ enum ts_status ts_dump_vtk_check_name(struct ts_instance *self, struct tsim *sim
 	return TS_OK;
 }
 
+/* Place of a column among those of LIGGGHTS; what it has no place for comes after them. */
+static int place_of(const struct ts_dump_column *c)
+{
+	static const char *const order[] = {
+		"id",	  "mol",    "type", "element", "mass", "xs",	 "ys",	     "zs",     "xu",
+		"yu",	  "zu",	    "xsu",  "ysu",     "zsu",  "ix",	 "iy",	     "iz",     "vx",
+		"vy",	  "vz",	    "fx",   "fy",      "fz",   "radius", "diameter", "omegax", "omegay",
+		"omegaz", "tqx",    "tqy",  "tqz",     "density",
+	};
+	enum { N = sizeof order / sizeof *order };
+	int k = 0;
+
+	while (k < N && !ts_streq(order[k], c->input.name))
+		k++;
+	return k;
+}
+
+/* Columns that have the same place stay as they are. */
+static void put_in_order(struct ts_dump_column *column, size_t n)
+{
+	for (size_t k = 1; k < n; k++) {
+		struct ts_dump_column moved = column[k];
+		size_t to = k;
+
+		for (; to > 0 && place_of(&column[to - 1]) > place_of(&moved); to--)
+			column[to] = column[to - 1];
+		column[to] = moved;
+	}
+}
+
 enum ts_status ts_dump_vtk_init(struct ts_instance *self, struct tsim *sim, bool local)
 {
 	struct ts_dump_vtk *s = self->state;
 
 	TS_TRY(ts_dump_vtk_check_name(self, sim));
 	TS_TRY(ts_dump_columns(self, sim, s->names, local));
+	if (!local)
+		put_in_order(s->common.column, s->common.ncolumns);
 	if (!s->array)
 		s->array = ts_arena_alloc(&self->arena, s->common.ncolumns, sizeof *s->array);
 	return s->array ? TS_OK : ts_nomem(&sim->error);
@@ -87,6 +119,16 @@ static void copy_columns(const struct ts_dump_common *d, size_t first, size_t co
 			*to++ = d->column[first + k].values.data[d->order[row]];
 }
 
+/* A variable v_NAME is written as NAME, unless an array before it is. */
+static const char *array_name(const struct ts_dump_vtk *s, const char *column)
+{
+	bool variable = strncmp(column, "v_", 2) == 0;
+
+	for (size_t k = 0; variable && k < s->narrays; k++)
+		variable = !ts_streq(s->array[k].name, column + 2);
+	return variable ? column + 2 : column;
+}
+
 /* Columns k.. as one array; its name is made once. Returns how many were taken. */
 static size_t take_array(struct ts_instance *self, size_t k, bool vectors, double *to)
 {
@@ -98,7 +140,7 @@ static size_t take_array(struct ts_instance *self, size_t k, bool vectors, doubl
 		vectors && k + 2 < d->ncolumns && vector_name(&d->column[k], name, sizeof name);
 
 	if (!vector)
-		snprintf(name, sizeof name, "%s", d->column[k].input.name);
+		snprintf(name, sizeof name, "%s", array_name(s, d->column[k].input.name));
 	if (!a->name || !ts_streq(a->name, name))
 		a->name = ts_arena_strdup(&self->arena, name);
 	a->components = vector ? 3 : 1;
@@ -141,6 +183,7 @@ enum ts_status ts_dump_vtk_write(struct ts_instance *self, struct tsim *sim,
 
 	poly->time = ts_sim_time(sim);
 	poly->binary = d->binary;
+	poly->single_points = sim->legacy;
 	ts_step_path(&d->path, d->file, (long long)sim->clock.step, (int)d->pad);
 	if (d->path.failed)
 		return ts_nomem(&sim->error);

@@ -24,7 +24,10 @@ struct ts_vtk_poly {
 	const struct ts_vtk_array *point_data, *cell_data;
 	size_t npoint_data, ncell_data;
 	double time;
-	bool binary; /* legacy files; XML files always are */
+	/* legacy files: XML files are binary, and in double precision */
+	bool binary;
+	bool single_points;
+	bool plain; /* ts_vtk_legacy_plain */
 };
 /* Points of each vertex, line or triangle. */
 static inline size_t ts_vtk_cell_size(const struct ts_vtk_poly *poly)

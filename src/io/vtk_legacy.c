@@ -1,10 +1,22 @@
-/* Legacy VTK files (.vtk): what LIGGGHTS writes by default, and what small programs read easily. Version 3.0, which
- * every reader knows; plain text, or binary with the most significant byte first. */
+/* Legacy VTK files (.vtk): what LIGGGHTS writes by default, and what small programs read easily; plain text, or
+ * binary with the most significant byte first. */
 #include "io/vtk_legacy.h"
 
 #include <string.h>
 
 #include "base/banned.h"
+
+enum { IN_A_LINE = 9 };
+
+/* The types of arrays: their name in the file, and what a number of them is written with. */
+struct type {
+	const char *name, *format;
+	int bytes;
+};
+static const struct type reals = { "double", "%.11g", 8 };
+static const struct type singles = { "float", "%g", 4 };
+static const struct type wholes = { "int", NULL, 4 };
+static const struct type indices = { "vtktypeint64", NULL, 8 };
 
 /* Names end at a blank. */
 static void add_name(struct ts_str *out, const char *name)
@@ -22,92 +34,158 @@ static void add_bytes(struct ts_str *out, uint64_t bits, int n)
 	ts_str_add_n(out, byte, (size_t)n);
 }
 
-static void add_real(struct ts_str *out, double value, bool binary)
+static uint64_t bits_of(const struct type *type, double value)
 {
+	float single = (float)value;
 	uint64_t bits;
+	uint32_t half;
 
+	if (!type->format)
+		return (uint64_t)(int64_t)value;
 	memcpy(&bits, &value, sizeof bits);
-	if (binary)
-		add_bytes(out, bits, 8);
-	else
-		ts_str_addf(out, "%.12g", value);
+	memcpy(&half, &single, sizeof half);
+	return type->bytes == 8 ? bits : half;
 }
 
-static void add_whole(struct ts_str *out, int64_t value, bool binary)
+static void add_text(struct ts_str *out, const struct type *type, double value)
 {
-	if (binary)
-		add_bytes(out, (uint64_t)(int32_t)value, 4);
+	if (type->format)
+		ts_str_addf(out, type->format, value);
 	else
 		ts_str_addf(out, "%lld", (long long)value);
 }
 
-/* Rows of `width` numbers. */
-static void add_numbers(struct ts_str *out, const double *data, size_t n, size_t width, bool integer,
-			bool binary)
+/* Numbers of one type, until end_numbers(). */
+struct numbers {
+	struct ts_str *out;
+	const struct type *type;
+	bool binary;
+	size_t n;
+};
+
+static void add_number(struct numbers *s, double value)
 {
-	for (size_t k = 0; k < n * width; k++) {
-		if (integer)
-			add_whole(out, (int64_t)data[k], binary);
-		else
-			add_real(out, data[k], binary);
-		if (!binary)
-			ts_str_add(out, (k + 1) % width ? " " : "\n");
+	if (s->binary) {
+		add_bytes(s->out, bits_of(s->type, value), s->type->bytes);
+		return;
 	}
-	ts_str_add(out, binary ? "\n" : "");
+	add_text(s->out, s->type, value);
+	ts_str_add(s->out, ++s->n % IN_A_LINE ? " " : " \n");
 }
 
-static void add_cells(struct ts_str *out, const char *what, size_t n, size_t size, bool binary)
+static void end_numbers(struct numbers *s)
 {
-	ts_str_addf(out, "%s %zu %zu\n", what, n, n * (size + 1));
-	for (size_t k = 0; k < n; k++) {
-		add_whole(out, (int64_t)size, binary);
-		for (size_t j = 0; j < size; j++) {
-			ts_str_add(out, binary ? "" : " ");
-			add_whole(out, (int64_t)(k * size + j), binary);
-		}
-		ts_str_add(out, binary ? "" : "\n");
-	}
-	ts_str_add(out, binary ? "\n" : "");
+	ts_str_add(s->out, "\n");
+}
+
+static void add_array(struct ts_str *out, const struct type *type, const double *data, size_t n, bool binary)
+{
+	struct numbers numbers = { out, type, binary, 0 };
+
+	for (size_t k = 0; k < n; k++)
+		add_number(&numbers, data[k]);
+	end_numbers(&numbers);
+}
+
+/* 0, step, 2 step ... */
+static void add_indices(struct ts_str *out, const char *what, size_t n, size_t step, bool binary)
+{
+	struct numbers numbers = { out, &indices, binary, 0 };
+
+	ts_str_addf(out, "%s %s\n", what, indices.name);
+	for (size_t k = 0; k < n; k++)
+		add_number(&numbers, (double)(k * step));
+	end_numbers(&numbers);
+}
+
+static void add_cells(struct ts_str *out, size_t n, size_t size, bool binary)
+{
+	static const char *const what[] = { "", "VERTICES", "LINES", "POLYGONS" };
+
+	if (!n)
+		return;
+	ts_str_addf(out, "%s %zu %zu\n", what[size], n + 1, n * size);
+	add_indices(out, "OFFSETS", n + 1, size, binary);
+	add_indices(out, "CONNECTIVITY", n * size, 1, binary);
 }
 
 static void add_data(struct ts_str *out, const char *what, const struct ts_vtk_array *array,
 		     size_t narrays, size_t n, bool binary)
 {
-	if (!narrays)
+	if (!narrays || !n)
 		return;
 	ts_str_addf(out, "%s %zu\nFIELD FieldData %zu\n", what, n, narrays);
 	for (size_t k = 0; k < narrays; k++) {
-		const struct ts_vtk_array *a = &array[k];
+		const struct type *type = array[k].integer ? &wholes : &reals;
 
-		add_name(out, a->name);
-		ts_str_addf(out, " %zu %zu %s\n", a->components, n, a->integer ? "int" : "double");
-		add_numbers(out, a->data, n, a->components, a->integer, binary);
+		add_name(out, array[k].name);
+		ts_str_addf(out, " %zu %zu %s\n", array[k].components, n, type->name);
+		add_array(out, type, array[k].data, n * array[k].components, binary);
 	}
 }
 
-void ts_vtk_legacy_begin(struct ts_str *out, double time, bool binary)
+static void add_head(struct ts_str *out, const char *version, double time, bool binary)
 {
-	ts_str_addf(out, "# vtk DataFile Version 3.0\nGenerated by tsim, time %.17g\n%s\n", time,
+	ts_str_addf(out, "# vtk DataFile Version %s\nGenerated by tsim, time %.17g\n%s\n", version, time,
 		    binary ? "BINARY" : "ASCII");
 }
 
-void ts_vtk_legacy_poly(struct ts_str *out, const struct ts_vtk_poly *poly, bool binary)
+void ts_vtk_legacy_poly(struct ts_str *out, const struct ts_vtk_poly *poly)
 {
 	size_t size = ts_vtk_cell_size(poly), n = poly->npoints / size;
+	const struct type *type = poly->single_points ? &singles : &reals;
 
-	ts_vtk_legacy_begin(out, poly->time, binary);
-	ts_str_addf(out, "DATASET POLYDATA\nPOINTS %zu double\n", poly->npoints);
-	add_numbers(out, poly->points, poly->npoints, 3, false, binary);
-	add_cells(out, size == 1 ? "VERTICES" : size == 2 ? "LINES" : "POLYGONS", n, size, binary);
-	add_data(out, "POINT_DATA", poly->point_data, poly->npoint_data, poly->npoints, binary);
-	add_data(out, "CELL_DATA", poly->cell_data, poly->ncell_data, n, binary);
+	add_head(out, "5.1", poly->time, poly->binary);
+	ts_str_addf(out, "DATASET POLYDATA\nPOINTS %zu %s\n", poly->npoints, type->name);
+	add_array(out, type, poly->points, 3 * poly->npoints, poly->binary);
+	add_cells(out, n, size, poly->binary);
+	add_data(out, "POINT_DATA", poly->point_data, poly->npoint_data, poly->npoints, poly->binary);
+	add_data(out, "CELL_DATA", poly->cell_data, poly->ncell_data, n, poly->binary);
+}
+
+/* A line for each point. */
+static void add_lines(struct ts_str *out, const struct type *type, const double *data, size_t n, size_t width)
+{
+	for (size_t k = 0; k < n * width; k++) {
+		ts_str_addf(out, type == &singles ? "%f" : type->format, data[k]);
+		ts_str_add(out, (k + 1) % width ? " " : "\n");
+	}
+}
+
+void ts_vtk_legacy_plain(struct ts_str *out, const struct ts_vtk_poly *poly)
+{
+	const struct type *type = poly->single_points ? &singles : &reals;
+	size_t n = poly->npoints;
+
+	add_head(out, "2.0", poly->time, false);
+	ts_str_addf(out, "DATASET POLYDATA\nPOINTS %zu %s\n", n, type->name);
+	add_lines(out, type, poly->points, n, 3);
+	ts_str_addf(out, "VERTICES %zu %zu\n", n, 2 * n);
+	for (size_t k = 0; k < n; k++)
+		ts_str_addf(out, "1 %zu\n", k);
+	ts_str_addf(out, "POINT_DATA %zu\n", n);
+	for (size_t k = 0; k < poly->npoint_data; k++) {
+		const struct ts_vtk_array *a = &poly->point_data[k];
+
+		if (a->components == 3)
+			ts_str_addf(out, "VECTORS %s %s\n", a->name, type->name);
+		else if (a->components == 1)
+			ts_str_addf(out, "SCALARS %s %s 1\nLOOKUP_TABLE default\n", a->name, type->name);
+		else
+			ts_str_addf(out, "FIELD FieldData 1\n%s %zu %zu %s\n", a->name, a->components, n,
+				    type->name);
+		add_lines(out, type, a->data, n, a->components);
+	}
 }
 
 /* The faces of a box as the corners of one cell. */
-void ts_vtk_legacy_box(struct ts_str *out, const double lo[3], const double hi[3], double time)
+void ts_vtk_legacy_box(struct ts_str *out, const double lo[3], const double hi[3], double time,
+		       bool binary)
 {
-	ts_vtk_legacy_begin(out, time, false);
+	add_head(out, "5.1", time, binary);
 	ts_str_add(out, "DATASET RECTILINEAR_GRID\nDIMENSIONS 2 2 2\n");
-	for (int d = 0; d < 3; d++)
-		ts_str_addf(out, "%c_COORDINATES 2 double\n%.12g %.12g\n", "XYZ"[d], lo[d], hi[d]);
+	for (int d = 0; d < 3; d++) {
+		ts_str_addf(out, "%c_COORDINATES 2 %s\n", "XYZ"[d], reals.name);
+		add_array(out, &reals, (const double[]){ lo[d], hi[d] }, 2, binary);
+	}
 }

@@ -67,7 +67,7 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	const struct ts_euler *euler = s->owner->state;
-	struct ts_vtk_poly poly = { .point_data = s->array, .npoint_data = NARRAYS };
+	struct ts_vtk_poly poly = { .point_data = s->array, .npoint_data = NARRAYS, .plain = true };
 	bool due;
 
 	TS_TRY(ts_dump_due(self, sim, &due));
@@ -101,7 +101,8 @@ const struct ts_style ts_dump_euler_vtk = {
 	.kind = TS_KIND_DUMP,
 	.summary = "The cells of fix ave/euler as points for ParaView",
 	.doc = "A point in the middle of each cell, with the values of the last evaluation: v_avg, volumefraction, "
-	       "radius, pressure, count, mass, and stress (xx yy zz xy xz yz). Files as with dump custom/vtk.",
+	       "radius, pressure, count, mass, and stress (xx yy zz xy xz yz). Files as with dump "
+	       "custom/vtk; .vtk as text is of version 2.0, with SCALARS and VECTORS as LIGGGHTS writes them.",
 	.example = "fix cells all ave/euler nevery 1000 cell_size_relative 4 parallel no\n"
 		   "dump cells all euler/vtk 1000 post/cells*.vtk",
 	.args = args,
