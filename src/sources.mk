@@ -90,19 +90,33 @@ library_sources = \
 	src/crosscheck/reader.h \
 	src/crosscheck/reader_vtk.c \
 	src/crosscheck/report.c \
+	src/flow/advance.c \
+	src/flow/boundary.c \
 	src/flow/conjugate.c \
 	src/flow/conjugate.h \
+	src/flow/convection.c \
+	src/flow/convection.h \
 	src/flow/flow.h \
+	src/flow/fluid.c \
 	src/flow/fluid.h \
+	src/flow/ghosts.c \
 	src/flow/grid.c \
 	src/flow/grid.h \
+	src/flow/operators.c \
+	src/flow/operators.h \
 	src/flow/poisson.c \
 	src/flow/poisson.h \
+	src/flow/predict.c \
+	src/flow/prepare.c \
 	src/flow/pressure.c \
 	src/flow/pressure.h \
 	src/flow/pressure_choose.c \
+	src/flow/project.c \
+	src/flow/projection.h \
+	src/flow/sample.c \
 	src/flow/stencil.c \
 	src/flow/stencil.h \
+	src/flow/words.c \
 	src/geom/box.h \
 	src/geom/mesh.c \
 	src/geom/mesh.h \
@@ -440,6 +454,8 @@ library_sources = \
 	src/styles/command/dump_modify.c \
 	src/styles/command/fix.c \
 	src/styles/command/fix_modify.c \
+	src/styles/command/flow_boundary.c \
+	src/styles/command/flow_set.c \
 	src/styles/command/flow_style.c \
 	src/styles/command/group.c \
 	src/styles/command/hard_particles.c \
@@ -625,6 +641,7 @@ library_sources = \
 	src/styles/fix/viscous_sphere.c \
 	src/styles/fix/wall_gran.c \
 	src/styles/fix/wall_reflect.c \
+	src/styles/flow/projection.c \
 	src/styles/flow/uniform.c \
 	src/styles/pair/gran.c \
 	src/styles/pair/gran_hertz_history.c \

@@ -26,9 +26,19 @@ enum ts_flow_face {
 	TS_FLOW_OUTLET /* zero gauge pressure, no normal gradient of velocity */
 };
 
+/* Velocity given at one face of the grid, for walls and inlets. */
+struct ts_flow_given {
+	double constant[3];
+	double *plane[3]; /* where it varies over the face, by ts_flow_plane_at; NULL: constant */
+};
+
 struct ts_fluid {
 	struct ts_grid grid;
-	enum ts_flow_face face[3][2];
+	enum ts_flow_face face[3][2]; /* [axis][enum ts_side] */
+	struct ts_flow_given given[3][2];
+	/* A component along a wall or an inlet in the first ghost cell: mirror[0] times the velocity given plus
+	 * mirror[1], mirror[2] times those of the two cells inside. */
+	double mirror[3][2][3];
 	double density, viscosity; /* viscosity: dynamic */
 	double *u[3]; /* at lower faces; ghosts hold what the boundary conditions say */
 	double *p;    /* at centres */
@@ -52,6 +62,19 @@ struct ts_fluid {
 
 enum ts_fluid_field { TS_FLUID_FORCE = 1, TS_FLUID_EXCHANGE = 2, TS_FLUID_VOID = 4 };
 
+/* Where a point of a face across axis d stands in the planes of its values; a < b are the other two axes. */
+static inline size_t ts_flow_plane_at(const struct ts_grid *grid, int d, int ia, int ib)
+{
+	int a = d == 0, b = d == 2 ? 1 : 2;
+
+	return (size_t)(ia + grid->ghosts[a]) +
+	       (size_t)(ib + grid->ghosts[b]) * (size_t)(grid->n[a] + 2 * grid->ghosts[a] + 1);
+}
+
+/* Takes memory for u and p on the grid, which has been made; all at rest. */
+enum ts_status ts_fluid_make(struct ts_fluid *fluid);
+void ts_fluid_release(struct ts_fluid *fluid);
+
 /* Makes optional fields, in the init of who needs them. */
 enum ts_status ts_fluid_want(struct ts_fluid *fluid, struct tsim *sim, unsigned fields);
 
@@ -70,9 +93,13 @@ struct ts_flow_part {
 	double (*limit)(const struct ts_instance *self, const struct ts_fluid *fluid);
 };
 
-/* Writes ghosts of u, of p, or of a scalar at centres (no gradient at faces that are not periodic). */
-void ts_fluid_fill_velocity(struct ts_fluid *fluid, double *const u[3]);
+/* Writes ghosts of a velocity field, u or another; and its components across the boundary where these are
+ * given. */
+void ts_fluid_fill_velocity(const struct ts_fluid *fluid, double *const u[3]);
+/* Of a scalar at centres: no gradient at faces that are not periodic. */
 void ts_fluid_fill_centred(const struct ts_fluid *fluid, double *field);
+/* Of a pressure: as a scalar, but zero on outlets. */
+void ts_fluid_fill_pressure(const struct ts_fluid *fluid, double *p);
 
 /* Velocity at a place, trilinear between the values of each component; exact at boundary faces with the
  * conditions there. Outside the grid: of the nearest place in it. */

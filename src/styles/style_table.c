@@ -36,6 +36,8 @@ TS_STYLE(command, ts_command_style, ts_command_dump_modify)
 TS_STYLE(command, ts_command_style, ts_command_echo)
 TS_STYLE(command, ts_command_style, ts_command_fix)
 TS_STYLE(command, ts_command_style, ts_command_fix_modify)
+TS_STYLE(command, ts_command_style, ts_command_flow_boundary)
+TS_STYLE(command, ts_command_style, ts_command_flow_set)
 TS_STYLE(command, ts_command_style, ts_command_flow_style)
 TS_STYLE(command, ts_command_style, ts_command_group)
 TS_STYLE(command, ts_command_style, ts_command_hard_particles)
@@ -233,6 +235,7 @@ TS_STYLE(fix, ts_style, ts_fix_viscous)
 TS_STYLE(fix, ts_style, ts_fix_viscous_sphere)
 TS_STYLE(fix, ts_style, ts_fix_wall_gran)
 TS_STYLE(fix, ts_style, ts_fix_wall_reflect)
+TS_STYLE(flow, ts_flow_style, ts_flow_projection)
 TS_STYLE(flow, ts_flow_style, ts_flow_uniform)
 TS_STYLE(pair, ts_pair_style, ts_pair_gran)
 TS_STYLE(pair, ts_pair_style, ts_pair_gran_hertz_history)
@@ -281,6 +284,8 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_command_echo.style,
 	&ts_command_fix.style,
 	&ts_command_fix_modify.style,
+	&ts_command_flow_boundary.style,
+	&ts_command_flow_set.style,
 	&ts_command_flow_style.style,
 	&ts_command_group.style,
 	&ts_command_hard_particles.style,
@@ -478,6 +483,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_viscous_sphere,
 	&ts_fix_wall_gran,
 	&ts_fix_wall_reflect,
+	&ts_flow_projection.style,
 	&ts_flow_uniform.style,
 	&ts_pair_gran.style,
 	&ts_pair_gran_hertz_history.style,

@@ -41,7 +41,9 @@ syn match tsimKeyword /\<label\>/
 syn keyword tsimKeyword  time maxfiles element scale image refresh header buffer compressor
 syn keyword tsimKeyword  none zlib lz4 flush pbc binary fileper nfile screen
 syn match tsimKeyword /\<log\>/ 
-syn keyword tsimKeyword  both type union subtract intersect empty initialize
+syn keyword tsimKeyword  both xlo xhi ylo yhi zlo zhi periodic wall slip inlet outlet
+syn match tsimKeyword /\<velocity\>/ 
+syn keyword tsimKeyword  type union subtract intersect empty initialize
 syn match tsimKeyword /\<clear\>/ 
 syn keyword tsimKeyword  delete dynamic static
 syn match tsimKeyword /\<include\>/ 
@@ -68,8 +70,8 @@ syn keyword tsimKeyword  bias pair ii ij nofix modify noinit discard default mix
 syn keyword tsimKeyword  reduced nchunk limit ids nfreq kspace tensor com average property
 syn keyword tsimKeyword  xcm vcm fcm torque quat angmom masstotal inertia clumptype
 syn keyword tsimKeyword  id_multisphere ex_space ey_space ez_space bond/type region_count
-syn keyword tsimKeyword  tracer periodic reset_marker radius min max ave sumsq avesq sumabs
-syn keyword tsimKeyword  aveabs minabs maxabs inputs peratom update_on_run_end adof cdof
+syn keyword tsimKeyword  tracer reset_marker radius min max ave sumsq avesq sumabs aveabs
+syn keyword tsimKeyword  minabs maxabs inputs peratom update_on_run_end adof cdof
 syn keyword tsimKeyword  primitives reset energy sample running window overwrite title1
 syn keyword tsimKeyword  title2 title3 auto upper lower auto/upper auto/lower full
 syn keyword tsimKeyword  prefactor nevery cell_size_relative parallel basevolume_region
@@ -112,12 +114,11 @@ syn keyword tsimKeyword  heating_normal_hertz heating_tangential_history
 syn keyword tsimKeyword  computeElasticPotential computeDissipatedEnergy
 syn keyword tsimKeyword  disableNormalWhenBonded hooke/history hertz/history limit_damping
 syn keyword tsimKeyword  primitive n_meshes meshes xplane yplane zplane xcylinder ycylinder
-syn keyword tsimKeyword  zcylinder shear
-syn match tsimKeyword /\<velocity\>/ 
-syn keyword tsimKeyword  store_force store_force_contact store_force_contact_stress
-syn keyword tsimKeyword  contacts xlo xhi ylo yhi zlo zhi viscosity generic restitution
-syn keyword tsimKeyword  tolerance iterations unfinished side in out open center bounds
-syn keyword tsimKeyword  angle0
+syn keyword tsimKeyword  zcylinder shear store_force store_force_contact
+syn keyword tsimKeyword  store_force_contact_stress contacts cells viscosity convection
+syn keyword tsimKeyword  donor central quick cubista gamma form fv fd quadratic body_force
+syn keyword tsimKeyword  generic restitution tolerance iterations unfinished side in out
+syn keyword tsimKeyword  open center bounds angle0
 
 " numbers of the simulation and of particles
 syn keyword tsimName  id type radius diameter
@@ -135,7 +136,7 @@ syn keyword tsimName  cellalpha cellbeta cellgamma PI yes no true false on off
 syn match tsimFunction /\<\%(sqrt\|exp\|ln\|log\|abs\|sign\|sin\|cos\|tan\|asin\|acos\|atan\|atan2\|ceil\|floor\|round\|ternary\|random\|normal\|ramp\|vdisplace\|swiggle\|cwiggle\|stagger\|logfreq\|logfreq2\|logfreq3\|stride\|stride2\|sum\|ave\|min\|max\|trap\|slope\|stderr\|sort\|rsort\|next\|is_file\|is_os\|is_defined\|is_active\|is_available\|extract_setting\|volume\|count\|mass\|ke\|gyration\|xcm\|vcm\|fcm\|angmom\|torque\|inertia\|omega\|bound\|property\|gmask\|rmask\|grmask\)\ze(/
 
 " commands, at the start of a line
-syn match tsimCommand /^\s*\%(atom_modify\|atom_style\|balance\|bond_coeff\|bond_style\|boundary\|box\|change_box\|clear\|comm_modify\|comm_style\|communicate\|compute\|compute_modify\|create_atoms\|create_bonds\|create_box\|delete_atoms\|delete_bonds\|dimension\|displace_atoms\|dump\|dump_modify\|echo\|fix\|fix_modify\|flow_style\|group\|hard_particles\|if\|include\|info\|jump\|label\|lattice\|legacy\|log\|mass\|material\|modify_timing\|neigh_modify\|neighbor\|newton\|next\|package\|pair_coeff\|pair_modify\|pair_style\|partition\|partitioner_style\|pressure_style\|print\|processors\|quit\|read_data\|read_dump\|read_restart\|region\|replicate\|rerun\|reset_timestep\|restart\|run\|set\|shell\|soft_particles\|special_bonds\|thermo\|thermo_log\|thermo_modify\|thermo_style\|timer\|timestep\|uncompute\|undump\|unfix\|units\|variable\|velocity\|write_data\|write_dump\|write_restart\|write_restart_on_signal\)\ze\%(\s\|$\)/
+syn match tsimCommand /^\s*\%(atom_modify\|atom_style\|balance\|bond_coeff\|bond_style\|boundary\|box\|change_box\|clear\|comm_modify\|comm_style\|communicate\|compute\|compute_modify\|create_atoms\|create_bonds\|create_box\|delete_atoms\|delete_bonds\|dimension\|displace_atoms\|dump\|dump_modify\|echo\|fix\|fix_modify\|flow_boundary\|flow_set\|flow_style\|group\|hard_particles\|if\|include\|info\|jump\|label\|lattice\|legacy\|log\|mass\|material\|modify_timing\|neigh_modify\|neighbor\|newton\|next\|package\|pair_coeff\|pair_modify\|pair_style\|partition\|partitioner_style\|pressure_style\|print\|processors\|quit\|read_data\|read_dump\|read_restart\|region\|replicate\|rerun\|reset_timestep\|restart\|run\|set\|shell\|soft_particles\|special_bonds\|thermo\|thermo_log\|thermo_modify\|thermo_style\|timer\|timestep\|uncompute\|undump\|unfix\|units\|variable\|velocity\|write_data\|write_dump\|write_restart\|write_restart_on_signal\)\ze\%(\s\|$\)/
 
 " styles, behind their command, name and group
 syn match tsimHead /^\s*fix\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_fix
@@ -190,7 +191,7 @@ syn match tsimHead /^\s*bond_style\s\+/ contains=tsimCommand,tsimVariable nextgr
 syn keyword tsim_bond contained contact
 hi def link tsim_bond Type
 syn match tsimHead /^\s*flow_style\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_flow
-syn keyword tsim_flow contained uniform
+syn keyword tsim_flow contained projection uniform
 hi def link tsim_flow Type
 syn match tsimHead /^\s*pressure_style\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_pressure
 syn keyword tsim_pressure contained cg

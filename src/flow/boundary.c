@@ -1,0 +1,209 @@
+/* Boundary conditions: which there are, what is given there, and whether the flow can be. */
+#include <math.h>
+#include <string.h>
+
+#include "flow/projection.h"
+
+#include "base/banned.h"
+
+const char *const ts_flow_face_names[] = { "periodic", "wall", "slip", "inlet", "outlet", NULL };
+
+/* ---- kinds */
+
+/* The ghost of a component along a wall: the parabola through the wall and two points inside, which makes
+ * its slope at the wall of second order; or the straight line through the first. */
+static void set_mirror(struct ts_fluid *fluid, int d, enum ts_side side, bool straight)
+{
+	const struct ts_grid *grid = &fluid->grid;
+	int n = grid->n[d], first = side == TS_LOW ? 0 : n - 1, second = side == TS_LOW ? 1 : n - 2;
+	double wall = grid->face[d][side == TS_LOW ? 0 : n];
+	double a = fabs(grid->centre[d][first] - wall), b = fabs(grid->centre[d][second] - wall);
+	double *mirror = fluid->mirror[d][side];
+
+	mirror[0] = straight ? 2 : 2 * (a + b) / b;
+	mirror[1] = straight ? -1 : -(a + b) / (b - a);
+	mirror[2] = straight ? 0 : 2 * a * a / (b * (b - a));
+}
+
+static enum ts_status refuse(struct tsim *sim, const struct ts_flow_condition *condition, int d,
+			     enum ts_side side, const char *why)
+{
+	return ts_fail(&sim->error, TS_STATE, &condition->where, "flow_boundary %c%s: %s",
+		       "xyz"[d], side == TS_LOW ? "lo" : "hi", why);
+}
+
+static enum ts_status set_face(struct ts_projection *p, struct tsim *sim, int d, enum ts_side side)
+{
+	struct ts_fluid *fluid = &p->fluid;
+	const struct ts_flow_condition *condition = &p->condition[d][side];
+	bool flat = d >= fluid->grid.dimensions;
+
+	fluid->face[d][side] = condition->said		  ? condition->kind
+			       : fluid->grid.periodic[d] ? TS_FLOW_PERIODIC
+			       : flat			  ? TS_FLOW_SLIP
+							  : TS_FLOW_WALL;
+	if (condition->said && fluid->grid.periodic[d])
+		return refuse(sim, condition, d, side,
+			      "the box is periodic there; choose other faces with the boundary command");
+	if (flat && fluid->face[d][side] != TS_FLOW_SLIP && fluid->face[d][side] != TS_FLOW_PERIODIC)
+		return refuse(sim, condition, d, side,
+			      "with one cell along z nothing varies there: slip or a periodic box only");
+	if (!flat)
+		set_mirror(fluid, d, side, p->wall == TS_WALL_LINEAR);
+	return TS_OK;
+}
+
+enum ts_status ts_projection_faces(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_projection *p = self->state;
+	struct ts_poisson *poisson = &p->poisson;
+
+	poisson->grid = &p->fluid.grid;
+	poisson->singular = true;
+	for (int d = 0; d < 3; d++)
+		for (int side = 0; side < 2; side++) {
+			enum ts_flow_face kind;
+
+			TS_TRY(set_face(p, sim, d, (enum ts_side)side));
+			kind = p->fluid.face[d][side];
+			poisson->condition[d][side] = kind == TS_FLOW_PERIODIC ? TS_PRESSURE_PERIODIC
+						      : kind == TS_FLOW_OUTLET ? TS_PRESSURE_GIVEN
+									       : TS_PRESSURE_NO_GRADIENT;
+			if (kind == TS_FLOW_OUTLET)
+				poisson->singular = false;
+		}
+	return TS_OK;
+}
+
+/* ---- values */
+
+/* Where point i of component c stands along axis a; beyond the grid as its last point, or periodically. */
+static double coordinate(const struct ts_grid *grid, int a, int c, int i)
+{
+	int n = grid->n[a], last = c == a ? n : n - 1;
+
+	if (grid->periodic[a])
+		i = ((i % n) + n) % n;
+	i = i < 0 ? 0 : i > last ? last : i;
+	return c == a ? grid->face[a][i] : grid->centre[a][i];
+}
+
+static enum ts_status value_now(struct tsim *sim, const struct ts_flow_condition *condition, int c,
+				double *out)
+{
+	TS_TRY(ts_number_now(sim, &condition->velocity[c], &condition->where, out));
+	if (!isfinite(*out))
+		return ts_fail(&sim->error, TS_RANGE, &condition->where,
+			       "flow_boundary: the velocity v_%s is %g, which is not a finite number",
+			       condition->velocity[c].variable, *out);
+	return TS_OK;
+}
+
+/* Component c at all points of the face across d. */
+static enum ts_status fill_plane(struct tsim *sim, const struct ts_flow_condition *condition,
+				 const struct ts_grid *grid, int d, enum ts_side side, int c,
+				 double *plane)
+{
+	int a = d == 0, b = d == 2 ? 1 : 2;
+	double x[3];
+
+	x[d] = grid->face[d][side == TS_LOW ? 0 : grid->n[d]];
+	for (int ib = -grid->ghosts[b]; ib <= grid->n[b] + grid->ghosts[b] - 1; ib++)
+		for (int ia = -grid->ghosts[a]; ia <= grid->n[a] + grid->ghosts[a] - 1; ia++) {
+			x[a] = coordinate(grid, a, c, ia);
+			x[b] = coordinate(grid, b, c, ib);
+			TS_TRY(ts_flow_set_coordinates(sim, condition->set, x, &condition->where));
+			TS_TRY(value_now(sim, condition, c,
+					 &plane[ts_flow_plane_at(grid, d, ia, ib)]));
+		}
+	return TS_OK;
+}
+
+static size_t plane_size(const struct ts_grid *grid, int d)
+{
+	int b = d == 2 ? 1 : 2;
+
+	return ts_flow_plane_at(grid, d, 0, grid->n[b] + grid->ghosts[b] + 1);
+}
+
+static enum ts_status evaluate(struct ts_projection *p, struct tsim *sim, int d, enum ts_side side)
+{
+	const struct ts_flow_condition *condition = &p->condition[d][side];
+	const struct ts_grid *grid = &p->fluid.grid;
+	struct ts_flow_given *given = &p->fluid.given[d][side];
+	bool varies = condition->set[0] || condition->set[1] || condition->set[2];
+
+	for (int c = 0; c < grid->dimensions; c++) {
+		if (!condition->velocity[c].variable || !varies) {
+			ts_free(given->plane[c]);
+			given->plane[c] = NULL;
+			TS_TRY(value_now(sim, condition, c, &given->constant[c]));
+			continue;
+		}
+		if (!given->plane[c])
+			given->plane[c] = ts_alloc(plane_size(grid, d), sizeof(double));
+		if (!given->plane[c])
+			return ts_nomem(&sim->error);
+		TS_TRY(fill_plane(sim, condition, grid, d, side, c, given->plane[c]));
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_projection_boundary(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_projection *p = self->state;
+
+	for (int d = 0; d < p->fluid.grid.dimensions; d++)
+		for (int side = 0; side < 2; side++)
+			TS_TRY(evaluate(p, sim, d, (enum ts_side)side));
+	return TS_OK;
+}
+
+/* ---- what flows in must flow out */
+
+/* Flow outwards through one face of the grid, and the sum of its sizes. */
+static double flow_out(const struct ts_fluid *fluid, int d, enum ts_side side, double *size)
+{
+	const struct ts_grid *grid = &fluid->grid;
+	int a = d == 0, b = d == 2 ? 1 : 2;
+	size_t first = ts_at(grid, 0, 0, 0) +
+		       (side == TS_LOW ? 0 : (size_t)(grid->n[d] * grid->stride[d]));
+	double sum = 0;
+
+	for (int ib = 0; ib < grid->n[b]; ib++)
+		for (int ia = 0; ia < grid->n[a]; ia++) {
+			size_t at = first + (size_t)(ia * grid->stride[a] + ib * grid->stride[b]);
+			double flow = fluid->u[d][at] * grid->width[a][ia] * grid->width[b][ib];
+
+			if (fluid->empty_face[d])
+				flow *= fluid->empty_face[d][at];
+			sum += flow;
+			*size += fabs(flow);
+		}
+	return side == TS_LOW ? -sum : sum;
+}
+
+enum ts_status ts_projection_balance(struct ts_instance *self, struct tsim *sim, double *mean)
+{
+	static const double UNEVEN = 1e-9; /* far above round-off */
+	struct ts_projection *p = self->state;
+	const struct ts_grid *grid = &p->fluid.grid;
+	double net = 0, size = 0, volume = 1;
+
+	*mean = 0;
+	if (!p->poisson.singular)
+		return TS_OK;
+	for (int d = 0; d < grid->dimensions; d++)
+		for (int side = 0; side < 2 && !grid->periodic[d]; side++)
+			net += flow_out(&p->fluid, d, (enum ts_side)side, &size);
+	if (fabs(net) > UNEVEN * size)
+		return ts_fail(&sim->error, TS_PHYSICS, &self->where,
+			       "the fluid cannot %s: through all faces together it flows %s at %g per "
+			       "time, and it is incompressible; make a face an outlet (flow_boundary "
+			       "xhi outlet) or let the velocities given balance",
+			       net < 0 ? "leave" : "come in", net < 0 ? "in" : "out", fabs(net));
+	for (int d = 0; d < 3; d++)
+		volume *= grid->face[d][grid->n[d]] - grid->face[d][0];
+	*mean = net / volume;
+	return TS_OK;
+}

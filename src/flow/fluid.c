@@ -1,0 +1,93 @@
+#include "flow/fluid.h"
+
+#include "flow/flow.h"
+
+#include "base/banned.h"
+
+enum ts_status ts_fluid_make(struct ts_fluid *fluid)
+{
+	for (int d = 0; d < 3; d++)
+		if (!(fluid->u[d] = ts_grid_field(&fluid->grid)))
+			return TS_NOMEM;
+	fluid->p = ts_grid_field(&fluid->grid);
+	return fluid->p ? TS_OK : TS_NOMEM;
+}
+
+static void release_vector(double *field[3])
+{
+	for (int d = 0; d < 3; d++) {
+		ts_grid_field_free(field[d]);
+		field[d] = NULL;
+	}
+}
+
+void ts_fluid_release(struct ts_fluid *fluid)
+{
+	double **const scalars[] = { &fluid->p, &fluid->empty, &fluid->empty_rate };
+
+	release_vector(fluid->u);
+	release_vector(fluid->force);
+	release_vector(fluid->exchange);
+	release_vector(fluid->empty_face);
+	for (size_t k = 0; k < sizeof scalars / sizeof *scalars; k++) {
+		ts_grid_field_free(*scalars[k]);
+		*scalars[k] = NULL;
+	}
+	for (int d = 0; d < 3; d++)
+		for (int side = 0; side < 2; side++)
+			release_vector(fluid->given[d][side].plane);
+	ts_grid_release(&fluid->grid);
+}
+
+static enum ts_status want_field(const struct ts_grid *grid, double **field, double value)
+{
+	if (*field)
+		return TS_OK;
+	*field = ts_grid_field(grid);
+	for (size_t k = 0; *field && value != 0 && k < grid->size; k++)
+		(*field)[k] = value;
+	return *field ? TS_OK : TS_NOMEM;
+}
+
+static enum ts_status want_vector(const struct ts_grid *grid, double *field[3], double value)
+{
+	for (int d = 0; d < 3; d++)
+		TS_TRY(want_field(grid, &field[d], value));
+	return TS_OK;
+}
+
+enum ts_status ts_fluid_want(struct ts_fluid *fluid, struct tsim *sim, unsigned fields)
+{
+	const struct ts_grid *grid = &fluid->grid;
+	enum ts_status status = TS_OK;
+
+	if (fields & TS_FLUID_FORCE)
+		status = want_vector(grid, fluid->force, 0);
+	if (fields & TS_FLUID_EXCHANGE && status == TS_OK)
+		status = want_vector(grid, fluid->exchange, 0);
+	if (fields & TS_FLUID_VOID && status == TS_OK)
+		status = want_field(grid, &fluid->empty, 1);
+	if (fields & TS_FLUID_VOID && status == TS_OK)
+		status = want_field(grid, &fluid->empty_rate, 0);
+	if (fields & TS_FLUID_VOID && status == TS_OK)
+		status = want_vector(grid, fluid->empty_face, 1);
+	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
+}
+
+enum ts_status ts_flow_require_fluid(struct tsim *sim, const char *who, const struct ts_place *where,
+				     struct ts_fluid **out)
+{
+	struct ts_instance *flow = ts_sim_only(sim, TS_KIND_FLOW);
+
+	*out = NULL;
+	if (!flow)
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "%s needs a fluid: use flow_style projection before it", who);
+	if (!ts_flow_style_of(flow)->fluid)
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "%s needs a fluid that is solved for, which flow_style %s is not: use "
+			       "flow_style projection before it",
+			       who, flow->style->name);
+	*out = ts_flow_style_of(flow)->fluid(flow);
+	return TS_OK;
+}

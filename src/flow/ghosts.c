@@ -1,0 +1,203 @@
+/* Ghost cells: what the boundary conditions make of the fields outside of the grid. */
+#include "flow/fluid.h"
+
+#include "base/banned.h"
+
+/* A line of values across a face: inner[0] is the first one inside, inner[step] the next, inner[-step] the
+ * first ghost. */
+enum rule {
+	RULE_MIRROR, /* along a wall: the velocity given, on the face itself */
+	RULE_EVEN,   /* symmetric about the face */
+	RULE_OUT,    /* no gradient; nothing comes in with backflow */
+	RULE_ODD     /* zero on the face, which lies between two values */
+};
+
+static inline void fill_line(enum rule rule, double *inner, ptrdiff_t step, double given,
+			     const double mirror[3])
+{
+	switch (rule) {
+	case RULE_MIRROR:
+		inner[-step] = mirror[0] * given + mirror[1] * inner[0] + mirror[2] * inner[step];
+		inner[-2 * step] = 2 * inner[-step] - inner[0];
+		break;
+	case RULE_EVEN:
+		inner[-step] = inner[0];
+		inner[-2 * step] = inner[step];
+		break;
+	case RULE_OUT: /* given: 1 where the fluid leaves */
+		inner[-step] = inner[-2 * step] = given * inner[0];
+		break;
+	case RULE_ODD:
+		inner[-step] = -inner[0];
+		inner[-2 * step] = -inner[step];
+		break;
+	}
+}
+
+/* The plane of lines across axis d: its other axes and how far they go, ghosts included. */
+struct plane {
+	int d, a, b, from[3], to[3];
+};
+
+static struct plane plane_across(const struct ts_grid *grid, int d)
+{
+	struct plane plane = { .d = d, .a = d == 0, .b = d == 2 ? 1 : 2 };
+
+	for (int k = 0; k < 3; k++) {
+		plane.from[k] = -grid->ghosts[k];
+		plane.to[k] = grid->n[k] + grid->ghosts[k];
+	}
+	return plane;
+}
+
+static inline ptrdiff_t plane_offset(const struct ts_grid *grid, const struct plane *plane, int ia,
+				     int ib)
+{
+	return (ptrdiff_t)grid->origin + ia * grid->stride[plane->a] + ib * grid->stride[plane->b];
+}
+
+static void wrap(const struct ts_grid *grid, double *field, int d)
+{
+	struct plane plane = plane_across(grid, d);
+	ptrdiff_t s = grid->stride[d];
+	int n = grid->n[d], g = grid->ghosts[d];
+
+	for (int ib = plane.from[plane.b]; ib < plane.to[plane.b]; ib++)
+		for (int ia = plane.from[plane.a]; ia < plane.to[plane.a]; ia++) {
+			double *at = field + plane_offset(grid, &plane, ia, ib);
+
+			for (int k = 1; k <= g; k++) {
+				at[-k * s] = at[(((-k) % n + n) % n) * s];
+				at[(n - 1 + k) * s] = at[((k - 1) % n) * s];
+			}
+		}
+}
+
+static double given_at(const struct ts_flow_given *given, const struct ts_grid *grid, int d, int c,
+		       int ia, int ib)
+{
+	return given->plane[c] ? given->plane[c][ts_flow_plane_at(grid, d, ia, ib)]
+			       : given->constant[c];
+}
+
+/* ---- the component across the face */
+
+static void fill_across(const struct ts_fluid *fluid, double *u, int d, enum ts_side side)
+{
+	const struct ts_grid *grid = &fluid->grid;
+	struct plane plane = plane_across(grid, d);
+	ptrdiff_t s = side == TS_LOW ? grid->stride[d] : -grid->stride[d];
+	ptrdiff_t face = side == TS_LOW ? 0 : grid->n[d] * grid->stride[d];
+	enum ts_flow_face kind = fluid->face[d][side];
+
+	for (int ib = plane.from[plane.b]; ib < plane.to[plane.b]; ib++)
+		for (int ia = plane.from[plane.a]; ia < plane.to[plane.a]; ia++) {
+			double *at = u + plane_offset(grid, &plane, ia, ib) + face;
+			double out = at[0] * (double)(side == TS_LOW ? -1 : 1);
+
+			if (kind == TS_FLOW_SLIP)
+				at[0] = 0;
+			else if (kind != TS_FLOW_OUTLET)
+				at[0] = given_at(&fluid->given[d][side], grid, d, d, ia, ib);
+			at[-s] = kind != TS_FLOW_OUTLET ? 2 * at[0] - at[s] : out > 0 ? at[0] : 0;
+			if (side == TS_LOW) /* above the upper face there is one layer */
+				at[-2 * s] = 2 * at[-s] - at[0];
+		}
+}
+
+/* ---- components along the face */
+
+/* 1 where the fluid leaves through an outlet beside a point of component c, else 0. */
+static double leaves(const struct ts_grid *grid, const double *across, ptrdiff_t at, int c,
+		     enum ts_side side)
+{
+	double u = across[at] + across[at - grid->stride[c]];
+
+	return (side == TS_LOW ? -u : u) > 0;
+}
+
+static void fill_along(const struct ts_fluid *fluid, double *const u[3], int c, int d,
+		       enum ts_side side)
+{
+	const struct ts_grid *grid = &fluid->grid;
+	struct plane plane = plane_across(grid, d);
+	ptrdiff_t s = side == TS_LOW ? grid->stride[d] : -grid->stride[d];
+	ptrdiff_t first = side == TS_LOW ? 0 : (grid->n[d] - 1) * grid->stride[d];
+	ptrdiff_t face = side == TS_LOW ? 0 : grid->n[d] * grid->stride[d];
+	enum ts_flow_face kind = fluid->face[d][side];
+	enum rule rule = kind == TS_FLOW_SLIP ? RULE_EVEN : kind == TS_FLOW_OUTLET ? RULE_OUT : RULE_MIRROR;
+
+	for (int ib = plane.from[plane.b]; ib < plane.to[plane.b]; ib++)
+		for (int ia = plane.from[plane.a]; ia < plane.to[plane.a]; ia++) {
+			ptrdiff_t at = plane_offset(grid, &plane, ia, ib);
+			bool lowest = (c == plane.a ? ia : ib) == plane.from[c];
+			double given = 0;
+
+			if (rule == RULE_MIRROR)
+				given = given_at(&fluid->given[d][side], grid, d, c, ia, ib);
+			else if (rule == RULE_OUT && !lowest)
+				given = leaves(grid, u[d], at + face, c, side);
+			fill_line(rule, u[c] + at + first, s, given, fluid->mirror[d][side]);
+		}
+}
+
+void ts_fluid_fill_velocity(const struct ts_fluid *fluid, double *const u[3])
+{
+	const struct ts_grid *grid = &fluid->grid;
+
+	/* Components across first: whether fluid leaves decides about those along. Axis by axis, each with
+	 * the ghosts of those before it, so that edges and corners are filled as well. */
+	for (int d = 0; d < grid->dimensions; d++)
+		for (int turn = 0; turn < grid->dimensions; turn++) {
+			int c = (d + turn) % grid->dimensions;
+
+			if (grid->periodic[d]) {
+				wrap(grid, u[c], d);
+				continue;
+			}
+			for (int side = 0; side < 2; side++)
+				if (c == d)
+					fill_across(fluid, u[c], d, (enum ts_side)side);
+				else
+					fill_along(fluid, u, c, d, (enum ts_side)side);
+		}
+}
+
+/* ---- what lives in centres */
+
+static void fill_side(const struct ts_grid *grid, double *field, int d, enum ts_side side,
+		      enum rule rule)
+{
+	struct plane plane = plane_across(grid, d);
+	ptrdiff_t s = side == TS_LOW ? grid->stride[d] : -grid->stride[d];
+	ptrdiff_t first = side == TS_LOW ? 0 : (grid->n[d] - 1) * grid->stride[d];
+
+	for (int ib = plane.from[plane.b]; ib < plane.to[plane.b]; ib++)
+		for (int ia = plane.from[plane.a]; ia < plane.to[plane.a]; ia++)
+			fill_line(rule, field + plane_offset(grid, &plane, ia, ib) + first, s, 0, NULL);
+}
+
+static void fill_centred(const struct ts_fluid *fluid, double *field, enum rule at_outlet)
+{
+	const struct ts_grid *grid = &fluid->grid;
+
+	for (int d = 0; d < grid->dimensions; d++) {
+		if (grid->periodic[d]) {
+			wrap(grid, field, d);
+			continue;
+		}
+		for (int side = 0; side < 2; side++)
+			fill_side(grid, field, d, (enum ts_side)side,
+				  fluid->face[d][side] == TS_FLOW_OUTLET ? at_outlet : RULE_EVEN);
+	}
+}
+
+void ts_fluid_fill_centred(const struct ts_fluid *fluid, double *field)
+{
+	fill_centred(fluid, field, RULE_EVEN);
+}
+
+void ts_fluid_fill_pressure(const struct ts_fluid *fluid, double *p)
+{
+	fill_centred(fluid, p, RULE_ODD);
+}

@@ -1,0 +1,56 @@
+/* Convection and diffusion on the staggered grid, in rows.
+ *
+ * For component c the rate of change without pressure, on the control volume around its face:
+ *   - sum_e [q_e phi]/width + nu sum_e d/de (du_c/de)
+ * q_e the velocity across the sides of the control volume, phi = u_c there by a convection scheme.
+ * Second order on smooth grids: both differences are centred (donor cell: first order as far as gamma). */
+#ifndef TS_FLOW_OPERATORS_H
+#define TS_FLOW_OPERATORS_H
+
+#include "flow/fluid.h"
+
+/* Coefficients along one axis for values at points of that axis: centres, or faces. Side m lies between
+ * points m - 1 and m. By index from -1 to n. */
+struct ts_line {
+	const double *inverse; /* 1/width of the control volume of point m */
+	const double *below, *above; /* diffusion: 1/(width of the volume * distance to the neighbour) */
+	const double *part;    /* linear interpolation at side m: what point m - 1 counts; m: the rest */
+	/* Quadratic: up (flow towards higher m) of the points m - 2, m - 1, m; down of m + 1, m, m - 1. */
+	const double *up[3], *down[3];
+};
+
+struct ts_operators {
+	struct ts_line centred[3], staggered[3];
+	const double *mass[3]; /* at face m: what the velocity of cell m - 1 counts for the flow across, m: the rest */
+	double *memory;
+};
+
+enum ts_status ts_operators_make(struct ts_operators *operators, const struct ts_grid *grid);
+void ts_operators_release(struct ts_operators *operators);
+
+/* How phi is found; the table in convection.c. */
+enum ts_convection { TS_CONVECTION_DONOR, TS_CONVECTION_CENTRAL, TS_CONVECTION_QUICK,
+		     TS_CONVECTION_CUBISTA, TS_NCONVECTION };
+enum ts_form { TS_FORM_VOLUME, TS_FORM_DIFFERENCE };
+extern const char *const ts_convection_names[], *const ts_form_names[];
+
+/* out = keep * old + take * (u + dt rate(u)) at all faces where the velocity is not given. */
+struct ts_predictor {
+	const struct ts_fluid *fluid;
+	const struct ts_operators *operators;
+	enum ts_convection convection;
+	enum ts_form form;
+	double gamma;	    /* donor cell: share of upwind */
+	double nu;	    /* kinematic viscosity */
+	double acceleration[3];
+	double dt, keep, take;
+	const double *u[3], *old[3];
+	double *out[3];
+	int threads;
+};
+void ts_predict(const struct ts_predictor *predictor);
+
+/* The faces of component c between which the momentum equation holds: from[d] <= index < to[d]. */
+void ts_flow_unknowns(const struct ts_fluid *fluid, int c, int from[3], int to[3]);
+
+#endif

@@ -1,0 +1,164 @@
+/* The predictor: convection and diffusion of all components in one pass over the rows of the grid. */
+#include <math.h>
+
+#include "flow/convection.h"
+#include "flow/operators.h"
+
+#include "base/banned.h"
+
+void ts_flow_unknowns(const struct ts_fluid *fluid, int c, int from[3], int to[3])
+{
+	const struct ts_grid *grid = &fluid->grid;
+
+	for (int d = 0; d < 3; d++) {
+		from[d] = 0;
+		to[d] = grid->n[d];
+	}
+	if (grid->periodic[c])
+		return;
+	from[c] = fluid->face[c][TS_LOW] == TS_FLOW_OUTLET ? 0 : 1;
+	to[c] = fluid->face[c][TS_HIGH] == TS_FLOW_OUTLET ? grid->n[c] + 1 : grid->n[c];
+}
+
+/* Coefficients of a line at one point. */
+struct at_point {
+	double inverse, below, above;
+	struct ts_side_weights low, high;
+};
+
+static inline __attribute__((always_inline)) struct at_point at_point(const struct ts_line *line, int m)
+{
+	return (struct at_point){
+		line->inverse[m], line->below[m], line->above[m],
+		{ line->part[m], { line->up[0][m], line->up[1][m], line->up[2][m] },
+		  { line->down[0][m], line->down[1][m], line->down[2][m] } },
+		{ line->part[m + 1], { line->up[0][m + 1], line->up[1][m + 1], line->up[2][m + 1] },
+		  { line->down[0][m + 1], line->down[1][m + 1], line->down[2][m + 1] } },
+	};
+}
+
+/* What direction e adds to the rate of change of component c at place `at`. */
+static inline __attribute__((always_inline)) double
+along(const struct at_point *p, const double *u, const double *q, ptrdiff_t at, ptrdiff_t se,
+      ptrdiff_t sc, bool same, double mass, double nu, double gamma, enum ts_convection scheme,
+      enum ts_form form)
+{
+	double here = u[at], low = u[at - se], high = u[at + se];
+	double q_low, q_high, rate;
+
+	if (same) { /* centres of cells: midway between two faces */
+		q_low = 0.5 * (low + here);
+		q_high = 0.5 * (here + high);
+	} else { /* edges: flow through the halves of two cells */
+		q_low = mass * q[at - sc] + (1 - mass) * q[at];
+		q_high = mass * q[at - sc + se] + (1 - mass) * q[at + se];
+	}
+	if (form == TS_FORM_VOLUME) {
+		double phi_low = ts_side_value(scheme, gamma, q_low, u[at - 2 * se], low, here, high,
+					       &p->low);
+		double phi_high = ts_side_value(scheme, gamma, q_high, low, here, high, u[at + 2 * se],
+						&p->high);
+
+		rate = (q_low * phi_low - q_high * phi_high) * p->inverse;
+	} else {
+		rate = ts_advection(scheme, gamma, same ? here : 0.5 * (q_low + q_high), high - here,
+				    here - low, p->above, p->below, p->inverse);
+	}
+	return rate + nu * (p->above * (high - here) - p->below * (here - low));
+}
+
+struct row {
+	const struct ts_predictor *p;
+	int j, k, from, to;
+	ptrdiff_t at; /* of i = 0 */
+};
+
+static inline __attribute__((always_inline)) void predict_row(const struct row *row, int c, int dimensions,
+							      enum ts_convection scheme, enum ts_form form)
+{
+	const struct ts_predictor *p = row->p;
+	const struct ts_operators *o = p->operators;
+	const struct ts_grid *grid = &p->fluid->grid;
+	const struct ts_line line = c == 0 ? o->staggered[0] : o->centred[0];
+	const struct at_point y = at_point(c == 1 ? &o->staggered[1] : &o->centred[1], row->j);
+	const struct at_point z = dimensions == 3 ? at_point(c == 2 ? &o->staggered[2] : &o->centred[2],
+							    row->k)
+						  : y;
+	const double *mass_x = o->mass[0];
+	const double mass_c = c == 1 ? o->mass[1][row->j] : c == 2 ? o->mass[2][row->k] : 0;
+	const ptrdiff_t sy = grid->stride[1], sz = grid->stride[2], sc = c == 0 ? 1 : c == 1 ? sy : sz;
+	const double *ux = p->u[0] + row->at, *uy = p->u[1] + row->at, *uz = p->u[2] + row->at;
+	const double *u = p->u[c] + row->at, *old = p->old[c] + row->at;
+	double *restrict out = p->out[c] + row->at;
+	const double nu = p->nu, gamma = p->gamma, keep = p->keep, take = p->take, dt = p->dt;
+	const double acceleration = p->acceleration[c];
+
+#pragma omp simd
+	for (int i = row->from; i < row->to; i++) {
+		const struct at_point x = at_point(&line, i);
+		double mass = c == 0 ? mass_x[i] : mass_c;
+		double rate = acceleration;
+
+		rate += along(&x, u, ux, i, 1, sc, c == 0, mass, nu, gamma, scheme, form);
+		rate += along(&y, u, uy, i, sy, sc, c == 1, mass, nu, gamma, scheme, form);
+		if (dimensions == 3)
+			rate += along(&z, u, uz, i, sz, sc, c == 2, mass, nu, gamma, scheme, form);
+		out[i] = keep * old[i] + take * (u[i] + dt * rate);
+	}
+}
+
+typedef void row_fn(const struct row *row);
+
+#define ROW(name, c, dimensions, scheme, form)                                                     \
+	static void name##_##c(const struct row *row)                                              \
+	{                                                                                          \
+		predict_row(row, c, dimensions, scheme, form);                                     \
+	}
+#define ROWS(name, scheme, form)                                                                   \
+	ROW(name##_2, 0, 2, scheme, form)                                                          \
+	ROW(name##_2, 1, 2, scheme, form)                                                          \
+	ROW(name##_3, 0, 3, scheme, form)                                                          \
+	ROW(name##_3, 1, 3, scheme, form)                                                          \
+	ROW(name##_3, 2, 3, scheme, form)
+#define ENTRIES(name)                                                                              \
+	{                                                                                          \
+		{ name##_2_0, name##_2_1, NULL }, { name##_3_0, name##_3_1, name##_3_2 }           \
+	}
+
+ROWS(donor, TS_CONVECTION_DONOR, TS_FORM_VOLUME)
+ROWS(central, TS_CONVECTION_CENTRAL, TS_FORM_VOLUME)
+ROWS(quick, TS_CONVECTION_QUICK, TS_FORM_VOLUME)
+ROWS(cubista, TS_CONVECTION_CUBISTA, TS_FORM_VOLUME)
+ROWS(donor_difference, TS_CONVECTION_DONOR, TS_FORM_DIFFERENCE)
+
+static row_fn *const rows[TS_NCONVECTION][2][3] = {
+	[TS_CONVECTION_DONOR] = ENTRIES(donor),
+	[TS_CONVECTION_CENTRAL] = ENTRIES(central),
+	[TS_CONVECTION_QUICK] = ENTRIES(quick),
+	[TS_CONVECTION_CUBISTA] = ENTRIES(cubista),
+};
+/* Central differences are the donor cell's with gamma 0. */
+static row_fn *const difference_rows[2][3] = ENTRIES(donor_difference);
+
+void ts_predict(const struct ts_predictor *p)
+{
+	const struct ts_grid *grid = &p->fluid->grid;
+	row_fn *const *row_of = p->form == TS_FORM_DIFFERENCE ? difference_rows[grid->dimensions - 2]
+							      : rows[p->convection][grid->dimensions - 2];
+	int from[3][3], to[3][3], height = grid->n[1] + 1;
+	long total = (long)height * (grid->n[2] + (grid->dimensions == 3));
+
+	for (int c = 0; c < grid->dimensions; c++)
+		ts_flow_unknowns(p->fluid, c, from[c], to[c]);
+#pragma omp parallel for num_threads(p->threads) schedule(static)
+	for (long line = 0; line < total; line++) {
+		int j = (int)(line % height), k = (int)(line / height);
+
+		for (int c = 0; c < grid->dimensions; c++) {
+			struct row row = { p, j, k, from[c][0], to[c][0], (ptrdiff_t)ts_at(grid, 0, j, k) };
+
+			if (j >= from[c][1] && j < to[c][1] && k >= from[c][2] && k < to[c][2])
+				row_of[c](&row);
+		}
+	}
+}

@@ -1,0 +1,146 @@
+/* The projection: pressure that makes the velocity free of divergence. */
+#include <math.h>
+#include <string.h>
+
+#include "flow/projection.h"
+
+#include "base/banned.h"
+
+/* Net flow out of the cells of a row per volume. */
+static void divergence_row(const struct ts_fluid *fluid, int j, int k, double *out)
+{
+	const struct ts_grid *grid = &fluid->grid;
+	const size_t at = ts_at(grid, 0, j, k);
+	const ptrdiff_t sy = grid->stride[1], sz = grid->stride[2];
+	const double *u = fluid->u[0] + at, *v = fluid->u[1] + at, *w = fluid->u[2] + at;
+	const double *width = grid->width[0], wy = 1 / grid->width[1][j];
+	const double wz = grid->dimensions == 3 ? 1 / grid->width[2][k] : 0;
+	const int n = grid->n[0];
+
+	if (grid->dimensions == 3) {
+#pragma omp simd
+		for (int i = 0; i < n; i++)
+			out[i] = (u[i + 1] - u[i]) / width[i] + (v[i + sy] - v[i]) * wy +
+				 (w[i + sz] - w[i]) * wz;
+	} else {
+#pragma omp simd
+		for (int i = 0; i < n; i++)
+			out[i] = (u[i + 1] - u[i]) / width[i] + (v[i + sy] - v[i]) * wy;
+	}
+}
+
+static double largest(const double *row, int n)
+{
+	double most = 0;
+
+	for (int i = 0; i < n; i++)
+		most = fabs(row[i]) > most ? fabs(row[i]) : most;
+	return most;
+}
+
+/* rhs = scale (div u - mean); returns the largest |div u|. */
+static double divergence(const struct ts_projection *p, double scale, double mean)
+{
+	const struct ts_grid *grid = &p->fluid.grid;
+	long rows = (long)grid->n[1] * grid->n[2];
+	double most = 0;
+
+#pragma omp parallel for num_threads(p->poisson.threads) schedule(static) reduction(max : most)
+	for (long line = 0; line < rows; line++) {
+		int j = (int)(line % grid->n[1]), k = (int)(line / grid->n[1]);
+		double *row = p->rhs + ts_at(grid, 0, j, k);
+
+		divergence_row(&p->fluid, j, k, row);
+		most = fmax(most, largest(row, grid->n[0]));
+		for (int i = 0; i < grid->n[0]; i++)
+			row[i] = scale * (row[i] - mean);
+	}
+	return most;
+}
+
+/* u -= factor grad p on the faces of component c where it is not given. */
+static void correct_row(const struct ts_fluid *fluid, int c, int j, int k, int from, int to, double factor)
+{
+	const struct ts_grid *grid = &fluid->grid;
+	const size_t at = ts_at(grid, 0, j, k);
+	const ptrdiff_t s = grid->stride[c];
+	const double *p = fluid->p + at, *gap = grid->gap[0];
+	double *u = fluid->u[c] + at;
+
+	if (c == 0) {
+#pragma omp simd
+		for (int i = from; i < to; i++)
+			u[i] -= factor * (p[i] - p[i - 1]) / gap[i];
+	} else {
+		factor /= grid->gap[c][c == 1 ? j : k];
+#pragma omp simd
+		for (int i = from; i < to; i++)
+			u[i] -= factor * (p[i] - p[i - s]);
+	}
+}
+
+static void correct(const struct ts_projection *p, double factor)
+{
+	const struct ts_grid *grid = &p->fluid.grid;
+	int from[3][3], to[3][3], height = grid->n[1] + 1;
+	long rows = (long)height * (grid->n[2] + (grid->dimensions == 3));
+
+	for (int c = 0; c < grid->dimensions; c++)
+		ts_flow_unknowns(&p->fluid, c, from[c], to[c]);
+#pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
+	for (long line = 0; line < rows; line++) {
+		int j = (int)(line % height), k = (int)(line / height);
+
+		for (int c = 0; c < grid->dimensions; c++)
+			if (j >= from[c][1] && j < to[c][1] && k >= from[c][2] && k < to[c][2])
+				correct_row(&p->fluid, c, j, k, from[c][0], to[c][0], factor);
+	}
+}
+
+static enum ts_status solver(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_projection *p = self->state;
+	struct ts_instance *pressure;
+
+	if (p->pressure && p->removals == sim->removals)
+		return TS_OK;
+	TS_TRY(ts_pressure_choose(sim, &p->poisson, &self->where, &pressure));
+	TS_TRY(ts_pressure_style_of(pressure)->prepare(pressure, sim, &p->poisson));
+	p->pressure = pressure;
+	p->removals = sim->removals;
+	return TS_OK;
+}
+
+enum ts_status ts_projection_project(struct ts_instance *self, struct tsim *sim, double dt)
+{
+	struct ts_projection *p = self->state;
+	struct ts_fluid *fluid = &p->fluid;
+	struct ts_poisson_report report = { 0 };
+	double mean;
+
+	TS_TRY(solver(self, sim));
+	ts_fluid_fill_velocity(fluid, fluid->u);
+	TS_TRY(ts_projection_balance(self, sim, &mean));
+	divergence(p, fluid->density / dt, mean);
+	TS_TRY(ts_pressure_style_of(p->pressure)->solve(p->pressure, sim, p->rhs, fluid->p, &report));
+	fluid->iterations = report.iterations;
+	ts_fluid_fill_pressure(fluid, fluid->p);
+	correct(p, dt / fluid->density);
+	ts_fluid_fill_velocity(fluid, fluid->u);
+	fluid->divergence = divergence(p, 1, 0);
+	return TS_OK;
+}
+
+enum ts_status ts_projection_start(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_projection *p = self->state;
+	struct ts_fluid *fluid = &p->fluid;
+	const struct ts_grid *grid = &fluid->grid;
+
+	/* Any time step gives the same velocity; this one makes numbers of the size of 1. */
+	TS_TRY(ts_projection_project(self, sim, fluid->density * grid->width[0][0]));
+	memset(fluid->p, 0, grid->size * sizeof *fluid->p);
+	p->fluid.steps = 0;
+	p->fluid.time = ts_sim_time(sim);
+	return TS_OK;
+}

@@ -1,0 +1,90 @@
+/* Command flow_set: the velocity with which the fluid begins. */
+#include "flow/projection.h"
+
+#include <math.h>
+
+#include "base/banned.h"
+
+struct state {
+	struct ts_words velocity, set;
+};
+
+struct field {
+	struct ts_number velocity[3];
+	const char *set[3];
+};
+
+static enum ts_status fill(struct tsim *sim, const struct field *f, struct ts_fluid *fluid, int c,
+			   const struct ts_place *where)
+{
+	const struct ts_grid *grid = &fluid->grid;
+	int top[3];
+
+	for (int d = 0; d < 3; d++)
+		top[d] = grid->n[d] + (d == c && grid->ghosts[d]);
+	for (int k = 0; k < top[2]; k++)
+		for (int j = 0; j < top[1]; j++)
+			for (int i = 0; i < top[0]; i++) {
+				const double x[3] = { (c == 0 ? grid->face : grid->centre)[0][i],
+						      (c == 1 ? grid->face : grid->centre)[1][j],
+						      (c == 2 ? grid->face : grid->centre)[2][k] };
+				double *u = &fluid->u[c][ts_at(grid, i, j, k)];
+
+				TS_TRY(ts_flow_set_coordinates(sim, f->set, x, where));
+				TS_TRY(ts_number_now(sim, &f->velocity[c], where, u));
+				if (!isfinite(*u))
+					return ts_fail(&sim->error, TS_RANGE, where,
+						       "flow_set: the velocity at (%g %g %g) would be %g",
+						       x[0], x[1], x[2], *u);
+			}
+	return TS_OK;
+}
+
+static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	const struct state *s = state;
+	struct ts_arena arena = { 0 };
+	struct field field = { 0 };
+	struct ts_projection *p;
+	struct ts_instance *flow;
+	enum ts_status status;
+
+	TS_TRY(ts_projection_require(sim, "flow_set", where, &flow, &p));
+	status = ts_flow_read_vector(sim, "flow_set: velocity", s->velocity, where, &arena, field.velocity);
+	if (status == TS_OK)
+		status = ts_flow_read_set(sim, "flow_set: set", s->set, where, &arena, field.set);
+	for (int c = 0; c < p->fluid.grid.dimensions && status == TS_OK; c++)
+		status = fill(sim, &field, &p->fluid, c, where);
+	ts_arena_release(&arena);
+	TS_TRY(status);
+	TS_TRY(ts_projection_prepare(flow, sim));
+	return ts_projection_start(flow, sim);
+}
+
+static const struct ts_arg args[] = {
+	TS_LIST_KEYWORD("velocity", struct state, velocity, .flags = TS_TO_KEYWORD,
+			.help = "VX VY VZ: numbers or v_NAME"),
+	TS_SOME_KEYWORD("set", struct state, set, TS_REPEAT,
+			.help = "x|y|z name: internal-style variable that gets the coordinate of each point "
+				"before the velocity is evaluated; may be repeated"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(command, ts_command_style, ts_command_flow_set)
+const struct ts_command_style ts_command_flow_set = {
+	.style = { .name = "flow_set",
+		   .kind = TS_KIND_COMMAND,
+		   .summary = "Sets the velocity of the fluid",
+		   .doc = "Each component is evaluated at its own points on the faces of the cells. The field is "
+			  "then made free of divergence by a projection, so flow_boundary comes before. Without "
+			  "flow_set the fluid begins at rest.",
+		   .example = "variable xx internal 0\n"
+			      "variable yy internal 0\n"
+			      "variable u equal sin(v_xx)*cos(v_yy)\n"
+			      "variable v equal -cos(v_xx)*sin(v_yy)\n"
+			      "flow_set velocity v_u v_v 0 set x xx set y yy",
+		   .args = args,
+		   .state_size = sizeof(struct state) },
+	.needs_box = true,
+	.run = run,
+};

@@ -1,0 +1,179 @@
+#include "flow/projection.h"
+
+#include <math.h>
+
+#include "core/plan.h"
+
+#include "base/banned.h"
+
+static const char *const wall_forms[] = { "quadratic", "linear", NULL };
+
+/* ---- life */
+
+static const struct ts_arg cell_rows[] = {
+	TS_INT("NX", struct ts_projection, cells[0], .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1,
+	       .hi = 1e6, .help = "along x"),
+	TS_INT("NY", struct ts_projection, cells[1], .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1,
+	       .hi = 1e6, .help = "along y"),
+	TS_INT("NZ", struct ts_projection, cells[2], .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1,
+	       .hi = 1e6, .help = "along z"),
+	TS_ARGS_END,
+};
+
+static enum ts_status read_words(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_projection *p = self->state;
+
+	TS_TRY(ts_args_parse(sim, "flow_style projection: cells", cell_rows, p->cell_words, &self->where,
+			     &self->arena, p));
+	if (p->body_words.n)
+		TS_TRY(ts_flow_read_vector(sim, "flow_style projection: body_force", p->body_words,
+					   &self->where, &self->arena, p->body_force));
+	p->read = true;
+	return TS_OK;
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_projection *p = self->state;
+
+	if (!p->read)
+		TS_TRY(read_words(self, sim));
+	TS_TRY(ts_projection_prepare(self, sim));
+	if (p->fluid.steps == 0)
+		p->fluid.time = ts_sim_time(sim);
+	return TS_OK;
+}
+
+static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_projection *p = self->state;
+
+	TS_TRY(ts_projection_boundary(self, sim));
+	for (int d = 0; d < 3; d++)
+		TS_TRY(ts_number_now(sim, &p->body_force[d], &self->where, &p->fluid.body_force[d]));
+	return ts_projection_advance(self, sim, sim->clock.dt);
+}
+
+static void fini(struct ts_instance *self)
+{
+	ts_projection_release(self->state);
+}
+
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive)
+{
+	static const char *const names[] = { "u", "v", "w" };
+	struct ts_projection *p = self->state;
+	struct ts_fluid *fluid = &p->fluid;
+	size_t size = fluid->grid.size;
+
+	(void)sim;
+	for (int d = 0; d < 3; d++)
+		TS_TRY(ts_archive_fixed(archive, names[d], TS_SAVED_F64, fluid->u[d], size));
+	return ts_archive_fixed(archive, "p", TS_SAVED_F64, fluid->p, size);
+}
+
+static void fingerprint(const struct ts_instance *self, const struct tsim *sim, struct ts_hash *hash)
+{
+	const struct ts_projection *p = self->state;
+
+	(void)sim;
+	for (int d = 0; d < 3; d++)
+		for (int side = 0; side < 2; side++) {
+			const struct ts_flow_given *given = &p->fluid.given[d][side];
+
+			ts_hash_add(hash, &p->fluid.face[d][side], sizeof p->fluid.face[d][side]);
+			ts_hash_add(hash, given->constant, sizeof given->constant);
+		}
+}
+
+/* ---- for others */
+
+static void velocity(const struct ts_instance *self, const double x[3], double u[3])
+{
+	ts_fluid_velocity(&((const struct ts_projection *)self->state)->fluid, x, u);
+}
+
+static double viscosity(const struct ts_instance *self)
+{
+	return ((const struct ts_projection *)self->state)->viscosity;
+}
+
+static double density(const struct ts_instance *self)
+{
+	return ((const struct ts_projection *)self->state)->density;
+}
+
+static struct ts_fluid *fluid(const struct ts_instance *self)
+{
+	return &((struct ts_projection *)self->state)->fluid;
+}
+
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
+{
+	const struct ts_projection *p = self->state;
+	const struct ts_grid *grid = &p->fluid.grid;
+
+	(void)sim;
+	ts_report_line(report, "fluid", "%d x %d x %d cells, convection %s", grid->n[0], grid->n[1],
+		       grid->n[2], ts_convection_names[p->convection]);
+	report->bytes += 8.0 * 8.0 * (double)grid->size;
+	return TS_OK;
+}
+
+static const struct ts_saved saved[] = {
+	TS_SAVE_F64(struct ts_projection, fluid.dt),
+	TS_SAVE_F64(struct ts_projection, fluid.time),
+	TS_SAVE_I64(struct ts_projection, fluid.steps),
+	TS_SAVED_ROWS_END,
+};
+
+static const struct ts_arg args[] = {
+	TS_LIST_KEYWORD("cells", struct ts_projection, cell_words, .flags = TS_TO_KEYWORD | TS_STATEFUL,
+			.help = "NX NY NZ: numbers of cells; NZ 1: a flow in the plane"),
+	TS_REAL("viscosity", struct ts_projection, viscosity, .range = TS_NOT_NEGATIVE,
+		.unit = "pressure time", .help = "dynamic viscosity"),
+	TS_REAL("density", struct ts_projection, density, .range = TS_POSITIVE, .unit = "mass/length^3",
+		.help = "density of the fluid"),
+	TS_REGION("region", struct ts_projection, region, .flags = TS_OPTIONAL,
+		  .help = "the grid fills the bounds of this region; else the box"),
+	TS_ENUM("convection", struct ts_projection, convection, ts_convection_names, .fallback = "central",
+		.help = "scheme for velocities on the sides of control volumes"),
+	TS_REAL("gamma", struct ts_projection, gamma, .range = TS_FRACTION, .fallback = "0.5",
+		.help = "convection donor: share of donor cell, the rest is central"),
+	TS_ENUM("form", struct ts_projection, form, ts_form_names, .fallback = "fv",
+		.help = "finite volumes, or finite differences of u grad u"),
+	TS_ENUM("wall", struct ts_projection, wall, wall_forms, .fallback = "quadratic",
+		.help = "profile along the normal between a wall and the points beside it"),
+	TS_SOME_KEYWORD("body_force", struct ts_projection, body_words, 0,
+			.help = "FX FY FZ: acceleration of all fluid, numbers or equal-style variables"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(flow, ts_flow_style, ts_flow_projection)
+const struct ts_flow_style ts_flow_projection = {
+	.style = { .name = "projection",
+		   .kind = TS_KIND_FLOW,
+		   .family = TS_FAMILY_PROJECTION,
+		   .summary = "an incompressible fluid whose flow is solved for on a staggered grid",
+		   .doc = "du/dt + div(u u) = -grad p/rho + nu lap u + g, div u = 0, on a grid of cells that "
+			  "fills the box or the bounds of a region. Pressure lives in the centres of cells, "
+			  "velocities on their faces. Each step predicts a velocity without pressure and "
+			  "projects it onto the fields without divergence.",
+		   .example = "flow_style projection cells 64 64 1 viscosity 0.01 density 1.0",
+		   .cite = "A. J. Chorin, Math. Comp. 22 (1968) 745; F. H. Harlow & J. E. Welch, Phys. Fluids 8 "
+			   "(1965) 2182",
+		   .args = args,
+		   .state_size = sizeof(struct ts_projection),
+		   .saved = saved,
+		   .archive = archive,
+		   .fingerprint = fingerprint,
+		   .init = init,
+		   .hook = { [TS_STAGE_END_OF_STEP] = end_of_step },
+		   .plan = plan,
+		   .fini = fini },
+	.velocity = velocity,
+	.viscosity = viscosity,
+	.density = density,
+	.fluid = fluid,
+};
