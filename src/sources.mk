@@ -102,6 +102,9 @@ library_sources = \
 	src/flow/ghosts.c \
 	src/flow/grid.c \
 	src/flow/grid.h \
+	src/flow/keywords.c \
+	src/flow/measure.c \
+	src/flow/measure.h \
 	src/flow/operators.c \
 	src/flow/operators.h \
 	src/flow/poisson.c \
@@ -111,6 +114,8 @@ library_sources = \
 	src/flow/pressure.c \
 	src/flow/pressure.h \
 	src/flow/pressure_choose.c \
+	src/flow/probe.c \
+	src/flow/probe.h \
 	src/flow/project.c \
 	src/flow/projection.h \
 	src/flow/sample.c \
@@ -200,8 +205,11 @@ library_sources = \
 	src/io/thermo_keywords.c \
 	src/io/vtk.c \
 	src/io/vtk.h \
+	src/io/vtk_grid.c \
 	src/io/vtk_legacy.c \
 	src/io/vtk_legacy.h \
+	src/io/vtk_xml.c \
+	src/io/vtk_xml.h \
 	src/law/buoyancy.h \
 	src/law/cohesion.h \
 	src/law/energy.h \
@@ -520,6 +528,11 @@ library_sources = \
 	src/styles/compute/erotate_multisphere.c \
 	src/styles/compute/erotate_sphere.c \
 	src/styles/compute/erotate_sphere_atom.c \
+	src/styles/compute/flow_flux.c \
+	src/styles/compute/flow_force.c \
+	src/styles/compute/flow_line.c \
+	src/styles/compute/flow_plane.c \
+	src/styles/compute/flow_probe.c \
 	src/styles/compute/fragment_atom.c \
 	src/styles/compute/group_group.c \
 	src/styles/compute/gyration.c \
@@ -561,6 +574,7 @@ library_sources = \
 	src/styles/dump/custom.c \
 	src/styles/dump/custom_vtk.c \
 	src/styles/dump/euler_vtk.c \
+	src/styles/dump/flow_vtk.c \
 	src/styles/dump/local.c \
 	src/styles/dump/local_gran_vtk.c \
 	src/styles/dump/local_vtk.c \

@@ -47,6 +47,7 @@ shell_tests = \
 	tests/decks/energy.sh \
 	tests/decks/euler.sh \
 	tests/decks/fixes.sh \
+	tests/decks/flow_outputs.sh \
 	tests/decks/gran_numbers.sh \
 	tests/decks/groups.sh \
 	tests/decks/heat.sh \
@@ -119,6 +120,7 @@ unit_tests = \
 	tests/check_args \
 	tests/check_crosscheck \
 	tests/check_energy \
+	tests/check_flow_measures \
 	tests/check_formulas \
 	tests/check_geom \
 	tests/check_insertion \
@@ -197,6 +199,10 @@ tests_check_crosscheck_LDADD = $(tests_ldadd)
 tests_check_energy_SOURCES = tests/check_energy.c $(tests_common)
 tests_check_energy_CFLAGS = $(tests_cflags)
 tests_check_energy_LDADD = $(tests_ldadd)
+
+tests_check_flow_measures_SOURCES = tests/check_flow_measures.c $(tests_common)
+tests_check_flow_measures_CFLAGS = $(tests_cflags)
+tests_check_flow_measures_LDADD = $(tests_ldadd)
 
 tests_check_formulas_SOURCES = tests/check_formulas.c $(tests_common)
 tests_check_formulas_CFLAGS = $(tests_cflags)

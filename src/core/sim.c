@@ -55,7 +55,8 @@ static enum ts_status start_systems(struct tsim *sim)
 			return ts_nomem(&sim->error);
 		TS_TRY(instance_new(sim, &(*s)->style, (*s)->style.name, 0, NULL, &inst));
 		list->item[list->n++] = inst;
-		*(void **)((char *)sim + (*s)->slot) = inst->state;
+		if ((*s)->slot)
+			*(void **)((char *)sim + (*s)->slot) = inst->state;
 		if ((*s)->style.init)
 			TS_TRY((*s)->style.init(inst, sim));
 	}

@@ -134,7 +134,7 @@ struct ts_command_style {
  * state is also reachable as a typed pointer of struct tsim. */
 struct ts_system_style {
 	struct ts_style style;
-	size_t slot; /* offset of that pointer in struct tsim */
+	size_t slot; /* offset of that pointer in struct tsim; 0: it has no state that others see */
 	/* Adds what commands have set, for the record in the log; core/settings.h. */
 	void (*settings)(const struct ts_instance *self, const struct tsim *sim, struct ts_str *out);
 	const struct ts_keyword *keywords;

@@ -25,4 +25,7 @@ static inline const struct ts_flow_style *ts_flow_style_of(const struct ts_insta
 enum ts_status ts_flow_require_fluid(struct tsim *sim, const char *who, const struct ts_place *where,
 				     struct ts_fluid **out);
 
+/* Its numbers for thermo_style and formulas: flow_ke ... */
+extern const struct ts_system_style ts_flow_system;
+
 #endif

@@ -5,21 +5,27 @@
 
 #include "base/banned.h"
 
-enum ts_status ts_dump_vtk_check_name(struct ts_instance *self, struct tsim *sim)
+void ts_dump_vtk_warn_of_one_file(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_dump_common *d = &((const struct ts_dump_vtk *)self->state)->common;
-	const char *file = d->file;
+
+	if (!strchr(d->file, '*') && !sim->running && !d->frames)
+		ts_warn(&sim->log, ts_instance_word(self, d->file),
+			"dump %s writes one file per frame: without a `*` for the step in '%s' each "
+			"frame replaces the one before",
+			self->style->name, d->file);
+}
+
+enum ts_status ts_dump_vtk_check_name(struct ts_instance *self, struct tsim *sim)
+{
+	const char *file = ((const struct ts_dump_vtk *)self->state)->common.file;
 
 	if (!ts_vtk_knows(file))
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, file),
 			       "dump %s: the name of the file must end in .vtk, .vtp, .vtu, .pvtp or "
 			       ".pvtu, found '%s'",
 			       self->style->name, file);
-	if (!strchr(file, '*') && !sim->running && !d->frames)
-		ts_warn(&sim->log, ts_instance_word(self, file),
-			"dump %s writes one file per frame: without a `*` for the step in '%s' each "
-			"frame replaces the one before",
-			self->style->name, file);
+	ts_dump_vtk_warn_of_one_file(self, sim);
 	return TS_OK;
 }
 
@@ -175,23 +181,34 @@ enum ts_status ts_dump_vtk_merge(struct ts_instance *self, struct tsim *sim, boo
 	return TS_OK;
 }
 
-enum ts_status ts_dump_vtk_write(struct ts_instance *self, struct tsim *sim,
-				 struct ts_vtk_poly *poly)
+enum ts_status ts_dump_vtk_path(struct ts_dump_common *d, struct tsim *sim)
+{
+	ts_step_path(&d->path, d->file, (long long)sim->clock.step, (int)d->pad);
+	return d->path.failed ? ts_nomem(&sim->error) : TS_OK;
+}
+
+enum ts_status ts_dump_vtk_list(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_dump_vtk *s = self->state;
 	struct ts_dump_common *d = &s->common;
 
+	if (!strchr(d->file, '*')) /* there is one frame, the last */
+		return TS_OK;
+	TS_TRY(ts_vtk_series_add(sim, &s->series, sim->clock.step, ts_sim_time(sim)));
+	return ts_vtk_series_write(sim, &s->series, d->file, (int)d->pad, &self->where);
+}
+
+enum ts_status ts_dump_vtk_write(struct ts_instance *self, struct tsim *sim,
+				 struct ts_vtk_poly *poly)
+{
+	struct ts_dump_common *d = self->state;
+
 	poly->time = ts_sim_time(sim);
 	poly->binary = d->binary;
 	poly->single_points = sim->legacy;
-	ts_step_path(&d->path, d->file, (long long)sim->clock.step, (int)d->pad);
-	if (d->path.failed)
-		return ts_nomem(&sim->error);
+	TS_TRY(ts_dump_vtk_path(d, sim));
 	TS_TRY(ts_vtk_write_poly(sim, ts_str_text(&d->path), &self->where, poly));
-	if (!strchr(d->file, '*')) /* there is one frame, the last */
-		return TS_OK;
-	TS_TRY(ts_vtk_series_add(sim, &s->series, sim->clock.step, poly->time));
-	return ts_vtk_series_write(sim, &s->series, d->file, (int)d->pad, &self->where);
+	return ts_dump_vtk_list(self, sim);
 }
 
 enum ts_status ts_dump_vtk_archive(struct ts_instance *self, struct tsim *sim,

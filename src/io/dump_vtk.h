@@ -25,13 +25,19 @@ struct ts_dump_vtk {
 		TS_REST("columns", T, vtk.names, .help = (columns_help))
 #define TS_DUMP_VTK_SAVED(T) TS_SAVE_I64(T, vtk.common.last), TS_SAVE_I64(T, vtk.common.frames)
 
-/* Refuses file names of an unknown type, warns of those without `*`. */
+/* Without a `*` in the name. */
+void ts_dump_vtk_warn_of_one_file(struct ts_instance *self, struct tsim *sim);
+/* The same, and refuses file names of an unknown type. */
 enum ts_status ts_dump_vtk_check_name(struct ts_instance *self, struct tsim *sim);
-/* The same, and finds the columns. */
+/* All that, and finds the columns. */
 enum ts_status ts_dump_vtk_init(struct ts_instance *self, struct tsim *sim, bool local);
 /* Fills `array` with the columns in order of writing. `vectors`: three columns that are components
  * of one vector (vx vy vz, c_ID[1] c_ID[2] c_ID[3]) become one array. x, y, z are left out. */
 enum ts_status ts_dump_vtk_merge(struct ts_instance *self, struct tsim *sim, bool vectors);
+/* The name of the frame of this step, into common.path. */
+enum ts_status ts_dump_vtk_path(struct ts_dump_common *d, struct tsim *sim);
+/* Enters the frame of this step in the collection, and writes that. */
+enum ts_status ts_dump_vtk_list(struct ts_instance *self, struct tsim *sim);
 /* Writes the frame and the collection. */
 enum ts_status ts_dump_vtk_write(struct ts_instance *self, struct tsim *sim,
 				 struct ts_vtk_poly *poly);

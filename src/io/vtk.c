@@ -1,108 +1,13 @@
 #include "io/vtk.h"
 
 #include <string.h>
-#include <zlib.h>
 
 #include "io/replace.h"
 #include "io/textfile.h"
 #include "io/vtk_legacy.h"
+#include "io/vtk_xml.h"
 
 #include "base/banned.h"
-
-enum { BLOCK = 1 << 20 };
-
-void ts_base64(struct ts_str *out, const unsigned char *bytes, size_t n)
-{
-	static const char digit[] =
-		"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-
-	for (size_t i = 0; i < n; i += 3) {
-		unsigned a = bytes[i], b = i + 1 < n ? bytes[i + 1] : 0,
-			 c = i + 2 < n ? bytes[i + 2] : 0;
-		char four[4] = { digit[a >> 2], digit[(a & 3) << 4 | b >> 4],
-				 i + 1 < n ? digit[(b & 15) << 2 | c >> 6] : '=',
-				 i + 2 < n ? digit[c & 63] : '=' };
-
-		ts_str_add_n(out, four, 4);
-	}
-}
-
-/* Header {blocks, size of a block, size of a partial last block, compressed sizes...}, then all
- * blocks; each of the two in base64. */
-static enum ts_status add_packed(struct tsim *sim, struct ts_str *out, const void *data, size_t n)
-{
-	size_t blocks = (n + BLOCK - 1) / BLOCK, used = 0;
-	uint64_t *head = ts_alloc(3 + blocks, sizeof *head);
-	unsigned char *packed = ts_alloc(blocks, (size_t)compressBound(BLOCK));
-	bool ok = head && packed;
-
-	for (size_t k = 0; ok && k < blocks; k++) {
-		size_t size = n - k * BLOCK < BLOCK ? n - k * BLOCK : BLOCK;
-		uLongf length = compressBound(BLOCK);
-
-		ok = compress2(packed + used, &length, (const Bytef *)data + k * BLOCK, (uLong)size,
-			       Z_BEST_SPEED) == Z_OK;
-		head[3 + k] = length;
-		used += length;
-	}
-	if (ok) {
-		head[0] = blocks;
-		head[1] = BLOCK;
-		head[2] = n % BLOCK;
-		ts_base64(out, (const unsigned char *)head, (3 + blocks) * sizeof *head);
-		ts_base64(out, packed, used);
-	}
-	ts_free(head);
-	ts_free(packed);
-	return ok && !out->failed ? TS_OK : ts_nomem(&sim->error);
-}
-
-/* Names come from scripts: only characters that need no escape in XML or JSON. */
-static void add_name(struct ts_str *out, const char *name)
-{
-	for (; *name; name++)
-		ts_str_add_n(out, strchr("<>&\"'\\", *name) ? "_" : name, 1);
-}
-
-static enum ts_status add_array(struct tsim *sim, struct ts_str *out, const char *name,
-				const char *type, size_t components, const void *data, size_t n)
-{
-	ts_str_addf(out, "<DataArray type=\"%s\" Name=\"", type);
-	add_name(out, name);
-	ts_str_addf(out, "\" NumberOfComponents=\"%zu\" format=\"binary\">\n", components);
-	TS_TRY(add_packed(sim, out, data, n * components * 8));
-	ts_str_add(out, "\n</DataArray>\n");
-	return TS_OK;
-}
-
-static enum ts_status add_integers(struct tsim *sim, struct ts_str *out,
-				   const struct ts_vtk_array *array, size_t n)
-{
-	int64_t *whole = ts_alloc(n * array->components, sizeof *whole);
-	enum ts_status status;
-
-	if (!whole)
-		return ts_nomem(&sim->error);
-	for (size_t k = 0; k < n * array->components; k++)
-		whole[k] = (int64_t)array->data[k];
-	status = add_array(sim, out, array->name, "Int64", array->components, whole, n);
-	ts_free(whole);
-	return status;
-}
-
-static enum ts_status add_data(struct tsim *sim, struct ts_str *out, const char *element,
-			       const struct ts_vtk_array *array, size_t narrays, size_t n)
-{
-	ts_str_addf(out, "<%s>\n", element);
-	for (size_t k = 0; k < narrays; k++)
-		if (array[k].integer)
-			TS_TRY(add_integers(sim, out, &array[k], n));
-		else
-			TS_TRY(add_array(sim, out, array[k].name, "Float64", array[k].components,
-					 array[k].data, n));
-	ts_str_addf(out, "</%s>\n", element);
-	return TS_OK;
-}
 
 /* n cells of `size` points each, numbered through. */
 static enum ts_status add_cell_arrays(struct tsim *sim, struct ts_str *out, size_t n, size_t size)
@@ -114,11 +19,11 @@ static enum ts_status add_cell_arrays(struct tsim *sim, struct ts_str *out, size
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < n * size; k++)
 		number[k] = (int64_t)k;
-	status = add_array(sim, out, "connectivity", "Int64", 1, number, n * size);
+	status = ts_vtk_add_array(sim, out, "connectivity", "Int64", 1, number, n * size);
 	for (size_t k = 0; k < n; k++)
 		number[k] = (int64_t)((k + 1) * size);
 	if (status == TS_OK)
-		status = add_array(sim, out, "offsets", "Int64", 1, number, n);
+		status = ts_vtk_add_array(sim, out, "offsets", "Int64", 1, number, n);
 	ts_free(number);
 	return status;
 }
@@ -132,32 +37,14 @@ static enum ts_status add_cells(struct tsim *sim, struct ts_str *out, const char
 	return TS_OK;
 }
 
-static void add_opening(struct ts_str *out, const char *type)
-{
-	const uint16_t one = 1;
-
-	ts_str_addf(out,
-		    "<?xml version=\"1.0\"?>\n<VTKFile type=\"%s\" version=\"1.0\" "
-		    "byte_order=\"%s\" header_type=\"UInt64\" "
-		    "compressor=\"vtkZLibDataCompressor\">\n",
-		    type, *(const unsigned char *)&one ? "LittleEndian" : "BigEndian");
-}
-
-static void add_time(struct ts_str *out, const struct ts_vtk_poly *poly)
-{
-	ts_str_add(out, "<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" "
-			"NumberOfTuples=\"1\" format=\"ascii\">\n");
-	ts_str_addf(out, "%.17g\n</DataArray>\n</FieldData>\n", poly->time);
-}
-
 static enum ts_status add_points(struct tsim *sim, struct ts_str *out, const struct ts_vtk_poly *poly)
 {
 	size_t ncells = poly->npoints / ts_vtk_cell_size(poly);
 
-	TS_TRY(add_data(sim, out, "PointData", poly->point_data, poly->npoint_data, poly->npoints));
-	TS_TRY(add_data(sim, out, "CellData", poly->cell_data, poly->ncell_data, ncells));
+	TS_TRY(ts_vtk_add_data(sim, out, "PointData", poly->point_data, poly->npoint_data, poly->npoints));
+	TS_TRY(ts_vtk_add_data(sim, out, "CellData", poly->cell_data, poly->ncell_data, ncells));
 	ts_str_add(out, "<Points>\n");
-	TS_TRY(add_array(sim, out, "Points", "Float64", 3, poly->points, poly->npoints));
+	TS_TRY(ts_vtk_add_array(sim, out, "Points", "Float64", 3, poly->points, poly->npoints));
 	ts_str_add(out, "</Points>\n");
 	return TS_OK;
 }
@@ -166,9 +53,9 @@ static enum ts_status add_poly(struct tsim *sim, struct ts_str *out, const struc
 {
 	size_t size = ts_vtk_cell_size(poly), verts = size == 1 ? poly->npoints : 0;
 
-	add_opening(out, "PolyData");
+	ts_vtk_add_opening(out, "PolyData");
 	ts_str_add(out, "<PolyData>\n");
-	add_time(out, poly);
+	ts_vtk_add_time(out, poly->time);
 	ts_str_addf(out,
 		    "<Piece NumberOfPoints=\"%zu\" NumberOfVerts=\"%zu\" NumberOfLines=\"%zu\" "
 		    "NumberOfStrips=\"0\" NumberOfPolys=\"%zu\">\n",
@@ -192,7 +79,7 @@ static enum ts_status add_cell_types(struct tsim *sim, struct ts_str *out, size_
 	for (size_t k = 0; k < n; k++)
 		type[k] = types[size];
 	ts_str_add(out, "<DataArray type=\"UInt8\" Name=\"types\" format=\"binary\">\n");
-	status = add_packed(sim, out, type, n);
+	status = ts_vtk_add_packed(sim, out, type, n);
 	ts_str_add(out, "\n</DataArray>\n</Cells>\n");
 	ts_free(type);
 	return status;
@@ -203,9 +90,9 @@ static enum ts_status add_unstructured(struct tsim *sim, struct ts_str *out,
 {
 	size_t size = ts_vtk_cell_size(poly), n = poly->npoints / size;
 
-	add_opening(out, "UnstructuredGrid");
+	ts_vtk_add_opening(out, "UnstructuredGrid");
 	ts_str_add(out, "<UnstructuredGrid>\n");
-	add_time(out, poly);
+	ts_vtk_add_time(out, poly->time);
 	ts_str_addf(out, "<Piece NumberOfPoints=\"%zu\" NumberOfCells=\"%zu\">\n", poly->npoints, n);
 	TS_TRY(add_points(sim, out, poly));
 	ts_str_add(out, "<Cells>\n");
@@ -234,7 +121,7 @@ static void declare_data(struct ts_str *out, const char *element, const struct t
 	for (size_t k = 0; k < narrays; k++) {
 		ts_str_addf(out, "<PDataArray type=\"%s\" Name=\"",
 			    array[k].integer ? "Int64" : "Float64");
-		add_name(out, array[k].name);
+		ts_vtk_add_name(out, array[k].name);
 		ts_str_addf(out, "\" NumberOfComponents=\"%zu\"/>\n", array[k].components);
 	}
 	ts_str_addf(out, "</P%s>\n", element);
@@ -246,13 +133,13 @@ static void add_list_of_pieces(struct ts_str *out, const struct ts_vtk_poly *pol
 {
 	const char *slash = strrchr(piece, '/');
 
-	add_opening(out, type);
+	ts_vtk_add_opening(out, type);
 	ts_str_addf(out, "<%s GhostLevel=\"0\">\n", type);
 	declare_data(out, "PointData", poly->point_data, poly->npoint_data);
 	declare_data(out, "CellData", poly->cell_data, poly->ncell_data);
 	ts_str_add(out, "<PPoints>\n<PDataArray type=\"Float64\" NumberOfComponents=\"3\"/>\n"
 			"</PPoints>\n<Piece Source=\"");
-	add_name(out, slash ? slash + 1 : piece);
+	ts_vtk_add_name(out, slash ? slash + 1 : piece);
 	ts_str_addf(out, "\"/>\n</%s>\n</VTKFile>\n", type);
 }
 
@@ -367,7 +254,7 @@ static void add_frames(struct ts_str *out, const struct ts_vtk_series *series, c
 		else
 			ts_str_addf(out, "<DataSet timestep=\"%.17g\" part=\"0\" file=\"",
 				    series->time[k]);
-		add_name(out, ts_str_text(&path));
+		ts_vtk_add_name(out, ts_str_text(&path));
 		if (legacy)
 			ts_str_addf(out, "\", \"time\": %.17g }", series->time[k]);
 		else
@@ -388,7 +275,7 @@ enum ts_status ts_vtk_series_write(struct tsim *sim, const struct ts_vtk_series 
 	if (legacy) {
 		ts_str_add(&text, "{ \"file-series-version\": \"1.0\", \"files\": [\n");
 	} else {
-		add_opening(&text, "Collection");
+		ts_vtk_add_opening(&text, "Collection");
 		ts_str_add(&text, "<Collection>\n");
 	}
 	add_frames(&text, series, base, pad, legacy);

@@ -1,9 +1,7 @@
 /* VTK files for ParaView. The ending of the name says what is written: .vtp XML PolyData, .vtu XML
- * UnstructuredGrid, .vtk the legacy format, .pvtp and .pvtu the list of one piece and that piece. Frames over
- * time are listed in a collection, .pvd, or for legacy files .vtk.series.
- *
- * Arrays of XML files are stored inline, cut into blocks, each compressed by zlib, in base64: the layout of
- * vtkZLibDataCompressor with 64-bit headers. */
+ * UnstructuredGrid, .vtk the legacy format, .pvtp and .pvtu the list of one piece and that piece; of grids
+ * .vti XML ImageData, .vtr XML RectilinearGrid. Frames over time are listed in a collection, .pvd, or for
+ * legacy files .vtk.series. How XML files are laid out: io/vtk_xml.h. */
 #ifndef TS_IO_VTK_H
 #define TS_IO_VTK_H
 
@@ -41,6 +39,19 @@ enum ts_status ts_vtk_put(struct tsim *sim, const char *path, const struct ts_pl
 			  const struct ts_str *text);
 enum ts_status ts_vtk_write_poly(struct tsim *sim, const char *path, const struct ts_place *where,
 				 const struct ts_vtk_poly *poly);
+
+/* A Cartesian grid: n[d] cells along an axis between the n[d] + 1 faces, the x index running fastest. */
+struct ts_vtk_grid {
+	const double *face[3];
+	size_t n[3];
+	bool uniform; /* all axes: may be written as an image */
+	const struct ts_vtk_array *cell_data;
+	size_t ncell_data;
+	double time;
+};
+/* The path ends in .vtr, or in .vti if the grid is uniform. */
+enum ts_status ts_vtk_write_grid(struct tsim *sim, const char *path, const struct ts_place *where,
+				 const struct ts_vtk_grid *grid);
 
 /* The frames written so far; zero-initialise. */
 struct ts_vtk_series {

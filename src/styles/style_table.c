@@ -113,6 +113,11 @@ TS_STYLE(compute, ts_style, ts_compute_erotate)
 TS_STYLE(compute, ts_style, ts_compute_erotate_multisphere)
 TS_STYLE(compute, ts_style, ts_compute_erotate_sphere)
 TS_STYLE(compute, ts_style, ts_compute_erotate_sphere_atom)
+TS_STYLE(compute, ts_style, ts_compute_flow_flux)
+TS_STYLE(compute, ts_style, ts_compute_flow_force)
+TS_STYLE(compute, ts_style, ts_compute_flow_line)
+TS_STYLE(compute, ts_style, ts_compute_flow_plane)
+TS_STYLE(compute, ts_style, ts_compute_flow_probe)
 TS_STYLE(compute, ts_style, ts_compute_fragment_atom)
 TS_STYLE(compute, ts_style, ts_compute_group_group)
 TS_STYLE(compute, ts_style, ts_compute_gyration)
@@ -155,6 +160,7 @@ TS_STYLE(dump, ts_style, ts_dump_atom)
 TS_STYLE(dump, ts_style, ts_dump_custom)
 TS_STYLE(dump, ts_style, ts_dump_custom_vtk)
 TS_STYLE(dump, ts_style, ts_dump_euler_vtk)
+TS_STYLE(dump, ts_style, ts_dump_flow_vtk)
 TS_STYLE(dump, ts_style, ts_dump_local)
 TS_STYLE(dump, ts_style, ts_dump_local_gran_vtk)
 TS_STYLE(dump, ts_style, ts_dump_local_vtk)
@@ -361,6 +367,11 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_erotate_multisphere,
 	&ts_compute_erotate_sphere,
 	&ts_compute_erotate_sphere_atom,
+	&ts_compute_flow_flux,
+	&ts_compute_flow_force,
+	&ts_compute_flow_line,
+	&ts_compute_flow_plane,
+	&ts_compute_flow_probe,
 	&ts_compute_fragment_atom,
 	&ts_compute_group_group,
 	&ts_compute_gyration,
@@ -403,6 +414,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_dump_custom,
 	&ts_dump_custom_vtk,
 	&ts_dump_euler_vtk,
+	&ts_dump_flow_vtk,
 	&ts_dump_local,
 	&ts_dump_local_gran_vtk,
 	&ts_dump_local_vtk,

@@ -67,15 +67,16 @@ syn match tsimKeyword /\<timer\>/
 syn keyword tsimKeyword  internal atomfile equal vector create zero linear angular
 syn keyword tsimKeyword  angularIndividual sum dist uniform gaussian mom rot local geom
 syn keyword tsimKeyword  bias pair ii ij nofix modify noinit discard default mixed bound
-syn keyword tsimKeyword  reduced nchunk limit ids nfreq kspace tensor com average property
-syn keyword tsimKeyword  xcm vcm fcm torque quat angmom masstotal inertia clumptype
-syn keyword tsimKeyword  id_multisphere ex_space ey_space ez_space bond/type region_count
-syn keyword tsimKeyword  tracer reset_marker radius min max ave sumsq avesq sumabs aveabs
-syn keyword tsimKeyword  minabs maxabs inputs peratom update_on_run_end adof cdof
-syn keyword tsimKeyword  primitives reset energy sample running window overwrite title1
-syn keyword tsimKeyword  title2 title3 auto upper lower auto/upper auto/lower full
-syn keyword tsimKeyword  prefactor nevery cell_size_relative parallel basevolume_region
-syn keyword tsimKeyword  scalar kind global beyond end extra dim level vmax
+syn keyword tsimKeyword  reduced nchunk limit ids nfreq between cells values interpolation
+syn keyword tsimKeyword  cubic kspace tensor com average property xcm vcm fcm torque quat
+syn keyword tsimKeyword  angmom masstotal inertia clumptype id_multisphere ex_space
+syn keyword tsimKeyword  ey_space ez_space bond/type region_count tracer reset_marker
+syn keyword tsimKeyword  radius min max ave sumsq avesq sumabs aveabs minabs maxabs inputs
+syn keyword tsimKeyword  peratom update_on_run_end adof cdof primitives reset energy sample
+syn keyword tsimKeyword  running window overwrite title1 title2 title3 auto upper lower
+syn keyword tsimKeyword  auto/upper auto/lower full prefactor nevery cell_size_relative
+syn keyword tsimKeyword  parallel basevolume_region scalar kind global beyond end extra dim
+syn keyword tsimKeyword  level vmax
 syn match tsimKeyword /\<legacy\>/ 
 syn keyword tsimKeyword  final delta erate trate volume wiggle xy xz yz v flip axes xyz
 syn keyword tsimKeyword  scheme explicit exact wob spring body clearance chute spherical
@@ -115,8 +116,8 @@ syn keyword tsimKeyword  computeElasticPotential computeDissipatedEnergy
 syn keyword tsimKeyword  disableNormalWhenBonded hooke/history hertz/history limit_damping
 syn keyword tsimKeyword  primitive n_meshes meshes xplane yplane zplane xcylinder ycylinder
 syn keyword tsimKeyword  zcylinder shear store_force store_force_contact
-syn keyword tsimKeyword  store_force_contact_stress contacts cells viscosity convection
-syn keyword tsimKeyword  donor central quick cubista gamma form fv fd quadratic body_force
+syn keyword tsimKeyword  store_force_contact_stress contacts viscosity convection donor
+syn keyword tsimKeyword  central quick cubista gamma form fv fd quadratic body_force
 syn keyword tsimKeyword  generic restitution tolerance iterations unfinished side in out
 syn keyword tsimKeyword  open center bounds angle0
 
@@ -126,12 +127,13 @@ syn match tsimName /\<mass\>/
 syn keyword tsimName  density mol x y z vx vy vz fx fy fz omegax omegay omegaz tqx tqy
 syn keyword tsimName  tqz xu yu zu xs ys zs xsu ysu zsu ix iy iz proc press pxx pyy pzz
 syn keyword tsimName  pxy pxz pyz nbuild ndanger bonds numbonds brokenbonds gonebonds
-syn keyword tsimName  step elapsed elaplong part time dt cpu tpcpu spcpu cpuremain
-syn keyword tsimName  timeremain cu atoms ke erotate pe etotal epair evdwl emol ebond
-syn keyword tsimName  enthalpy ecouple econserve ecoul elong etail eangle edihed eimp
-syn keyword tsimName  angles dihedrals impropers temp fmax fnorm vol lx ly lz xlo xhi
-syn keyword tsimName  ylo yhi zlo zhi xy xz yz xlat ylat zlat cella cellb cellc
-syn keyword tsimName  cellalpha cellbeta cellgamma PI yes no true false on off
+syn keyword tsimName  flow_ke flow_div flow_cfl flow_iter flow_res flow_dt flow_time
+syn keyword tsimName  flow_steps step elapsed elaplong part time dt cpu tpcpu spcpu
+syn keyword tsimName  cpuremain timeremain cu atoms ke erotate pe etotal epair evdwl
+syn keyword tsimName  emol ebond enthalpy ecouple econserve ecoul elong etail eangle
+syn keyword tsimName  edihed eimp angles dihedrals impropers temp fmax fnorm vol lx ly
+syn keyword tsimName  lz xlo xhi ylo yhi zlo zhi xy xz yz xlat ylat zlat cella cellb
+syn keyword tsimName  cellc cellalpha cellbeta cellgamma PI yes no true false on off
 
 syn match tsimFunction /\<\%(sqrt\|exp\|ln\|log\|abs\|sign\|sin\|cos\|tan\|asin\|acos\|atan\|atan2\|ceil\|floor\|round\|ternary\|random\|normal\|ramp\|vdisplace\|swiggle\|cwiggle\|stagger\|logfreq\|logfreq2\|logfreq3\|stride\|stride2\|sum\|ave\|min\|max\|trap\|slope\|stderr\|sort\|rsort\|next\|is_file\|is_os\|is_defined\|is_active\|is_available\|extract_setting\|volume\|count\|mass\|ke\|gyration\|xcm\|vcm\|fcm\|angmom\|torque\|inertia\|omega\|bound\|property\|gmask\|rmask\|grmask\)\ze(/
 
@@ -165,9 +167,10 @@ syn match tsimHead /^\s*compute\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVa
 syn keyword tsim_compute contained aggregate/atom angmom/chunk bond/local bonds chunk/atom
 syn keyword tsim_compute contained chunk/spread/atom cluster/atom com com/chunk contact/atom contacts
 syn keyword tsim_compute contained coord/atom count/type displace/atom erotate erotate/multisphere
-syn keyword tsim_compute contained erotate/sphere erotate/sphere/atom fragment/atom group/group
-syn keyword tsim_compute contained gyration gyration/chunk inertia/chunk ke ke/atom ke/multisphere
-syn keyword tsim_compute contained leave msd msd/chunk multisphere nbond/atom neighbor/atom
+syn keyword tsim_compute contained erotate/sphere erotate/sphere/atom flow/flux flow/force flow/line
+syn keyword tsim_compute contained flow/plane flow/probe fragment/atom group/group gyration
+syn keyword tsim_compute contained gyration/chunk inertia/chunk ke ke/atom ke/multisphere leave msd
+syn keyword tsim_compute contained msd/chunk multisphere nbond/atom neighbor/atom
 syn keyword tsim_compute contained nparticles/tracer/region omega/chunk pair/gran/local pair/local pe
 syn keyword tsim_compute contained pe/atom pressure property/atom property/chunk property/local rdf
 syn keyword tsim_compute contained reduce reduce/chunk reduce/region rigid slice stress/atom temp
@@ -178,8 +181,8 @@ syn keyword tsim_region contained block cone cylinder ellipsoid intersect mesh/h
 syn keyword tsim_region contained prism sphere union wedge
 hi def link tsim_region Type
 syn match tsimHead /^\s*dump\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_dump
-syn keyword tsim_dump contained atom custom custom/vtk euler/vtk local local/gran/vtk local/vtk
-syn keyword tsim_dump contained mesh/stl mesh/vtk
+syn keyword tsim_dump contained atom custom custom/vtk euler/vtk flow/vtk local local/gran/vtk
+syn keyword tsim_dump contained local/vtk mesh/stl mesh/vtk
 syn match tsim_dump /\<restart\>/ contained
 syn keyword tsim_dump contained xyz
 hi def link tsim_dump Type

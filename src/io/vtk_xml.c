@@ -1,0 +1,116 @@
+#include "io/vtk_xml.h"
+
+#include <string.h>
+#include <zlib.h>
+
+#include "base/banned.h"
+
+enum { BLOCK = 1 << 20 };
+
+void ts_base64(struct ts_str *out, const unsigned char *bytes, size_t n)
+{
+	static const char digit[] =
+		"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+	for (size_t i = 0; i < n; i += 3) {
+		unsigned a = bytes[i], b = i + 1 < n ? bytes[i + 1] : 0,
+			 c = i + 2 < n ? bytes[i + 2] : 0;
+		char four[4] = { digit[a >> 2], digit[(a & 3) << 4 | b >> 4],
+				 i + 1 < n ? digit[(b & 15) << 2 | c >> 6] : '=',
+				 i + 2 < n ? digit[c & 63] : '=' };
+
+		ts_str_add_n(out, four, 4);
+	}
+}
+
+enum ts_status ts_vtk_add_packed(struct tsim *sim, struct ts_str *out, const void *data, size_t n)
+{
+	size_t blocks = (n + BLOCK - 1) / BLOCK, used = 0;
+	uint64_t *head = ts_alloc(3 + blocks, sizeof *head);
+	unsigned char *packed = ts_alloc(blocks, (size_t)compressBound(BLOCK));
+	bool ok = head && packed;
+
+	for (size_t k = 0; ok && k < blocks; k++) {
+		size_t size = n - k * BLOCK < BLOCK ? n - k * BLOCK : BLOCK;
+		uLongf length = compressBound(BLOCK);
+
+		ok = compress2(packed + used, &length, (const Bytef *)data + k * BLOCK, (uLong)size,
+			       Z_BEST_SPEED) == Z_OK;
+		head[3 + k] = length;
+		used += length;
+	}
+	if (ok) {
+		head[0] = blocks;
+		head[1] = BLOCK;
+		head[2] = n % BLOCK;
+		ts_base64(out, (const unsigned char *)head, (3 + blocks) * sizeof *head);
+		ts_base64(out, packed, used);
+	}
+	ts_free(head);
+	ts_free(packed);
+	return ok && !out->failed ? TS_OK : ts_nomem(&sim->error);
+}
+
+void ts_vtk_add_name(struct ts_str *out, const char *name)
+{
+	for (; *name; name++)
+		ts_str_add_n(out, strchr("<>&\"'\\", *name) ? "_" : name, 1);
+}
+
+enum ts_status ts_vtk_add_array(struct tsim *sim, struct ts_str *out, const char *name,
+				const char *type, size_t components, const void *data, size_t n)
+{
+	ts_str_addf(out, "<DataArray type=\"%s\" Name=\"", type);
+	ts_vtk_add_name(out, name);
+	ts_str_addf(out, "\" NumberOfComponents=\"%zu\" format=\"binary\">\n", components);
+	TS_TRY(ts_vtk_add_packed(sim, out, data, n * components * 8));
+	ts_str_add(out, "\n</DataArray>\n");
+	return TS_OK;
+}
+
+static enum ts_status add_integers(struct tsim *sim, struct ts_str *out,
+				   const struct ts_vtk_array *array, size_t n)
+{
+	int64_t *whole = ts_alloc(n * array->components, sizeof *whole);
+	enum ts_status status;
+
+	if (!whole)
+		return ts_nomem(&sim->error);
+	for (size_t k = 0; k < n * array->components; k++)
+		whole[k] = (int64_t)array->data[k];
+	status = ts_vtk_add_array(sim, out, array->name, "Int64", array->components, whole, n);
+	ts_free(whole);
+	return status;
+}
+
+enum ts_status ts_vtk_add_data(struct tsim *sim, struct ts_str *out, const char *element,
+			       const struct ts_vtk_array *array, size_t narrays, size_t n)
+{
+	ts_str_addf(out, "<%s>\n", element);
+	for (size_t k = 0; k < narrays; k++)
+		if (array[k].integer)
+			TS_TRY(add_integers(sim, out, &array[k], n));
+		else
+			TS_TRY(ts_vtk_add_array(sim, out, array[k].name, "Float64", array[k].components,
+					 array[k].data, n));
+	ts_str_addf(out, "</%s>\n", element);
+	return TS_OK;
+}
+
+void ts_vtk_add_opening(struct ts_str *out, const char *type)
+{
+	const uint16_t one = 1;
+
+	ts_str_addf(out,
+		    "<?xml version=\"1.0\"?>\n<VTKFile type=\"%s\" version=\"1.0\" "
+		    "byte_order=\"%s\" header_type=\"UInt64\" "
+		    "compressor=\"vtkZLibDataCompressor\">\n",
+		    type, *(const unsigned char *)&one ? "LittleEndian" : "BigEndian");
+}
+
+void ts_vtk_add_time(struct ts_str *out, double time)
+{
+	ts_str_add(out, "<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" "
+			"NumberOfTuples=\"1\" format=\"ascii\">\n");
+	ts_str_addf(out, "%.17g\n</DataArray>\n</FieldData>\n", time);
+}

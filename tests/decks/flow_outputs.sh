@@ -1,0 +1,185 @@
+#!/bin/bash
+# What a solved fluid puts out: points, lines, planes, fluxes, forces on faces, keywords of the log, and files for
+# ParaView, read back with VTK's own reader (skipped without Debian's python3-vtk9).
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+
+# a duct along x, its fluid driven by a body force
+cat >duct <<'END'
+units si
+boundary p f f
+region box block 0 1 0 0.5 0 0.25 units box
+create_box 1 box
+flow_style projection cells 4 6 5 viscosity 0.1 density 2.385 body_force 1 0 0
+END
+cat >steady <<'END'
+include duct
+thermo 10000
+timestep 5e-3
+run 900
+END
+
+agree 'forces balance, fluxes are equal, places agree' 'include steady
+compute ylo all flow/force ylo
+compute yhi all flow/force yhi
+compute zlo all flow/force zlo
+compute zhi all flow/force zhi
+compute x0 all flow/flux xlo
+compute x1 all flow/flux xhi
+compute x2 all flow/flux x 0.385
+compute line all flow/line cells y 0.1 0.125 values y vx p
+compute wall all flow/line between 0.385 0.25 0 0.385 0.25 0.25 3 values s vx vy z
+compute spot all flow/probe 0.1 0.125 0.125 0.385 0.1 0.2 values vx speed void wz
+compute plane all flow/plane x 0.3 values vx y z
+variable u vector c_plane[1]
+variable force equal c_ylo[7]+c_yhi[7]+c_zlo[7]+c_zhi[7]
+print "is balance ${force} $(2.385*0.125*1.0)"
+print "is shear $(c_ylo[7]) $(c_yhi[1])"
+print "is pressure $(c_ylo[4]) 0"
+print "is area $(c_ylo[10]) 0.25"
+print "is flux $(c_x0) $(c_x1)"
+print "is flux $(c_x2) $(c_x1)"
+print "is sum $(c_x2) $(sum(v_u)*0.125/30)"
+print "is area $(c_x2[2]) 0.125"
+print "is mean $(c_x2[3]) $(c_x2/0.125)"
+print "is spot $(c_spot[1]) $(c_line[2][2])"
+print "is speed $(c_spot[2][2]) $(abs(c_spot[2][1]))"
+print "is void $(c_spot[1][3]) 1"
+print "is place $(c_line[6][1]) $(5.5/12)"
+print "is walls $(c_wall[1][2]) 0"
+print "is walls $(c_wall[3][2]) 0"
+print "is end $(c_wall[3][1]) 0.25"
+print "is middle $(c_wall[2][2]) $(max(v_u))"
+print "is second $(c_plane[2][2]) 0.125"
+print "is third $(c_plane[7][3]) 0.075"'
+
+agree 'regions cut fluxes and forces' 'include steady
+region half block INF INF 0 0.25 INF INF units box
+compute all all flow/flux x 0.3
+compute half all flow/flux x 0.3 region half
+compute zlo all flow/force zlo
+compute part all flow/force zlo region half
+print "is flux $(2*c_half) $(c_all)"
+print "is area $(2*c_half[2]) $(c_all[2])"
+print "is force $(2*c_part[7]) $(c_zlo[7])"'
+
+agree 'keywords' 'include duct
+flow_set velocity 0.7 0 0
+compute all all flow/plane x 0.5 values vx
+variable ke equal flow_ke
+run 0
+print "is energy ${ke} $(0.5*2.385*0.125*0.7^2)"
+timestep 5e-3
+run 3
+print "is time $(flow_time) 0.015"
+print "is steps $(flow_steps) 3"
+print "is step $(flow_dt) 0.005"
+print "is divergence $(flow_div) 0"'
+
+cat >in.table <<'END'
+include steady
+compute line all flow/line cells z 0.1 0.25 values z vx
+fix out all ave/time 1 1 1 c_line[*] mode vector file line.txt
+thermo_style custom step flow_ke flow_cfl flow_iter flow_res
+run 1
+END
+"$TSIM" -in in.table -log none >out 2>&1 && [ "$(grep -vc '^#' line.txt)" = 12 ]
+report 'a line in a file, keywords in the log' $? out
+
+rejects 'include duct
+compute p all flow/probe 0.1 0.2' "flow/probe: 2 numbers, expected three for each point"
+rejects 'include duct
+compute p all flow/probe 0.1 0.2 z1' "'z1', expected a coordinate"
+rejects 'include duct
+compute p all flow/probe 0.1 0.2 0.3' 'z = 0.3 is outside of the fluid'
+rejects 'include duct
+compute p all flow/probe 0.1 0.2 0.1 values vx temp' "unknown quantity 'temp'"
+rejects 'include duct
+compute p all flow/line cells w 0 0' "'w', expected"
+rejects 'include duct
+compute p all flow/line between 0 0 0 1 1 0.2 5' 'y = 1 is outside'
+rejects 'include duct
+compute p all flow/plane y 0.6' 'y = 0.6 is outside'
+rejects 'include duct
+compute p all flow/flux y 0.6' 'y = 0.6 is outside'
+rejects 'include duct
+compute p all flow/force xlo' 'nothing bounds the fluid at xlo, which is periodic'
+rejects 'include duct
+dump d all flow/vtk 10 flow*.vtk' 'must end in .vti or .vtr'
+rejects 'include duct
+dump d all flow/vtk 10 flow*.vti velocity speed' "unknown quantity 'speed'"
+rejects 'region b block 0 1 0 1 0 1 units box
+create_box 1 b
+compute p all flow/probe 0.1 0.2 0.3' 'needs a fluid: use flow_style projection before it'
+rejects 'region b block 0 1 0 1 0 1 units box
+create_box 1 b
+flow_style uniform velocity 1 0 0 viscosity 1
+dump d all flow/vtk 10 flow*.vti' 'needs a fluid that is solved for'
+rejects 'print $(flow_ke)' 'keyword flow_ke needs a fluid'
+
+python=
+for p in /usr/bin/python3 python3; do
+	[ -z "$python" ] && "$p" -c 'from vtkmodules.vtkIOXML import vtkXMLImageDataReader' \
+		>/dev/null 2>&1 && python=$p
+done
+if [ -z "$python" ]; then
+	echo 'VTK is not installed: its files are not read back (apt-get install python3-vtk9)'
+	finish
+fi
+cat >in.files <<'END'
+include duct
+flow_boundary yhi wall velocity 1 0 0.3
+dump i all flow/vtk 20 image*.vti
+dump r all flow/vtk 20 speed*.vtr vorticity velocity
+compute all all flow/plane x 0.375 values y z vx vy vz p wx wy wz
+fix out all ave/time 20 1 20 c_all[*] mode vector file plane.txt format " %.17g"
+timestep 5e-3
+run 40
+END
+cat >compare.py <<'END'
+import sys, xml.etree.ElementTree as tree
+from vtkmodules.vtkCommonCore import vtkStringOutputWindow, vtkOutputWindow
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLRectilinearGridReader
+messages = vtkStringOutputWindow()
+vtkOutputWindow.SetInstance(messages)
+
+def read(path, reader):
+    reader.SetFileName(path)
+    reader.Update()
+    assert not messages.GetOutput() and not reader.GetErrorCode(), messages.GetOutput()
+    return reader.GetOutput()
+
+def near(a, b, what):
+    assert abs(a - b) <= 1e-14 * (1 + abs(b)), (what, a, b)
+
+frames, rows = [], [l.split() for l in open("plane.txt") if not l.startswith("#")]
+while rows:
+    n = int(rows[0][1])
+    frames.append([[float(x) for x in r[1:]] for r in rows[1:n + 1]])
+    rows = rows[n + 1:]
+for name, reader, arrays in (("image", vtkXMLImageDataReader, ["velocity", "pressure", "vorticity"]),
+                             ("speed", vtkXMLRectilinearGridReader, ["vorticity", "velocity"])):
+    sets = tree.parse(name + ".pvd").getroot().findall("./Collection/DataSet")
+    assert [float(s.get("timestep")) for s in sets] == [0, 0.1, 0.2]
+    for s, plane in zip(sets, frames):
+        grid = read(s.get("file"), reader())
+        assert grid.GetDimensions() == (5, 7, 6), grid.GetDimensions()
+        for a, b in zip(grid.GetBounds(), (0, 1, 0, 0.5, 0, 0.25)):
+            near(a, b, "bounds")
+        near(grid.GetFieldData().GetArray("TimeValue").GetValue(0), float(s.get("timestep")), "time")
+        data = grid.GetCellData()
+        assert [data.GetArrayName(k) for k in range(data.GetNumberOfArrays())] == arrays
+        for k in range(5):
+            for j in range(6):
+                row, cell = plane[6 * k + j], 1 + 4 * (j + 6 * k)
+                for c in range(3):
+                    near(data.GetArray("velocity").GetComponent(cell, c), row[2 + c], "velocity")
+                    near(data.GetArray("vorticity").GetComponent(cell, c), row[6 + c], "vorticity")
+                if name == "image":
+                    near(data.GetArray("pressure").GetValue(cell), row[5], "pressure")
+END
+"$TSIM" -in in.files -log none >out 2>&1
+report 'writes files' $? out
+"$python" compare.py >out 2>&1
+report 'VTK reads them, and finds what computes give' $? out
+finish
