@@ -272,6 +272,7 @@ library_sources = \
 	src/neigh/gran_numbers.h \
 	src/neigh/heat.c \
 	src/neigh/heat.h \
+	src/neigh/heat_contacts.c \
 	src/neigh/heat_step.c \
 	src/neigh/limits.c \
 	src/neigh/limits.h \
@@ -373,8 +374,6 @@ library_sources = \
 	src/particles/reference.h \
 	src/particles/region.c \
 	src/particles/region.h \
-	src/particles/region_set.c \
-	src/particles/region_set.h \
 	src/particles/rigid.c \
 	src/particles/rigid.h \
 	src/particles/rigid_motion.c \
@@ -510,7 +509,6 @@ library_sources = \
 	src/styles/command/write_dump.c \
 	src/styles/command/write_restart.c \
 	src/styles/command/write_restart_on_signal.c \
-	src/styles/compute/aggregate_atom.c \
 	src/styles/compute/angmom_chunk.c \
 	src/styles/compute/bond_local.c \
 	src/styles/compute/bonds.c \
@@ -524,8 +522,6 @@ library_sources = \
 	src/styles/compute/coord_atom.c \
 	src/styles/compute/count_type.c \
 	src/styles/compute/displace_atom.c \
-	src/styles/compute/erotate.c \
-	src/styles/compute/erotate_multisphere.c \
 	src/styles/compute/erotate_sphere.c \
 	src/styles/compute/erotate_sphere_atom.c \
 	src/styles/compute/flow_flux.c \
@@ -608,7 +604,6 @@ library_sources = \
 	src/styles/fix/gravity.c \
 	src/styles/fix/halt.c \
 	src/styles/fix/heat_gran.c \
-	src/styles/fix/heat_gran_conduction.c \
 	src/styles/fix/insert_pack.c \
 	src/styles/fix/insert_rate_region.c \
 	src/styles/fix/insert_stream.c \
@@ -630,8 +625,6 @@ library_sources = \
 	src/styles/fix/nve_sphere.c \
 	src/styles/fix/nve_symplectic.c \
 	src/styles/fix/particledistribution_discrete.c \
-	src/styles/fix/particledistribution_discrete_massbased.c \
-	src/styles/fix/particledistribution_discrete_numberbased.c \
 	src/styles/fix/particletemplate_multiplespheres.c \
 	src/styles/fix/particletemplate_multisphere.c \
 	src/styles/fix/particletemplate_sphere.c \
@@ -667,13 +660,12 @@ library_sources = \
 	src/styles/region/cone.c \
 	src/styles/region/cylinder.c \
 	src/styles/region/ellipsoid.c \
-	src/styles/region/intersect.c \
 	src/styles/region/mesh_hex.c \
 	src/styles/region/mesh_tet.c \
 	src/styles/region/plane.c \
 	src/styles/region/prism.c \
 	src/styles/region/sphere.c \
-	src/styles/region/union.c \
+	src/styles/region/union_intersect.c \
 	src/styles/region/wedge.c \
 	src/styles/style_table.c \
 	src/systems.c

@@ -284,6 +284,15 @@ static void add_summary(const struct ts_style *style, struct ts_str *out)
 	ts_str_addf(out, "%s%s", first, style->summary[0] ? style->summary + 1 : "");
 }
 
+static void add_other_names(const struct ts_style *style, bool markdown, struct ts_str *out)
+{
+	const char *name;
+
+	for (size_t k = 0; (name = ts_style_other_name(style, k)); k++)
+		ts_str_addf(out, markdown ? "\n`%s` is another name of it.\n" : "\n  %s is another name of it.\n",
+			    name);
+}
+
 void ts_help_page(const struct ts_style *style, bool markdown, struct ts_str *out)
 {
 	ts_str_addf(out, markdown ? "# %s %s\n\n" : "%s %s: ", ts_kind_name(style->kind),
@@ -297,6 +306,7 @@ void ts_help_page(const struct ts_style *style, bool markdown, struct ts_str *ou
 	if (style->doc) {
 		heading("Description", markdown, out);
 		add_paragraphs(style->doc, markdown, out);
+		add_other_names(style, markdown, out);
 	}
 	if (style->example) {
 		heading("Example", markdown, out);

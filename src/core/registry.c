@@ -32,21 +32,34 @@ static size_t length_without_accelerator(const char *name)
 }
 
 /* Names that other programs have for the same thing. */
+static const struct alias {
+	enum ts_kind kind;
+	const char *other, *usual;
+} aliases[] = {
+	{ TS_KIND_COMMAND, "create_particles", "create_atoms" },
+	{ TS_KIND_COMPUTE, "erotate", "erotate/sphere" },
+	{ TS_KIND_COMPUTE, "rigid", "multisphere" },
+	{ TS_KIND_DUMP, "stl", "mesh/stl" },
+	{ TS_KIND_DUMP, "mesh/gran/VTK", "mesh/vtk" },
+	{ TS_KIND_FIX, "heat/gran/conduction", "heat/gran" },
+	{ TS_KIND_FIX, "particledistribution/discrete/massbased", "particledistribution/discrete" },
+};
+enum { NALIASES = sizeof aliases / sizeof *aliases };
+
 static const char *usual_name(enum ts_kind kind, const char *name)
 {
-	static const struct {
-		enum ts_kind kind;
-		const char *other, *usual;
-	} names[] = {
-		{ TS_KIND_COMMAND, "create_particles", "create_atoms" },
-		{ TS_KIND_DUMP, "stl", "mesh/stl" },
-		{ TS_KIND_DUMP, "mesh/gran/VTK", "mesh/vtk" },
-	};
-
-	for (size_t k = 0; k < sizeof names / sizeof *names; k++)
-		if (names[k].kind == kind && ts_streq(names[k].other, name))
-			return names[k].usual;
+	for (size_t k = 0; k < NALIASES; k++)
+		if (aliases[k].kind == kind && ts_streq(aliases[k].other, name))
+			return aliases[k].usual;
 	return name;
+}
+
+const char *ts_style_other_name(const struct ts_style *style, size_t k)
+{
+	for (size_t row = 0; row < NALIASES; row++)
+		if (aliases[row].kind == style->kind && ts_streq(aliases[row].usual, style->name) && k-- == 0)
+			return aliases[row].other;
+	return NULL;
 }
 
 const struct ts_style *ts_style_find(enum ts_kind kind, const char *name)
@@ -85,6 +98,9 @@ enum ts_status ts_style_require(struct tsim *sim, enum ts_kind kind, const struc
 	for (const struct ts_style *const *s = ts_style_table; *s; s++)
 		if ((*s)->kind == kind)
 			ts_suggest_try(&suggest, (*s)->name);
+	for (size_t k = 0; k < NALIASES; k++)
+		if (aliases[k].kind == kind)
+			ts_suggest_try(&suggest, aliases[k].other);
 	suggestion = ts_suggest_text(&suggest);
 	return ts_fail(&sim->error, TS_UNKNOWN, &name->place, "unknown %s%s '%s'%s%s",
 		       ts_kind_name(kind), kind_noun(kind), name->text,

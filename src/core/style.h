@@ -156,8 +156,9 @@ struct ts_system_style {
 extern const struct ts_style *const ts_style_table[];
 extern const struct ts_system_style *const ts_system_table[];
 
-/* The only lookup; NULL if unknown. */
+/* The only lookup; NULL if unknown. Styles have other names, too: the k-th of them, NULL: there are no more. */
 const struct ts_style *ts_style_find(enum ts_kind kind, const char *name);
+const char *ts_style_other_name(const struct ts_style *style, size_t k);
 /* The same, or an error with a suggestion. */
 enum ts_status ts_style_require(struct tsim *sim, enum ts_kind kind, const struct ts_word *name,
 				const struct ts_style **out);

@@ -1,5 +1,5 @@
-/* Temperatures of particles and the heat that touching particles and walls conduct: what the names of
- * fix heat/gran share, and what walls need of it. The law is in law/heat.h. */
+/* Temperatures of particles and the heat that touching particles and walls conduct: the work of
+ * fix heat/gran, and what walls need of it. The law is in law/heat.h. */
 #ifndef TS_NEIGH_HEAT_H
 #define TS_NEIGH_HEAT_H
 
@@ -66,21 +66,7 @@ enum ts_status ts_heat_conductivity(struct tsim *sim, int type, const char *who,
 void ts_heat_from_wall(const struct ts_heat *heat, struct tsim *sim, size_t i, double conductance,
 		       double temperature);
 
-extern const char *const ts_heat_schemes[];
-#define TS_HEAT_ARGS                                                                               \
-	TS_REAL("initial_temperature", struct ts_heat, initial, .unit = "temperature",             \
-		.help = "of particles that have none yet"),                                        \
-		TS_HEAT_AREA_ARG(struct ts_heat, area_words),                                      \
-		TS_BOOL("area_correction", struct ts_heat, correction, .fallback = "no",           \
-			.help = "overlaps as they would be with youngsModulusOriginal"),           \
-		TS_BOOL("store_contact_data", struct ts_heat, store, .fallback = "no",             \
-			.help = "columns nContactsConduction, contactAreaConduction and "          \
-				"wallHeatFlux"),                                                   \
-		TS_ENUM("scheme", struct ts_heat, scheme, ts_heat_schemes, .fallback = "euler",    \
-			.help = "euler as LIGGGHTS, or exact over each step"),                     \
-		TS_ARGS_END
-
-/* Slots of struct ts_style. */
+/* Slots of the style. */
 extern const struct ts_value ts_heat_values[];
 enum ts_status ts_heat_init(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_heat_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a);
@@ -94,19 +80,14 @@ enum ts_status ts_heat_conduct(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_heat_start(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_heat_advance(struct ts_instance *self, struct tsim *sim);
 
-#define TS_HEAT_HOOKS                                                                              \
-	{                                                                                          \
-		[TS_STAGE_POST_BUILD] = ts_heat_built, [TS_STAGE_PRE_FORCE] = ts_heat_clear,       \
-		[TS_STAGE_POST_FORCE] = ts_heat_conduct,                                           \
-		[TS_STAGE_FINAL_INTEGRATE] = ts_heat_advance, [TS_STAGE_SETUP] = ts_heat_start     \
-	}
-
 /* Inside: a column; the conductances of all contacts as particles lie now; of particle i the sum of
  * h (value_j - value_i) over its contacts, and of h, walls included. */
 static inline double *ts_heat_column(const struct tsim *sim, size_t column)
 {
 	return sim->particles->column[column].data;
 }
+/* The constants of all types up to the largest that particles have. */
+enum ts_status ts_heat_materials(struct ts_instance *self, struct tsim *sim);
 void ts_heat_find(const struct ts_instance *self, struct tsim *sim);
 double ts_heat_sum(const struct ts_heat *heat, size_t i, const double *value);
 double ts_heat_conductances(const struct ts_heat *heat, const struct tsim *sim, size_t i);

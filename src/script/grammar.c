@@ -69,11 +69,20 @@ static void add_keywords(struct word_list *list)
 		add(list, (*v)->name);
 }
 
+static void add_style(struct word_list *list, const struct ts_style *style)
+{
+	const char *other;
+
+	add(list, style->name);
+	for (size_t k = 0; (other = ts_style_other_name(style, k)); k++)
+		add(list, other);
+}
+
 static void add_styles(struct word_list *list, enum ts_kind kind)
 {
 	for (const struct ts_style *const *s = ts_style_table; *s; s++)
 		if ((*s)->kind == kind)
-			add(list, (*s)->name);
+			add_style(list, *s);
 }
 
 static void add_functions(struct word_list *list)

@@ -109,7 +109,6 @@ TS_STYLE(compute, ts_style, ts_compute_contacts)
 TS_STYLE(compute, ts_style, ts_compute_coord_atom)
 TS_STYLE(compute, ts_style, ts_compute_count_type)
 TS_STYLE(compute, ts_style, ts_compute_displace_atom)
-TS_STYLE(compute, ts_style, ts_compute_erotate)
 TS_STYLE(compute, ts_style, ts_compute_erotate_multisphere)
 TS_STYLE(compute, ts_style, ts_compute_erotate_sphere)
 TS_STYLE(compute, ts_style, ts_compute_erotate_sphere_atom)
@@ -146,7 +145,6 @@ TS_STYLE(compute, ts_style, ts_compute_rdf)
 TS_STYLE(compute, ts_style, ts_compute_reduce)
 TS_STYLE(compute, ts_style, ts_compute_reduce_chunk)
 TS_STYLE(compute, ts_style, ts_compute_reduce_region)
-TS_STYLE(compute, ts_style, ts_compute_rigid)
 TS_STYLE(compute, ts_style, ts_compute_slice)
 TS_STYLE(compute, ts_style, ts_compute_stress_atom)
 TS_STYLE(compute, ts_style, ts_compute_temp)
@@ -194,7 +192,6 @@ TS_STYLE(fix, ts_style, ts_fix_freeze)
 TS_STYLE(fix, ts_style, ts_fix_gravity)
 TS_STYLE(fix, ts_style, ts_fix_halt)
 TS_STYLE(fix, ts_style, ts_fix_heat_gran)
-TS_STYLE(fix, ts_style, ts_fix_heat_gran_conduction)
 TS_STYLE(fix, ts_style, ts_fix_insert_pack)
 TS_STYLE(fix, ts_style, ts_fix_insert_rate_region)
 TS_STYLE(fix, ts_style, ts_fix_insert_stream)
@@ -216,7 +213,6 @@ TS_STYLE(fix, ts_style, ts_fix_nve_noforce)
 TS_STYLE(fix, ts_style, ts_fix_nve_sphere)
 TS_STYLE(fix, ts_style, ts_fix_nve_symplectic)
 TS_STYLE(fix, ts_style, ts_fix_particledistribution_discrete)
-TS_STYLE(fix, ts_style, ts_fix_particledistribution_discrete_massbased)
 TS_STYLE(fix, ts_style, ts_fix_particledistribution_discrete_numberbased)
 TS_STYLE(fix, ts_style, ts_fix_particletemplate_multiplespheres)
 TS_STYLE(fix, ts_style, ts_fix_particletemplate_multisphere)
@@ -363,7 +359,6 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_coord_atom,
 	&ts_compute_count_type,
 	&ts_compute_displace_atom,
-	&ts_compute_erotate,
 	&ts_compute_erotate_multisphere,
 	&ts_compute_erotate_sphere,
 	&ts_compute_erotate_sphere_atom,
@@ -400,7 +395,6 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_reduce,
 	&ts_compute_reduce_chunk,
 	&ts_compute_reduce_region,
-	&ts_compute_rigid,
 	&ts_compute_slice,
 	&ts_compute_stress_atom,
 	&ts_compute_temp,
@@ -448,7 +442,6 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_gravity,
 	&ts_fix_halt,
 	&ts_fix_heat_gran,
-	&ts_fix_heat_gran_conduction,
 	&ts_fix_insert_pack,
 	&ts_fix_insert_rate_region,
 	&ts_fix_insert_stream,
@@ -470,7 +463,6 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_nve_sphere,
 	&ts_fix_nve_symplectic,
 	&ts_fix_particledistribution_discrete,
-	&ts_fix_particledistribution_discrete_massbased,
 	&ts_fix_particledistribution_discrete_numberbased,
 	&ts_fix_particletemplate_multiplespheres,
 	&ts_fix_particletemplate_multisphere,

@@ -138,7 +138,7 @@ syn keyword tsimName  cellc cellalpha cellbeta cellgamma PI yes no true false on
 syn match tsimFunction /\<\%(sqrt\|exp\|ln\|log\|abs\|sign\|sin\|cos\|tan\|asin\|acos\|atan\|atan2\|ceil\|floor\|round\|ternary\|random\|normal\|ramp\|vdisplace\|swiggle\|cwiggle\|stagger\|logfreq\|logfreq2\|logfreq3\|stride\|stride2\|sum\|ave\|min\|max\|trap\|slope\|stderr\|sort\|rsort\|next\|is_file\|is_os\|is_defined\|is_active\|is_available\|extract_setting\|volume\|count\|mass\|ke\|gyration\|xcm\|vcm\|fcm\|angmom\|torque\|inertia\|omega\|bound\|property\|gmask\|rmask\|grmask\)\ze(/
 
 " commands, at the start of a line
-syn match tsimCommand /^\s*\%(atom_modify\|atom_style\|balance\|bond_coeff\|bond_style\|boundary\|box\|change_box\|clear\|comm_modify\|comm_style\|communicate\|compute\|compute_modify\|create_atoms\|create_bonds\|create_box\|delete_atoms\|delete_bonds\|dimension\|displace_atoms\|dump\|dump_modify\|echo\|fix\|fix_modify\|flow_boundary\|flow_set\|flow_style\|group\|hard_particles\|if\|include\|info\|jump\|label\|lattice\|legacy\|log\|mass\|material\|modify_timing\|neigh_modify\|neighbor\|newton\|next\|package\|pair_coeff\|pair_modify\|pair_style\|partition\|partitioner_style\|pressure_style\|print\|processors\|quit\|read_data\|read_dump\|read_restart\|region\|replicate\|rerun\|reset_timestep\|restart\|run\|set\|shell\|soft_particles\|special_bonds\|thermo\|thermo_log\|thermo_modify\|thermo_style\|timer\|timestep\|uncompute\|undump\|unfix\|units\|variable\|velocity\|write_data\|write_dump\|write_restart\|write_restart_on_signal\)\ze\%(\s\|$\)/
+syn match tsimCommand /^\s*\%(atom_modify\|atom_style\|balance\|bond_coeff\|bond_style\|boundary\|box\|change_box\|clear\|comm_modify\|comm_style\|communicate\|compute\|compute_modify\|create_atoms\|create_particles\|create_bonds\|create_box\|delete_atoms\|delete_bonds\|dimension\|displace_atoms\|dump\|dump_modify\|echo\|fix\|fix_modify\|flow_boundary\|flow_set\|flow_style\|group\|hard_particles\|if\|include\|info\|jump\|label\|lattice\|legacy\|log\|mass\|material\|modify_timing\|neigh_modify\|neighbor\|newton\|next\|package\|pair_coeff\|pair_modify\|pair_style\|partition\|partitioner_style\|pressure_style\|print\|processors\|quit\|read_data\|read_dump\|read_restart\|region\|replicate\|rerun\|reset_timestep\|restart\|run\|set\|shell\|soft_particles\|special_bonds\|thermo\|thermo_log\|thermo_modify\|thermo_style\|timer\|timestep\|uncompute\|undump\|unfix\|units\|variable\|velocity\|write_data\|write_dump\|write_restart\|write_restart_on_signal\)\ze\%(\s\|$\)/
 
 " styles, behind their command, name and group
 syn match tsimHead /^\s*fix\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_fix
@@ -166,14 +166,14 @@ hi def link tsim_fix Type
 syn match tsimHead /^\s*compute\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_compute
 syn keyword tsim_compute contained aggregate/atom angmom/chunk bond/local bonds chunk/atom
 syn keyword tsim_compute contained chunk/spread/atom cluster/atom com com/chunk contact/atom contacts
-syn keyword tsim_compute contained coord/atom count/type displace/atom erotate erotate/multisphere
-syn keyword tsim_compute contained erotate/sphere erotate/sphere/atom flow/flux flow/force flow/line
-syn keyword tsim_compute contained flow/plane flow/probe fragment/atom group/group gyration
+syn keyword tsim_compute contained coord/atom count/type displace/atom erotate/multisphere
+syn keyword tsim_compute contained erotate/sphere erotate erotate/sphere/atom flow/flux flow/force
+syn keyword tsim_compute contained flow/line flow/plane flow/probe fragment/atom group/group gyration
 syn keyword tsim_compute contained gyration/chunk inertia/chunk ke ke/atom ke/multisphere leave msd
-syn keyword tsim_compute contained msd/chunk multisphere nbond/atom neighbor/atom
+syn keyword tsim_compute contained msd/chunk multisphere rigid nbond/atom neighbor/atom
 syn keyword tsim_compute contained nparticles/tracer/region omega/chunk pair/gran/local pair/local pe
 syn keyword tsim_compute contained pe/atom pressure property/atom property/chunk property/local rdf
-syn keyword tsim_compute contained reduce reduce/chunk reduce/region rigid slice stress/atom temp
+syn keyword tsim_compute contained reduce reduce/chunk reduce/region slice stress/atom temp
 syn keyword tsim_compute contained temp/chunk temp/com torque/chunk vacf vcm/chunk wall/gran/local
 hi def link tsim_compute Type
 syn match tsimHead /^\s*region\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_region
@@ -182,7 +182,7 @@ syn keyword tsim_region contained prism sphere union wedge
 hi def link tsim_region Type
 syn match tsimHead /^\s*dump\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_dump
 syn keyword tsim_dump contained atom custom custom/vtk euler/vtk flow/vtk local local/gran/vtk
-syn keyword tsim_dump contained local/vtk mesh/stl mesh/vtk
+syn keyword tsim_dump contained local/vtk mesh/stl stl mesh/vtk mesh/gran/VTK
 syn match tsim_dump /\<restart\>/ contained
 syn keyword tsim_dump contained xyz
 hi def link tsim_dump Type

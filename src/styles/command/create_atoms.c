@@ -414,7 +414,6 @@ const struct ts_command_style ts_command_create_atoms = {
 		.doc = "New particles are at rest, with diameter 1 and density 1 or the mass given by the mass\n"
 		       "command; use set to change them. Their identities go on from the largest there is, on\n"
 		       "a lattice in the order z, y, x of unit cells, then of the points in the cell.\n"
-		       "create_particles is another name of the command.\n\n"
 		       "Positions lie in the box if lo <= x < hi. Across a periodic face lattice points nearer\n"
 		       "to the upper face than 2e-6 lengths are left out, for they are those of the lower one.\n\n"
 		       "var and set choose lattice points by a formula: `variable v equal \"v_xx^2+v_yy^2<4\"`\n"

@@ -1,4 +1,4 @@
-/* Compute: which cluster each particle belongs to. */
+/* Computes: which cluster, or aggregate, each particle belongs to. */
 #include "neigh/clusters.h"
 
 #include "base/banned.h"
@@ -7,16 +7,30 @@ struct state {
 	double cutoff;
 };
 
-static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+static enum ts_status find(struct ts_instance *self, const struct tsim *sim, bool bonds, struct ts_table *out)
 {
 	const struct state *s = self->state;
 
-	return ts_clusters_find(sim, self->group, s->cutoff, false, true, out);
+	return ts_clusters_find(sim, self->group, s->cutoff, bonds, true, out);
 }
 
-static const struct ts_value values[] = {
-	{ "cluster", "", "smallest id of its cluster; 0 outside the group",
-	  TS_PERATOM, 1, NULL, eval },
+static enum ts_status eval_cluster(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	return find(self, sim, false, out);
+}
+
+static enum ts_status eval_aggregate(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	return find(self, sim, true, out);
+}
+
+static const struct ts_value clusters[] = {
+	{ "cluster", "", "smallest id of its cluster; 0 outside the group", TS_PERATOM, 1, NULL, eval_cluster },
+	{ .name = NULL },
+};
+
+static const struct ts_value aggregates[] = {
+	{ "cluster", "", "smallest id of its aggregate; 0 outside the group", TS_PERATOM, 1, NULL, eval_aggregate },
 	{ .name = NULL },
 };
 
@@ -37,5 +51,18 @@ const struct ts_style ts_compute_cluster_atom = {
 	.example = "compute piece all cluster/atom 0.0105",
 	.args = args,
 	.state_size = sizeof(struct state),
-	.values = values,
+	.values = clusters,
+};
+
+TS_STYLE(compute, ts_style, ts_compute_aggregate_atom)
+const struct ts_style ts_compute_aggregate_atom = {
+	.name = "aggregate/atom",
+	.kind = TS_KIND_COMPUTE,
+	.summary = "Which aggregate each particle belongs to",
+	.doc = "As compute cluster/atom, but particles that are bonded belong together too, however far apart they are. "
+	       "An\naggregate is known by the smallest id in it; particles outside the group have 0.",
+	.example = "compute piece all aggregate/atom 0.0105",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.values = aggregates,
 };

@@ -108,15 +108,3 @@ const struct ts_style ts_compute_multisphere = {
 	.state_size = sizeof(struct state),
 	.values = values,
 };
-
-TS_STYLE(compute, ts_style, ts_compute_rigid)
-const struct ts_style ts_compute_rigid = {
-	.name = "rigid",
-	.kind = TS_KIND_COMPUTE,
-	.summary = "A property of all rigid bodies",
-	.doc = "The same as compute multisphere.",
-	.example = "compute centres all rigid property xcm",
-	.args = args,
-	.state_size = sizeof(struct state),
-	.values = values,
-};

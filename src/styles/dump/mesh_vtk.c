@@ -334,8 +334,7 @@ const struct ts_style ts_dump_mesh_vtk = {
 	       "Arrays: stress gives normal_stress_average and shear_stress_average, stresscomponents the vector\n"
 	       "stress = F/A, id meshid, aedges active_edges, acorners active_corners (edges and corners that\n"
 	       "particles can touch), vel v; the others are named as they are asked for. There are stresses and\n"
-	       "wear only if a mesh is a fix mesh/surface/stress, and velocities only if one moves.\n"
-	       "`mesh/gran/VTK` is another name of this style.",
+	       "wear only if a mesh is a fix mesh/surface/stress, and velocities only if one moves.",
 	.example = "dump stress all mesh/vtk 200 post/mesh*.vtk id area vel\n"
 		   "dump points all mesh/vtk 200 post/drum*.vtk output interpolate vel drum",
 	.args = args,

@@ -2,7 +2,21 @@
 
 #include "base/banned.h"
 
-static const struct ts_arg args[] = { TS_HEAT_ARGS };
+/* in the order of enum ts_heat_scheme */
+static const char *const schemes[] = { "euler", "exact", NULL };
+
+static const struct ts_arg args[] = {
+	TS_REAL("initial_temperature", struct ts_heat, initial, .unit = "temperature",
+		.help = "of particles that have none yet"),
+	TS_HEAT_AREA_ARG(struct ts_heat, area_words),
+	TS_BOOL("area_correction", struct ts_heat, correction, .fallback = "no",
+		.help = "overlaps as they would be with youngsModulusOriginal"),
+	TS_BOOL("store_contact_data", struct ts_heat, store, .fallback = "no",
+		.help = "columns nContactsConduction, contactAreaConduction and wallHeatFlux"),
+	TS_ENUM("scheme", struct ts_heat, scheme, schemes, .fallback = "euler",
+		.help = "euler as LIGGGHTS, or exact over each step"),
+	TS_ARGS_END,
+};
 
 static const char doc[] =
 	"Each particle has one temperature T, `Temp`. Touching particles exchange heat,\n"
@@ -40,7 +54,11 @@ const struct ts_style ts_fix_heat_gran = {
 	.archive = ts_heat_archive,
 	.values = ts_heat_values,
 	.init = ts_heat_init,
-	.hook = TS_HEAT_HOOKS,
+	.hook[TS_STAGE_POST_BUILD] = ts_heat_built,
+	.hook[TS_STAGE_PRE_FORCE] = ts_heat_clear,
+	.hook[TS_STAGE_POST_FORCE] = ts_heat_conduct,
+	.hook[TS_STAGE_FINAL_INTEGRATE] = ts_heat_advance,
+	.hook[TS_STAGE_SETUP] = ts_heat_start,
 	.plan = ts_heat_plan,
 	.fini = ts_heat_fini,
 };

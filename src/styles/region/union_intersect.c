@@ -1,0 +1,136 @@
+/* Regions that combine others: their union and their intersection. */
+#include "particles/region.h"
+
+#include <math.h>
+
+#include "base/banned.h"
+
+struct state {
+	struct ts_region region;
+	int64_t n;
+	struct ts_words names;
+	struct ts_instance **member;
+};
+
+extern const struct ts_region_style ts_region_intersect;
+
+/* An intersection has the points that are in all of its members, a union those in any. */
+static bool wants_all(const struct ts_instance *self)
+{
+	return self->style == &ts_region_intersect.style;
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	if ((size_t)s->n != s->names.n)
+		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+			       "region %s: expected the names of %lld regions, found %zu",
+			       self->style->name, (long long)s->n, s->names.n);
+	if (!s->member)
+		s->member = ts_arena_alloc(&self->arena, s->names.n, sizeof *s->member);
+	if (!s->member)
+		return ts_nomem(&sim->error);
+	TS_TRY(ts_region_init(self, sim));
+	for (size_t k = 0; k < s->names.n; k++)
+		TS_TRY(ts_sim_require(sim, TS_KIND_REGION, &s->names.word[k], &s->member[k]));
+	return TS_OK;
+}
+
+static enum ts_status update(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	for (int64_t k = 0; k < s->n; k++)
+		TS_TRY(ts_region_update(s->member[k], sim));
+	return TS_OK;
+}
+
+static bool contains(const struct ts_instance *self, const double x[3])
+{
+	const struct state *s = self->state;
+	bool all = wants_all(self);
+
+	for (int64_t k = 0; k < s->n; k++)
+		if (ts_region_contains(s->member[k], x) != all)
+			return !all;
+	return all;
+}
+
+static double depth(const struct ts_instance *self, const double x[3])
+{
+	const struct state *s = self->state;
+	bool all = wants_all(self);
+	double d = all ? INFINITY : -INFINITY;
+
+	for (int64_t k = 0; k < s->n; k++) {
+		double one = ts_region_depth(s->member[k], x);
+
+		if (isnan(one))
+			return NAN;
+		d = all ? fmin(d, one) : fmax(d, one);
+	}
+	return d;
+}
+
+static void bounds(const struct ts_instance *self, double lo[3], double hi[3])
+{
+	const struct state *s = self->state;
+	bool all = wants_all(self);
+	double a[3], b[3];
+
+	for (int64_t k = 0; k < s->n; k++) {
+		ts_region_bounds(s->member[k], a, b);
+		for (int d = 0; d < 3; d++) {
+			lo[d] = !k ? a[d] : all ? fmax(lo[d], a[d]) : fmin(lo[d], a[d]);
+			hi[d] = !k ? b[d] : all ? fmin(hi[d], b[d]) : fmax(hi[d], b[d]);
+		}
+	}
+}
+
+static const struct ts_arg args[] = {
+	TS_INT("n", struct state, n, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1, .hi = 1e6,
+	       .help = "number of regions"),
+	TS_LIST("regions", struct state, names, .help = "the names of n regions"),
+	TS_REGION_ARGS(struct state),
+	TS_ARGS_END,
+};
+
+TS_STYLE(region, ts_region_style, ts_region_union)
+const struct ts_region_style ts_region_union = {
+	.style = {
+		.name = "union",
+		.kind = TS_KIND_REGION,
+		.summary = "All points of any of several regions",
+		.doc = "A point belongs to it if it belongs to at least one of the n regions; the side of each\n"
+		       "counts.",
+		.example = "region both union 2 left right",
+		.args = args,
+		.state_size = sizeof(struct state),
+		.init = init,
+	},
+	.contains = contains,
+	.depth = depth,
+	.bounds = bounds,
+	.update = update,
+};
+
+TS_STYLE(region, ts_region_style, ts_region_intersect)
+const struct ts_region_style ts_region_intersect = {
+	.style = {
+		.name = "intersect",
+		.kind = TS_KIND_REGION,
+		.summary = "All points that several regions share",
+		.doc = "A point belongs to it if it belongs to all of the n regions; the side of each counts, so\n"
+		       "that a region with `side out` cuts a hole.",
+		.example = "region ring intersect 2 outer_cylinder not_inner_cylinder",
+		.args = args,
+		.state_size = sizeof(struct state),
+		.init = init,
+	},
+	.contains = contains,
+	.depth = depth,
+	.bounds = bounds,
+	.update = update,
+};
