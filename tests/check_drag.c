@@ -1,0 +1,200 @@
+/* Laws of drag and lift by themselves: the exchange of a bed against the formulae as they are printed, pressure
+ * drops and velocities known otherwise, measurements, limits. */
+#include <check.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "law/drag.h"
+#include "law/lift.h"
+
+static void close_to(double a, double b, double tolerance)
+{
+	ck_assert_msg(fabs(a - b) <= tolerance * fmax(fabs(a), fabs(b)), "%.17g is not %.17g", a, b);
+}
+
+/* beta of a bed: (1-e) c/V_p */
+static double exchange(double c, const struct ts_slip *s)
+{
+	return (1 - s->empty) * c / (TS_PI / 6 * pow(s->diameter, 3));
+}
+
+static double ergun(const struct ts_slip *s)
+{
+	return ts_drag_ergun(s, 150, 1.75);
+}
+
+static double stokes(const struct ts_slip *s)
+{
+	return ts_drag_stokes(s);
+}
+
+/* The laws' beta by volume, computed from the printed formulae by another program. */
+START_TEST(exchange_of_beds)
+{
+	static const double empty[3] = { 0.4213, 0.6731, 0.8713 };
+	static const struct {
+		double (*law)(const struct ts_slip *);
+		double beta[3];
+	} rows[] = {
+		{ ergun, { 59163.05109515682, 22800.666811120205, 7385.293017574336 } },
+		{ ts_drag_wen_yu, { 81438.35199863942, 16781.724035925778, 3822.8891600525094 } },
+		{ ts_drag_gidaspow, { 59163.05109515682, 22800.666811120205, 3822.8891600525094 } },
+		{ ts_drag_di_felice, { 54675.5504075919, 15170.316207496997, 4026.1311213380004 } },
+		{ ts_drag_koch_hill, { 57317.39774776657, 15377.962591798312, 4663.242813932583 } },
+		{ ts_drag_beetstra, { 61347.6310134798, 19137.480749674556, 4925.217988105656 } },
+	};
+
+	for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)
+		for (int j = 0; j < 3; j++) {
+			struct ts_slip s = { 0.00237, 0.0731, empty[j], 963.0, 1.37e-3 };
+
+			close_to(exchange(rows[k].law(&s), &s), rows[k].beta[j], 1e-13);
+		}
+}
+END_TEST
+
+START_TEST(one_sphere_is_the_limit)
+{
+	struct ts_slip s = { 0.00237, 0, 1, 963.0, 1.37e-3 };
+
+	/* at rest: Stokes, by Di Felice 0.96 of it */
+	close_to(ts_drag_schiller_naumann(&s), stokes(&s), 1e-15);
+	close_to(ts_drag_wen_yu(&s), stokes(&s), 1e-15);
+	close_to(ts_drag_koch_hill(&s), stokes(&s), 1e-15);
+	close_to(ts_drag_beetstra(&s), stokes(&s), 1e-15);
+	close_to(ts_drag_di_felice(&s), 0.96 * stokes(&s), 1e-15);
+	for (s.speed = 0.0031; s.speed < 1; s.speed *= 2.385) {
+		close_to(ts_drag_wen_yu(&s), ts_drag_schiller_naumann(&s), 1e-14);
+		close_to(ts_drag_gidaspow(&s), ts_drag_schiller_naumann(&s), 1e-14);
+		/* two fits of such measurements, apart most at high Re */
+		close_to(ts_drag_di_felice(&s), ts_drag_schiller_naumann(&s), 0.28);
+	}
+	/* the void fraction is no business of a sphere alone */
+	s.speed = 0.0731;
+	s.empty = 0.5;
+	close_to(ts_drag_schiller_naumann(&s),
+		 TS_PI / 8 * s.diameter * s.diameter * 963.0 * 0.0731 * 24 / 121.77873065693431 *
+			 (1 + 0.15 * pow(121.77873065693431, 0.687)),
+		 1e-12);
+}
+END_TEST
+
+/* Water through 1 mm spheres at 1 cm/s; the fluidisation of glass beads of 1 mm by air. */
+START_TEST(beds_of_ergun)
+{
+	struct ts_slip s = { 1e-3, 0.01 / 0.4, 0.4, 1000, 1e-3 };
+	double low = 0, high = 10, weight = (1 - 0.4) * (2500 - 1.2) * 9.81;
+
+	close_to(exchange(ergun(&s), &s) * s.speed / s.empty, 10078.125, 1e-14);
+	close_to(exchange(ts_drag_ergun(&s, 150, 0), &s) * s.speed / s.empty, 8437.5, 1e-14);
+	s = (struct ts_slip){ 1e-3, 0, 0.4, 1.2, 1.8e-5 };
+	for (int k = 0; k < 60; k++) {
+		double u = 0.5 * (low + high);
+
+		s.speed = u / s.empty;
+		*(exchange(ergun(&s), &s) * s.speed / s.empty < weight ? &low : &high) = u;
+	}
+	close_to(low, 0.5608, 1e-4);
+}
+END_TEST
+
+/* Glass of 1 mm falls in water at 0.14595 m/s, Re 145.9. */
+START_TEST(terminal_velocity)
+{
+	struct ts_slip s = { 1e-3, 0.14595, 1, 1000, 1e-3 };
+
+	close_to(ts_drag_schiller_naumann(&s) * s.speed, TS_PI / 6 * 1e-9 * 1500 * 9.81, 1e-4);
+	close_to(ts_slip_reynolds(&s), 145.95, 1e-13);
+}
+END_TEST
+
+static void measured(double *rms, double *most, double from, double to)
+{
+	char name[512], line[80];
+	const char *dir = getenv("top_srcdir");
+	FILE *f;
+	int n = 0;
+
+	snprintf(name, sizeof name, "%s/tests/data/sphere_drag_roos_willmarth1971.csv",
+		 dir ? dir : ".");
+	f = fopen(name, "r");
+	ck_assert_ptr_nonnull(f);
+	*rms = *most = 0;
+	while (fgets(line, sizeof line, f)) {
+		char *end;
+		double re = strtod(line, &end), cd, off;
+
+		if (end == line || *end != ',' || re < from || re >= to)
+			continue;
+		cd = strtod(end + 1, NULL);
+		off = cd * re / (24 * ts_drag_sphere_factor(re)) - 1;
+		*rms += off * off;
+		*most = fmax(*most, fabs(off));
+		n++;
+	}
+	fclose(f);
+	ck_assert_int_gt(n, 40);
+	*rms = sqrt(*rms / n);
+}
+
+START_TEST(measured_spheres)
+{
+	double rms, most;
+
+	measured(&rms, &most, 0, 1000);
+	ck_assert_msg(rms < 0.056 && most < 0.123, "rms %g, most %g", rms, most);
+	measured(&rms, &most, 1000, 2e5);
+	ck_assert_msg(rms < 0.106 && most < 0.203, "rms %g, most %g", rms, most);
+}
+END_TEST
+
+START_TEST(lift)
+{
+	double d = 0.00237, rho = 963, mu = 1.37e-3, w = 0.0731, vorticity = 23.85, re, a;
+
+	close_to(ts_lift_saffman(d, rho, mu, vorticity) * w * vorticity,
+		 1.615 * d * d * sqrt(rho * mu * vorticity) * w, 1e-14);
+	ck_assert_double_eq(ts_lift_saffman(d, rho, mu, 0), 0);
+	/* Saffman's own limit: no slip compared with shear */
+	close_to(ts_lift_mei(d, rho, mu, 1e-12, vorticity * 1e-12), 1, 1e-8);
+	re = rho * w * d / mu;
+	a = 0.5 * vorticity * d / w;
+	ck_assert_double_gt(re, 40);
+	close_to(ts_lift_mei(d, rho, mu, w, vorticity), 0.0524 * sqrt(a * re), 1e-14);
+	/* the two branches meet at Re = 40 within a tenth for the shear they were fitted to */
+	w = 39.999 * mu / (rho * d);
+	vorticity = 2 * 0.4 * w / d;
+	a = ts_lift_mei(d, rho, mu, w, vorticity);
+	close_to(a, ts_lift_mei(d, rho, mu, 40.001 / 39.999 * w, vorticity), 0.1);
+	/* slow: Rubinow and Keller */
+	close_to(ts_lift_oesterle(d, rho, mu, 1e-7, 1e-6), 1, 1e-3);
+	close_to(ts_lift_magnus(d, rho), TS_PI / 8 * rho * d * d * d, 1e-15);
+	re = rho * 0.0731 * d / mu;
+	a = rho * 31.7 * d * d / mu;
+	close_to(ts_lift_oesterle(d, rho, mu, 0.0731, 31.7),
+		 re / a * (0.45 + (a / re - 0.45) * exp(-0.05684 * pow(a, 0.4) * pow(re, 0.3))), 1e-13);
+	close_to(ts_nusselt_ranz_marshall(123.4, 0.713), 2 + 0.6 * sqrt(123.4) * cbrt(0.713), 1e-15);
+}
+END_TEST
+
+int main(void)
+{
+	Suite *suite = suite_create("drag");
+	TCase *c = tcase_create("laws");
+	SRunner *runner;
+	int failed;
+
+	tcase_add_test(c, exchange_of_beds);
+	tcase_add_test(c, one_sphere_is_the_limit);
+	tcase_add_test(c, beds_of_ergun);
+	tcase_add_test(c, terminal_velocity);
+	tcase_add_test(c, measured_spheres);
+	tcase_add_test(c, lift);
+	suite_add_tcase(suite, c);
+	runner = srunner_create(suite);
+	srunner_run_all(runner, CK_NORMAL);
+	failed = srunner_ntests_failed(runner);
+	srunner_free(runner);
+	return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
