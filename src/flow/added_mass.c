@@ -1,0 +1,20 @@
+#include "flow/added_mass.h"
+
+#include <string.h>
+
+#include "base/banned.h"
+
+double ts_added_density(const struct tsim *sim, int group)
+{
+	const struct ts_instance *inst;
+	size_t k = 0;
+
+	while ((inst = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k))) {
+		const struct ts_added_mass *mass = inst->state;
+
+		if (strcmp(inst->style->name, TS_ADDED_MASS) == 0 &&
+		    (inst->group == 0 || inst->group == group))
+			return mass->coefficient * mass->density;
+	}
+	return 0;
+}

@@ -1,0 +1,107 @@
+/* Drag fixes: what the laws share. Each particle of the group takes the fluid at its place, its law gives the
+ * coefficient of its drag, and where the fluid is solved for the fluid gets the opposite of all that the particle
+ * gets, to round-off.
+ *
+ * Over one step h the drag on a particle is F = B (u - v) + G, by scheme, with coefficient c = F/(u - v), mass m
+ * (added mass included) and the other forces f:
+ *   explicit   B = c, G = 0                               stable for h < 2 m/c
+ *   implicit   B = c/(1 + c h/m), G = -B h f/m            v at the end of the step
+ *   exact      B = m/h (1 - exp(-c h/m)), G = (B/c - 1) f  the mean over the relaxation
+ * The fluid takes part in it implicitly: it gets -F and the slope B, solves with its new velocity u', and the
+ * particle gets B (u' - u) after the step of the fluid, by the same weights. Then both have exchanged the same
+ * momentum, and neither a tiny particle nor a crowd of them has a limit of the step. */
+#ifndef TS_FLOW_DRAG_H
+#define TS_FLOW_DRAG_H
+
+#include "flow/cell_order.h"
+#include "flow/flow.h"
+#include "flow/fluid.h"
+#include "flow/share.h"
+#include "law/drag.h"
+#include "particles/tally.h"
+
+struct ts_drag_note {
+	double slope;	/* B */
+	double held[3]; /* sum of weight * velocity of the fluid before its step */
+};
+
+/* The state of a drag fix. */
+struct ts_drag {
+	struct ts_flow_part part; /* first */
+	int axes, scheme, interpolation;
+	bool two_way;
+	double fraction; /* void fraction given; NaN: of the fluid */
+	double c1, c2;	 /* of Ergun's equation */
+
+	struct ts_instance *flow;
+	struct ts_fluid *fluid; /* NULL: imposed */
+	double added;		/* mass that a particle takes with it, per volume */
+	struct ts_cell_order order;
+	struct ts_drag_note *note; /* where the fluid is solved for */
+	size_t capacity, noted;
+	struct ts_tally total;
+	double reynolds; /* the largest of the last step */
+};
+
+struct ts_drag_style {
+	struct ts_style style;
+	double (*coefficient)(const struct ts_drag *drag, const struct ts_slip *slip);
+	bool crowded; /* asks for the void fraction */
+	bool inertial; /* asks for the density of the fluid */
+};
+
+extern const char *const ts_drag_axes[], *const ts_drag_schemes[];
+#define TS_DRAG_ARGS                                                                               \
+	TS_ENUM("axes", struct ts_drag, axes, ts_drag_axes, .fallback = "xyz",                     \
+		.help = "components in which the drag acts"),                                      \
+		TS_ENUM("scheme", struct ts_drag, scheme, ts_drag_schemes, .fallback = "explicit", \
+			.help = "force at the present velocity, exact relaxation over the step, or " \
+				"implicit"),                                                       \
+		TS_BOOL("two_way", struct ts_drag, two_way, .fallback = "yes",                     \
+			.help = "whether a fluid that is solved for feels the particles"),         \
+		TS_ENUM("interpolation", struct ts_drag, interpolation, ts_interpolation_names,   \
+			.fallback = "linear",                                                      \
+			.help = "of the fluid's fields to the particle: between points, or of "    \
+				"its cell")
+#define TS_DRAG_CROWD_ARGS                                                                         \
+	TS_DRAG_ARGS,                                                                              \
+		TS_REAL("void", struct ts_drag, fraction, .flags = TS_OPTIONAL, .range = TS_WITHIN, \
+			.lo = 1e-3, .hi = 1, .unit = "",                                           \
+			.help = "void fraction everywhere, where no fix void_fraction finds it")
+
+/* The second half of each manual page. */
+#define TS_DRAG_DOC                                                                                \
+	"u is the velocity of the fluid at the particle's centre, interpolated linearly or, with\n"   \
+	"`interpolation cell`, that of the cell that holds it. f_ID[1] ... [3] is the force on all\n" \
+	"particles of the group, f_ID[4] the largest Re of a particle.\n\n"                           \
+	"scheme explicit takes the force at the present velocity: stable for steps below 2 tau, tau =\n" \
+	"m/c the relaxation time, c = F/(u - v). scheme exact makes the velocity follow the exponential\n" \
+	"relaxation under drag and all forces added before this fix exactly over each step, scheme\n" \
+	"implicit takes the velocity at the end of the step; both are stable for any step. Define them\n" \
+	"after the fixes that add forces. With velocity Verlet it is the half-step velocity that is\n" \
+	"exact. Particles that are frozen or belong to clumps get the explicit force.\n\n"            \
+	"Where the fluid is solved for (flow_style projection) it loses what the particles gain, to\n" \
+	"round-off, unless two_way is no, and takes part in the exchange implicitly: see\n"           \
+	"doc/coupling.md."
+#define TS_DRAG_CROWD_DOC                                                                          \
+	"The void fraction is that of fix void_fraction, which must come before this fix, or the one\n" \
+	"given by `void`. F is the drag beside the force of the pressure gradient\n"                   \
+	"(fix flow/pressure_gradient): a bed at rest has dp/L = beta w/e, beta = (1-e) F/(V_p w), w the\n" \
+	"slip between the particles.\n\n"
+
+/* Slots of struct ts_style. */
+extern const struct ts_value ts_drag_values[];
+enum ts_status ts_drag_init(struct ts_instance *self, struct tsim *sim);
+enum ts_status ts_drag_post_force(struct ts_instance *self, struct tsim *sim);
+enum ts_status ts_drag_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a);
+enum ts_status ts_drag_plan(struct ts_instance *self, struct tsim *sim,
+			    struct ts_plan_report *report);
+void ts_drag_fini(struct ts_instance *self);
+
+#define TS_DRAG_SLOTS                                                                              \
+	.kind = TS_KIND_FIX, .family = TS_FAMILY_FLOW_PART, .state_size = sizeof(struct ts_drag),  \
+	.init = ts_drag_init, .archive = ts_drag_archive, .values = ts_drag_values,                \
+	.hook = { [TS_STAGE_POST_FORCE] = ts_drag_post_force }, .plan = ts_drag_plan,              \
+	.fini = ts_drag_fini
+
+#endif

@@ -1,0 +1,94 @@
+/* With the corner inside the ball, the piece is bounded by three parts of planes and one of the sphere. By Gauss'
+ * theorem about the centre its volume is (S - a A_a - b A_b - c A_c)/3: S the area on the sphere, A_a that of the
+ * plane x = a, a sector of the disc of radius s = sqrt(1 - a^2). S follows from the theorem of Gauss and
+ * Bonnet: its edges are arcs of small circles, of angle t_a and geodesic curvature a/s, which meet at the
+ * exterior angles acos(-ab/sqrt((1 - a^2)(1 - b^2))):
+ *   S = 2 pi - sum of exterior angles - sum of a t_a.
+ * A corner outside the ball, with no negative coordinate, has nothing of it beyond; a negative coordinate is
+ * turned round: what lies beyond (a, b, -c) is what lies beyond (a, b), less what lies beyond (a, b, c). */
+#include "geom/ball_corner.h"
+
+#include <math.h>
+
+#include "base/banned.h"
+
+static const double PI = 3.14159265358979323846;
+
+static double clamp(double x)
+{
+	return x < -1 ? -1 : x > 1 ? 1 : x;
+}
+
+/* Area and angle of the sector y >= b, z >= c of a disc with radius^2 s2; the corner is inside. */
+static double sector(double s2, double b, double c, double *angle)
+{
+	double s = sqrt(s2);
+
+	*angle = s > 0 ? acos(clamp(b / s)) - asin(clamp(c / s)) : 0;
+	return 0.5 * (s2 * *angle - b * (sqrt(fmax(s2 - b * b, 0)) - c) -
+		      c * (sqrt(fmax(s2 - c * c, 0)) - b));
+}
+
+static double exterior(double a, double b)
+{
+	return acos(clamp(-a * b / sqrt((1 - a * a) * (1 - b * b))));
+}
+
+/* a, b, c >= 0 */
+static double inside(double a, double b, double c)
+{
+	double ta, tb, tc, flat, round;
+
+	if (a * a + b * b + c * c >= 1)
+		return 0;
+	flat = a * sector(1 - a * a, b, c, &ta) + b * sector(1 - b * b, c, a, &tb) +
+	       c * sector(1 - c * c, a, b, &tc);
+	round = 2 * PI - exterior(a, b) - exterior(b, c) - exterior(c, a) - a * ta - b * tb - c * tc;
+	return fmax((round - flat) / 3, 0);
+}
+
+/* x >= a */
+static double cap(double a)
+{
+	a = clamp(a);
+	return PI / 3 * (1 - a) * (1 - a) * (2 + a);
+}
+
+/* x >= a, y >= b */
+static double edge(double a, double b)
+{
+	if (a < 0)
+		return cap(b) - edge(-a, b);
+	if (b < 0)
+		return cap(a) - edge(a, -b);
+	return 2 * inside(a, b, 0);
+}
+
+double ts_ball_corner(double a, double b, double c)
+{
+	if (a < 0)
+		return edge(b, c) - ts_ball_corner(-a, b, c);
+	if (b < 0)
+		return edge(a, c) - ts_ball_corner(a, -b, c);
+	if (c < 0)
+		return edge(a, b) - ts_ball_corner(a, b, -c);
+	return inside(a, b, c);
+}
+
+/* x >= a of the disc */
+static double segment(double a)
+{
+	a = clamp(a);
+	return acos(a) - a * sqrt(1 - a * a);
+}
+
+double ts_disc_corner(double a, double b)
+{
+	double angle;
+
+	if (a < 0)
+		return segment(b) - ts_disc_corner(-a, b);
+	if (b < 0)
+		return segment(a) - ts_disc_corner(a, -b);
+	return a * a + b * b >= 1 ? 0 : sector(1, a, b, &angle);
+}
