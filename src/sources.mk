@@ -90,12 +90,18 @@ library_sources = \
 	src/crosscheck/reader.h \
 	src/crosscheck/reader_vtk.c \
 	src/crosscheck/report.c \
+	src/flow/added_mass.c \
+	src/flow/added_mass.h \
 	src/flow/advance.c \
 	src/flow/boundary.c \
+	src/flow/cell_order.c \
+	src/flow/cell_order.h \
 	src/flow/conjugate.c \
 	src/flow/conjugate.h \
 	src/flow/convection.c \
 	src/flow/convection.h \
+	src/flow/drag.c \
+	src/flow/drag.h \
 	src/flow/flow.h \
 	src/flow/fluid.c \
 	src/flow/fluid.h \
@@ -119,9 +125,15 @@ library_sources = \
 	src/flow/project.c \
 	src/flow/projection.h \
 	src/flow/sample.c \
+	src/flow/share.c \
+	src/flow/share.h \
+	src/flow/spread.c \
+	src/flow/spread.h \
 	src/flow/stencil.c \
 	src/flow/stencil.h \
 	src/flow/words.c \
+	src/geom/ball_corner.c \
+	src/geom/ball_corner.h \
 	src/geom/box.h \
 	src/geom/mesh.c \
 	src/geom/mesh.h \
@@ -212,12 +224,14 @@ library_sources = \
 	src/io/vtk_xml.h \
 	src/law/buoyancy.h \
 	src/law/cohesion.h \
+	src/law/drag.h \
 	src/law/energy.h \
 	src/law/granular.h \
 	src/law/granular_force.h \
 	src/law/granular_limit.h \
 	src/law/heat.h \
 	src/law/lens.h \
+	src/law/lift.h \
 	src/law/normal.h \
 	src/law/rolling.h \
 	src/law/spring_dashpot.h \
@@ -596,7 +610,14 @@ library_sources = \
 	src/styles/fix/controller.c \
 	src/styles/fix/deform.c \
 	src/styles/fix/drag.c \
+	src/styles/fix/drag_beetstra.c \
+	src/styles/fix/drag_di_felice.c \
+	src/styles/fix/drag_ergun.c \
+	src/styles/fix/drag_gidaspow.c \
+	src/styles/fix/drag_koch_hill.c \
+	src/styles/fix/drag_schiller_naumann.c \
 	src/styles/fix/drag_stokes.c \
+	src/styles/fix/drag_wen_yu.c \
 	src/styles/fix/drill_bit.c \
 	src/styles/fix/enforce2d.c \
 	src/styles/fix/evaporate.c \
@@ -646,6 +667,7 @@ library_sources = \
 	src/styles/fix/vector.c \
 	src/styles/fix/viscous.c \
 	src/styles/fix/viscous_sphere.c \
+	src/styles/fix/void_fraction.c \
 	src/styles/fix/wall_gran.c \
 	src/styles/fix/wall_reflect.c \
 	src/styles/flow/projection.c \

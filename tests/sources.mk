@@ -118,7 +118,9 @@ unit_tests = \
 	tests/accuracy/check_settling \
 	tests/check_alloc \
 	tests/check_args \
+	tests/check_coupling \
 	tests/check_crosscheck \
+	tests/check_drag \
 	tests/check_energy \
 	tests/check_flow_measures \
 	tests/check_formulas \
@@ -192,9 +194,17 @@ tests_check_args_SOURCES = tests/check_args.c $(tests_common)
 tests_check_args_CFLAGS = $(tests_cflags)
 tests_check_args_LDADD = $(tests_ldadd)
 
+tests_check_coupling_SOURCES = tests/check_coupling.c $(tests_common)
+tests_check_coupling_CFLAGS = $(tests_cflags)
+tests_check_coupling_LDADD = $(tests_ldadd)
+
 tests_check_crosscheck_SOURCES = tests/check_crosscheck.c $(tests_common)
 tests_check_crosscheck_CFLAGS = $(tests_cflags)
 tests_check_crosscheck_LDADD = $(tests_ldadd)
+
+tests_check_drag_SOURCES = tests/check_drag.c $(tests_common)
+tests_check_drag_CFLAGS = $(tests_cflags)
+tests_check_drag_LDADD = $(tests_ldadd)
 
 tests_check_energy_SOURCES = tests/check_energy.c $(tests_common)
 tests_check_energy_CFLAGS = $(tests_cflags)

@@ -81,14 +81,18 @@ static double void_at(const struct ts_drag *s, const double place[3], const int 
 static void cell_velocity(const struct ts_fluid *fluid, const int cell[3], double u[3])
 {
 	const struct ts_grid *grid = &fluid->grid;
-	size_t at = ts_at(grid, cell[0], cell[1], cell[2]);
+	const size_t at = ts_at(grid, cell[0], cell[1], cell[2]);
+	const double *e = fluid->empty;
 
 	for (int c = 0; c < 3; c++) {
-		size_t next = at + (size_t)(c < grid->dimensions ? grid->stride[c] : 0);
-		const double *v = fluid->u[c], *e = fluid->empty_face[c];
+		size_t s = c < grid->dimensions ? (size_t)grid->stride[c] : 0;
+		double low = fluid->u[c][at], high = fluid->u[c][at + s];
 
-		u[c] = fluid->empty ? 0.5 * (e[at] * v[at] + e[next] * v[next]) / fluid->empty[at]
-				    : 0.5 * (v[at] + v[next]);
+		if (e) {
+			low *= 0.5 * (e[at - s] + e[at]) / e[at];
+			high *= 0.5 * (e[at] + e[at + s]) / e[at];
+		}
+		u[c] = 0.5 * (low + high);
 	}
 }
 

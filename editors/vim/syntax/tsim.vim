@@ -79,15 +79,16 @@ syn keyword tsimKeyword  parallel basevolume_region scalar kind global beyond en
 syn keyword tsimKeyword  level vmax
 syn match tsimKeyword /\<legacy\>/ 
 syn keyword tsimKeyword  final delta erate trate volume wiggle xy xz yz v flip axes xyz
-syn keyword tsimKeyword  scheme explicit exact wob spring body clearance chute spherical
-syn keyword tsimKeyword  hard soft continue message path initial_temperature contact_area
-syn keyword tsimKeyword  area_correction store_contact_data euler seed distributiontemplate
-syn keyword tsimKeyword  maxattempt overlapcheck all_in random_distribute uncorrelated
-syn keyword tsimKeyword  orientation set_property verbose compress_tags insert_every
-syn keyword tsimKeyword  ntry_mc check_dist_from_subdomain_border warn_region
-syn keyword tsimKeyword  particles_in_region volumefraction_region mass_in_region
-syn keyword tsimKeyword  nparticles particlerate massrate insertion_face extrude_length
-syn keyword tsimKeyword  duration vec_side multiple point_at_outlet inside_out writeTime
+syn keyword tsimKeyword  scheme explicit exact implicit two_way cell void C1 C2 wob spring
+syn keyword tsimKeyword  body clearance chute spherical hard soft continue message path
+syn keyword tsimKeyword  initial_temperature contact_area area_correction
+syn keyword tsimKeyword  store_contact_data euler seed distributiontemplate maxattempt
+syn keyword tsimKeyword  overlapcheck all_in random_distribute uncorrelated orientation
+syn keyword tsimKeyword  set_property verbose compress_tags insert_every ntry_mc
+syn keyword tsimKeyword  check_dist_from_subdomain_border warn_region particles_in_region
+syn keyword tsimKeyword  volumefraction_region mass_in_region nparticles particlerate
+syn keyword tsimKeyword  massrate insertion_face extrude_length duration vec_side multiple
+syn keyword tsimKeyword  point_at_outlet inside_out writeTime
 syn match tsimKeyword /\<delete_atoms\>/ 
 syn keyword tsimKeyword  temperature element_exclusion_list precision curvature
 syn keyword tsimKeyword  curvature_tolerant heal auto_remove_duplicates surface_vel
@@ -106,20 +107,20 @@ syn match tsimKeyword /\<next\>/
 syn keyword tsimKeyword  molfrac rigid shake title ghost writedata add_region
 syn keyword tsimKeyword  check_region_every region_mark mark_step marker_style dirac
 syn keyword tsimKeyword  heaviside check_mark_every insert_stream n_tracer peratomtype
-syn keyword tsimKeyword  peratomtypepair matrix tether couple model hooke hertz
-syn keyword tsimKeyword  hooke/stiffness hertz/stiffness hooke/hysteresis tangential
-syn keyword tsimKeyword  history no_history rolling_friction cdt epsd epsd2 epsd3 cohesion
-syn keyword tsimKeyword  sjkr sjkr2 surface limitForce tangential_damping absolute_damping
-syn keyword tsimKeyword  ktToKnUser viscous tangential_reduce torsionTorque
-syn keyword tsimKeyword  heating_normal_hertz heating_tangential_history
-syn keyword tsimKeyword  computeElasticPotential computeDissipatedEnergy
-syn keyword tsimKeyword  disableNormalWhenBonded hooke/history hertz/history limit_damping
-syn keyword tsimKeyword  primitive n_meshes meshes xplane yplane zplane xcylinder ycylinder
-syn keyword tsimKeyword  zcylinder shear store_force store_force_contact
-syn keyword tsimKeyword  store_force_contact_stress contacts viscosity convection donor
-syn keyword tsimKeyword  central quick cubista gamma form fv fd quadratic body_force
-syn keyword tsimKeyword  generic restitution tolerance iterations unfinished side in out
-syn keyword tsimKeyword  open center bounds angle0
+syn keyword tsimKeyword  peratomtypepair matrix tether couple method centre divided kernel
+syn keyword tsimKeyword  reach least model hooke hertz hooke/stiffness hertz/stiffness
+syn keyword tsimKeyword  hooke/hysteresis tangential history no_history rolling_friction
+syn keyword tsimKeyword  cdt epsd epsd2 epsd3 cohesion sjkr sjkr2 surface limitForce
+syn keyword tsimKeyword  tangential_damping absolute_damping ktToKnUser viscous
+syn keyword tsimKeyword  tangential_reduce torsionTorque heating_normal_hertz
+syn keyword tsimKeyword  heating_tangential_history computeElasticPotential
+syn keyword tsimKeyword  computeDissipatedEnergy disableNormalWhenBonded hooke/history
+syn keyword tsimKeyword  hertz/history limit_damping primitive n_meshes meshes xplane
+syn keyword tsimKeyword  yplane zplane xcylinder ycylinder zcylinder shear store_force
+syn keyword tsimKeyword  store_force_contact store_force_contact_stress contacts viscosity
+syn keyword tsimKeyword  convection donor central quick cubista gamma form fv fd quadratic
+syn keyword tsimKeyword  body_force generic restitution tolerance iterations unfinished
+syn keyword tsimKeyword  side in out open center bounds angle0
 
 " numbers of the simulation and of particles
 syn keyword tsimName  id type radius diameter
@@ -146,13 +147,14 @@ syn keyword tsim_fix contained adapt addforce ave/atom ave/chunk ave/correlate a
 syn keyword tsim_fix contained ave/histo ave/histo/weight ave/spatial ave/time aveforce
 syn match tsim_fix /\<balance\>/ contained
 syn keyword tsim_fix contained bond/breakage buoyancy check/timestep/gran controller deform drag
-syn keyword tsim_fix contained drag/stokes drill/bit enforce2d evaporate freeze gravity halt
-syn keyword tsim_fix contained heat/gran heat/gran/conduction insert/pack insert/rate/region
-syn keyword tsim_fix contained insert/stream langevin lineforce massflow/mesh mesh/surface
-syn keyword tsim_fix contained mesh/surface/planar mesh/surface/stress mesh/surface/stress/servo
-syn keyword tsim_fix contained momentum move move/mesh multisphere nve nve/euler nve/limit
-syn keyword tsim_fix contained nve/noforce nve/sphere nve/symplectic
-syn keyword tsim_fix contained particledistribution/discrete
+syn keyword tsim_fix contained drag/beetstra drag/di_felice drag/ergun drag/gidaspow
+syn keyword tsim_fix contained drag/koch_hill drag/schiller_naumann drag/stokes drag/wen_yu
+syn keyword tsim_fix contained drill/bit enforce2d evaporate freeze gravity halt heat/gran
+syn keyword tsim_fix contained heat/gran/conduction insert/pack insert/rate/region insert/stream
+syn keyword tsim_fix contained langevin lineforce massflow/mesh mesh/surface mesh/surface/planar
+syn keyword tsim_fix contained mesh/surface/stress mesh/surface/stress/servo momentum move
+syn keyword tsim_fix contained move/mesh multisphere nve nve/euler nve/limit nve/noforce
+syn keyword tsim_fix contained nve/sphere nve/symplectic particledistribution/discrete
 syn keyword tsim_fix contained particledistribution/discrete/massbased
 syn keyword tsim_fix contained particledistribution/discrete/numberbased
 syn keyword tsim_fix contained particletemplate/multiplespheres particletemplate/multisphere
@@ -161,7 +163,7 @@ syn match tsim_fix /\<print\>/ contained
 syn keyword tsim_fix contained property/atom property/atom/regiontracer/time property/atom/tracer
 syn keyword tsim_fix contained property/atom/tracer/stream property/global recenter rigid
 syn keyword tsim_fix contained setforce spring spring/self store/force store/state vector viscous
-syn keyword tsim_fix contained viscous/sphere wall/gran wall/reflect
+syn keyword tsim_fix contained viscous/sphere void_fraction wall/gran wall/reflect
 hi def link tsim_fix Type
 syn match tsimHead /^\s*compute\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_compute
 syn keyword tsim_compute contained aggregate/atom angmom/chunk bond/local bonds chunk/atom

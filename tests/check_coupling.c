@@ -1,0 +1,248 @@
+/* Particles in a fluid that is solved for: how they are laid down on its grid. */
+#include <string.h>
+
+#include "base/alloc.h"
+#include "deck.h"
+#include "flow/flow.h"
+#include "flow/share.h"
+#include "flow/spread.h"
+#include "geom/ball_corner.h"
+
+static const double PI = 3.14159265358979323846;
+
+static struct ts_fluid *fluid_of(struct tsim *sim)
+{
+	struct ts_instance *flow = ts_sim_only(sim, TS_KIND_FLOW);
+
+	return ts_flow_style_of(flow)->fluid(flow);
+}
+
+/* ---- how much of a ball lies beyond a corner */
+
+/* Sum over thin slices. */
+static double sliced(double a, double b, double c)
+{
+	double low = fmax(a, -1), sum = 0;
+	int n = 20000;
+
+	for (int i = 0; i < n && low < 1; i++) {
+		double x = low + (i + 0.5) * (1 - low) / n, s = sqrt(1 - x * x);
+
+		sum += s * s * ts_disc_corner(b / s, c / s);
+	}
+	return low < 1 ? sum * (1 - low) / n : 0;
+}
+
+START_TEST(corners_of_a_ball)
+{
+	static const double corner[][3] = { { 0.1, 0.2, 0.3 },	 { -0.3, 0.2, 0.5 },   { -0.4, -0.2, -0.7 },
+					    { 0.6, 0.5, -0.9 },	 { -0.9, 0.8, -0.1 },  { -2, 0.3, 0.1 },
+					    { 0.7, 0.72, -1.5 }, { 0.57, 0.57, 0.57 }, { -1, -1, -1 } };
+
+	DECK_NEAR(ts_ball_corner(0, 0, 0), PI / 6, 1e-15);
+	DECK_NEAR(ts_ball_corner(-1, -1, -1), 4 * PI / 3, 1e-14);
+	DECK_NEAR(ts_ball_corner(-3, 0.3, -7), PI / 3 * 0.7 * 0.7 * 2.3, 1e-14);
+	DECK_NEAR(ts_disc_corner(0.3, -1), acos(0.3) - 0.3 * sqrt(1 - 0.09), 1e-15);
+	DECK_NEAR(ts_disc_corner(-0.3, 0.2) + ts_disc_corner(0.3, 0.2), acos(0.2) - 0.2 * sqrt(0.96),
+		  1e-15);
+	for (size_t k = 0; k < DECK_LENGTH(corner); k++) {
+		const double *c = corner[k];
+
+		DECK_NEAR(ts_ball_corner(c[0], c[1], c[2]), sliced(c[0], c[1], c[2]), 1e-7);
+		DECK_NEAR(ts_ball_corner(c[0], c[1], c[2]), ts_ball_corner(c[2], c[0], c[1]), 2e-15);
+		/* the two sides of a plane make the whole */
+		DECK_NEAR(ts_ball_corner(c[0], c[1], c[2]) + ts_ball_corner(-c[0], c[1], c[2]),
+			  ts_ball_corner(-1, c[1], c[2]), 4e-15);
+	}
+}
+END_TEST
+
+/* ---- a grid by itself, graded along y, periodic along x, with outlets along z */
+
+static void make_fluid(struct ts_fluid *fluid)
+{
+	static const int n[3] = { 5, 6, 4 };
+	static const bool periodic[3] = { true, false, false };
+	static const double x[6] = { -0.5, -0.3, -0.1, 0.1, 0.3, 0.5 };
+	static const double y[7] = { 0, 0.1, 0.23, 0.4, 0.61, 0.8, 0.93 };
+	static const double z[5] = { 1, 1.2, 1.4, 1.6, 1.8 };
+	static const double *const face[3] = { x, y, z };
+
+	*fluid = (struct ts_fluid){ .face = { { TS_FLOW_PERIODIC, TS_FLOW_PERIODIC },
+					      { TS_FLOW_WALL, TS_FLOW_WALL },
+					      { TS_FLOW_OUTLET, TS_FLOW_OUTLET } } };
+	ck_assert_int_eq(ts_grid_make(&fluid->grid, 3, n, face, periodic), TS_OK);
+}
+
+static double control_volume(const struct ts_grid *grid, int c, const int i[3])
+{
+	double volume = 1;
+
+	for (int d = 0; d < 3; d++)
+		volume *= d == c ? grid->gap[d][i[d]] : grid->width[d][i[d]];
+	return volume;
+}
+
+/* What a particle at x lays down is all of it, none of it on the boundary. */
+static void lays_down_all(struct ts_fluid *fluid, const double x[3], int c, enum ts_interpolation how)
+{
+	const struct ts_grid *grid = &fluid->grid;
+	double *q = ts_grid_field(grid), *source = ts_grid_field(grid), *rate = ts_grid_field(grid);
+	double place[3], sums[2] = { 0 }, mean;
+	struct ts_share share;
+	int cell[3], i[3];
+
+	for (size_t k = 0; k < grid->size; k++)
+		q[k] = 0.3 + 0.01 * (double)(k % 17);
+	ck_assert(ts_fluid_place(fluid, x, place, cell));
+	if (c < 0)
+		ts_share_centre(fluid, place, cell, how, &share);
+	else
+		ts_share_face(fluid, c, place, cell, how, &share);
+	mean = ts_share_react(grid, &share, c, q, 2.385, 0.73, source, rate);
+	DECK_NEAR(mean, ts_share_gather(grid, &share, q), 1e-15);
+	for (i[2] = 0; i[2] < grid->n[2]; i[2]++)
+		for (i[1] = 0; i[1] < grid->n[1]; i[1]++)
+			for (i[0] = 0; i[0] < grid->n[0]; i[0]++) {
+				size_t at = ts_at(grid, i[0], i[1], i[2]);
+				double volume = control_volume(grid, c, i);
+
+				ck_assert(rate[at] >= 0);
+				ck_assert(c < 1 || i[c] > 0 || rate[at] == 0);
+				sums[0] += (source[at] - rate[at] * q[at]) * volume;
+				sums[1] += rate[at] * volume;
+			}
+	DECK_NEAR(sums[0], -2.385, 1e-14);
+	DECK_NEAR(sums[1], 0.73, 1e-14);
+	ts_grid_field_free(q);
+	ts_grid_field_free(source);
+	ts_grid_field_free(rate);
+}
+
+START_TEST(what_is_laid_down_is_all_of_it)
+{
+	static const double places[][3] = { { 0.07, 0.33, 1.37 }, { -0.49, 0.02, 1.03 }, { 0.48, 0.92, 1.79 },
+					    { 0.5, 0.93, 1.8 },	  { -0.5, 0, 1 },	 { 1.2, 0.5, 1.5 } };
+	struct ts_fluid fluid;
+	int cell[3];
+	double place[3];
+
+	make_fluid(&fluid);
+	for (size_t k = 0; k < DECK_LENGTH(places); k++)
+		for (int c = -1; c < 3; c++)
+			for (int how = 0; how < 2; how++)
+				lays_down_all(&fluid, places[k], c, (enum ts_interpolation)how);
+	ck_assert(!ts_fluid_place(&fluid, (const double[]){ 0, -0.01, 1.5 }, place, cell));
+	ck_assert(!ts_fluid_place(&fluid, (const double[]){ 0, 0.5, NAN }, place, cell));
+	ts_grid_release(&fluid.grid);
+}
+END_TEST
+
+/* ---- volumes in cells */
+
+static double part_of_cell(const struct ts_grid *grid, int i, int j, int k, const double x[3], double r)
+{
+	int n = 40, inside = 0;
+
+	for (int c = 0; c < n * n * n; c++) {
+		double dx = grid->face[0][i] + (c % n + 0.5) / n * grid->width[0][i] - x[0];
+		double dy = grid->face[1][j] + (c / n % n + 0.5) / n * grid->width[1][j] - x[1];
+		double dz = grid->face[2][k] + (c / n / n + 0.5) / n * grid->width[2][k] - x[2];
+
+		dx -= round(dx); /* the box is 1 long and periodic */
+		inside += dx * dx + dy * dy + dz * dz < r * r;
+	}
+	return (double)inside / (n * n * n);
+}
+
+START_TEST(divided_volumes)
+{
+	static const double x[3] = { 0.44, 0.37, 1.33 }, radius = 0.217;
+	const struct ts_spread_how how = { TS_SPREAD_DIVIDED, false, 0 };
+	struct ts_fluid fluid;
+	const struct ts_grid *grid = &fluid.grid;
+	double place[3], *part, sum = 0;
+	int cell[3];
+
+	make_fluid(&fluid);
+	part = ts_grid_field(grid);
+	ck_assert(ts_fluid_place(&fluid, x, place, cell));
+	ts_spread_volume(grid, &how, place, cell, radius, part);
+	for (int k = 0; k < grid->n[2]; k++)
+		for (int j = 0; j < grid->n[1]; j++)
+			for (int i = 0; i < grid->n[0]; i++) {
+				double got = part[ts_at(grid, i, j, k)];
+
+				DECK_NEAR(got, part_of_cell(grid, i, j, k, x, radius), 2e-3);
+				sum += got * ts_grid_volume(grid, i, j, k);
+			}
+	DECK_NEAR(sum, 4 * PI / 3 * radius * radius * radius, 1e-16);
+	ts_grid_field_free(part);
+	ts_grid_release(&fluid.grid);
+}
+END_TEST
+
+static const char bed[] = "units si\n"
+			  "boundary p f p\n"
+			  "newton off\n"
+			  "communicate single vel yes\n"
+			  "region box block 0 1 0 1.3 0 0.7 units box\n"
+			  "region in block 0.05 0.95 0.1 1.2 0.05 0.65 units box\n"
+			  "create_box 1 box\n"
+			  "create_atoms 1 random 300 2385 in\n"
+			  "set group all diameter 0.0731 density 2385\n"
+			  "flow_style projection cells 9 12 11 viscosity 1.3e-3 density 731\n"
+			  "pressure_style cg\n"
+			  "timestep 1e-4\n";
+
+START_TEST(void_fraction_keeps_the_volume)
+{
+	static const char *const methods[] = { "centre", "divided", "kernel reach 1.13" };
+	struct tsim *sim = deck_open("%sfix e all void_fraction method %s least 0.001\nrun 0", bed,
+				     methods[_i]);
+	double volume = 1.0 * 1.3 * 0.7, taken = 300 * PI / 6 * pow(0.0731, 3);
+
+	DECK_NEAR(deck_value(sim, "f_e[1]"), 1 - taken / volume, 1e-14);
+	ck_assert(deck_value(sim, "f_e[2]") < 1 - taken / volume);
+	tsim_close(sim);
+}
+END_TEST
+
+/* The fields do not depend on threads or on how particles lie in memory. */
+START_TEST(fields_do_not_depend_on_order)
+{
+	static const char *const ways[] = { "", "package omp 3", "atom_modify sort 1 0.3" };
+	struct ts_fluid *fluid[3];
+	struct tsim *sim[3];
+
+	for (int k = 0; k < 3; k++) {
+		sim[k] = deck_open("%s", bed);
+		sim[k]->grain = 1; /* threads, however little there is to do */
+		deck(sim[k],
+		     "%s\nvelocity all create 1e19 2385\nfix e all void_fraction method %s\n"
+		     "fix d all drag/di_felice scheme implicit\nfix m all nve\nrun 2",
+		     ways[k], _i ? "divided" : "kernel");
+		fluid[k] = fluid_of(sim[k]);
+		ck_assert_mem_eq(fluid[k]->empty, fluid[0]->empty, fluid[0]->grid.size * sizeof(double));
+		for (int c = 0; c < 3; c++)
+			ck_assert_mem_eq(fluid[k]->u[c], fluid[0]->u[c],
+					 fluid[0]->grid.size * sizeof(double));
+	}
+	for (int k = 0; k < 3; k++)
+		tsim_close(sim[k]);
+}
+END_TEST
+
+int main(void)
+{
+	Suite *suite = suite_create("coupling");
+	TCase *c = tcase_create("grid");
+
+	tcase_add_test(c, corners_of_a_ball);
+	tcase_add_test(c, what_is_laid_down_is_all_of_it);
+	tcase_add_test(c, divided_volumes);
+	tcase_add_loop_test(c, void_fraction_keeps_the_volume, 0, 3);
+	tcase_add_loop_test(c, fields_do_not_depend_on_order, 0, 2);
+	suite_add_tcase(suite, c);
+	return deck_main(suite);
+}
