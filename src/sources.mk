@@ -100,11 +100,15 @@ library_sources = \
 	src/flow/conjugate.h \
 	src/flow/convection.c \
 	src/flow/convection.h \
+	src/flow/direct.c \
+	src/flow/direct.h \
 	src/flow/drag.c \
 	src/flow/drag.h \
 	src/flow/flow.h \
 	src/flow/fluid.c \
 	src/flow/fluid.h \
+	src/flow/fourier.c \
+	src/flow/fourier.h \
 	src/flow/ghosts.c \
 	src/flow/grid.c \
 	src/flow/grid.h \
@@ -131,6 +135,8 @@ library_sources = \
 	src/flow/spread.h \
 	src/flow/stencil.c \
 	src/flow/stencil.h \
+	src/flow/transform.c \
+	src/flow/transform.h \
 	src/flow/words.c \
 	src/geom/ball_corner.c \
 	src/geom/ball_corner.h \
@@ -678,6 +684,7 @@ library_sources = \
 	src/styles/pair/gran_hooke_history.c \
 	src/styles/pair/spring_dashpot.c \
 	src/styles/pressure/cg.c \
+	src/styles/pressure/direct.c \
 	src/styles/region/block.c \
 	src/styles/region/cone.c \
 	src/styles/region/cylinder.c \

@@ -187,6 +187,7 @@ static const struct {
 	bool direct; /* to round-off, without weights */
 } solvers[] = {
 	{ "cg tolerance 1e-10", false },
+	{ "direct", true },
 };
 
 /* rhs = div grad p for a random p, all combinations of conditions: the solution is p, or p less its mean. */
@@ -220,6 +221,101 @@ START_TEST(gives_back_what_the_operator_made)
 }
 END_TEST
 
+/* A solution that is smooth: cosines and sines that meet the conditions; the error falls with the square of the width
+ * of cells. */
+static double smooth_error(struct tsim *sim, const char *line, int n)
+{
+	const double a = 3.14159265358979323846 / 2.385;
+	const int cells[3] = { n, n, 1 };
+	struct problem q;
+	double most = 0;
+
+	make(&q, 2, cells, 3 + 5 * 1, (double[3]){ 1, 1, 1 }, false); /* no gradient, given; no gradient */
+	for (int d = 0; d < 2; d++) /* from 0, of length n/20 times 2.385 or 1.7 */
+		ck_assert(q.grid.uniform[d]);
+	EACH_CELL(&q.grid, i, j, k) {
+		double x = (q.grid.centre[0][i] - q.grid.face[0][0]) * 20 / n;
+		double y = (q.grid.centre[1][j] - q.grid.face[1][0]) * 20 / n;
+		double b = 2 * 3.14159265358979323846 / 1.7;
+		size_t at = ts_at(&q.grid, i, j, k);
+
+		q.p[at] = cos(0.5 * a * x) * cos(b * y);
+		q.rhs[at] = -(0.25 * a * a + b * b) * q.p[at] * (20.0 / n) * (20.0 / n);
+	}
+	solve(sim, solver(sim, line, &q.poisson), &q);
+	most = difference(&q, q.p, q.solution);
+	done(&q);
+	return most;
+}
+
+START_TEST(of_second_order)
+{
+	struct tsim *sim = ts_sim_new();
+	double coarse = smooth_error(sim, solvers[_i].line, 24);
+	double fine = smooth_error(sim, solvers[_i].line, 72);
+
+	ck_assert_double_lt(fabs(log(coarse / fine) / log(3) - 2), 0.02);
+	ts_sim_free(sim);
+}
+END_TEST
+
+/* One, two and three threads: the same bits, after some iterations where these are made. */
+START_TEST(threads_do_not_matter)
+{
+	struct tsim *sim = ts_sim_new();
+	char line[100];
+
+	snprintf(line, sizeof line, "%s%s", solvers[_i].line,
+		 solvers[_i].direct ? "" : " iterations 5 unfinished warn");
+	sim->grain = 1;
+	sim->threads = 3;
+
+	for (size_t s = 0; s < sizeof shapes / sizeof *shapes; s++) {
+		double *first;
+		struct problem q;
+		int code = shapes[s].axes == 2 ? 6 : 31;
+
+		if (shapes[s].weights == solvers[_i].direct)
+			continue;
+		make(&q, shapes[s].axes, shapes[s].n, code, shapes[s].grading, shapes[s].weights);
+		ts_poisson_apply(&q.poisson, q.p, q.rhs);
+		first = ts_grid_field(&q.grid);
+		for (int threads = 1; threads <= 3; threads++) {
+			q.poisson.threads = threads;
+			solve(sim, solver(sim, line, &q.poisson), &q);
+			if (threads == 1)
+				memcpy(first, q.solution, q.grid.size * sizeof *first);
+			ck_assert_msg(!memcmp(first, q.solution, q.grid.size * sizeof *first),
+				      "%s, %s: %d threads", solvers[_i].line, shapes[s].name, threads);
+		}
+		ts_grid_field_free(first);
+		done(&q);
+	}
+	ts_sim_free(sim);
+}
+END_TEST
+
+/* Lengths with every prime factor: each transform against the operator, in one dimension. */
+START_TEST(transforms_of_any_length)
+{
+	struct tsim *sim = ts_sim_new();
+
+	for (int n = 1; n <= 98; n++)
+		for (int code = 0; code < 5; code++) {
+			const int cells[3] = { n, 3, 1 };
+			struct problem q;
+
+			make(&q, 2, cells, code + 5, (double[3]){ 1, 1.3, 1 }, false);
+			ts_poisson_apply(&q.poisson, q.p, q.rhs);
+			solve(sim, solver(sim, "direct", &q.poisson), &q);
+			ck_assert_msg(difference(&q, q.p, q.solution) < 1e-12, "%d cells, conditions %d: %g",
+				      n, code, difference(&q, q.p, q.solution));
+			done(&q);
+		}
+	ts_sim_free(sim);
+}
+END_TEST
+
 int main(void)
 {
 	Suite *suite = suite_create("poisson");
@@ -230,6 +326,9 @@ int main(void)
 	suite_add_tcase(suite, tcase);
 	tcase_add_loop_test(tcase, gives_back_what_the_operator_made, 0,
 			    (int)(sizeof solvers / sizeof *solvers));
+	tcase_add_loop_test(tcase, of_second_order, 0, (int)(sizeof solvers / sizeof *solvers));
+	tcase_add_loop_test(tcase, threads_do_not_matter, 0, (int)(sizeof solvers / sizeof *solvers));
+	tcase_add_test(tcase, transforms_of_any_length);
 	srunner_run_all(runner, CK_NORMAL);
 	failed = srunner_ntests_failed(runner);
 	srunner_free(runner);

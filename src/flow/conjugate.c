@@ -28,6 +28,7 @@ void ts_conjugate_release(struct ts_conjugate *c)
 TS_CLONES
 static void multiply(const double *restrict a, const double *restrict b, double *restrict out, int n)
 {
+#pragma omp simd
 	for (int i = 0; i < n; i++)
 		out[i] = a[i] * b[i];
 }
@@ -36,6 +37,7 @@ static void multiply(const double *restrict a, const double *restrict b, double 
 TS_CLONES
 static void turn(const double *restrict z, double beta, double *restrict d, int n)
 {
+#pragma omp simd
 	for (int i = 0; i < n; i++)
 		d[i] = z[i] + (beta == 0 ? 0 : beta * d[i]);
 }
@@ -45,6 +47,7 @@ TS_CLONES
 static void advance(double alpha, const double *restrict d, const double *restrict q,
 		    double *restrict p, double *restrict r, int n)
 {
+#pragma omp simd
 	for (int i = 0; i < n; i++) {
 		p[i] += alpha * d[i];
 		r[i] -= alpha * q[i];

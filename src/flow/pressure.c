@@ -9,6 +9,13 @@
 
 const char *const ts_unfinished_names[] = { "stop", "warn", NULL };
 
+int ts_pressure_team(const struct tsim *sim, const struct ts_poisson *problem)
+{
+	int team = ts_team(sim, ts_grid_cells(problem->grid));
+
+	return team < problem->threads ? team : problem->threads;
+}
+
 enum ts_status ts_iteration_prepare(struct ts_iteration *it, struct tsim *sim,
 				    const struct ts_poisson *problem)
 {
@@ -16,6 +23,7 @@ enum ts_status ts_iteration_prepare(struct ts_iteration *it, struct tsim *sim,
 	it->problem = problem;
 	if (ts_stencil_make(&it->stencil, problem) != TS_OK)
 		return ts_nomem(&sim->error);
+	it->stencil.threads = ts_pressure_team(sim, problem);
 	it->b = ts_stencil_field(&it->stencil);
 	it->p = ts_stencil_field(&it->stencil);
 	return it->b && it->p ? TS_OK : ts_nomem(&sim->error);

@@ -5,6 +5,9 @@
 #include "flow/poisson.h"
 #include "flow/stencil.h"
 
+/* How many threads are worth it. */
+int ts_pressure_team(const struct tsim *sim, const struct ts_poisson *problem);
+
 enum ts_unfinished { TS_UNFINISHED_STOP, TS_UNFINISHED_WARN };
 
 /* First in the state of solvers that iterate. */

@@ -10,8 +10,8 @@
 static const struct ts_pressure_style *cheapest(struct tsim *sim, const struct ts_poisson *problem)
 {
 	(void)sim;
-	(void)problem;
-	return (const struct ts_pressure_style *)ts_style_find(TS_KIND_PRESSURE, "cg");
+	return (const struct ts_pressure_style *)ts_style_find(TS_KIND_PRESSURE,
+							       problem->weight[0] ? "cg" : "direct");
 }
 
 enum ts_status ts_pressure_choose(struct tsim *sim, const struct ts_poisson *problem,

@@ -98,7 +98,6 @@ static void weigh_row(struct ts_stencil *s, const struct ts_poisson *problem, in
 
 void ts_stencil_weigh(struct ts_stencil *s, const struct ts_poisson *problem)
 {
-	s->threads = problem->threads;
 	for (int d = 0; d < s->axes; d++) {
 		int ny = s->n[1] + (d == 1), rows = ny * (s->n[2] + (d == 2));
 
@@ -187,6 +186,7 @@ apply_axes(const struct ts_stencil *s, size_t at, const double *restrict p, doub
 
 	p += at;
 	out += at;
+#pragma omp simd
 	for (int i = 0; i < n; i++) {
 		double here = p[i], sum;
 
@@ -205,6 +205,7 @@ static inline __attribute__((always_inline)) double dot_row(const double *restri
 	int i = 0;
 
 	for (; i + LANES <= n; i += LANES)
+#pragma omp simd
 		for (int l = 0; l < LANES; l++)
 			part[l] += a[i + l] * b[i + l];
 	for (; i < n; i++)
@@ -222,6 +223,7 @@ static inline __attribute__((always_inline)) double largest_row(const double *re
 	int i = 0;
 
 	for (; i + LANES <= n; i += LANES)
+#pragma omp simd
 		for (int l = 0; l < LANES; l++) {
 			double value = fabs(r[i + l]) / width[i + l];
 
@@ -255,6 +257,7 @@ static double residual_row(const struct ts_stencil *s, size_t at, const double *
 		apply_axes(s, at, p, out, 3);
 	else
 		apply_axes(s, at, p, out, 2);
+#pragma omp simd
 	for (int i = 0; i < s->n[0]; i++)
 		out[at + (size_t)i] = b[at + (size_t)i] - out[at + (size_t)i];
 	return largest_row(out + at, s->width[0], s->n[0]);

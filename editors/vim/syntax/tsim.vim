@@ -199,7 +199,7 @@ syn match tsimHead /^\s*flow_style\s\+/ contains=tsimCommand,tsimVariable nextgr
 syn keyword tsim_flow contained projection uniform
 hi def link tsim_flow Type
 syn match tsimHead /^\s*pressure_style\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_pressure
-syn keyword tsim_pressure contained cg
+syn keyword tsim_pressure contained cg direct
 hi def link tsim_pressure Type
 
 hi def link tsimCommand Statement
