@@ -28,9 +28,10 @@ group low region low
 velocity low set 0.1 0 1.1
 fix g all gravity 9.81 vector 0 0 -1
 fix nv all nve/sphere
+fix age all property/atom age scalar yes no no 2.385
 fix mf all massflow/mesh mesh a ${words}
 thermo 10
-thermo_style custom step f_mf[1] f_mf[2] f_mf[3] f_mf[4] f_mf[5] f_mf[6]
+thermo_style custom step f_mf[1] f_mf[2] f_mf[3] f_mf[4] f_mf[5] f_mf[6] f_mf[${last}]
 thermo_modify format float %.10g lost ignore
 run 300
 END2
@@ -39,9 +40,9 @@ agree() {
 	for side in theirs ours; do
 		rm -rf $side && mkdir $side && cp plate.stl in.both $side
 	done
-	(cd theirs && liggghts -in in.both -var words "$1" -log log >out 2>&1)
+	(cd theirs && liggghts -in in.both -var words "$1" -var last "${2-6}" -log log >out 2>&1)
 	report "$1: LIGGGHTS" $? theirs/out
-	(cd ours && "$TSIM" -in in.both -var words "$1" -log log -screen none 2>out)
+	(cd ours && "$TSIM" -in in.both -var words "$1" -var last "${2-6}" -log log -screen none 2>out)
 	report "$1: tsim" $? ours/out
 	for side in theirs ours; do
 		rows $side/log >$side/table
@@ -56,4 +57,5 @@ agree 'vec_side 0 0 -1 count once file out.txt delete_atoms yes'
 agree 'count once point_at_outlet 0 0 -5 file out.txt'
 agree 'count once point_at_outlet 0 0 -5 inside_out file out.txt'
 agree 'count once point_at_outlet 0 0 0.03 file out.txt'
+agree 'vec_side 0 0 -1 sum_property age file out.txt' 7
 finish

@@ -61,6 +61,35 @@ print 'mark \$(c_mark)'
 run 60
 print 'mark \$(c_mark)'" 'mark 0' 'mark 2' ' 1  0.051   0.1  0.1  0.1 -0.0005'
 
+# a clump counts sphere by sphere, and is deleted when all of it has passed; ages are 2 and 3
+agree 'clumps' "$start
+fix clump all particletemplate/multisphere 15485863 atom_type 1 density constant 2385 nspheres 2 ntry 20000 &
+	spheres 0 0 0 0.02  0 0 0.05 0.02 type 1
+fix clumps all particledistribution/discrete 15485867 1 clump 1.0
+region spot block -0.1 0.1 -0.1 0.1 0.1 0.2 units box
+fix fill all insert/pack seed 32452843 distributiontemplate clumps vel constant 0 0 -1 &
+	insert_every once overlapcheck yes all_in yes region spot particles_in_region 1
+fix move all multisphere
+fix age all property/atom age scalar yes no no 2
+fix flow all massflow/mesh mesh cad vec_side 0 0 -1 count once sum_property age delete_atoms yes
+run 1
+variable m equal \$(mass(all))
+set atom 2 property/atom age 3
+variable lower equal z[1]
+variable upper equal z[2]
+variable half equal \$(v_lower+0.001*ceil(1000*(v_upper-v_lower)/2))
+run \$(ceil(1000*v_half)) upto
+print 'is half \$(f_flow[2]) 0.5'
+print 'is half \$(f_flow[1]/v_m) 0.5'
+print 'is first \$(f_flow[7]) 1'
+print 'is there \$(f_flow[6]+atoms) 2'
+run 100
+print 'is all \$(f_flow[2]) 1'
+print 'is sum \$(f_flow[7]) 2.5'
+print 'is deleted \$(f_flow[6]) 1'
+print 'is deleted \$(f_flow[5]/v_m) 1'
+print 'is left \$(atoms) 0'"
+
 for words in \
 	"count once|expected one of vec_side, point_at_outlet" \
 	"vec_side 0 0 1 point_at_outlet 0 0 1 count once|found both" \
@@ -70,9 +99,12 @@ for words in \
 	"vec_side 0 0 0|has no length" \
 	"vec_side 1 1 0|does not say which" \
 	"vec_side 0 0 1 count twice|expected one of once, multiple" \
+	"vec_side 0 0 1 sum_property age|no fix property/atom keeps a number 'age'" \
 	"vec_side 0 0 1 file a append b|found both"; do
 	rejects "$start fix flow all massflow/mesh mesh cad ${words%|*}" "${words#*|}"
 done
 rejects "$start fix flow all massflow/mesh mesh cude vec_side 0 0 1" "did you mean 'cube'"
+rejects "$start fix two all property/atom two vector yes no no 1 2
+fix flow all massflow/mesh mesh cad vec_side 0 0 1 sum_property two" "keeps a number 'two'"
 rejects "$start fix flow all massflow/mesh mesh cube vec_side 0 0 1" 'mesh cube is not planar'
 finish

@@ -5,6 +5,7 @@
 #include "neigh/neigh.h"
 #include "particles/mesh_surface.h"
 #include "particles/particles.h"
+#include "particles/rigid.h"
 
 #include <inttypes.h>
 #include <stdlib.h>
@@ -21,7 +22,7 @@ struct mark {
 
 struct state {
 	/* arguments */
-	const char *mesh, *file, *append;
+	const char *mesh, *file, *append, *property;
 	double side[3], outlet[3];
 	int count;
 	bool inside_out, screen, write_time, deletes;
@@ -31,9 +32,10 @@ struct state {
 	uint64_t moves; /* surface->moves when the tree was built */
 	struct ts_mesh_list list;
 	size_t column; /* of the marks of particles */
+	size_t summed, component; /* of the property */
 	struct ts_textfile out;
 	/* saved */
-	double mass, number, deleted_mass, deleted_number;
+	double mass, number, deleted_mass, deleted_number, sum;
 	struct mark before, now; /* of the last outputs */
 	int64_t *doomed;	 /* particles that have passed and are deleted at the next rebuild */
 	size_t ndoomed, capacity;
@@ -115,6 +117,21 @@ static enum ts_status add_column(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+static enum ts_status find_property(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	const struct ts_column *column;
+
+	if (!s->property)
+		return TS_OK;
+	column = ts_particles_named_column(sim->particles, s->property, &s->component);
+	if (!column)
+		return ts_fail(&sim->error, TS_UNKNOWN, ts_instance_word(self, s->property),
+			       "fix massflow/mesh: no fix property/atom keeps a number '%s'", s->property);
+	s->summed = (size_t)(column - sim->particles->column);
+	return TS_OK;
+}
+
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
@@ -125,7 +142,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	ts_mesh_tree_release(&s->tree);
 	if (has_side(s))
 		TS_TRY(check_side(self, sim));
-	return add_column(self, sim);
+	TS_TRY(add_column(self, sim));
+	return find_property(self, sim);
 }
 
 static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
@@ -160,19 +178,62 @@ static enum ts_status write_passage(struct state *s, struct tsim *sim, size_t i)
 	return ts_textfile_flush(&s->out);
 }
 
-static enum ts_status pass(struct state *s, struct tsim *sim, size_t i)
+static double *mark_of(const struct state *s, const struct tsim *sim, size_t i)
 {
-	const struct ts_particles *p = sim->particles;
+	return (double *)sim->particles->column[s->column].data + i;
+}
 
-	s->mass += p->mass[i];
-	s->number++;
-	TS_TRY(write_passage(s, sim, i));
-	if (!s->deletes)
-		return TS_OK;
+/* A sphere of a body is the part of it that its mass is. */
+static double part_of(const struct tsim *sim, size_t i)
+{
+	const struct ts_body *body = ts_rigid_body_of(sim, i);
+
+	return body ? sim->particles->mass[i] / body->mass : 1;
+}
+
+static double property_of(const struct state *s, const struct tsim *sim, size_t i)
+{
+	const struct ts_column *column = &sim->particles->column[s->summed];
+
+	return ((const double *)column->data)[i * column->width + s->component];
+}
+
+static enum ts_status doom_one(struct state *s, struct tsim *sim, size_t i)
+{
 	if (TS_GROW(s->doomed, s->capacity, s->ndoomed + 1) != TS_OK)
 		return ts_nomem(&sim->error);
-	s->doomed[s->ndoomed++] = p->tag[i];
+	s->doomed[s->ndoomed++] = sim->particles->tag[i];
 	return TS_OK;
+}
+
+/* A body is deleted when all of it has passed. */
+static enum ts_status doom(struct state *s, struct tsim *sim, size_t i)
+{
+	const struct ts_rigid *r = sim->rigid;
+	size_t b;
+
+	if (!ts_rigid_member(sim->particles, i))
+		return doom_one(s, sim, i);
+	TS_TRY(ts_rigid_list(sim));
+	b = (size_t)(ts_rigid_body_of(sim, i) - r->body);
+	for (size_t k = r->start[b]; k < r->start[b + 1]; k++)
+		if (*mark_of(s, sim, (size_t)r->member[k]) < DONE - 0.5)
+			return TS_OK;
+	for (size_t k = r->start[b]; k < r->start[b + 1]; k++)
+		TS_TRY(doom_one(s, sim, (size_t)r->member[k]));
+	return TS_OK;
+}
+
+static enum ts_status pass(struct state *s, struct tsim *sim, size_t i)
+{
+	double part = part_of(sim, i);
+
+	s->mass += sim->particles->mass[i];
+	s->number += part;
+	if (s->property)
+		s->sum += part * property_of(s, sim, i);
+	TS_TRY(write_passage(s, sim, i));
+	return s->deletes ? doom(s, sim, i) : TS_OK;
 }
 
 /* On the side where particles that have passed are? `at`: the point of the mesh that is nearest to x. */
@@ -212,7 +273,7 @@ static enum ts_status meet(struct state *s, struct tsim *sim, size_t i, double *
 static enum ts_status look(struct state *s, struct tsim *sim, size_t i)
 {
 	const struct ts_particles *p = sim->particles;
-	double *mark = (double *)p->column[s->column].data + i;
+	double *mark = mark_of(s, sim, i);
 	double reach = p->radius[i] + sim->neigh->built_skin;
 
 	if (*mark > DONE - 0.5)
@@ -273,7 +334,7 @@ static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
 		int64_t tag = p->tag[i];
 
 		flag[i] = bsearch(&tag, s->doomed, s->ndoomed, sizeof tag, by_tag) != NULL;
-		s->deleted_number += flag[i];
+		s->deleted_number += flag[i] ? part_of(sim, i) : 0;
 		s->deleted_mass += flag[i] ? p->mass[i] : 0;
 	}
 	status = ts_particles_delete(sim, flag);
@@ -305,6 +366,8 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	out->data[3] = per_time(s, sim, s->before.number, s->now.number);
 	out->data[4] = s->deleted_mass;
 	out->data[5] = s->deleted_number;
+	if (s->property)
+		out->data[6] = s->sum;
 	return TS_OK;
 }
 
@@ -348,14 +411,23 @@ static const struct ts_arg args[] = {
 	TS_FLAG("writeTime", struct state, write_time, .help = "these lines tell the time"),
 	TS_BOOL("delete_atoms", struct state, deletes, .fallback = "no",
 		.help = "whether particles that pass are deleted, when neighbours are next listed anew"),
+	TS_WORD("sum_property", struct state, property, .flags = TS_OPTIONAL | TS_STATEFUL,
+		.help = "NAME or NAME[k], a number of fix property/atom that is summed over the particles that pass"),
 	TS_ARGS_END,
 };
 
-static const char *const names[] = { "mass", "number", "mass_rate", "number_rate", "deleted_mass", "deleted_number" };
+static bool gives(const struct ts_instance *self, const struct ts_value *value)
+{
+	return (value->columns == 7) == (((const struct state *)self->state)->property != NULL);
+}
+
+static const char *const names[] = { "mass", "number", "mass_rate", "number_rate", "deleted_mass", "deleted_number", "sum" };
 static const struct ts_value values[] = {
 	{ "passed", "mass, 1, mass/time, 1/time, mass, 1",
 	  "mass and number that have passed, both per time since the output before, mass and number deleted",
 	  TS_VECTOR, 6, names, eval },
+	{ "passed", "mass, 1, mass/time, 1/time, mass, 1, that of the property",
+	  "with sum_property: the same, and the sum of the property", TS_VECTOR, 7, names, eval },
 	{ .name = NULL },
 };
 
@@ -364,6 +436,7 @@ static const struct ts_saved saved[] = {
 	TS_SAVE_F64(struct state, number),
 	TS_SAVE_F64(struct state, deleted_mass),
 	TS_SAVE_F64(struct state, deleted_number),
+	TS_SAVE_F64(struct state, sum),
 	TS_SAVE_F64(struct state, before.mass),
 	TS_SAVE_F64(struct state, before.number),
 	TS_SAVE_I64(struct state, before.step),
@@ -384,7 +457,9 @@ const struct ts_style ts_fix_massflow_mesh = {
 	       "wall/gran makes it one. Who gets round the rim does not count. The outer side is where vec_side points to, or, for any\n"
 	       "mesh, where (x - p).(point_at_outlet - x) > 0 for a centre x and the nearest point p of the mesh.\n\n"
 	       "f_ID[1], f_ID[2]: mass and number that have passed; f_ID[3], f_ID[4]: the same per time, since\n"
-	       "the values were last asked for in another step; f_ID[5], f_ID[6]: mass and number deleted.\n"
+	       "the values were last asked for in another step; f_ID[5], f_ID[6]: mass and number deleted;\n"
+	       "f_ID[7]: with sum_property, its sum over what has passed. A sphere of a rigid body counts as the\n"
+	       "part of the body that its mass is; delete_atoms deletes a body when all of it has passed.\n"
 	       "f_massflow_ID of a particle: -1 not met, 0 last on the inner side, 1 on the outer side, 2 done\n"
 	       "with (count once).",
 	.example = "fix outlet all massflow/mesh mesh gate vec_side 0 0 -1 count once file post/outlet.txt",
@@ -393,6 +468,7 @@ const struct ts_style ts_fix_massflow_mesh = {
 	.saved = saved,
 	.archive = archive,
 	.values = values,
+	.gives = gives,
 	.init = init,
 	.hook = { [TS_STAGE_POST_INTEGRATE] = post_integrate,
 		  [TS_STAGE_EXCHANGE] = exchange,
