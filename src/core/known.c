@@ -68,7 +68,7 @@ const struct ts_known ts_known_table[] = {
 	{ TS_KIND_FIX, "forcecontrol/region", OTHER_EDITION },
 	{ TS_KIND_FIX, "insert/pack/dense", OTHER_EDITION },
 	{ TS_KIND_FIX, "insert/pack/face", OTHER_EDITION },
-	{ TS_KIND_FIX, "mesh/surface/stress/6dof", "meshes move as fix move/mesh and the servo say, not by forces" },
+	{ TS_KIND_FIX, "mesh/surface/stress/6dof", OTHER_EDITION },
 	{ TS_KIND_FIX, "multicontact/halfspace", "contacts of one particle do not know of each other" },
 	{ TS_KIND_FIX, "particletemplate/fragments", FRAGMENTS },
 	{ TS_KIND_FIX, "pour/legacy", OTHER_EDITION },

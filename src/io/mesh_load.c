@@ -86,17 +86,46 @@ static const char *list_to_write(const struct ts_mesh_words *w)
 	return writes ? w->exclusion.word[1].text : NULL;
 }
 
+/* Where the triangles come from. */
+static struct ts_word source_of(const struct ts_instance *self, const struct ts_mesh_words *w)
+{
+	const char *text = w->file ? w->file : w->other;
+
+	return (struct ts_word){ .text = text, .place = *ts_instance_word(self, text) };
+}
+
 static enum ts_status read_soup(struct ts_instance *self, struct tsim *sim,
 				const struct ts_mesh_words *w, struct ts_triangles *soup)
 {
-	const struct ts_place *where = ts_instance_word(self, w->file);
+	struct ts_word source;
 
-	TS_TRY(ts_mesh_read(soup, &sim->error, sim->pool, where, w->file));
+	if (!w->file == !w->other)
+		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+			       "fix %s: expected one of `file NAME` and `fix ID`, found %s",
+			       self->style->name, w->file ? "both" : "none");
+	source = source_of(self, w);
+	if (w->file)
+		TS_TRY(ts_mesh_read(soup, &sim->error, sim->pool, &source.place, w->file));
+	else
+		TS_TRY(ts_mesh_soup_extrude(self, sim, &source, soup));
 	TS_TRY(ts_mesh_soup_choose(self, sim, w, soup));
 	if (!soup->n)
-		return ts_fail(&sim->error, TS_RANGE, where, "mesh %s: there is no triangle in %s",
-			       self->id, w->file);
+		return ts_fail(&sim->error, TS_RANGE, &source.place,
+			       "mesh %s: there is no triangle in %s", self->id, source.text);
 	return ts_mesh_soup_transform(self, sim, soup);
+}
+
+/* What is to be extruded is plane. */
+static enum ts_status check_extrusion(struct ts_instance *self, struct tsim *sim,
+				      const struct ts_mesh_surface *surface)
+{
+	size_t bend;
+
+	if (isnan(surface->extrusion) || ts_mesh_planar(&surface->mesh, &bend))
+		return TS_OK;
+	return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "extrude_planar"),
+		       "mesh %s is not planar, see its triangle %zu: only planar meshes are extruded",
+		       self->id, bend / 3 + 1);
 }
 
 static enum ts_status load(struct ts_instance *self, struct tsim *sim,
@@ -111,12 +140,16 @@ static enum ts_status load(struct ts_instance *self, struct tsim *sim,
 		.exclude = list_to_write(w),
 	};
 	struct ts_triangles soup = { 0 };
+	struct ts_word source;
 	enum ts_status status = read_soup(self, sim, w, &soup);
 
-	if (status == TS_OK)
-		status = ts_mesh_admit(sim, ts_instance_word(self, w->file), &how, &soup,
-				       &surface->mesh);
+	if (status == TS_OK) {
+		source = source_of(self, w);
+		status = ts_mesh_admit(sim, &source.place, &how, &soup, &surface->mesh);
+	}
 	ts_triangles_release(&soup);
+	if (status == TS_OK)
+		status = check_extrusion(self, sim, surface);
 	if (status == TS_OK && ts_mesh_link_images(&surface->mesh, &sim->domain->box,
 						   w->precision) != TS_OK)
 		status = ts_nomem(&sim->error);

@@ -7,7 +7,7 @@
 #include "particles/mesh_surface.h"
 
 struct ts_mesh_words {
-	const char *file;
+	const char *file, *other; /* one of them; NULL: not given */
 	struct ts_words scale, move, rotate; /* where they stand says the order */
 	struct ts_words surface_vel, surface_ang_vel, exclusion;
 	struct ts_instance *region;
@@ -19,7 +19,11 @@ struct ts_mesh_words {
 extern const char *const ts_mesh_heal_names[];
 /* `f`: the field of the state that is a struct ts_mesh_words, `s`: the one that is a struct ts_mesh_surface. */
 #define TS_MESH_ARGS(T, f, s)                                                                      \
-	TS_WORD("file", T, f.file, .help = "file of triangles: STL, OBJ or legacy VTK"),           \
+	TS_WORD("file", T, f.file, .flags = TS_OPTIONAL,                                           \
+		.help = "file of triangles: STL, OBJ or legacy VTK"),                              \
+		TS_WORD("fix", T, f.other, .flags = TS_OPTIONAL,                                   \
+			.help = "instead of a file: a mesh with extrude_planar, whose outer "      \
+				"edges moved by that length make the triangles"),                  \
 		TS_INT("type", T, s.type, .range = TS_POSITIVE,                                    \
 		       .help = "particle type whose material the mesh has"),                       \
 		TS_REAL("temperature", T, s.temperature, .flags = TS_OPTIONAL,                     \
@@ -45,6 +49,10 @@ extern const char *const ts_mesh_heal_names[];
 			.lo = 0, .hi = 90, .unit = "degrees",                                      \
 			.help = "triangles whose planes include less than this are one flat "      \
 				"surface"),                                                        \
+		TS_REAL("extrude_planar", T, s.extrusion, .flags = TS_OPTIONAL,                    \
+			.range = TS_POSITIVE, .unit = "length",                                    \
+			.help = "of a plane mesh: how far its outer edges are moved, against the " \
+				"normal, for another mesh that says `fix ID` of this one"),        \
 		TS_BOOL("curvature_tolerant", T, f.curvature_tolerant, .fallback = "no",           \
 			.help = "whether curvature may be larger than an angle of a triangle"),    \
 		TS_ENUM("heal", T, f.heal, ts_mesh_heal_names, .fallback = "no",                   \

@@ -1,5 +1,6 @@
 #include "io/mesh_soup.h"
 
+#include <math.h>
 #include <stdio.h>
 
 #include "geom/motion.h"
@@ -60,6 +61,61 @@ enum ts_status ts_mesh_soup_choose(struct ts_instance *self, struct tsim *sim,
 		drop(soup, flag);
 	ts_free(flag);
 	return status;
+}
+
+/* Edge a b of a triangle: b a b' and a a' b'. */
+static enum ts_status sweep(struct tsim *sim, const double a[3], const double b[3],
+			    const double shift[3], struct ts_triangles *soup)
+{
+	struct ts_triangle upper = { .solid = "" }, lower = { .solid = "" };
+
+	for (int d = 0; d < 3; d++) {
+		upper.v[0][d] = b[d];
+		upper.v[1][d] = lower.v[0][d] = a[d];
+		lower.v[1][d] = a[d] + shift[d];
+		upper.v[2][d] = lower.v[2][d] = b[d] + shift[d];
+	}
+	if (ts_triangles_add(soup, &upper) != TS_OK || ts_triangles_add(soup, &lower) != TS_OK)
+		return ts_nomem(&sim->error);
+	return TS_OK;
+}
+
+static void normal_of(const double x[3][3], double normal[3])
+{
+	double a[3], b[3];
+
+	ts_sub(x[1], x[0], a);
+	ts_sub(x[2], x[0], b);
+	ts_cross(a, b, normal);
+	ts_scale(1 / ts_norm(normal), normal, normal);
+}
+
+enum ts_status ts_mesh_soup_extrude(struct ts_instance *self, struct tsim *sim,
+				    const struct ts_word *id, struct ts_triangles *soup)
+{
+	const struct ts_mesh *m;
+	struct ts_mesh_surface *other;
+	double shift[3];
+
+	TS_TRY(ts_mesh_surface_require(sim, id, &other));
+	if (isnan(other->extrusion) || other == self->state)
+		return ts_fail(&sim->error, TS_STATE, &id->place,
+			       "mesh %s: mesh %s has no extrude_planar", self->id, id->text);
+	m = &other->mesh;
+	soup->file = ts_pool_get(sim->pool, id->text);
+	if (!soup->file)
+		return ts_nomem(&sim->error);
+	for (size_t t = 0; t < m->n; t++) {
+		const double(*x)[3] = other->home ? (const double(*)[3])other->home[t] :
+						    (const double(*)[3])m->x[t];
+
+		normal_of(x, shift);
+		ts_scale(-other->extrusion, shift, shift);
+		for (int k = 0; k < 3; k++)
+			if (m->neighbour[t][k] == -1)
+				TS_TRY(sweep(sim, x[k], x[(k + 1) % 3], shift, soup));
+	}
+	return TS_OK;
 }
 
 struct transform {
@@ -150,8 +206,9 @@ enum ts_status ts_mesh_soup_transform(struct ts_instance *self, struct tsim *sim
 	size_t n = sizeof transform_words / sizeof *transform_words;
 
 	for (size_t k = 0; k < words->n; k++) {
-		if (k > 0 && ts_streq(words->word[k - 1].text, "file"))
-			continue;
+		if (k > 0 && (ts_streq(words->word[k - 1].text, "file") ||
+			      ts_streq(words->word[k - 1].text, "fix")))
+			continue; /* it may be called so */
 		for (size_t j = 0; j < n; j++)
 			if (ts_streq(words->word[k].text, transform_words[j].name))
 				TS_TRY(transform(self, sim, &transform_words[j], &words->word[k],

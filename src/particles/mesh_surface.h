@@ -31,6 +31,7 @@ struct ts_mesh_surface {
 	int64_t type;	     /* particle type whose material it has */
 	struct ts_minstd random; /* of who draws points on it; state 0: nobody yet */
 	double temperature;  /* for fix heat/gran; NaN: it conducts no heat */
+	double extrusion;    /* length by which its outer edges are moved to make another mesh; NaN: none */
 	/* Velocity of the surface at each corner, [triangle][corner]; within a triangle it is linear.
 	 * NULL: at rest. */
 	double (*v)[3][3];

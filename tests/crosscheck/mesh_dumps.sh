@@ -2,6 +2,7 @@
 # Dumps of meshes, byte for byte as LIGGGHTS writes them.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
+. "$top_srcdir/tests/lib_meshes.sh"
 if ! command -v liggghts >/dev/null; then
 	echo 'skipped: needs liggghts (apt-get install liggghts)'
 	exit 77
@@ -75,12 +76,33 @@ dump v4 all mesh/vtk 2 v4.*.vtk output original area a aedges
 dump v5 all mesh/vtk 2 v5.*.vtk output interpolate vel id nneighs index acorners aedges area owner
 run 2
 END2
+# the rim of a plate, and a triangle that is warm; LIGGGHTS reads a warm mesh only where there is heat
+echo '0.5 0.5 0.1 0.7 0.5 0.1 0.6 0.7 0.2' | solid >one.stl
+sed '/^dump/d; /^run/d; /^fix [abcw]/d' in.both >in.rim
+cat >>in.rim <<'END2'
+fix k1 all property/global thermalConductivity peratomtype 1
+fix k2 all property/global thermalCapacity peratomtype 1
+fix heat all heat/gran initial_temperature 300
+fix warm all mesh/surface file one.stl type 1 temperature 350.5
+fix plate all mesh/surface file plate.stl type 1 rotate axis 1 2 0 angle 33 extrude_planar 0.2385
+run 0
+fix rim all mesh/surface fix plate type 1
+fix small all mesh/surface fix plate type 1 scale 0.5 move 0.1 0.1 0.1
+dump r1 all mesh/stl 1 r1.*.stl rim
+dump r2 all mesh/stl 1 r2.*.stl
+dump t1 all mesh/vtk 1 t1.*.vtk temp warm area id
+dump t2 all mesh/vtk 1 t2.*.vtk temp area rim distaa
+dump t3 all mesh/vtk 1 t3.*.vtk output interpolate temp warm
+run 1
+END2
 mkdir theirs ours
-for side in theirs ours; do cp plate.stl pyramid.stl in.both $side; done
-(cd theirs && liggghts -in in.both -log none >out 2>&1)
-report 'liggghts runs' $? theirs/out
-(cd ours && "$TSIM" -in in.both -log none >out 2>&1)
-report 'tsim runs' $? ours/out
+for side in theirs ours; do cp ./*.stl in.both in.rim $side; done
+for script in in.both in.rim; do
+	(cd theirs && liggghts -in $script -log log >out 2>&1)
+	report "$script: LIGGGHTS" $? theirs/out
+	(cd ours && "$TSIM" -in $script -log none >out 2>&1)
+	report "$script: tsim" $? ours/out
+done
 for file in theirs/*.*.stl theirs/*.vtk; do
 	same "$file" "$file" "ours/${file#theirs/}"
 done

@@ -42,6 +42,15 @@ report 'three triangles, of which two have their centres in the region' $? half1
 has 'numbers of triangles' v1.vtk 'area 1 3 double' '1.1925 1.1925 0.83475 ' 'nneighs 1 3 int' '1 2 1 '
 # the surface of the third triangle is upright: the velocity is laid down into its plane
 has 'velocities' v1.vtk 'v 3 3 double' '0 2.5 0 0 2.5 0 0 0 0 '
+# all triangles of a warm mesh are warm
+prints "$start
+fix warm all mesh/surface file flag.obj type 1 temperature 350.5
+dump t all mesh/vtk 1 t*.vtk temp liquid warm flag
+dump f all mesh/vtk 1 f*.vtk temp area flag
+run 0
+print ready" ready
+has 'temperatures' t0.vtk 'FIELD FieldData 1' 'Temp 1 6 double' '350.5 350.5 350.5 0 0 0 '
+has 'no temperature' f0.vtk 'FIELD FieldData 1'
 
 rejects "$start dump d all mesh/stl 1 d.stl" 'needs a `*` for the step'
 rejects "$start dump d all mesh/stl 1 d*.stl flog" "there is no mesh 'flog'"

@@ -60,6 +60,18 @@ static void get_wear(const struct ts_mesh_surface *s, size_t t, int corner, doub
 	out[0] = worn(s) ? s->stress->wear[t] : 0;
 }
 
+static bool warm(const struct ts_mesh_surface *s)
+{
+	return !isnan(s->temperature);
+}
+
+static void get_temperature(const struct ts_mesh_surface *s, size_t t, int corner, double out[3])
+{
+	(void)t;
+	(void)corner;
+	out[0] = warm(s) ? s->temperature : 0;
+}
+
 static void get_index(const struct ts_mesh_surface *s, size_t t, int corner, double out[3])
 {
 	(void)s;
@@ -139,6 +151,7 @@ static const struct quantity {
 	{ "stresscomponents", "stress", 3, false, get_stress, tracked },
 	{ "id", "meshid", 1, true, get_index, NULL },
 	{ "wear", "wear", 1, false, get_wear, worn },
+	{ "temp", "Temp", 1, false, get_temperature, warm },
 	{ "owner", "owner", 1, true, get_owner, NULL },
 	{ "area", "area", 1, false, get_area, NULL },
 	{ "aedges", "active_edges", 1, true, get_active_edges, NULL },
@@ -147,6 +160,8 @@ static const struct quantity {
 	{ "nneighs", "nneighs", 1, true, get_neighbours, NULL },
 	{ "vel", "v", 3, false, get_velocity, moves },
 };
+/* What no mesh here has: its array is left out, as that of others that have it not. */
+static const char *const missing[] = { "liquid", "distaa", NULL };
 enum { NQUANTITIES = sizeof quantities / sizeof *quantities, VELOCITY = NQUANTITIES - 1 };
 
 /* ---- arguments ---- */
@@ -177,6 +192,8 @@ static enum ts_status read_word(struct ts_instance *self, struct tsim *sim, stru
 			s->chosen |= 1u << k;
 			*taken = 1;
 		}
+	for (int k = 0; missing[k]; k++)
+		*taken += ts_streq(rest.word[0].text, missing[k]);
 	if (!ts_streq(rest.word[0].text, "output"))
 		return TS_OK;
 	*taken = 2;
@@ -316,8 +333,9 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 static const struct ts_arg args[] = {
 	TS_DUMP_MESH_ARGS(struct state, "*.vtk",
 			  "in any order: ids of `fix mesh/surface`, else all meshes; what to write of "
-			  "each triangle: stress, stresscomponents, id, wear, owner, area, aedges, "
-			  "acorners, index, nneighs, vel; "
+			  "each triangle: stress, stresscomponents, id, wear, temp, owner, area, aedges, "
+			  "acorners, index, nneighs, vel (liquid and distaa are accepted, but no mesh "
+			  "has them); "
 			  "`output face|interpolate|original`"),
 	TS_ARGS_END,
 };
@@ -334,7 +352,8 @@ const struct ts_style ts_dump_mesh_vtk = {
 	       "Arrays: stress gives normal_stress_average and shear_stress_average, stresscomponents the vector\n"
 	       "stress = F/A, id meshid, aedges active_edges, acorners active_corners (edges and corners that\n"
 	       "particles can touch), vel v; the others are named as they are asked for. There are stresses and\n"
-	       "wear only if a mesh is a fix mesh/surface/stress, and velocities only if one moves.",
+	       "wear only if a mesh is a fix mesh/surface/stress, velocities only if one moves, and Temp (temp)\n"
+	       "only if one has a temperature. LIGGGHTS 3.8 gives that to the first triangle of a mesh alone.",
 	.example = "dump stress all mesh/vtk 200 post/mesh*.vtk id area vel\n"
 		   "dump points all mesh/vtk 200 post/drum*.vtk output interpolate vel drum",
 	.args = args,

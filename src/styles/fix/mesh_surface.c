@@ -36,11 +36,15 @@ const struct ts_style ts_fix_mesh_surface = {
 	       "(`boundary m m m`), in which case it makes room for the mesh. Across periodic faces particles meet\n"
 	       "the images of the triangles.\n\n"
 	       "With surface_vel or surface_ang_vel the surface moves in itself like a conveyor belt: the velocity\n"
-	       "is turned into the plane of each triangle, and keeps its magnitude.",
+	       "is turned into the plane of each triangle, and keeps its magnitude.\n\n"
+	       "`extrude_planar L` of a plane mesh and `fix ID` of another make a rim: the faces that the outer\n"
+	       "edges sweep when they are moved by L against the normal, two triangles for each edge.",
 	.example =
 		"fix cad all mesh/surface file hopper.stl type 1 scale 0.001 move 0 0 -0.1\n"
 		"fix belt all mesh/surface file belt.stl type 2 rotate axis 1 0 0 angle 12.5 surface_vel "
-		"0.3 0 0",
+		"0.3 0 0\n"
+		"fix bottom all mesh/surface file disc.stl type 1 extrude_planar 0.1\n"
+		"fix rim all mesh/surface fix bottom type 1",
 	.args = args,
 	.family = TS_FAMILY_MESH,
 	.state_size = sizeof(struct state),
