@@ -60,6 +60,7 @@ shell_tests = \
 	tests/decks/massflow.sh \
 	tests/decks/materials.sh \
 	tests/decks/mesh_dumps.sh \
+	tests/decks/mesh_rim.sh \
 	tests/decks/mesh_servo.sh \
 	tests/decks/mesh_stress.sh \
 	tests/decks/mistakes.sh \

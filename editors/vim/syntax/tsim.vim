@@ -90,12 +90,12 @@ syn keyword tsimKeyword  volumefraction_region mass_in_region nparticles particl
 syn keyword tsimKeyword  massrate insertion_face extrude_length duration vec_side multiple
 syn keyword tsimKeyword  point_at_outlet inside_out writeTime
 syn match tsimKeyword /\<delete_atoms\>/ 
-syn keyword tsimKeyword  temperature element_exclusion_list precision curvature
-syn keyword tsimKeyword  curvature_tolerant heal auto_remove_duplicates surface_vel
-syn keyword tsimKeyword  surface_ang_vel reference_point stress wear finnie ctrlPV force
-syn keyword tsimKeyword  axis target_val vel_max kp ki kd pid rescale transrot
-syn keyword tsimKeyword  linear/variable period rotate/variable amplitude riggle viblin
-syn keyword tsimKeyword  order phase vibrot linear/superposable
+syn keyword tsimKeyword  sum_property temperature element_exclusion_list precision
+syn keyword tsimKeyword  curvature extrude_planar curvature_tolerant heal
+syn keyword tsimKeyword  auto_remove_duplicates surface_vel surface_ang_vel reference_point
+syn keyword tsimKeyword  stress wear finnie ctrlPV force axis target_val vel_max kp ki kd
+syn keyword tsimKeyword  pid rescale transrot linear/variable period rotate/variable
+syn keyword tsimKeyword  amplitude riggle viblin order phase vibrot linear/superposable
 syn keyword tsimKeyword  linear/variable/superposable rotate/superposable
 syn keyword tsimKeyword  rotate/variable/superposable wiggle/superposable
 syn keyword tsimKeyword  riggle/superposable viblin/superposable vibrot/superposable

@@ -356,6 +356,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 {
 	struct state *s = self->state;
 
+	TS_TRY(ts_table_resize(out, s->property ? 7 : 6, 1));
 	if (sim->clock.step != s->now.step) {
 		s->before = s->now;
 		s->now = (struct mark){ s->mass, s->number, sim->clock.step };
@@ -416,18 +417,11 @@ static const struct ts_arg args[] = {
 	TS_ARGS_END,
 };
 
-static bool gives(const struct ts_instance *self, const struct ts_value *value)
-{
-	return (value->columns == 7) == (((const struct state *)self->state)->property != NULL);
-}
-
-static const char *const names[] = { "mass", "number", "mass_rate", "number_rate", "deleted_mass", "deleted_number", "sum" };
 static const struct ts_value values[] = {
-	{ "passed", "mass, 1, mass/time, 1/time, mass, 1",
-	  "mass and number that have passed, both per time since the output before, mass and number deleted",
-	  TS_VECTOR, 6, names, eval },
 	{ "passed", "mass, 1, mass/time, 1/time, mass, 1, that of the property",
-	  "with sum_property: the same, and the sum of the property", TS_VECTOR, 7, names, eval },
+	  "mass and number that have passed, both per time since the output before, mass and number deleted; with "
+	  "sum_property its sum",
+	  TS_VECTOR, 0, NULL, eval },
 	{ .name = NULL },
 };
 
@@ -468,7 +462,6 @@ const struct ts_style ts_fix_massflow_mesh = {
 	.saved = saved,
 	.archive = archive,
 	.values = values,
-	.gives = gives,
 	.init = init,
 	.hook = { [TS_STAGE_POST_INTEGRATE] = post_integrate,
 		  [TS_STAGE_EXCHANGE] = exchange,
