@@ -117,6 +117,7 @@ library_sources = \
 	src/flow/measure.h \
 	src/flow/operators.c \
 	src/flow/operators.h \
+	src/flow/packed.c \
 	src/flow/poisson.c \
 	src/flow/poisson.h \
 	src/flow/predict.c \
@@ -129,6 +130,8 @@ library_sources = \
 	src/flow/project.c \
 	src/flow/projection.h \
 	src/flow/sample.c \
+	src/flow/schemes.c \
+	src/flow/schemes.h \
 	src/flow/share.c \
 	src/flow/share.h \
 	src/flow/spread.c \
@@ -137,6 +140,7 @@ library_sources = \
 	src/flow/stencil.h \
 	src/flow/transform.c \
 	src/flow/transform.h \
+	src/flow/watch.c \
 	src/flow/words.c \
 	src/geom/ball_corner.c \
 	src/geom/ball_corner.h \

@@ -123,6 +123,7 @@ unit_tests = \
 	tests/check_crosscheck \
 	tests/check_drag \
 	tests/check_energy \
+	tests/check_flow \
 	tests/check_flow_measures \
 	tests/check_formulas \
 	tests/check_geom \
@@ -210,6 +211,10 @@ tests_check_drag_LDADD = $(tests_ldadd)
 tests_check_energy_SOURCES = tests/check_energy.c $(tests_common)
 tests_check_energy_CFLAGS = $(tests_cflags)
 tests_check_energy_LDADD = $(tests_ldadd)
+
+tests_check_flow_SOURCES = tests/check_flow.c $(tests_common)
+tests_check_flow_CFLAGS = $(tests_cflags)
+tests_check_flow_LDADD = $(tests_ldadd)
 
 tests_check_flow_measures_SOURCES = tests/check_flow_measures.c $(tests_common)
 tests_check_flow_measures_CFLAGS = $(tests_cflags)

@@ -1,4 +1,4 @@
-/* A time step of the fluid. */
+/* Time steps of the fluid. */
 #include <math.h>
 
 #include "flow/projection.h"
@@ -12,18 +12,13 @@ static struct ts_predictor predictor(const struct ts_projection *p, double dt)
 				    .operators = &p->operators,
 				    .convection = (enum ts_convection)p->convection,
 				    .form = (enum ts_form)p->form,
-				    .gamma = p->gamma,
+				    .gamma = p->convection == TS_CONVECTION_DONOR ? p->gamma : 0,
 				    .nu = fluid->viscosity / fluid->density,
 				    .dt = dt,
-				    .keep = 0,
-				    .take = 1,
 				    .threads = p->poisson.threads };
 
-	for (int d = 0; d < 3; d++) {
+	for (int d = 0; d < 3; d++)
 		out.acceleration[d] = fluid->body_force[d];
-		out.u[d] = out.old[d] = fluid->u[d];
-		out.out[d] = p->work[d];
-	}
 	return out;
 }
 
@@ -36,6 +31,8 @@ static void exchange_fields(double *a[3], double *b[3])
 		b[d] = keep;
 	}
 }
+
+/* ---- those who take part */
 
 static enum ts_status parts_force(struct tsim *sim, struct ts_fluid *fluid, double time, double dt)
 {
@@ -63,19 +60,106 @@ static enum ts_status parts_carry(struct tsim *sim, struct ts_fluid *fluid, doub
 	return TS_OK;
 }
 
-enum ts_status ts_projection_advance(struct ts_instance *self, struct tsim *sim, double dt)
+/* ---- Adams-Bashforth */
+
+/* From u and the Euler step u + dt F to u + dt (F + (F - F before) dt/(2 dt before)); keeps F. */
+static void add_history(struct ts_projection *p, double *const out[3], double dt)
+{
+	const struct ts_fluid *fluid = &p->fluid;
+	const size_t size = fluid->grid.size;
+	const double more = p->history_dt > 0 ? 0.5 * dt / p->history_dt : 0;
+
+	for (int d = 0; d < fluid->grid.dimensions; d++) {
+		double *after = out[d], *rate = p->history[d];
+		const double *u = fluid->u[d];
+
+#pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
+		for (size_t k = 0; k < size; k++) {
+			double now = (after[k] - u[k]) / dt;
+
+			after[k] += dt * more * (now - rate[k]);
+			rate[k] = now;
+		}
+	}
+	p->history_dt = dt;
+}
+
+/* ---- a step */
+
+static enum ts_status want_vector(const struct ts_grid *grid, double *field[3])
+{
+	for (int d = 0; d < grid->dimensions; d++)
+		if (!field[d] && !(field[d] = ts_grid_field(grid)))
+			return TS_NOMEM;
+	return TS_OK;
+}
+
+/* Memory that only some schemes need. */
+static enum ts_status want_memory(struct ts_projection *p, const struct ts_time_scheme *scheme)
+{
+	if (scheme->stages > 1)
+		TS_TRY(want_vector(&p->fluid.grid, p->second));
+	return scheme->history ? want_vector(&p->fluid.grid, p->history) : TS_OK;
+}
+
+/* Stage s; the velocities at the beginning of the step are in `old`. The old stage ends up in p->work. */
+static enum ts_status make_stage(struct ts_instance *self, struct tsim *sim,
+				 const struct ts_time_scheme *scheme, int s, double *const old[3],
+				 double dt, double carry)
 {
 	struct ts_projection *p = self->state;
 	struct ts_fluid *fluid = &p->fluid;
-	struct ts_predictor step = predictor(p, dt);
+	struct ts_predictor stage = predictor(p, dt);
+	double length = scheme->take[s] * dt;
 
-	ts_predict(&step);
+	stage.keep = scheme->keep[s];
+	stage.take = scheme->take[s];
+	for (int d = 0; d < 3; d++) {
+		stage.u[d] = fluid->u[d];
+		stage.old[d] = old[d];
+		stage.out[d] = p->work[d];
+	}
+	ts_predict(&stage);
+	if (scheme->history)
+		add_history(p, p->work, dt);
 	exchange_fields(fluid->u, p->work);
+	ts_projection_push(p, length);
 	ts_fluid_fill_velocity(fluid, fluid->u);
-	TS_TRY(parts_force(sim, fluid, fluid->time + dt, dt));
-	TS_TRY(ts_projection_project(self, sim, dt));
+	TS_TRY(parts_force(sim, fluid, fluid->time + scheme->at[s] * dt, length));
+	TS_TRY(ts_projection_project(self, sim, length, length));
+	ts_projection_use(p, s == 0 ? carry : 1, scheme->take[s]);
+	return TS_OK;
+}
+
+enum ts_status ts_projection_advance(struct ts_instance *self, struct tsim *sim, double dt, double carry)
+{
+	struct ts_projection *p = self->state;
+	struct ts_fluid *fluid = &p->fluid;
+	const struct ts_time_scheme *scheme = &ts_time_schemes[p->time];
+	double *old[3] = { fluid->u[0], fluid->u[1], fluid->u[2] };
+
+	if (want_memory(p, scheme) != TS_OK)
+		return ts_nomem(&sim->error);
+	for (int s = 0; s < scheme->stages; s++) {
+		TS_TRY(make_stage(self, sim, scheme, s, old, dt, carry));
+		if (s < scheme->stages - 1 && p->work[0] == old[0]) /* it is needed to the end */
+			exchange_fields(p->work, p->second);
+	}
 	fluid->dt = dt;
 	fluid->time += dt;
 	fluid->steps++;
+	TS_TRY(ts_projection_watch(self, sim, old, dt));
 	return parts_carry(sim, fluid, dt);
+}
+
+enum ts_status ts_projection_step(struct ts_instance *self, struct tsim *sim, double length)
+{
+	struct ts_projection *p = self->state;
+
+	p->source_share = p->source_steps > 0 ? 1 / (double)p->source_steps : 0;
+	if (ts_projection_room(p, length) != TS_OK)
+		return ts_nomem(&sim->error);
+	TS_TRY(ts_projection_advance(self, sim, length, 0));
+	ts_projection_clear_sources(p);
+	return TS_OK;
 }

@@ -204,6 +204,6 @@ enum ts_status ts_projection_balance(struct ts_instance *self, struct tsim *sim,
 			       net < 0 ? "leave" : "come in", net < 0 ? "in" : "out", fabs(net));
 	for (int d = 0; d < 3; d++)
 		volume *= grid->face[d][grid->n[d]] - grid->face[d][0];
-	*mean = net / volume;
+	*mean = (net + ts_projection_room_rate(p)) / volume;
 	return TS_OK;
 }

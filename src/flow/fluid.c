@@ -28,6 +28,7 @@ void ts_fluid_release(struct ts_fluid *fluid)
 	release_vector(fluid->u);
 	release_vector(fluid->force);
 	release_vector(fluid->exchange);
+	release_vector(fluid->used);
 	release_vector(fluid->empty_face);
 	for (size_t k = 0; k < sizeof scalars / sizeof *scalars; k++) {
 		ts_grid_field_free(*scalars[k]);
@@ -65,6 +66,8 @@ enum ts_status ts_fluid_want(struct ts_fluid *fluid, struct tsim *sim, unsigned 
 		status = want_vector(grid, fluid->force, 0);
 	if (fields & TS_FLUID_EXCHANGE && status == TS_OK)
 		status = want_vector(grid, fluid->exchange, 0);
+	if (fields & TS_FLUID_EXCHANGE && status == TS_OK)
+		status = want_vector(grid, fluid->used, 0);
 	if (fields & TS_FLUID_VOID && status == TS_OK)
 		status = want_field(grid, &fluid->empty, 1);
 	if (fields & TS_FLUID_VOID && status == TS_OK)

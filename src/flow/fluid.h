@@ -43,11 +43,15 @@ struct ts_fluid {
 	double *u[3]; /* at lower faces; ghosts hold what the boundary conditions say */
 	double *p;    /* at centres */
 
-	/* On demand, see ts_fluid_want: NULL where nobody has asked. */
-	double *force[3];    /* f above, at lower faces, force per volume: particles add */
+	/* On demand, see ts_fluid_want: NULL where nobody has asked. Particles add to f and k in each step of the
+	 * simulation, but not in its set-up (sim->in_setup); the fluid takes the means over the steps since its
+	 * last one. */
+	double *force[3];    /* f above, at lower faces, force per volume */
 	double *exchange[3]; /* k above, at lower faces */
-	double *empty;       /* void fraction e, at centres */
-	double *empty_rate;  /* de/dt since the last step of the fluid, at centres */
+	double *used[3];     /* beside exchange: the mean velocity that k multiplied in the last step, at
+			      * which the projection has it: u of the end of the step with time euler */
+	double *empty;       /* void fraction e, at centres: particles set it in the cells inside */
+	double *empty_rate;  /* de/dt since the last step of the fluid, at centres: made by the fluid */
 	double *empty_face[3]; /* e at lower faces: made by the fluid from `empty` */
 
 	double dt;       /* of the last step of the fluid; 0: there was none */
@@ -100,6 +104,9 @@ void ts_fluid_fill_velocity(const struct ts_fluid *fluid, double *const u[3]);
 void ts_fluid_fill_centred(const struct ts_fluid *fluid, double *field);
 /* Of a pressure: as a scalar, but zero on outlets. */
 void ts_fluid_fill_pressure(const struct ts_fluid *fluid, double *p);
+
+/* Of any field, where the grid is periodic only. */
+void ts_fluid_fill_periodic(const struct ts_fluid *fluid, double *field);
 
 /* Velocity at a place, trilinear between the values of each component; exact at boundary faces with the
  * conditions there. Outside the grid: of the nearest place in it. */

@@ -201,3 +201,10 @@ void ts_fluid_fill_pressure(const struct ts_fluid *fluid, double *p)
 {
 	fill_centred(fluid, p, RULE_ODD);
 }
+
+void ts_fluid_fill_periodic(const struct ts_fluid *fluid, double *field)
+{
+	for (int d = 0; d < fluid->grid.dimensions; d++)
+		if (fluid->grid.periodic[d])
+			wrap(&fluid->grid, field, d);
+}

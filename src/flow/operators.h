@@ -3,6 +3,8 @@
  * For component c the rate of change without pressure, on the control volume around its face:
  *   - sum_e [q_e phi]/width + nu sum_e d/de (du_c/de)
  * q_e the velocity across the sides of the control volume, phi = u_c there by a convection scheme.
+ * Where particles leave the void fraction e
+ *   1/e sum_e { - [e q_e phi]/width + u_c [e q_e]/width + nu d/de (e du_c/de) }.
  * Second order on smooth grids: both differences are centred (donor cell: first order as far as gamma). */
 #ifndef TS_FLOW_OPERATORS_H
 #define TS_FLOW_OPERATORS_H

@@ -37,16 +37,42 @@ static inline __attribute__((always_inline)) struct at_point at_point(const stru
 	};
 }
 
+/* What stays the same along a row, for one direction e. */
+struct direction {
+	const double *q;     /* the velocity in this direction */
+	const double *share; /* the void fraction on its faces, and in the centres of cells */
+	const double *share_centre;
+	ptrdiff_t se;
+	bool same; /* e is the direction of the component */
+	double mass;
+};
+
+/* Void fractions on the lower and upper side; 1 without. */
+static inline __attribute__((always_inline)) void shares(const struct direction *e, ptrdiff_t at, ptrdiff_t sc,
+							 double mass, double *low, double *high)
+{
+	if (e->same) {
+		*low = e->share_centre[at - sc];
+		*high = e->share_centre[at];
+	} else {
+		*low = mass * e->share[at - sc] + (1 - mass) * e->share[at];
+		*high = mass * e->share[at - sc + e->se] + (1 - mass) * e->share[at + e->se];
+	}
+}
+
 /* What direction e adds to the rate of change of component c at place `at`. */
 static inline __attribute__((always_inline)) double
-along(const struct at_point *p, const double *u, const double *q, ptrdiff_t at, ptrdiff_t se,
-      ptrdiff_t sc, bool same, double mass, double nu, double gamma, enum ts_convection scheme,
-      enum ts_form form)
+along(const struct at_point *p, const struct direction *e, const double *u, ptrdiff_t at, ptrdiff_t sc,
+      double mass, double nu, double gamma, enum ts_convection scheme, enum ts_form form, bool packed)
 {
+	const double *q = e->q;
+	const ptrdiff_t se = e->se;
 	double here = u[at], low = u[at - se], high = u[at + se];
-	double q_low, q_high, rate;
+	double q_low, q_high, e_low = 1, e_high = 1, rate;
 
-	if (same) { /* centres of cells: midway between two faces */
+	if (packed)
+		shares(e, at, sc, mass, &e_low, &e_high);
+	if (e->same) { /* centres of cells: midway between two faces */
 		q_low = 0.5 * (low + here);
 		q_high = 0.5 * (here + high);
 	} else { /* edges: flow through the halves of two cells */
@@ -59,12 +85,20 @@ along(const struct at_point *p, const double *u, const double *q, ptrdiff_t at, 
 		double phi_high = ts_side_value(scheme, gamma, q_high, low, here, high, u[at + 2 * se],
 						&p->high);
 
+		if (packed) {
+			q_low *= e_low;
+			q_high *= e_high;
+			phi_low -= here;
+			phi_high -= here;
+		}
 		rate = (q_low * phi_low - q_high * phi_high) * p->inverse;
 	} else {
-		rate = ts_advection(scheme, gamma, same ? here : 0.5 * (q_low + q_high), high - here,
+		rate = ts_advection(scheme, gamma, e->same ? here : 0.5 * (q_low + q_high), high - here,
 				    here - low, p->above, p->below, p->inverse);
 	}
-	return rate + nu * (p->above * (high - here) - p->below * (here - low));
+	if (!packed)
+		return rate + nu * (p->above * (high - here) - p->below * (here - low));
+	return rate + nu * (p->above * e_high * (high - here) - p->below * e_low * (here - low));
 }
 
 struct row {
@@ -73,23 +107,39 @@ struct row {
 	ptrdiff_t at; /* of i = 0 */
 };
 
+static inline __attribute__((always_inline)) struct direction
+direction(const struct row *row, int d, int c, int dimensions, bool packed)
+{
+	const struct ts_fluid *fluid = row->p->fluid;
+
+	if (d >= dimensions)
+		return (struct direction){ 0 };
+	return (struct direction){ .q = row->p->u[d] + row->at,
+				   .share = packed ? fluid->empty_face[d] + row->at : NULL,
+				   .share_centre = packed ? fluid->empty + row->at : NULL,
+				   .se = d == 0 ? 1 : fluid->grid.stride[d],
+				   .same = c == d };
+}
+
 static inline __attribute__((always_inline)) void predict_row(const struct row *row, int c, int dimensions,
-							      enum ts_convection scheme, enum ts_form form)
+							      enum ts_convection scheme,
+							      enum ts_form form, bool packed)
 {
 	const struct ts_predictor *p = row->p;
 	const struct ts_operators *o = p->operators;
-	const struct ts_grid *grid = &p->fluid->grid;
 	const struct ts_line line = c == 0 ? o->staggered[0] : o->centred[0];
 	const struct at_point y = at_point(c == 1 ? &o->staggered[1] : &o->centred[1], row->j);
-	const struct at_point z = dimensions == 3 ? at_point(c == 2 ? &o->staggered[2] : &o->centred[2],
-							    row->k)
-						  : y;
+	const struct at_point z =
+		dimensions == 3 ? at_point(c == 2 ? &o->staggered[2] : &o->centred[2], row->k) : y;
+	const struct direction along_x = direction(row, 0, c, dimensions, packed);
+	const struct direction along_y = direction(row, 1, c, dimensions, packed);
+	const struct direction along_z = direction(row, 2, c, dimensions, packed);
+	const ptrdiff_t sc = c == 0 ? 1 : p->fluid->grid.stride[c];
 	const double *mass_x = o->mass[0];
 	const double mass_c = c == 1 ? o->mass[1][row->j] : c == 2 ? o->mass[2][row->k] : 0;
-	const ptrdiff_t sy = grid->stride[1], sz = grid->stride[2], sc = c == 0 ? 1 : c == 1 ? sy : sz;
-	const double *ux = p->u[0] + row->at, *uy = p->u[1] + row->at, *uz = p->u[2] + row->at;
 	const double *u = p->u[c] + row->at, *old = p->old[c] + row->at;
-	double *restrict out = p->out[c] + row->at;
+	const double *share = packed ? p->fluid->empty_face[c] + row->at : NULL;
+	double *out = p->out[c] + row->at;
 	const double nu = p->nu, gamma = p->gamma, keep = p->keep, take = p->take, dt = p->dt;
 	const double acceleration = p->acceleration[c];
 
@@ -97,54 +147,65 @@ static inline __attribute__((always_inline)) void predict_row(const struct row *
 	for (int i = row->from; i < row->to; i++) {
 		const struct at_point x = at_point(&line, i);
 		double mass = c == 0 ? mass_x[i] : mass_c;
-		double rate = acceleration;
+		double rate = along(&x, &along_x, u, i, sc, mass, nu, gamma, scheme, form, packed);
 
-		rate += along(&x, u, ux, i, 1, sc, c == 0, mass, nu, gamma, scheme, form);
-		rate += along(&y, u, uy, i, sy, sc, c == 1, mass, nu, gamma, scheme, form);
+		rate += along(&y, &along_y, u, i, sc, mass, nu, gamma, scheme, form, packed);
 		if (dimensions == 3)
-			rate += along(&z, u, uz, i, sz, sc, c == 2, mass, nu, gamma, scheme, form);
-		out[i] = keep * old[i] + take * (u[i] + dt * rate);
+			rate += along(&z, &along_z, u, i, sc, mass, nu, gamma, scheme, form, packed);
+		if (packed)
+			rate /= share[i];
+		out[i] = keep * old[i] + take * (u[i] + dt * (acceleration + rate));
 	}
 }
 
 typedef void row_fn(const struct row *row);
 
-#define ROW(name, c, dimensions, scheme, form)                                                     \
+#define ROW(name, c, dimensions, scheme, form, packed)                                             \
 	static void name##_##c(const struct row *row)                                              \
 	{                                                                                          \
-		predict_row(row, c, dimensions, scheme, form);                                     \
+		predict_row(row, c, dimensions, scheme, form, packed);                             \
 	}
-#define ROWS(name, scheme, form)                                                                   \
-	ROW(name##_2, 0, 2, scheme, form)                                                          \
-	ROW(name##_2, 1, 2, scheme, form)                                                          \
-	ROW(name##_3, 0, 3, scheme, form)                                                          \
-	ROW(name##_3, 1, 3, scheme, form)                                                          \
-	ROW(name##_3, 2, 3, scheme, form)
-#define ENTRIES(name)                                                                              \
+#define ROWS(name, scheme, form, packed)                                                           \
+	ROW(name##_2, 0, 2, scheme, form, packed)                                                  \
+	ROW(name##_2, 1, 2, scheme, form, packed)                                                  \
+	ROW(name##_3, 0, 3, scheme, form, packed)                                                  \
+	ROW(name##_3, 1, 3, scheme, form, packed)                                                  \
+	ROW(name##_3, 2, 3, scheme, form, packed)
+#define VARIANTS(name, scheme, form)                                                               \
+	ROWS(name##_free, scheme, form, false)                                                     \
+	ROWS(name##_packed, scheme, form, true)
+#define ENTRY(name)                                                                                \
 	{                                                                                          \
 		{ name##_2_0, name##_2_1, NULL }, { name##_3_0, name##_3_1, name##_3_2 }           \
 	}
+#define ENTRIES(name)                                                                              \
+	{                                                                                          \
+		ENTRY(name##_free), ENTRY(name##_packed)                                           \
+	}
 
-ROWS(donor, TS_CONVECTION_DONOR, TS_FORM_VOLUME)
-ROWS(central, TS_CONVECTION_CENTRAL, TS_FORM_VOLUME)
-ROWS(quick, TS_CONVECTION_QUICK, TS_FORM_VOLUME)
-ROWS(cubista, TS_CONVECTION_CUBISTA, TS_FORM_VOLUME)
-ROWS(donor_difference, TS_CONVECTION_DONOR, TS_FORM_DIFFERENCE)
+VARIANTS(donor, TS_CONVECTION_DONOR, TS_FORM_VOLUME)
+VARIANTS(central, TS_CONVECTION_CENTRAL, TS_FORM_VOLUME)
+VARIANTS(quick, TS_CONVECTION_QUICK, TS_FORM_VOLUME)
+VARIANTS(cubista, TS_CONVECTION_CUBISTA, TS_FORM_VOLUME)
+VARIANTS(difference, TS_CONVECTION_DONOR, TS_FORM_DIFFERENCE)
 
-static row_fn *const rows[TS_NCONVECTION][2][3] = {
+/* [scheme][particles take room][in three dimensions][component] */
+static row_fn *const volume_rows[TS_NCONVECTION][2][2][3] = {
 	[TS_CONVECTION_DONOR] = ENTRIES(donor),
 	[TS_CONVECTION_CENTRAL] = ENTRIES(central),
 	[TS_CONVECTION_QUICK] = ENTRIES(quick),
 	[TS_CONVECTION_CUBISTA] = ENTRIES(cubista),
 };
 /* Central differences are the donor cell's with gamma 0. */
-static row_fn *const difference_rows[2][3] = ENTRIES(donor_difference);
+static row_fn *const difference_rows[2][2][3] = ENTRIES(difference);
 
 void ts_predict(const struct ts_predictor *p)
 {
 	const struct ts_grid *grid = &p->fluid->grid;
-	row_fn *const *row_of = p->form == TS_FORM_DIFFERENCE ? difference_rows[grid->dimensions - 2]
-							      : rows[p->convection][grid->dimensions - 2];
+	bool packed = p->fluid->empty, solid = grid->dimensions == 3;
+	row_fn *const *row_of = p->form == TS_FORM_DIFFERENCE
+					? difference_rows[packed][solid]
+					: volume_rows[p->convection][packed][solid];
 	int from[3][3], to[3][3], height = grid->n[1] + 1;
 	long total = (long)height * (grid->n[2] + (grid->dimensions == 3));
 

@@ -160,7 +160,11 @@ void ts_projection_release(struct ts_projection *p)
 	ts_operators_release(&p->operators);
 	for (int d = 0; d < 3; d++) {
 		ts_grid_field_free(p->work[d]);
+		ts_grid_field_free(p->second[d]);
+		ts_grid_field_free(p->history[d]);
+		ts_grid_field_free(p->weight[d]);
 		ts_free(p->graded[d]);
 	}
 	ts_grid_field_free(p->rhs);
+	ts_grid_field_free(p->empty_before);
 }

@@ -29,45 +29,68 @@ static void divergence_row(const struct ts_fluid *fluid, int j, int k, double *o
 	}
 }
 
-static double largest(const double *row, int n)
+/* The same of e u, and de/dt. */
+static void packed_row(const struct ts_fluid *fluid, int j, int k, double *out)
 {
-	double most = 0;
+	const struct ts_grid *grid = &fluid->grid;
+	const size_t at = ts_at(grid, 0, j, k);
 
-	for (int i = 0; i < n; i++)
-		most = fabs(row[i]) > most ? fabs(row[i]) : most;
-	return most;
+	memcpy(out, fluid->empty_rate + at, (size_t)grid->n[0] * sizeof *out);
+	for (int d = 0; d < grid->dimensions; d++) {
+		const double *u = fluid->u[d] + at, *e = fluid->empty_face[d] + at;
+		const double *width = grid->width[d] + (d == 1 ? j : d == 2 ? k : 0);
+		const ptrdiff_t s = grid->stride[d];
+
+		for (int i = 0; i < grid->n[0]; i++)
+			out[i] += (e[i + s] * u[i + s] - e[i] * u[i]) / width[d == 0 ? i : 0];
+	}
 }
 
-/* rhs = scale (div u - mean); returns the largest |div u|. */
-static double divergence(const struct ts_projection *p, double scale, double mean)
+void ts_flow_divergence_row(const struct ts_fluid *fluid, int j, int k, double *out)
+{
+	if (fluid->empty)
+		packed_row(fluid, j, k, out);
+	else
+		divergence_row(fluid, j, k, out);
+}
+
+/* rhs = scale (div u - mean) */
+static void divergence(const struct ts_projection *p, double scale, double mean)
 {
 	const struct ts_grid *grid = &p->fluid.grid;
 	long rows = (long)grid->n[1] * grid->n[2];
-	double most = 0;
 
-#pragma omp parallel for num_threads(p->poisson.threads) schedule(static) reduction(max : most)
+#pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
 	for (long line = 0; line < rows; line++) {
 		int j = (int)(line % grid->n[1]), k = (int)(line / grid->n[1]);
 		double *row = p->rhs + ts_at(grid, 0, j, k);
 
-		divergence_row(&p->fluid, j, k, row);
-		most = fmax(most, largest(row, grid->n[0]));
+		ts_flow_divergence_row(&p->fluid, j, k, row);
 		for (int i = 0; i < grid->n[0]; i++)
 			row[i] = scale * (row[i] - mean);
 	}
-	return most;
 }
 
-/* u -= factor grad p on the faces of component c where it is not given. */
-static void correct_row(const struct ts_fluid *fluid, int c, int j, int k, int from, int to, double factor)
+/* u -= factor grad p on the faces of component c where it is not given. Where particles hold the fluid the
+ * factor is as much less as the weight of the face is less than its void fraction. */
+static void correct_row(const struct ts_projection *projection, int c, int j, int k, int from, int to,
+			double factor)
 {
+	const struct ts_fluid *fluid = &projection->fluid;
 	const struct ts_grid *grid = &fluid->grid;
+	const double *weight = fluid->exchange[c] ? projection->weight[c] : NULL;
 	const size_t at = ts_at(grid, 0, j, k);
 	const ptrdiff_t s = grid->stride[c];
 	const double *p = fluid->p + at, *gap = grid->gap[0];
 	double *u = fluid->u[c] + at;
 
-	if (c == 0) {
+	if (weight) {
+		const double *e = fluid->empty_face[c];
+
+		for (int i = from; i < to; i++)
+			u[i] -= factor * weight[at + (size_t)i] / (e ? e[at + (size_t)i] : 1) *
+				(p[i] - p[i - s]) / grid->gap[c][c == 0 ? i : c == 1 ? j : k];
+	} else if (c == 0) {
 #pragma omp simd
 		for (int i = from; i < to; i++)
 			u[i] -= factor * (p[i] - p[i - 1]) / gap[i];
@@ -93,7 +116,7 @@ static void correct(const struct ts_projection *p, double factor)
 
 		for (int c = 0; c < grid->dimensions; c++)
 			if (j >= from[c][1] && j < to[c][1] && k >= from[c][2] && k < to[c][2])
-				correct_row(&p->fluid, c, j, k, from[c][0], to[c][0], factor);
+				correct_row(p, c, j, k, from[c][0], to[c][0], factor);
 	}
 }
 
@@ -111,7 +134,7 @@ static enum ts_status solver(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-enum ts_status ts_projection_project(struct ts_instance *self, struct tsim *sim, double dt)
+enum ts_status ts_projection_project(struct ts_instance *self, struct tsim *sim, double dt, double held)
 {
 	struct ts_projection *p = self->state;
 	struct ts_fluid *fluid = &p->fluid;
@@ -121,13 +144,13 @@ enum ts_status ts_projection_project(struct ts_instance *self, struct tsim *sim,
 	TS_TRY(solver(self, sim));
 	ts_fluid_fill_velocity(fluid, fluid->u);
 	TS_TRY(ts_projection_balance(self, sim, &mean));
+	TS_TRY(ts_projection_weights(p, held) == TS_OK ? TS_OK : ts_nomem(&sim->error));
 	divergence(p, fluid->density / dt, mean);
 	TS_TRY(ts_pressure_style_of(p->pressure)->solve(p->pressure, sim, p->rhs, fluid->p, &report));
 	fluid->iterations = report.iterations;
 	ts_fluid_fill_pressure(fluid, fluid->p);
 	correct(p, dt / fluid->density);
 	ts_fluid_fill_velocity(fluid, fluid->u);
-	fluid->divergence = divergence(p, 1, 0);
 	return TS_OK;
 }
 
@@ -138,7 +161,7 @@ enum ts_status ts_projection_start(struct ts_instance *self, struct tsim *sim)
 	const struct ts_grid *grid = &fluid->grid;
 
 	/* Any time step gives the same velocity; this one makes numbers of the size of 1. */
-	TS_TRY(ts_projection_project(self, sim, fluid->density * grid->width[0][0]));
+	TS_TRY(ts_projection_project(self, sim, fluid->density * grid->width[0][0], 0));
 	memset(fluid->p, 0, grid->size * sizeof *fluid->p);
 	p->fluid.steps = 0;
 	p->fluid.time = ts_sim_time(sim);

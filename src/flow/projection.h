@@ -10,6 +10,7 @@
 #include "flow/fluid.h"
 #include "flow/operators.h"
 #include "flow/poisson.h"
+#include "flow/schemes.h"
 
 #define TS_FAMILY_PROJECTION "projection"
 
@@ -29,10 +30,11 @@ struct ts_projection {
 	struct ts_fluid fluid; /* first */
 
 	/* as given */
-	double viscosity, density, gamma;
+	double viscosity, density, gamma, courant;
+	int64_t every;
 	struct ts_instance *region;
 	struct ts_words cell_words, body_words;
-	int convection, form, wall;
+	int convection, form, wall, time;
 	struct ts_flow_condition condition[3][2];
 
 	bool read; /* the words, into: */
@@ -40,8 +42,17 @@ struct ts_projection {
 	struct ts_number body_force[3];
 	double *graded[3]; /* faces by flow_grid, from 0 to 1; NULL: uniform */
 
-	double *work[3]; /* the predictor */
+	double *work[3];    /* the predictor */
+	double *second[3];  /* and a second one, for schemes of several stages */
+	double *history[3]; /* the rate of the step before, for ab2 */
+	double history_dt;  /* how long that was; 0: there is none */
 	double *rhs;
+	double *weight[3];    /* of faces in the projection, where particles take part in it */
+	double *empty_before; /* void fraction at the last step */
+	uint8_t empty_known;  /* it has been set */
+	int64_t source_steps; /* steps of the simulation since the last one of the fluid */
+	double source_share;  /* 1/source_steps, while sources are used */
+	int64_t waited;	      /* steps of the simulation since the last step of the fluid */
 	struct ts_operators operators;
 	struct ts_poisson poisson;
 	struct ts_instance *pressure; /* who solves; NULL: not asked yet */
@@ -68,12 +79,32 @@ enum ts_status ts_flow_set_coordinates(struct tsim *sim, const char *const set[3
 enum ts_status ts_projection_prepare(struct ts_instance *self, struct tsim *sim);
 void ts_projection_release(struct ts_projection *projection);
 
-/* Makes the velocity free of divergence: u -= dt/rho grad p. */
-enum ts_status ts_projection_project(struct ts_instance *self, struct tsim *sim, double dt);
+/* packed.c. From `empty`: its ghosts, faces and rate; `elapsed` since the last step. */
+enum ts_status ts_projection_room(struct ts_projection *projection, double elapsed);
+/* Sum of de/dt over the grid. */
+double ts_projection_room_rate(const struct ts_projection *projection);
+/* Weights of the faces in the projection of a stage of length dt. */
+enum ts_status ts_projection_weights(struct ts_projection *projection, double dt);
+/* Forces of the particles act on the velocity for dt. */
+void ts_projection_push(struct ts_projection *projection, double dt);
+/* used <- take (carry used + u): what stages make of the velocities that k multiplied. */
+void ts_projection_use(struct ts_projection *projection, double carry, double take);
+void ts_projection_clear_sources(struct ts_projection *projection);
+
+/* Makes the velocity free of divergence: u -= dt/rho grad p. `held`: for how long particles hold the fluid in
+ * it by their k, dt or 0. */
+enum ts_status ts_projection_project(struct ts_instance *self, struct tsim *sim, double dt, double held);
+/* div(e u) + de/dt in a row of cells. */
+void ts_flow_divergence_row(const struct ts_fluid *fluid, int j, int k, double *out);
 /* The same for a field that was set: the pressure does not count. */
 enum ts_status ts_projection_start(struct ts_instance *self, struct tsim *sim);
-/* One step of the fluid. */
-enum ts_status ts_projection_advance(struct ts_instance *self, struct tsim *sim, double dt);
+/* One step of the fluid; `carry`: see ts_projection_use, what its first stage takes over. */
+enum ts_status ts_projection_advance(struct ts_instance *self, struct tsim *sim, double dt, double carry);
+/* All the steps of the fluid that a step of the simulation of this length has. */
+enum ts_status ts_projection_step(struct ts_instance *self, struct tsim *sim, double length);
+/* Courant number, change and divergence of the last step; an error when it went wrong. */
+enum ts_status ts_projection_watch(struct ts_instance *self, struct tsim *sim, double *const before[3],
+				   double dt);
 
 /* Evaluates what variables say about the faces: velocities given, now. boundary.c */
 enum ts_status ts_projection_boundary(struct ts_instance *self, struct tsim *sim);

@@ -199,7 +199,7 @@ static enum ts_status borders(struct tsim *sim, int dim, double cutoff)
 	double lo = sim->domain->held_lo[dim], hi = sim->domain->held_hi[dim];
 	size_t present = p->n + p->nghost; /* images of images fill edges and corners */
 
-	if (cutoff > hi - lo)
+	if (cutoff > hi - lo && present > 0)
 		return ts_fail(&sim->error, TS_RANGE, NULL,
 			       "the periodic box is %g long in dimension %c, less than the reach %g of "
 			       "a contact: make it longer or the skin smaller",

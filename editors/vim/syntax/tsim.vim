@@ -118,9 +118,9 @@ syn keyword tsimKeyword  computeDissipatedEnergy disableNormalWhenBonded hooke/h
 syn keyword tsimKeyword  hertz/history limit_damping primitive n_meshes meshes xplane
 syn keyword tsimKeyword  yplane zplane xcylinder ycylinder zcylinder shear store_force
 syn keyword tsimKeyword  store_force_contact store_force_contact_stress contacts viscosity
-syn keyword tsimKeyword  convection donor central quick cubista gamma form fv fd quadratic
-syn keyword tsimKeyword  body_force generic restitution tolerance iterations unfinished
-syn keyword tsimKeyword  side in out open center bounds angle0
+syn keyword tsimKeyword  ab2 rk2 rk3 convection donor central quick cubista gamma form fv
+syn keyword tsimKeyword  fd quadratic body_force generic restitution tolerance iterations
+syn keyword tsimKeyword  unfinished side in out open center bounds angle0
 
 " numbers of the simulation and of particles
 syn keyword tsimName  id type radius diameter

@@ -1,6 +1,7 @@
 #include "flow/projection.h"
 
 #include <math.h>
+#include <stdio.h>
 
 #include "core/plan.h"
 
@@ -49,10 +50,15 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_projection *p = self->state;
 
+	p->source_steps++;
+	if (++p->waited < p->every)
+		return TS_OK;
 	TS_TRY(ts_projection_boundary(self, sim));
 	for (int d = 0; d < 3; d++)
 		TS_TRY(ts_number_now(sim, &p->body_force[d], &self->where, &p->fluid.body_force[d]));
-	return ts_projection_advance(self, sim, sim->clock.dt);
+	TS_TRY(ts_projection_step(self, sim, (double)p->waited * sim->clock.dt));
+	p->waited = 0;
+	return TS_OK;
 }
 
 static void fini(struct ts_instance *self)
@@ -60,17 +66,45 @@ static void fini(struct ts_instance *self)
 	ts_projection_release(self->state);
 }
 
+static enum ts_status archive_field(struct ts_archive *archive, const char *name, char part,
+				    const struct ts_grid *grid, double **field, bool now)
+{
+	char full[32];
+
+	snprintf(full, sizeof full, part ? "%s_%c" : "%s", name, part);
+	if (!now || !ts_archive_has(archive, full))
+		return TS_OK;
+	if (!*field && !(*field = ts_grid_field(grid)))
+		return TS_NOMEM;
+	return ts_archive_fixed(archive, full, TS_SAVED_F64, *field, grid->size);
+}
+
+/* Fields as they are, ghosts included. Those on demand are there when somebody had asked for them. */
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive)
 {
-	static const char *const names[] = { "u", "v", "w" };
 	struct ts_projection *p = self->state;
 	struct ts_fluid *fluid = &p->fluid;
-	size_t size = fluid->grid.size;
+	bool writing = ts_archive_writing(archive);
+	const struct {
+		const char *name;
+		double **field;
+	} vectors[] = { { "u", fluid->u },		 { "force", fluid->force },
+			{ "exchange", fluid->exchange }, { "used", fluid->used },
+			{ "history", p->history },	 { "empty_face", fluid->empty_face } },
+	  scalars[] = { { "p", &fluid->p },
+			{ "empty", &fluid->empty },
+			{ "empty_rate", &fluid->empty_rate },
+			{ "empty_before", &p->empty_before } };
+	enum ts_status status = TS_OK;
 
-	(void)sim;
-	for (int d = 0; d < 3; d++)
-		TS_TRY(ts_archive_fixed(archive, names[d], TS_SAVED_F64, fluid->u[d], size));
-	return ts_archive_fixed(archive, "p", TS_SAVED_F64, fluid->p, size);
+	for (size_t k = 0; k < sizeof vectors / sizeof *vectors; k++)
+		for (int d = 0; d < 3 && status == TS_OK; d++)
+			status = archive_field(archive, vectors[k].name, "xyz"[d], &fluid->grid,
+					       &vectors[k].field[d], !writing || vectors[k].field[d]);
+	for (size_t k = 0; k < sizeof scalars / sizeof *scalars && status == TS_OK; k++)
+		status = archive_field(archive, scalars[k].name, '\0', &fluid->grid, scalars[k].field,
+				       !writing || *scalars[k].field);
+	return status == TS_NOMEM ? ts_nomem(&sim->error) : status;
 }
 
 static void fingerprint(const struct ts_instance *self, const struct tsim *sim, struct ts_hash *hash)
@@ -125,6 +159,13 @@ static const struct ts_saved saved[] = {
 	TS_SAVE_F64(struct ts_projection, fluid.dt),
 	TS_SAVE_F64(struct ts_projection, fluid.time),
 	TS_SAVE_I64(struct ts_projection, fluid.steps),
+	TS_SAVE_F64(struct ts_projection, fluid.courant),
+	TS_SAVE_F64(struct ts_projection, fluid.divergence),
+	TS_SAVE_F64(struct ts_projection, fluid.residual),
+	TS_SAVE_F64(struct ts_projection, history_dt),
+	TS_SAVE_U8(struct ts_projection, empty_known),
+	TS_SAVE_I64(struct ts_projection, source_steps),
+	TS_SAVE_I64(struct ts_projection, waited),
 	TS_SAVED_ROWS_END,
 };
 
@@ -135,6 +176,11 @@ static const struct ts_arg args[] = {
 		.unit = "pressure time", .help = "dynamic viscosity"),
 	TS_REAL("density", struct ts_projection, density, .range = TS_POSITIVE, .unit = "mass/length^3",
 		.help = "density of the fluid"),
+	TS_ENUM("time", struct ts_projection, time, ts_time_names, .fallback = "euler",
+		.help = "scheme in time"),
+	TS_INT("every", struct ts_projection, every, .fallback = "1", .range = TS_POSITIVE, .unit = "steps",
+	       .flags = TS_STATEFUL,
+	       .help = "steps of the simulation to one of the fluid, which takes the mean of their forces"),
 	TS_REGION("region", struct ts_projection, region, .flags = TS_OPTIONAL,
 		  .help = "the grid fills the bounds of this region; else the box"),
 	TS_ENUM("convection", struct ts_projection, convection, ts_convection_names, .fallback = "central",

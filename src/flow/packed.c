@@ -1,0 +1,207 @@
+/* The room that particles leave to the fluid, and the forces they put on it. */
+#include <math.h>
+#include <string.h>
+
+#include "flow/projection.h"
+
+#include "base/banned.h"
+
+static long all_rows(const struct ts_grid *grid)
+{
+	return (long)(grid->n[1] + 2 * grid->ghosts[1]) * (grid->n[2] + 2 * grid->ghosts[2]);
+}
+
+/* Where the line-th of them begins, ghosts included; there are n + 2 ghosts values. */
+static size_t row_at(const struct ts_grid *grid, long line, int *j, int *k)
+{
+	int height = grid->n[1] + 2 * grid->ghosts[1];
+
+	*j = (int)(line % height) - grid->ghosts[1];
+	*k = (int)(line / height) - grid->ghosts[2];
+	return ts_at(grid, -grid->ghosts[0], *j, *k);
+}
+
+/* Void fraction on the lower faces across d: linear between centres, each cell with its half. */
+static void make_faces(const struct ts_projection *p, int d)
+{
+	const struct ts_fluid *fluid = &p->fluid;
+	const struct ts_grid *grid = &fluid->grid;
+	const double *e = fluid->empty;
+	double *face = fluid->empty_face[d];
+	const ptrdiff_t s = grid->stride[d];
+	const int n = grid->n[0] + 2 * grid->ghosts[0];
+
+#pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
+	for (long line = 0; line < all_rows(grid); line++) {
+		int j, k;
+		size_t at = row_at(grid, line, &j, &k);
+		bool lowest = (d == 1 && j == -grid->ghosts[1]) || (d == 2 && k == -grid->ghosts[2]);
+		const double *part = p->operators.mass[d];
+
+		for (int i = 0; i < n; i++, at++) {
+			int m = d == 0 ? i - grid->ghosts[0] : d == 1 ? j : k;
+
+			face[at] = lowest || (d == 0 && i == 0)
+					   ? e[at]
+					   : part[m] * e[(ptrdiff_t)at - s] + (1 - part[m]) * e[at];
+		}
+	}
+}
+
+static void make_rate(const struct ts_projection *p, double elapsed)
+{
+	const struct ts_fluid *fluid = &p->fluid;
+	const size_t size = fluid->grid.size;
+	const double *e = fluid->empty;
+	double *rate = fluid->empty_rate, *before = p->empty_before;
+	const double per_time = p->empty_known ? 1 / elapsed : 0;
+
+#pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
+	for (size_t k = 0; k < size; k++) {
+		rate[k] = (e[k] - before[k]) * per_time;
+		before[k] = e[k];
+	}
+}
+
+enum ts_status ts_projection_room(struct ts_projection *p, double elapsed)
+{
+	struct ts_fluid *fluid = &p->fluid;
+
+	if (!fluid->empty)
+		return TS_OK;
+	if (!p->empty_before && !(p->empty_before = ts_grid_field(&fluid->grid)))
+		return TS_NOMEM;
+	ts_fluid_fill_centred(fluid, fluid->empty);
+	make_rate(p, elapsed);
+	p->empty_known = 1;
+	for (int d = 0; d < fluid->grid.dimensions; d++)
+		make_faces(p, d);
+	return TS_OK;
+}
+
+double ts_projection_room_rate(const struct ts_projection *p)
+{
+	const struct ts_grid *grid = &p->fluid.grid;
+	double sum = 0;
+
+	for (int k = 0; k < grid->n[2] && p->fluid.empty; k++)
+		for (int j = 0; j < grid->n[1]; j++) {
+			const double *rate = p->fluid.empty_rate + ts_at(grid, 0, j, k);
+			double row = 0;
+
+			for (int i = 0; i < grid->n[0]; i++)
+				row += rate[i] * grid->width[0][i];
+			sum += row * grid->width[1][j] * grid->width[2][k];
+		}
+	return sum;
+}
+
+/* ---- forces of particles */
+
+/* w = e/(1 + dt k/(e rho)) for all faces across d. */
+static void make_weights(const struct ts_projection *p, int d, double dt)
+{
+	const struct ts_fluid *fluid = &p->fluid;
+	const double *e = fluid->empty_face[d], *k = fluid->exchange[d];
+	const double share = dt / fluid->density * p->source_share;
+	double *weight = p->weight[d];
+	const size_t size = fluid->grid.size;
+
+#pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
+	for (size_t at = 0; at < size; at++) {
+		double room = e ? e[at] : 1;
+
+		weight[at] = room / (1 + share * k[at] / room);
+	}
+}
+
+enum ts_status ts_projection_weights(struct ts_projection *p, double dt)
+{
+	struct ts_fluid *fluid = &p->fluid;
+
+	for (int d = 0; d < fluid->grid.dimensions; d++) {
+		if (!fluid->exchange[d]) {
+			p->poisson.weight[d] = fluid->empty_face[d];
+			continue;
+		}
+		if (!p->weight[d] && !(p->weight[d] = ts_grid_field(&fluid->grid)))
+			return TS_NOMEM;
+		make_weights(p, d, dt);
+		ts_fluid_fill_periodic(fluid, p->weight[d]);
+		p->poisson.weight[d] = p->weight[d];
+	}
+	return TS_OK;
+}
+
+/* u <- (u + dt f/(e rho))/(1 + dt k/(e rho)) at the faces of a component. */
+static void push_row(const struct ts_projection *p, int c, size_t at, size_t end, double dt)
+{
+	const struct ts_fluid *fluid = &p->fluid;
+	const double *e = fluid->empty_face[c], *f = fluid->force[c], *k = fluid->exchange[c];
+	const double share = dt / fluid->density * p->source_share;
+	double *u = fluid->u[c];
+
+	for (; at < end; at++) {
+		double scale = share / (e ? e[at] : 1);
+
+		if (f)
+			u[at] += scale * f[at];
+		if (k)
+			u[at] /= 1 + scale * k[at];
+	}
+}
+
+void ts_projection_push(struct ts_projection *p, double dt)
+{
+	const struct ts_fluid *fluid = &p->fluid;
+	const struct ts_grid *grid = &fluid->grid;
+	int height = grid->n[1] + 1;
+	long rows = (long)height * (grid->n[2] + (grid->dimensions == 3));
+
+	if (!fluid->force[0] && !fluid->exchange[0])
+		return;
+#pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
+	for (long line = 0; line < rows; line++) {
+		int j = (int)(line % height), k = (int)(line / height);
+
+		for (int c = 0; c < grid->dimensions; c++) {
+			int from[3], to[3];
+
+			ts_flow_unknowns(fluid, c, from, to);
+			if (j >= from[1] && j < to[1] && k >= from[2] && k < to[2])
+				push_row(p, c, ts_at(grid, from[0], j, k), ts_at(grid, to[0], j, k), dt);
+		}
+	}
+}
+
+/* used <- take (carry used + u). */
+static void use(struct ts_projection *p, double *used, const double *u, double carry, double take)
+{
+	const size_t size = p->fluid.grid.size;
+
+#pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
+	for (size_t at = 0; at < size; at++)
+		used[at] = take * (carry * used[at] + u[at]);
+}
+
+void ts_projection_use(struct ts_projection *p, double carry, double take)
+{
+	struct ts_fluid *fluid = &p->fluid;
+
+	for (int d = 0; d < fluid->grid.dimensions && fluid->used[d]; d++)
+		use(p, fluid->used[d], fluid->u[d], carry, take);
+}
+
+void ts_projection_clear_sources(struct ts_projection *p)
+{
+	struct ts_fluid *fluid = &p->fluid;
+	const size_t bytes = fluid->grid.size * sizeof(double);
+
+	for (int d = 0; d < 3; d++) {
+		if (fluid->force[d])
+			memset(fluid->force[d], 0, bytes);
+		if (fluid->exchange[d])
+			memset(fluid->exchange[d], 0, bytes);
+	}
+	p->source_steps = 0;
+}
