@@ -8,74 +8,15 @@
 #include <unistd.h>
 
 #include "base/clock.h"
-#include "core/help.h"
 #include "core/price.h"
 #include "core/sim.h"
 #include "crosscheck/crosscheck.h"
-#include "script/manual.h"
 #include "io/restart.h"
+#include "program/program.h"
 #include "script/script.h"
 #include "tsim.h"
 
 #include "base/banned.h"
-
-enum { EXIT_USAGE = 2, MOST_VALUES = 256 };
-
-enum option_id {
-	OPT_IN,
-	OPT_VAR,
-	OPT_LOG,
-	OPT_SCREEN,
-	OPT_ECHO,
-	OPT_THREADS,
-	OPT_LEGACY,
-	OPT_SHELL,
-	OPT_CHECK,
-	OPT_SIGNAL,
-	OPT_EXPLAIN,
-	OPT_CROSSCHECK,
-	OPT_HELP,
-	OPT_DOC,
-	OPT_GRAMMAR,
-	OPT_VERSION,
-	NOPTIONS
-};
-
-static const struct {
-	const char *name, *values, *help;
-	int least; /* number of values it must have */
-} options[NOPTIONS] = {
-	[OPT_IN] = { "in", "FILE", "script to run; without it standard input is read", 1 },
-	[OPT_VAR] = { "var", "NAME VALUE ...", "set an index variable of the script", 2 },
-	[OPT_LOG] = { "log", "FILE|none", "log file (log.tsim)", 1 },
-	[OPT_SCREEN] = { "screen", "FILE|none", "write there what else goes to the screen", 1 },
-	[OPT_ECHO] = { "echo", "none|screen|log|both", "where input lines are shown (log)", 1 },
-	[OPT_THREADS] = { "threads", "N", "number of threads (OMP_NUM_THREADS, else 1)", 1 },
-	[OPT_LEGACY] = { "legacy", "", "the numbers of LIGGGHTS where they differ, see -help legacy", 0 },
-	[OPT_SHELL] = { "shell", "yes|no", "whether `shell` may start programs (no)", 1 },
-	[OPT_CHECK] = { "check", "", "run nothing: tell all errors and what the script would do", 0 },
-	[OPT_SIGNAL] = { "restart-on-signal", "FILE|none", "where an interrupted run saves its state", 1 },
-	[OPT_EXPLAIN] = { "explain", "", "run nothing: print the plan of each run", 0 },
-	[OPT_CROSSCHECK] = { "crosscheck", "PROGRAM [WORDS]",
-			     "run the script with liggghts or lammps too and compare all outputs", 1 },
-	[OPT_HELP] = { "help", "[KIND] [NAME]", "manual page, e.g. -help fix gravity, -help ave/time", 0 },
-	[OPT_DOC] = { "doc", "DIR", "write all manual pages to the directory as Markdown", 1 },
-	[OPT_GRAMMAR] = { "grammar", "vim|vscode", "print the grammar file for that editor", 1 },
-	[OPT_VERSION] = { "version", "", "print the version", 0 },
-};
-
-struct word_list {
-	struct ts_word word[2 * MOST_VALUES];
-	size_t n;
-};
-
-struct setup {
-	const char *input, *log, *screen, *doc, *grammar;
-	FILE *screen_file;
-	bool help, version, log_given, check, explain;
-	const char *help_kind, *help_style;
-	struct word_list crosscheck, variables, own; /* the last two: for the programs that it runs */
-};
 
 /* A signal handler can reach the simulation by no other way. */
 static struct tsim *volatile interrupted;
@@ -114,294 +55,7 @@ static void catch_signals(struct tsim *sim)
 	signal(SIGPIPE, SIG_IGN); /* a reader that goes is an error of writing like others */
 }
 
-static int usage_error(const char *format, const char *what, const char *more)
-{
-	fputs("tsim: ", stderr);
-	fprintf(stderr, format, what, more);
-	fputs("\n'tsim -help' lists the options\n", stderr);
-	return EXIT_USAGE;
-}
-
-static int print_text(struct ts_str *text)
-{
-	bool bad = text->failed;
-
-	fputs(ts_str_text(text), stdout);
-	ts_str_release(text);
-	return bad ? EXIT_FAILURE : EXIT_SUCCESS;
-}
-
-static void print_usage(void)
-{
-	struct ts_str text = { 0 };
-
-	puts("usage: tsim [options] -in FILE\n\noptions");
-	for (int k = 0; k < NOPTIONS; k++)
-		printf("  -%s %-*s %s\n", options[k].name, 30 - (int)strlen(options[k].name),
-		       options[k].values, options[k].help);
-	puts("\nafter -crosscheck liggghts or -crosscheck lammps");
-	ts_crosscheck_help(&text);
-	print_text(&text);
-	puts("\nmanual pages: tsim -help NAME for anything that has a name, tsim -help KIND for a "
-	     "list of its styles,\ntsim -help KIND STYLE for one of them. Kinds are");
-	for (int kind = TS_KIND_COMMAND; kind < TS_NKIND; kind++)
-		printf("  %s\n", ts_kind_name((enum ts_kind)kind));
-	puts("and further pages");
-	for (const struct ts_topic *t = ts_topics; t->name; t++)
-		printf("  %-12s %s\n", t->name, t->summary);
-}
-
-static int help(const struct setup *setup)
-{
-	struct ts_str text = { 0 };
-	int status;
-
-	if (!setup->help_kind) {
-		print_usage();
-		return EXIT_SUCCESS;
-	}
-	if (setup->help_style ? ts_manual_find(setup->help_style, setup->help_kind, &text)
-			      : ts_manual_find(setup->help_kind, NULL, &text))
-		return print_text(&text);
-	status = usage_error("%s%s", ts_str_text(&text), "");
-	ts_str_release(&text);
-	return status;
-}
-
-static int print_grammar(const char *editor)
-{
-	struct ts_str text = { 0 };
-
-	if (ts_streq(editor, "vim"))
-		ts_grammar_vim(&text);
-	else if (ts_streq(editor, "vscode"))
-		ts_grammar_textmate(&text);
-	else
-		return usage_error("expected vim or vscode after -grammar, found '%s'%s", editor, "");
-	return print_text(&text);
-}
-
-static int write_page(const char *directory, const char *name, const struct ts_str *text)
-{
-	struct ts_str path = { 0 };
-	FILE *file;
-	int bad = 1;
-
-	ts_str_addf(&path, "%s/%s", directory, name);
-	file = path.failed || text->failed ? NULL : fopen(path.text, "w");
-	if (file) {
-		bad = fputs(ts_str_text(text), file) < 0;
-		bad |= fclose(file) != 0;
-	}
-	if (bad)
-		fprintf(stderr, "tsim: cannot write '%s'\n", ts_str_text(&path));
-	ts_str_release(&path);
-	return bad ? EXIT_FAILURE : EXIT_SUCCESS;
-}
-
-static int write_manual(const char *directory)
-{
-	struct ts_str text = { 0 }, name = { 0 };
-	int status = EXIT_SUCCESS;
-
-	for (const struct ts_style *const *s = ts_style_table; *s && !status; s++) {
-		ts_str_clear(&text);
-		ts_str_clear(&name);
-		ts_help_file_name(*s, &name);
-		ts_help_page(*s, true, &text);
-		status = write_page(directory, ts_str_text(&name), &text);
-	}
-	for (const struct ts_topic *t = ts_topics; t->name && !status; t++) {
-		ts_str_clear(&text);
-		ts_str_clear(&name);
-		ts_str_addf(&name, "%s.md", t->name);
-		t->page(true, &text);
-		status = write_page(directory, ts_str_text(&name), &text);
-	}
-	ts_str_clear(&text);
-	ts_manual_index(&text);
-	if (!status)
-		status = write_page(directory, "index.md", &text);
-	ts_str_release(&text);
-	ts_str_release(&name);
-	return status;
-}
-
-static int set_echo(struct tsim *sim, const char *where)
-{
-	static const char *const choices[] = { "none", "screen", "log", "both" };
-
-	for (int k = 0; k < 4; k++) {
-		if (!ts_streq(choices[k], where))
-			continue;
-		sim->log.echo_screen = k & 1;
-		sim->log.echo_file = k & 2;
-		return 0;
-	}
-	return usage_error("expected none, screen, log or both after -echo, found '%s'%s", where,
-			   "");
-}
-
-static int set_shell(struct tsim *sim, const char *text)
-{
-	if (!ts_streq(text, "yes") && !ts_streq(text, "no"))
-		return usage_error("expected yes or no after -shell, found '%s'%s", text, "");
-	ts_script_allow_programs(sim->host_data, ts_streq(text, "yes"));
-	return 0;
-}
-
-static int set_threads(struct tsim *sim, const char *text)
-{
-	int64_t n;
-
-	if (!ts_parse_int(text, &n) || n < 1 || n > 1024)
-		return usage_error("expected a number from 1 to 1024 after -threads, found '%s'%s",
-				   text, "");
-	sim->threads = (int)n;
-	return 0;
-}
-
-static int set_variable(struct tsim *sim, char *const *value, int n)
-{
-	const char *list[MOST_VALUES];
-
-	if (n > MOST_VALUES)
-		return usage_error("too many values for variable '%s'%s", value[0], "");
-	for (int k = 1; k < n; k++)
-		list[k - 1] = value[k];
-	if (ts_script_set(sim->host_data, value[0], list, (size_t)n - 1, "-var") == TS_OK)
-		return 0;
-	fputs(tsim_error(sim), stderr);
-	return EXIT_USAGE;
-}
-
-static int add_words(struct word_list *list, const char *option, char *const *value, int n)
-{
-	size_t most = sizeof list->word / sizeof *list->word;
-
-	if (list->n + (size_t)n + 1 > most)
-		return usage_error("too many words at '%s'%s", value[0], "");
-	if (option)
-		list->word[list->n++] = (struct ts_word){ .text = option };
-	for (int k = 0; k < n; k++)
-		list->word[list->n++] = (struct ts_word){ .text = value[k] };
-	return 0;
-}
-
-static int usage(bool wrong)
-{
-	return wrong ? EXIT_USAGE : 0;
-}
-
-static int apply(struct tsim *sim, struct setup *setup, enum option_id id, char *const *value,
-		 int n)
-{
-	switch (id) {
-	case OPT_IN:
-		setup->input = value[0];
-		break;
-	case OPT_VAR:
-		return usage(add_words(&setup->variables, "-var", value, n) ||
-			     set_variable(sim, value, n));
-	case OPT_LOG:
-		setup->log = value[0];
-		setup->log_given = true;
-		break;
-	case OPT_SCREEN:
-		setup->screen = value[0];
-		break;
-	case OPT_ECHO:
-		return set_echo(sim, value[0]);
-	case OPT_THREADS:
-		return usage(add_words(&setup->own, "-threads", value, n) || set_threads(sim, value[0]));
-	case OPT_LEGACY:
-		sim->legacy = true;
-		break;
-	case OPT_SIGNAL:
-		sim->restart_on_signal = ts_streq(value[0], "none") ? "" : value[0];
-		break;
-	case OPT_SHELL:
-		return usage(add_words(&setup->own, "-shell", value, n) || set_shell(sim, value[0]));
-	case OPT_EXPLAIN:
-		sim->explain = setup->explain = true;
-		break;
-	case OPT_CHECK:
-		setup->check = true;
-		return ts_script_check(sim->host_data) == TS_OK ? 0 : EXIT_USAGE;
-	case OPT_CROSSCHECK:
-		return add_words(&setup->crosscheck, NULL, value, n);
-	case OPT_HELP:
-		setup->help = true;
-		setup->help_kind = n > 0 ? value[0] : NULL;
-		setup->help_style = n > 1 ? value[1] : NULL;
-		break;
-	case OPT_DOC:
-		setup->doc = value[0];
-		break;
-	case OPT_GRAMMAR:
-		setup->grammar = value[0];
-		break;
-	case OPT_VERSION:
-		setup->version = true;
-		break;
-	case NOPTIONS:
-		break;
-	}
-	return 0;
-}
-
-/* -x or --x, but not -1.5 or a lone "-". */
-static bool is_option(const char *text)
-{
-	return text[0] == '-' && text[1] && !strchr("0123456789.", text[1]);
-}
-
-static int unknown_option(const char *text)
-{
-	struct ts_suggest suggest = ts_suggest_start(text + 1);
-
-	for (int k = 0; k < NOPTIONS; k++)
-		ts_suggest_try(&suggest, options[k].name);
-	if (suggest.best)
-		return usage_error("unknown option '%s'; did you mean '-%s'?", text, suggest.best);
-	return usage_error("unknown option '%s'%s", text, "");
-}
-
-static int read_options(struct tsim *sim, struct setup *setup, int argc, char **argv)
-{
-	int k = 1;
-
-	while (k < argc) {
-		const char *text = argv[k++];
-		const char *name = text + (is_option(text) ? 1 + (text[1] == '-') : 0);
-		bool variadic;
-		int id = 0, n = 0, status;
-
-		if (name == text)
-			return usage_error("expected an option, found '%s'%s; a script is given by "
-					   "-in FILE",
-					   text, "");
-		while (id < NOPTIONS && !ts_streq(options[id].name, name) &&
-		       !(name[0] == options[id].name[0] && !name[1] && strchr("ivleh", name[0])))
-			id++;
-		if (id == NOPTIONS)
-			return unknown_option(text);
-		variadic = id == OPT_VAR || id == OPT_HELP || id == OPT_CROSSCHECK;
-		while (k + n < argc && !is_option(argv[k + n]) &&
-		       (variadic || n < options[id].least))
-			n++;
-		if (n < options[id].least)
-			return usage_error("option -%s needs %s", options[id].name,
-					   options[id].values);
-		status = apply(sim, setup, (enum option_id)id, argv + k, n);
-		if (status)
-			return status;
-		k += n;
-	}
-	return 0;
-}
-
-static int open_output(struct tsim *sim, struct setup *setup)
+static int open_output(struct tsim *sim, struct ts_setup *setup)
 {
 	const char *log = setup->log_given ? setup->log : sim->explain ? "none" : "log.tsim";
 
@@ -411,7 +65,7 @@ static int open_output(struct tsim *sim, struct setup *setup)
 	} else if (setup->screen) {
 		setup->screen_file = sim->log.screen = fopen(setup->screen, "w");
 		if (!sim->log.screen)
-			return usage_error("cannot open screen file '%s'%s", setup->screen, "");
+			return ts_usage_error("cannot open screen file '%s'%s", setup->screen, "");
 	}
 	sim->log.progress = sim->log.screen == stdout && isatty(STDOUT_FILENO);
 	return ts_streq(log, "none") ? 0 : tsim_log(sim, log);
@@ -467,7 +121,7 @@ static int report_check(struct tsim *sim)
 }
 
 /* Where an interrupted run is saved: beside the log file unless the user says otherwise. */
-static void interrupted_path(const struct tsim *sim, const struct setup *setup, struct ts_str *out)
+static void interrupted_path(const struct tsim *sim, const struct ts_setup *setup, struct ts_str *out)
 {
 	const char *log = setup->log_given ? setup->log : "", *slash = strrchr(log, '/');
 
@@ -478,7 +132,7 @@ static void interrupted_path(const struct tsim *sim, const struct setup *setup, 
 }
 
 /* After a signal: saves the state and says how to go on. */
-static void save_interrupted(struct tsim *sim, const struct setup *setup)
+static void save_interrupted(struct tsim *sim, const struct ts_setup *setup)
 {
 	struct ts_str path = { 0 };
 
@@ -500,11 +154,11 @@ static void save_interrupted(struct tsim *sim, const struct setup *setup)
 }
 
 /* Runs the script; the exit status. */
-static int run(struct tsim *sim, struct setup *setup)
+static int run(struct tsim *sim, struct ts_setup *setup)
 {
 	int status = open_output(sim, setup), quit = EXIT_SUCCESS;
 
-	if (status == EXIT_USAGE && sim->error.status == TS_OK)
+	if (status == TS_EXIT_USAGE && sim->error.status == TS_OK)
 		return status;
 	catch_signals(sim);
 	if (!status)
@@ -537,13 +191,13 @@ static int run(struct tsim *sim, struct setup *setup)
 	return quit;
 }
 
-static struct ts_words words_of(const struct word_list *list)
+static struct ts_words words_of(const struct ts_word_list *list)
 {
 	return (struct ts_words){ list->word, list->n };
 }
 
 /* The exit status is the verdict. */
-static int crosscheck(struct tsim *sim, const struct setup *setup, const char *called)
+static int crosscheck(struct tsim *sim, const struct ts_setup *setup, const char *called)
 {
 	struct ts_crosscheck_input input = { setup->input, called, words_of(&setup->crosscheck),
 					     words_of(&setup->variables), words_of(&setup->own) };
@@ -552,12 +206,12 @@ static int crosscheck(struct tsim *sim, const struct setup *setup, const char *c
 
 	if (sim->error.status)
 		fputs(tsim_error(sim), stderr);
-	return print_text(&text) ? EXIT_FAILURE : verdict;
+	return ts_program_print(&text) ? EXIT_FAILURE : verdict;
 }
 
-static int act(struct tsim *sim, struct setup *setup, int argc, char **argv)
+static int act(struct tsim *sim, struct ts_setup *setup, int argc, char **argv)
 {
-	int status = read_options(sim, setup, argc, argv);
+	int status = ts_program_options(sim, setup, argc, argv);
 
 	if (status)
 		return status;
@@ -566,11 +220,11 @@ static int act(struct tsim *sim, struct setup *setup, int argc, char **argv)
 		return EXIT_SUCCESS;
 	}
 	if (setup->help)
-		return help(setup);
+		return ts_program_help(setup);
 	if (setup->grammar)
-		return print_grammar(setup->grammar);
+		return ts_program_grammar(setup->grammar);
 	if (setup->doc)
-		return write_manual(setup->doc);
+		return ts_program_manual(setup->doc);
 	if (setup->crosscheck.n)
 		return crosscheck(sim, setup, argv[0]);
 	return run(sim, setup);
@@ -579,7 +233,7 @@ static int act(struct tsim *sim, struct setup *setup, int argc, char **argv)
 int main(int argc, char **argv)
 {
 	struct tsim *sim = tsim_open();
-	struct setup setup = { 0 };
+	struct ts_setup setup = { 0 };
 	int status;
 
 	if (!sim) {

@@ -1,0 +1,239 @@
+/* The options of the command line. */
+#include <stdio.h>
+#include <string.h>
+
+#include "program/program.h"
+#include "script/script.h"
+#include "tsim.h"
+
+#include "base/banned.h"
+
+enum option_id {
+	OPT_IN,
+	OPT_VAR,
+	OPT_LOG,
+	OPT_SCREEN,
+	OPT_ECHO,
+	OPT_THREADS,
+	OPT_LEGACY,
+	OPT_SHELL,
+	OPT_CHECK,
+	OPT_SIGNAL,
+	OPT_EXPLAIN,
+	OPT_CROSSCHECK,
+	OPT_HELP,
+	OPT_DOC,
+	OPT_GRAMMAR,
+	OPT_VERSION,
+	NOPTIONS
+};
+
+static const struct {
+	const char *name, *values, *help;
+	int least; /* number of values it must have */
+} options[NOPTIONS] = {
+	[OPT_IN] = { "in", "FILE", "script to run; without it standard input is read", 1 },
+	[OPT_VAR] = { "var", "NAME VALUE ...", "set an index variable of the script", 2 },
+	[OPT_LOG] = { "log", "FILE|none", "log file (log.tsim)", 1 },
+	[OPT_SCREEN] = { "screen", "FILE|none", "write there what else goes to the screen", 1 },
+	[OPT_ECHO] = { "echo", "none|screen|log|both", "where input lines are shown (log)", 1 },
+	[OPT_THREADS] = { "threads", "N", "number of threads (OMP_NUM_THREADS, else 1)", 1 },
+	[OPT_LEGACY] = { "legacy", "", "the numbers of LIGGGHTS where they differ, see -help legacy", 0 },
+	[OPT_SHELL] = { "shell", "yes|no", "whether `shell` may start programs (no)", 1 },
+	[OPT_CHECK] = { "check", "", "run nothing: tell all errors and what the script would do", 0 },
+	[OPT_SIGNAL] = { "restart-on-signal", "FILE|none", "where an interrupted run saves its state", 1 },
+	[OPT_EXPLAIN] = { "explain", "", "run nothing: print the plan of each run", 0 },
+	[OPT_CROSSCHECK] = { "crosscheck", "PROGRAM [WORDS]",
+			     "run the script with liggghts or lammps too and compare all outputs", 1 },
+	[OPT_HELP] = { "help", "[KIND] [NAME]", "manual page, e.g. -help fix gravity, -help ave/time", 0 },
+	[OPT_DOC] = { "doc", "DIR", "write all manual pages to the directory as Markdown", 1 },
+	[OPT_GRAMMAR] = { "grammar", "vim|vscode", "print the grammar file for that editor", 1 },
+	[OPT_VERSION] = { "version", "", "print the version", 0 },
+};
+
+int ts_usage_error(const char *format, const char *what, const char *more)
+{
+	fputs("tsim: ", stderr);
+	fprintf(stderr, format, what, more);
+	fputs("\n'tsim -help' lists the options\n", stderr);
+	return TS_EXIT_USAGE;
+}
+
+void ts_program_list_options(void)
+{
+	for (int k = 0; k < NOPTIONS; k++)
+		printf("  -%s %-*s %s\n", options[k].name, 30 - (int)strlen(options[k].name),
+		       options[k].values, options[k].help);
+}
+
+static int set_echo(struct tsim *sim, const char *where)
+{
+	static const char *const choices[] = { "none", "screen", "log", "both" };
+
+	for (int k = 0; k < 4; k++) {
+		if (!ts_streq(choices[k], where))
+			continue;
+		sim->log.echo_screen = k & 1;
+		sim->log.echo_file = k & 2;
+		return 0;
+	}
+	return ts_usage_error("expected none, screen, log or both after -echo, found '%s'%s", where, "");
+}
+
+static int set_shell(struct tsim *sim, const char *text)
+{
+	if (!ts_streq(text, "yes") && !ts_streq(text, "no"))
+		return ts_usage_error("expected yes or no after -shell, found '%s'%s", text, "");
+	ts_script_allow_programs(sim->host_data, ts_streq(text, "yes"));
+	return 0;
+}
+
+static int set_threads(struct tsim *sim, const char *text)
+{
+	int64_t n;
+
+	if (!ts_parse_int(text, &n) || n < 1 || n > 1024)
+		return ts_usage_error("expected a number from 1 to 1024 after -threads, found '%s'%s", text, "");
+	sim->threads = (int)n;
+	return 0;
+}
+
+static int set_variable(struct tsim *sim, char *const *value, int n)
+{
+	const char *list[TS_MOST_VALUES];
+
+	if (n > TS_MOST_VALUES)
+		return ts_usage_error("too many values for variable '%s'%s", value[0], "");
+	for (int k = 1; k < n; k++)
+		list[k - 1] = value[k];
+	if (ts_script_set(sim->host_data, value[0], list, (size_t)n - 1, "-var") == TS_OK)
+		return 0;
+	fputs(tsim_error(sim), stderr);
+	return TS_EXIT_USAGE;
+}
+
+static int add_words(struct ts_word_list *list, const char *option, char *const *value, int n)
+{
+	size_t most = sizeof list->word / sizeof *list->word;
+
+	if (list->n + (size_t)n + 1 > most)
+		return ts_usage_error("too many words at '%s'%s", value[0], "");
+	if (option)
+		list->word[list->n++] = (struct ts_word){ .text = option };
+	for (int k = 0; k < n; k++)
+		list->word[list->n++] = (struct ts_word){ .text = value[k] };
+	return 0;
+}
+
+static int usage(bool wrong)
+{
+	return wrong ? TS_EXIT_USAGE : 0;
+}
+
+static int apply(struct tsim *sim, struct ts_setup *setup, enum option_id id, char *const *value,
+		 int n)
+{
+	switch (id) {
+	case OPT_IN:
+		setup->input = value[0];
+		break;
+	case OPT_VAR:
+		return usage(add_words(&setup->variables, "-var", value, n) ||
+			     set_variable(sim, value, n));
+	case OPT_LOG:
+		setup->log = value[0];
+		setup->log_given = true;
+		break;
+	case OPT_SCREEN:
+		setup->screen = value[0];
+		break;
+	case OPT_ECHO:
+		return set_echo(sim, value[0]);
+	case OPT_THREADS:
+		return usage(add_words(&setup->own, "-threads", value, n) || set_threads(sim, value[0]));
+	case OPT_LEGACY:
+		sim->legacy = true;
+		break;
+	case OPT_SIGNAL:
+		sim->restart_on_signal = ts_streq(value[0], "none") ? "" : value[0];
+		break;
+	case OPT_SHELL:
+		return usage(add_words(&setup->own, "-shell", value, n) || set_shell(sim, value[0]));
+	case OPT_EXPLAIN:
+		sim->explain = setup->explain = true;
+		break;
+	case OPT_CHECK:
+		setup->check = true;
+		return ts_script_check(sim->host_data) == TS_OK ? 0 : TS_EXIT_USAGE;
+	case OPT_CROSSCHECK:
+		return add_words(&setup->crosscheck, NULL, value, n);
+	case OPT_HELP:
+		setup->help = true;
+		setup->help_kind = n > 0 ? value[0] : NULL;
+		setup->help_style = n > 1 ? value[1] : NULL;
+		break;
+	case OPT_DOC:
+		setup->doc = value[0];
+		break;
+	case OPT_GRAMMAR:
+		setup->grammar = value[0];
+		break;
+	case OPT_VERSION:
+		setup->version = true;
+		break;
+	case NOPTIONS:
+		break;
+	}
+	return 0;
+}
+
+/* -x or --x, but not -1.5 or a lone "-". */
+static bool is_option(const char *text)
+{
+	return text[0] == '-' && text[1] && !strchr("0123456789.", text[1]);
+}
+
+static int unknown_option(const char *text)
+{
+	struct ts_suggest suggest = ts_suggest_start(text + 1);
+
+	for (int k = 0; k < NOPTIONS; k++)
+		ts_suggest_try(&suggest, options[k].name);
+	if (suggest.best)
+		return ts_usage_error("unknown option '%s'; did you mean '-%s'?", text, suggest.best);
+	return ts_usage_error("unknown option '%s'%s", text, "");
+}
+
+int ts_program_options(struct tsim *sim, struct ts_setup *setup, int argc, char **argv)
+{
+	int k = 1;
+
+	while (k < argc) {
+		const char *text = argv[k++];
+		const char *name = text + (is_option(text) ? 1 + (text[1] == '-') : 0);
+		bool variadic;
+		int id = 0, n = 0, status;
+
+		if (name == text)
+			return ts_usage_error("expected an option, found '%s'%s; a script is given by "
+					   "-in FILE",
+					   text, "");
+		while (id < NOPTIONS && !ts_streq(options[id].name, name) &&
+		       !(name[0] == options[id].name[0] && !name[1] && strchr("ivleh", name[0])))
+			id++;
+		if (id == NOPTIONS)
+			return unknown_option(text);
+		variadic = id == OPT_VAR || id == OPT_HELP || id == OPT_CROSSCHECK;
+		while (k + n < argc && !is_option(argv[k + n]) &&
+		       (variadic || n < options[id].least))
+			n++;
+		if (n < options[id].least)
+			return ts_usage_error("option -%s needs %s", options[id].name,
+					   options[id].values);
+		status = apply(sim, setup, (enum option_id)id, argv + k, n);
+		if (status)
+			return status;
+		k += n;
+	}
+	return 0;
+}
