@@ -32,6 +32,8 @@ library_sources = \
 	src/core/arg_change.c \
 	src/core/arg_change.h \
 	src/core/arg_parse.c \
+	src/core/arg_read.c \
+	src/core/arg_read.h \
 	src/core/arg_record.c \
 	src/core/average.c \
 	src/core/average.h \
