@@ -218,6 +218,8 @@ static enum ts_status borders(struct tsim *sim, int dim, double cutoff)
 enum ts_status ts_exchange_borders(struct tsim *sim, double cutoff)
 {
 	sim->particles->nghost = 0;
+	if (!sim->particles->n) /* a fluid alone may be in a box smaller than the skin */
+		return TS_OK;
 	for (int dim = 0; dim < sim->dimension; dim++) /* images of a plane never touch it */
 		if (ts_box_periodic(&sim->domain->box, dim))
 			TS_TRY(borders(sim, dim, cutoff));
