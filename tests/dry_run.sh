@@ -205,4 +205,9 @@ for deck in drilling; do
 	"$TSIM" -check -in in.$deck >out 2>err
 	report "examples/$deck has no errors" $? err
 done
+cp -r "$top_srcdir/examples/flow" flow
+for deck in flow/*/in.*; do
+	(cd "${deck%/*}" && "$TSIM" -check -in "${deck##*/}") >out 2>err
+	report "examples/$deck has no errors" $? err
+done
 finish
