@@ -80,6 +80,7 @@ shell_tests = \
 	tests/drilling.sh \
 	tests/dry_run.sh \
 	tests/extremes.sh \
+	tests/flow_cases.sh \
 	tests/full_disk.sh \
 	tests/fuzz/fuzz.sh \
 	tests/grammar.sh \
