@@ -38,6 +38,7 @@ shell_tests = \
 	tests/decks/buoyancy.sh \
 	tests/decks/cell_regions.sh \
 	tests/decks/chunk_values.sh \
+	tests/decks/clump_stream.sh \
 	tests/decks/commands.sh \
 	tests/decks/computes.sh \
 	tests/decks/contact_computes.sh \

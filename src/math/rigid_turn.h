@@ -19,6 +19,19 @@ static inline void ts_rigid_omega(const double q[4], const double inertia[3], co
 	ts_rotate(m, body, omega);
 }
 
+/* L = R I R^T omega. */
+static inline void ts_rigid_spin(const double q[4], const double inertia[3], const double omega[3],
+				 double spin[3])
+{
+	double m[3][3], body[3];
+
+	ts_quaternion_matrix(q, m);
+	ts_rotate_back(m, omega, body);
+	for (int k = 0; k < 3; k++)
+		body[k] *= inertia[k];
+	ts_rotate(m, body, spin);
+}
+
 static inline void ts_rigid_turn_by(const double omega[3], double dt, double q[4])
 {
 	double rate[4];

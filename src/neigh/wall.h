@@ -48,9 +48,10 @@ struct ts_wall {
 		TS_BOOL("store_force", T, f.store_force, .fallback = "no",                         \
 			.help = "the force on each particle, f_force_ID[1] ... [3]"),              \
 		TS_BOOL("store_force_contact", T, f.store_contacts[0], .fallback = "no",           \
-			.help = "no effect; see compute wall/gran/local"),                         \
+			.help = "no effect: LIGGGHTS keeps with it what its scripts cannot read; " \
+				"compute wall/gran/local gives the force at each contact"),        \
 		TS_BOOL("store_force_contact_stress", T, f.store_contacts[1], .fallback = "no",    \
-			.help = "no effect; see compute wall/gran/local")
+			.help = "no effect, as store_force_contact")
 
 /* Where the surface is nearest to a particle. */
 struct ts_wall_spot {

@@ -2,7 +2,7 @@
 
 #include <inttypes.h>
 
-#include "math/quaternion.h"
+#include "math/rigid_turn.h"
 #include "math/vec3.h"
 #include "particles/body.h"
 #include "particles/domain.h"
@@ -427,7 +427,6 @@ static enum ts_status make_body(struct ts_instance *self, struct tsim *sim,
 	const struct ts_template *t = one->template->state;
 	const struct ts_instance *fix = NULL;
 	struct ts_body body = t->body;
-	double m[3][3], turn[3];
 	int32_t *row;
 	enum ts_status status;
 
@@ -440,16 +439,12 @@ static enum ts_status make_body(struct ts_instance *self, struct tsim *sim,
 			       self->style->name, one->template->id);
 	ts_quaternion_multiply(one->q, t->body.q, body.q);
 	ts_quaternion_normalise(body.q);
-	ts_quaternion_matrix(body.q, m);
 	for (int i = 0; i < 3; i++) {
 		body.x[i] = one->x[i];
 		body.v[i] = one->v[i];
 		body.omega[i] = one->omega[i];
 	}
-	ts_rotate_back(m, one->omega, turn);
-	for (int k = 0; k < 3; k++)
-		turn[k] *= body.inertia[k];
-	ts_rotate(m, turn, body.spin);
+	ts_rigid_spin(body.q, body.inertia, one->omega, body.spin);
 	share_mass(sim->particles, body.mass, from, n);
 	row = ts_alloc(n, sizeof *row);
 	if (!row)

@@ -1,11 +1,13 @@
 /* Fix insert/stream: particles come through a face, in a stream. */
 #include "core/sim.h"
 
+#include "math/rigid_turn.h"
 #include "math/vec3.h"
 #include "particles/domain.h"
 #include "particles/insertion_rate.h"
 #include "particles/mesh_surface.h"
 #include "particles/particles.h"
+#include "particles/rigid_motion.h"
 #include "particles/stream.h"
 
 #include "base/banned.h"
@@ -66,20 +68,6 @@ static enum ts_status face_of(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static enum ts_status refuse_clumps(struct ts_instance *self, struct tsim *sim)
-{
-	const struct state *s = self->state;
-	const struct ts_distribution *d = s->base.distribution->state;
-
-	for (int64_t k = 0; k < d->n; k++)
-		if (((const struct ts_template *)d->template[k]->state)->clump)
-			return ts_fail(&sim->error, TS_STATE, &self->where,
-				       "fix insert/stream: streams of clumps (fix %s) are known, but not "
-				       "built; use fix insert/rate/region",
-				       d->template[k]->id);
-	return TS_OK;
-}
-
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
@@ -87,7 +75,6 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	bool first;
 
 	TS_TRY(ts_insertion_init(self, sim, &first));
-	TS_TRY(refuse_clumps(self, sim));
 	TS_TRY(ts_insertion_rate_init(self, sim, &s->rate));
 	TS_TRY(face_of(self, sim));
 	if ((s->base.every_word != NULL) == !isnan(s->given_length))
@@ -290,6 +277,36 @@ static enum ts_status place_all(struct ts_instance *self, struct tsim *sim)
 
 /* ---- the stream */
 
+/* The spheres of a body go together: what it remembers is with the first of them. */
+static bool leads(const struct ts_particles *p, size_t from, size_t i)
+{
+	return i == from || !ts_rigid_same(p, i - 1, i);
+}
+
+static struct ts_body *body_of(struct tsim *sim, size_t i)
+{
+	const struct ts_body *body = ts_rigid_body_of(sim, i);
+
+	return body ? &sim->rigid->body[body - sim->rigid->body] : NULL;
+}
+
+/* On its way to the face a body does not turn, nor does it in LIGGGHTS when it is let go. */
+static void steer_body(const struct state *s, const struct tsim *sim, struct ts_body *body,
+		       const double *memory, bool free)
+{
+	double time = ((double)s->stream.age - memory[TS_STREAM_START]) * sim->clock.dt;
+
+	for (int k = 0; k < 3; k++) {
+		double v = -s->speed * s->normal[k];
+
+		if (!free)
+			body->x[k] = memory[TS_STREAM_PLACE + k] + time * v;
+		body->v[k] = free ? memory[TS_STREAM_VELOCITY + k] : v;
+		body->omega[k] = free && !sim->legacy ? s->base.omega[k] : 0;
+	}
+	ts_rigid_spin(body->q, body->inertia, body->omega, body->spin);
+}
+
 /* New particles move straight to the face; there they get the velocity that was asked for. */
 static void start(struct ts_instance *self, struct tsim *sim, size_t from)
 {
@@ -298,21 +315,26 @@ static void start(struct ts_instance *self, struct tsim *sim, size_t from)
 
 	for (size_t i = from; i < p->n; i++) {
 		double *memory = ts_stream_memory(&s->stream, sim, i), d[3];
+		struct ts_body *body = body_of(sim, i);
 		struct ts_newcomer free = { 0 };
 
+		for (int k = 0; k < 3; k++)
+			p->v[i][k] = -s->speed * s->normal[k];
+		memory[TS_STREAM_RELEASE] = 0;
+		if (!leads(p, from, i))
+			continue;
 		ts_insertion_draw_velocity(&s->base, &free);
-		ts_sub(p->x[i], s->face->mesh.x[0][0], d);
+		ts_scale(1, body ? body->x : p->x[i], memory + TS_STREAM_PLACE);
+		ts_scale(1, free.v, memory + TS_STREAM_VELOCITY);
+		ts_sub(memory + TS_STREAM_PLACE, s->face->mesh.x[0][0], d);
 		memory[TS_STREAM_START] = (double)s->stream.age;
 		memory[TS_STREAM_WAY] = ts_dot(d, s->normal);
 		memory[TS_STREAM_RELEASE] =
 			(double)s->stream.age +
 			floor(memory[TS_STREAM_WAY] / (s->speed * sim->clock.dt));
-		for (int k = 0; k < 3; k++) {
-			memory[TS_STREAM_VELOCITY + k] = free.v[k];
-			memory[TS_STREAM_PLACE + k] = p->x[i][k];
-			p->v[i][k] = -s->speed * s->normal[k];
-		}
 		s->release = (int64_t)fmax((double)s->release, memory[TS_STREAM_RELEASE]);
+		if (body)
+			steer_body(s, sim, body, memory, false);
 	}
 }
 
@@ -356,29 +378,49 @@ static void keep_on_its_way(struct ts_particles *p, size_t i, const double start
 	}
 }
 
-static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
+static void steer_sphere(const struct state *s, struct tsim *sim, size_t i, const double *memory,
+			 bool free)
 {
-	struct state *s = self->state;
 	struct ts_particles *p = sim->particles;
 	double v[3];
 
 	ts_scale(-s->speed, s->normal, v);
+	keep_on_its_way(p, i, memory + TS_STREAM_PLACE, v,
+			((double)s->stream.age - memory[TS_STREAM_START]) * sim->clock.dt,
+			sim->clock.dt);
+	for (int k = 0; k < 3; k++) {
+		p->v[i][k] = free ? memory[TS_STREAM_VELOCITY + k] : v[k];
+		p->f[i][k] = 0;
+		if (p->torque)
+			p->torque[i][k] = 0;
+		if (p->omega)
+			p->omega[i][k] = free ? s->base.omega[k] : 0;
+	}
+}
+
+static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	struct ts_particles *p = sim->particles;
+
+	if (sim->rigid->n)
+		TS_TRY(ts_rigid_list(sim));
 	for (size_t i = 0; s->stream.age <= s->release && i < p->n; i++) {
 		double *memory = ts_stream_memory(&s->stream, sim, i);
 		bool free = (double)s->stream.age >= memory[TS_STREAM_RELEASE];
+		struct ts_body *body = body_of(sim, i);
 
 		if (!(memory[TS_STREAM_RELEASE] > 0))
 			continue;
-		keep_on_its_way(p, i, memory + TS_STREAM_PLACE, v,
-				((double)s->stream.age - memory[TS_STREAM_START]) * sim->clock.dt,
-				sim->clock.dt);
-		for (int k = 0; k < 3; k++) {
-			p->v[i][k] = free ? memory[TS_STREAM_VELOCITY + k] : v[k];
-			p->f[i][k] = 0;
-			if (p->torque)
-				p->torque[i][k] = 0;
-			if (p->omega)
-				p->omega[i][k] = free ? s->base.omega[k] : 0;
+		if (body) {
+			size_t first = sim->rigid->start[body - sim->rigid->body];
+			size_t end = sim->rigid->start[body - sim->rigid->body + 1];
+
+			steer_body(s, sim, body, memory, free);
+			if (!free || !sim->legacy) /* there its spheres learn of it in the next step */
+				ts_rigid_place(sim, body, sim->rigid->member + first, end - first);
+		} else {
+			steer_sphere(s, sim, i, memory, free);
 		}
 		if (free)
 			memory[TS_STREAM_RELEASE] = 0;
@@ -433,7 +475,9 @@ const struct ts_style ts_fix_insert_stream = {
 	       "Places, numbers and velocities are drawn from the random streams of LIGGGHTS 3.8, in its order. With\n"
 	       "overlapcheck yes centers lie from R to L + R behind the face and are tried anew if particles overlap or\n"
 	       "reach out of the box; else from R to L - R. all_in yes keeps particles within the outer edges of the\n"
-	       "face. The number in an event is rounded up or down by lot. The face must not move.",
+	       "face. The number in an event is rounded up or down by lot. The face must not move.\n\n"
+	       "A rigid clump goes to the face by its centre of mass, without turning. LIGGGHTS gives it no angular\n"
+	       "velocity there either, which `legacy yes` follows.",
 	.example = "fix pour all insert/stream seed 32452867 distributiontemplate mix nparticles 5000 vel constant 0 -0.5 -2 particlerate 1000 overlapcheck yes insertion_face hole extrude_length 0.6",
 	.family = TS_FAMILY_STREAM,
 	.args = args,

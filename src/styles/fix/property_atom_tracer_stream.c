@@ -217,7 +217,7 @@ const struct ts_style ts_fix_property_atom_tracer_stream = {
 	       "or later, the first n_tracer are marked; with `every E` so many again from mark_step + E on, and\n"
 	       "so on. They are marked when they are made, since it is known then when they pass. If an event of\n"
 	       "the stream has too few, those of the next one are taken; what is missing then is given up with a\n"
-	       "warning, except with `every once`.\n\n"
+	       "warning, except with `every once`. Of a rigid clump the first sphere is marked.\n\n"
 	       "f_ID of a particle: 1 marked, 0 not. f_ID as a number: how many have been marked since it was\n"
 	       "last asked for in another step.",
 	.example = "fix tracer all property/atom/tracer/stream mark_step 10000 insert_stream pour n_tracer 20 every 10000",
