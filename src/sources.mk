@@ -115,6 +115,8 @@ library_sources = \
 	src/flow/grid.c \
 	src/flow/grid.h \
 	src/flow/keywords.c \
+	src/flow/limits.c \
+	src/flow/limits.h \
 	src/flow/measure.c \
 	src/flow/measure.h \
 	src/flow/operators.c \

@@ -34,8 +34,8 @@ static void run_channel(int solid, const char *words, double tolerance)
 	/* u = G/(2 nu) y (1 - y) */
 	deck(sim, "flow_style projection cells 6 9 %d viscosity 0.2385 density 2 body_force 0.7 0 0 %s\n"
 		  "pressure_style cg tolerance 1e-13\n"
-		  "timestep 0.02\n"
-		  "run 1500\n",
+		  "timestep 0.01\n"
+		  "run 2000\n",
 	     solid ? 4 : 1, words);
 	fluid = fluid_of(sim);
 	for (int j = 0; j < 9; j++) {
@@ -53,11 +53,115 @@ static void run_channel(int solid, const char *words, double tolerance)
 START_TEST(channel)
 {
 	for (int solid = 0; solid < 2; solid++) {
-		run_channel(solid, "", 1e-10);
-		run_channel(solid, "convection quick", 1e-10);
-		run_channel(solid, "convection cubista time rk2", 1e-10);
-		run_channel(solid, "convection donor form fd time ab2", 1e-10);
+		run_channel(solid, "", 1e-8);
+		run_channel(solid, "convection quick", 1e-8);
+		run_channel(solid, "convection cubista time rk2", 1e-8);
+		run_channel(solid, "convection donor form fd time ab2", 1e-8);
 		run_channel(solid, "wall linear", 0.7 / (0.2385 / 2) / 8 / 81 + 1e-9);
+	}
+}
+END_TEST
+
+/* ---- orders: vortices of Taylor and Green, carried along by a mean flow */
+
+/* Runs to a fixed time; velocities of component c to out, n x n. */
+static void run_vortices(int n, double dt, int steps, const char *words, double *out)
+{
+	struct tsim *sim = deck_open("units si\nboundary p p p\ndimension 2\n"
+				     "region box block 0 1 0 1 -0.5 0.5 units box\ncreate_box 1 box\n"
+				     "neighbor 0.001 bin\n");
+	struct ts_fluid *fluid;
+
+	deck(sim,
+	     "variable x internal 0\nvariable y internal 0\n"
+	     "variable u equal 0.71+sin(2*PI*v_x)*cos(2*PI*v_y)\n"
+	     "variable v equal 0.37-cos(2*PI*v_x)*sin(2*PI*v_y)\n"
+	     "flow_style projection cells %d %d 1 viscosity 0.02 density 1 %s\n"
+	     "pressure_style cg tolerance 1e-12\n"
+	     "flow_set velocity v_u v_v 0 set x x set y y\n"
+	     "timestep %.17g\nrun %d\n",
+	     n, n, words, dt, steps);
+	fluid = fluid_of(sim);
+	for (int j = 0; j < n; j++)
+		memcpy(out + j * n, fluid->u[0] + ts_at(&fluid->grid, 0, j, 0), (size_t)n * sizeof *out);
+	tsim_close(sim);
+}
+
+static double vortices_error(int n, double dt, int steps, const char *words)
+{
+	double *u = malloc((size_t)(n * n) * sizeof *u), t = dt * steps, sum = 0;
+
+	ck_assert_ptr_nonnull(u);
+	run_vortices(n, dt, steps, words, u);
+	for (int j = 0; j < n; j++)
+		for (int i = 0; i < n; i++) {
+			double x = (double)i / n - 0.71 * t, y = (j + 0.5) / n - 0.37 * t;
+			double exact = 0.71 + sin(2 * PI * x) * cos(2 * PI * y) *
+						      exp(-8 * PI * PI * 0.02 * t);
+
+			sum += pow(u[j * n + i] - exact, 2);
+		}
+	free(u);
+	return sqrt(sum) / n;
+}
+
+START_TEST(order_in_space)
+{
+	static const struct {
+		const char *words;
+		double order;
+	} cases[] = {
+		{ "time rk3 convection central", 2 },	  { "time rk3 convection quick", 2 },
+		{ "time rk3 convection cubista", 2 },	  { "time rk3 convection donor gamma 1", 1 },
+		{ "time rk3 convection donor gamma 0", 2 }, { "time rk3 form fd", 2 },
+	};
+	FILE *table = deck_table("Order in space");
+
+	for (size_t k = 0; k < DECK_LENGTH(cases); k++) {
+		double step[3], error[3], order;
+
+		for (int m = 0; m < 3; m++) {
+			step[m] = 1.0 / (12 << m);
+			error[m] = vortices_error(12 << m, 0.004, 50, cases[k].words);
+		}
+		order = deck_order(step, error, 3);
+		if (table)
+			fprintf(table, "%s\t%g\t%g\t%g\t%.3f\n", cases[k].words, error[0], error[1],
+				error[2], order);
+		ck_assert_msg(order > cases[k].order - 0.25, "%s: order %g, errors %g %g %g",
+			      cases[k].words, order, error[0], error[1], error[2]);
+	}
+}
+END_TEST
+
+START_TEST(order_in_time)
+{
+	static const struct {
+		const char *words;
+		double order;
+	} cases[] = { { "euler", 1 }, { "ab2", 2 }, { "rk2", 2 }, { "rk3", 3 } };
+	enum { N = 12 };
+	double fine[N * N], u[N * N];
+	FILE *table = deck_table("Order in time");
+
+	run_vortices(N, 0.2 / 1600, 1600, "time rk3", fine);
+	for (size_t k = 0; k < DECK_LENGTH(cases); k++) {
+		double step[3], error[3] = { 0 }, order;
+		char words[64];
+
+		snprintf(words, sizeof words, "time %s", cases[k].words);
+		for (int m = 0; m < 3; m++) {
+			step[m] = 0.2 / (20 << m);
+			run_vortices(N, step[m], 20 << m, words, u);
+			for (int i = 0; i < N * N; i++)
+				error[m] = fmax(error[m], fabs(u[i] - fine[i]));
+		}
+		order = deck_order(step, error, 3);
+		if (table)
+			fprintf(table, "%s\t%g\t%g\t%g\t%.3f\n", cases[k].words, error[0], error[1],
+				error[2], order);
+		ck_assert_msg(fabs(order - cases[k].order) < 0.2, "%s: order %g, errors %g %g %g",
+			      cases[k].words, order, error[0], error[1], error[2]);
 	}
 }
 END_TEST
@@ -172,6 +276,8 @@ int main(void)
 	TCase *tcase = tcase_create("projection");
 
 	tcase_add_test(tcase, channel);
+	tcase_add_test(tcase, order_in_space);
+	tcase_add_test(tcase, order_in_time);
 	tcase_add_test(tcase, even_room);
 	tcase_add_test(tcase, uneven_room);
 	tcase_add_test(tcase, bed);

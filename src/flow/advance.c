@@ -1,7 +1,7 @@
 /* Time steps of the fluid. */
 #include <math.h>
 
-#include "flow/projection.h"
+#include "flow/limits.h"
 
 #include "base/banned.h"
 
@@ -58,6 +58,34 @@ static enum ts_status parts_carry(struct tsim *sim, struct ts_fluid *fluid, doub
 			TS_TRY(flow_part->carry(part, sim, fluid, dt));
 	}
 	return TS_OK;
+}
+
+static enum ts_status parts_settle(struct tsim *sim, struct ts_fluid *fluid, double length)
+{
+	struct ts_instance *part;
+
+	for (size_t k = 0; (part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));) {
+		const struct ts_flow_part *flow_part = part->state;
+
+		if (flow_part->settle)
+			TS_TRY(flow_part->settle(part, sim, fluid, length));
+	}
+	return TS_OK;
+}
+
+/* Longest step that those who take part allow. */
+static double parts_limit(const struct tsim *sim, const struct ts_fluid *fluid)
+{
+	const struct ts_instance *part;
+	double least = INFINITY;
+
+	for (size_t k = 0; (part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));) {
+		const struct ts_flow_part *flow_part = part->state;
+
+		if (flow_part->limit)
+			least = fmin(least, flow_part->limit(part, fluid));
+	}
+	return least;
 }
 
 /* ---- Adams-Bashforth */
@@ -152,14 +180,52 @@ enum ts_status ts_projection_advance(struct ts_instance *self, struct tsim *sim,
 	return parts_carry(sim, fluid, dt);
 }
 
+/* Into how many steps of the fluid this length is cut. */
+static int64_t substeps_now(const struct ts_projection *p, const struct tsim *sim, double length)
+{
+	static const double MOST = 1e6;
+	double limit = p->substeps ? 0 : fmin(ts_flow_limit(p), parts_limit(sim, &p->fluid));
+	double n = p->substeps ? (double)p->substeps : ceil(length / (p->courant * limit));
+
+	return n >= 1 ? (int64_t)fmin(n, MOST) : 1;
+}
+
+/* Over a step of several stages what u counts in `used` shrinks by the factors of the later ones: what came
+ * before is carried with the inverse of all of them. */
+static double carry_of(const struct ts_time_scheme *scheme)
+{
+	double product = 1;
+
+	for (int s = 0; s < scheme->stages; s++)
+		product *= scheme->take[s];
+	return 1 / product;
+}
+
+static void divide_used(struct ts_projection *p, double by)
+{
+	struct ts_fluid *fluid = &p->fluid;
+
+	for (int d = 0; d < 3 && fluid->used[d] && by > 1; d++)
+		for (size_t k = 0; k < fluid->grid.size; k++)
+			fluid->used[d][k] /= by;
+}
+
 enum ts_status ts_projection_step(struct ts_instance *self, struct tsim *sim, double length)
 {
 	struct ts_projection *p = self->state;
+	double carry = 0;
 
 	p->source_share = p->source_steps > 0 ? 1 / (double)p->source_steps : 0;
 	if (ts_projection_room(p, length) != TS_OK)
 		return ts_nomem(&sim->error);
-	TS_TRY(ts_projection_advance(self, sim, length, 0));
+	ts_fluid_fill_velocity(&p->fluid, p->fluid.u);
+	p->done = substeps_now(p, sim, length);
+	for (int64_t k = 0; k < p->done; k++) {
+		TS_TRY(ts_projection_advance(self, sim, length / (double)p->done, carry));
+		carry = carry_of(&ts_time_schemes[p->time]);
+	}
+	divide_used(p, (double)p->done);
+	TS_TRY(parts_settle(sim, &p->fluid, length));
 	ts_projection_clear_sources(p);
 	return TS_OK;
 }

@@ -90,11 +90,15 @@ struct ts_flow_part {
 	 * the (sub)step, `time` the one the fields will have. */
 	enum ts_status (*force)(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
 				double time, double dt);
-	/* After a whole step of the fluid: scalars are carried on, forces summed. */
+	/* After each step of the fluid, of which a step of the simulation may have several: scalars are carried
+	 * on, forces summed. */
 	enum ts_status (*carry)(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
 				double dt);
 	/* Largest stable dt of the fluid as far as it is concerned, or INFINITY. */
 	double (*limit)(const struct ts_instance *self, const struct ts_fluid *fluid);
+	/* After all of these, `length` in all: `used` is the mean over them; f and k are still there. */
+	enum ts_status (*settle)(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
+				 double length);
 };
 
 /* Writes ghosts of a velocity field, u or another; and its components across the boundary where these are

@@ -32,6 +32,7 @@ struct ts_projection {
 	/* as given */
 	double viscosity, density, gamma, courant;
 	int64_t every;
+	const char *substeps_word;
 	struct ts_instance *region;
 	struct ts_words cell_words, body_words;
 	int convection, form, wall, time;
@@ -39,6 +40,7 @@ struct ts_projection {
 
 	bool read; /* the words, into: */
 	int64_t cells[3];
+	int64_t substeps; /* 0: as many as its limits want */
 	struct ts_number body_force[3];
 	double *graded[3]; /* faces by flow_grid, from 0 to 1; NULL: uniform */
 
@@ -52,6 +54,7 @@ struct ts_projection {
 	uint8_t empty_known;  /* it has been set */
 	int64_t source_steps; /* steps of the simulation since the last one of the fluid */
 	double source_share;  /* 1/source_steps, while sources are used */
+	int64_t done;	      /* substeps in the last step */
 	int64_t waited;	      /* steps of the simulation since the last step of the fluid */
 	struct ts_operators operators;
 	struct ts_poisson poisson;

@@ -16,6 +16,9 @@ struct ts_time_scheme {
 	/* How far the region of stability of du/dt = z u goes along the negative real and along the imaginary
 	 * axis; 0: not at all. */
 	double real, imaginary;
+	/* Courant number sum |u| dt/h that is never exceeded: 1 for euler, where it follows from the limits of
+	 * decay and growth; of second order, what little viscosity stands. */
+	double courant;
 };
 
 enum ts_time { TS_TIME_EULER, TS_TIME_AB2, TS_TIME_RK2, TS_TIME_RK3, TS_NTIME };

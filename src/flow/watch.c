@@ -1,7 +1,8 @@
 /* How a step went: cheap enough to look at each of them. */
 #include <math.h>
+#include <stdio.h>
 
-#include "flow/projection.h"
+#include "flow/limits.h"
 
 #include "base/banned.h"
 
@@ -46,6 +47,38 @@ static double largest_divergence(const struct ts_fluid *fluid, int j, int k, dou
 	return most;
 }
 
+/* Rounding of a step chosen at the limit. */
+static const double MARGIN = 1.000001;
+
+/* Which limit the step was beyond, for the velocities it began with, as far as can be told. */
+static enum ts_status explain(struct ts_instance *self, struct tsim *sim, bool broken, double dt)
+{
+	const struct ts_projection *p = self->state;
+	const struct ts_fluid *fluid = &p->fluid;
+	struct ts_flow_limits limits = ts_flow_limits(p);
+	const char *time = ts_time_names[p->time];
+	char cause[256];
+
+	if (broken)
+		snprintf(cause, sizeof cause, "a velocity is not a number any more");
+	else if (dt > limits.viscous && p->viscosity > 0 && ts_flow_viscous_limit(p) < dt)
+		snprintf(cause, sizeof cause,
+			 "viscosity %g with time %s is stable for steps up to %g only", p->viscosity, time,
+			 ts_flow_viscous_limit(p));
+	else
+		snprintf(cause, sizeof cause,
+			 "the Courant number sum |u| dt/h is %g, and with time %s it must stay below %g",
+			 fluid->courant, time, ts_time_schemes[p->time].courant);
+	return ts_fail(&sim->error, TS_PHYSICS, &self->where,
+		       "the fluid left the region of stable steps at time %g with a step of %g: %s%s; use a "
+		       "smaller `timestep`, or `substeps auto` in flow_style",
+		       fluid->time, dt, cause,
+		       limits.growth < dt && !broken
+			       ? " (it may have grown so: convection is damped too little for this step, which "
+				 "a scheme `time rk3` or `convection donor` would stand)"
+			       : "");
+}
+
 enum ts_status ts_projection_watch(struct ts_instance *self, struct tsim *sim, double *const before[3],
 				   double dt)
 {
@@ -71,8 +104,7 @@ enum ts_status ts_projection_watch(struct ts_instance *self, struct tsim *sim, d
 	fluid->courant = speed * dt;
 	fluid->residual = change / dt;
 	fluid->divergence = divergence;
-	if (broken)
-		return ts_fail(&sim->error, TS_PHYSICS, &self->where,
-			       "the fluid's velocity is not a number any more at time %g", fluid->time);
+	if (broken || !(fluid->courant <= MARGIN * ts_time_schemes[p->time].courant))
+		return explain(self, sim, broken, dt);
 	return TS_OK;
 }

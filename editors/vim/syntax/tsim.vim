@@ -118,9 +118,10 @@ syn keyword tsimKeyword  computeDissipatedEnergy disableNormalWhenBonded hooke/h
 syn keyword tsimKeyword  hertz/history limit_damping primitive n_meshes meshes xplane
 syn keyword tsimKeyword  yplane zplane xcylinder ycylinder zcylinder shear store_force
 syn keyword tsimKeyword  store_force_contact store_force_contact_stress contacts viscosity
-syn keyword tsimKeyword  ab2 rk2 rk3 convection donor central quick cubista gamma form fv
-syn keyword tsimKeyword  fd quadratic body_force generic restitution tolerance iterations
-syn keyword tsimKeyword  unfinished side in out open center bounds angle0
+syn keyword tsimKeyword  ab2 rk2 rk3 substeps courant convection donor central quick
+syn keyword tsimKeyword  cubista gamma form fv fd quadratic body_force generic restitution
+syn keyword tsimKeyword  tolerance iterations unfinished side in out open center bounds
+syn keyword tsimKeyword  angle0
 
 " numbers of the simulation and of particles
 syn keyword tsimName  id type radius diameter

@@ -1,9 +1,8 @@
-#include "flow/projection.h"
-
 #include <math.h>
 #include <stdio.h>
 
 #include "core/plan.h"
+#include "flow/limits.h"
 
 #include "base/banned.h"
 
@@ -30,6 +29,18 @@ static enum ts_status read_words(struct ts_instance *self, struct tsim *sim)
 	if (p->body_words.n)
 		TS_TRY(ts_flow_read_vector(sim, "flow_style projection: body_force", p->body_words,
 					   &self->where, &self->arena, p->body_force));
+	p->substeps = 0;
+	if (!ts_streq(p->substeps_word, "auto") &&
+	    (!ts_parse_int(p->substeps_word, &p->substeps) || p->substeps < 1))
+		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, p->substeps_word),
+			       "flow_style projection: substeps is a number from 1 on, or auto, not '%s'",
+			       p->substeps_word);
+	if (p->form == TS_FORM_DIFFERENCE && p->convection != TS_CONVECTION_DONOR &&
+	    p->convection != TS_CONVECTION_CENTRAL)
+		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, ts_convection_names[p->convection]),
+			       "flow_style projection: convection %s is for form fv; form fd has donor and "
+			       "central",
+			       ts_convection_names[p->convection]);
 	p->read = true;
 	return TS_OK;
 }
@@ -147,12 +158,30 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 {
 	const struct ts_projection *p = self->state;
 	const struct ts_grid *grid = &p->fluid.grid;
+	const struct ts_time_scheme *scheme = &ts_time_schemes[p->time];
+	struct ts_flow_limits limits = ts_flow_limits(p);
+	double fields = 8 + (scheme->stages > 1) * 3 + scheme->history * 3;
+	/* steps of the simulation to one of the fluid */
+	double steps = (double)p->every / (double)(p->substeps ? p->substeps : 1);
 
 	(void)sim;
-	ts_report_line(report, "fluid", "%d x %d x %d cells, convection %s", grid->n[0], grid->n[1],
-		       grid->n[2], ts_convection_names[p->convection]);
-	report->bytes += 8.0 * 8.0 * (double)grid->size;
-	return TS_OK;
+	ts_report_line(report, "fluid", "%d x %d x %d cells, convection %s (%s), time %s", grid->n[0],
+		       grid->n[1], grid->n[2], ts_convection_names[p->convection], ts_form_names[p->form],
+		       ts_time_names[p->time]);
+	report->bytes += 8 * fields * (double)grid->size;
+	if (!p->substeps) {
+		ts_report_line(report, "fluid's steps", "as its limits want, %g of the stable one, which is %g",
+			       p->courant, ts_flow_limit(p));
+		return TS_OK;
+	}
+	TS_TRY(ts_report_limit(report, limits.viscous / steps, true, &self->where,
+			       "the fluid's viscosity and convection (time %s), or use substeps auto",
+			       scheme->name));
+	TS_TRY(ts_report_limit(report, limits.courant / steps, true, &self->where,
+			       "the fluid's Courant number, %g h/u, or use substeps auto", scheme->courant));
+	return ts_report_limit(report, limits.growth / steps, false, &self->where,
+			       "slow growth where convection moves waves that viscosity does not damp (time %s)",
+			       scheme->name);
 }
 
 static const struct ts_saved saved[] = {
@@ -165,6 +194,7 @@ static const struct ts_saved saved[] = {
 	TS_SAVE_F64(struct ts_projection, history_dt),
 	TS_SAVE_U8(struct ts_projection, empty_known),
 	TS_SAVE_I64(struct ts_projection, source_steps),
+	TS_SAVE_I64(struct ts_projection, done),
 	TS_SAVE_I64(struct ts_projection, waited),
 	TS_SAVED_ROWS_END,
 };
@@ -181,6 +211,10 @@ static const struct ts_arg args[] = {
 	TS_INT("every", struct ts_projection, every, .fallback = "1", .range = TS_POSITIVE, .unit = "steps",
 	       .flags = TS_STATEFUL,
 	       .help = "steps of the simulation to one of the fluid, which takes the mean of their forces"),
+	TS_WORD("substeps", struct ts_projection, substeps_word, .fallback = "1",
+		.help = "steps of the fluid in one of the simulation: a number, or auto: as its limits want"),
+	TS_REAL("courant", struct ts_projection, courant, .fallback = "0.5", .range = TS_WITHIN, .lo = 0.001,
+		.hi = 1, .help = "substeps auto: share of the largest stable step"),
 	TS_REGION("region", struct ts_projection, region, .flags = TS_OPTIONAL,
 		  .help = "the grid fills the bounds of this region; else the box"),
 	TS_ENUM("convection", struct ts_projection, convection, ts_convection_names, .fallback = "central",
