@@ -119,11 +119,15 @@ library_sources = \
 	src/flow/limits.h \
 	src/flow/measure.c \
 	src/flow/measure.h \
+	src/flow/multigrid.c \
+	src/flow/multigrid.h \
 	src/flow/operators.c \
 	src/flow/operators.h \
 	src/flow/packed.c \
 	src/flow/poisson.c \
 	src/flow/poisson.h \
+	src/flow/preconditioned.c \
+	src/flow/preconditioned.h \
 	src/flow/predict.c \
 	src/flow/prepare.c \
 	src/flow/pressure.c \
@@ -693,6 +697,7 @@ library_sources = \
 	src/styles/pair/spring_dashpot.c \
 	src/styles/pressure/cg.c \
 	src/styles/pressure/direct.c \
+	src/styles/pressure/multigrid.c \
 	src/styles/region/block.c \
 	src/styles/region/cone.c \
 	src/styles/region/cylinder.c \

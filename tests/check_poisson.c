@@ -188,6 +188,8 @@ static const struct {
 } solvers[] = {
 	{ "cg tolerance 1e-10", false },
 	{ "direct", true },
+	{ "cg preconditioner diagonal tolerance 1e-10", false },
+	{ "multigrid tolerance 1e-10", false },
 };
 
 /* rhs = div grad p for a random p, all combinations of conditions: the solution is p, or p less its mean. */

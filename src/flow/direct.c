@@ -101,7 +101,8 @@ enum ts_status ts_direct_make(struct ts_direct *s, const struct ts_poisson *prob
 {
 	size_t modes, n;
 
-	*s = (struct ts_direct){ .grid = problem->grid, .threads = threads };
+	*s = (struct ts_direct){ .origin = problem->grid->origin, .threads = threads };
+	memcpy(s->stride, problem->grid->stride, sizeof s->stride);
 	order_axes(s, problem);
 	s->eliminates = !periodic(problem, s->axis[2]);
 	modes = (size_t)s->n[0] * (size_t)s->n[1];
@@ -156,10 +157,10 @@ static struct rows rows_of(const struct task *task, int c)
 	int planes = s->n[2] - c < task->planes ? s->n[2] - c : task->planes;
 
 	return (struct rows){ .count = across == 1 ? s->n[1] : planes,
-			      .apart = s->grid->stride[s->axis[across]],
-			      .step = s->grid->stride[s->axis[0]],
+			      .apart = s->stride[s->axis[across]],
+			      .step = s->stride[s->axis[0]],
 			      .work_apart = across == 1 ? s->n[0] : (ptrdiff_t)s->plane,
-			      .start = (size_t)((ptrdiff_t)s->grid->origin + c * s->grid->stride[s->axis[2]]),
+			      .start = (size_t)((ptrdiff_t)s->origin + c * s->stride[s->axis[2]]),
 			      .work_start = (size_t)c * s->plane };
 }
 

@@ -13,7 +13,8 @@
 #include "flow/transform.h"
 
 struct ts_direct {
-	const struct ts_grid *grid;
+	size_t origin;       /* of fields: those of the grid, if not others are set */
+	ptrdiff_t stride[3];
 	int threads;
 	int axis[3], n[3]; /* first, second, third: which axis, and its cells */
 	struct ts_transform transform[3];
@@ -32,7 +33,7 @@ struct ts_direct {
 enum ts_status ts_direct_make(struct ts_direct *s, const struct ts_poisson *problem, int threads);
 void ts_direct_release(struct ts_direct *s);
 
-/* p = solution for rhs, fields of the grid; they may be the same. */
+/* p = solution for rhs, inner cells; they may be the same field. */
 void ts_direct_solve(const struct ts_direct *s, const double *rhs, double *p);
 
 #endif

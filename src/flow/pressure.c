@@ -21,6 +21,7 @@ enum ts_status ts_iteration_prepare(struct ts_iteration *it, struct tsim *sim,
 {
 	ts_iteration_release(it);
 	it->problem = problem;
+	it->weighed = false;
 	if (ts_stencil_make(&it->stencil, problem) != TS_OK)
 		return ts_nomem(&sim->error);
 	it->stencil.threads = ts_pressure_team(sim, problem);
@@ -43,7 +44,10 @@ enum ts_status ts_iteration_begin(struct ts_iteration *it, struct ts_instance *s
 	struct ts_stencil *s = &it->stencil;
 	double largest;
 
-	ts_stencil_weigh(s, it->problem);
+	it->changed = it->problem->weight[0] || !it->weighed;
+	if (it->changed)
+		ts_stencil_weigh(s, it->problem);
+	it->weighed = !it->problem->weight[0];
 	ts_stencil_take(s, it->problem->grid, rhs, true, it->b);
 	if (it->problem->singular)
 		ts_stencil_balance(s, it->b);

@@ -16,6 +16,8 @@ struct ts_iteration {
 	int64_t most;
 	int unfinished;
 	bool told;
+	bool weighed; /* without weights, once is enough */
+	bool changed; /* links, by the last ts_iteration_begin */
 	struct ts_stencil stencil;
 	const struct ts_poisson *problem;
 	double *b, *p;

@@ -153,6 +153,25 @@ void ts_stencil_give(const struct ts_stencil *s, const struct ts_grid *grid, con
 		       field + ts_stencil_row(s, row), (size_t)s->n[0] * sizeof *out);
 }
 
+TS_CLONES
+static void divide_row(const double *restrict r, const double *restrict width, double area,
+		       double *restrict out, int n)
+{
+#pragma omp simd
+	for (int i = 0; i < n; i++)
+		out[i] = -r[i] / (width[i] * area);
+}
+
+void ts_stencil_by_volume(const struct ts_stencil *s, const double *r, double *out)
+{
+#pragma omp parallel for num_threads(s->threads) schedule(static)
+	for (int row = 0; row < ts_stencil_rows(s); row++) {
+		size_t at = ts_stencil_row(s, row);
+
+		divide_row(r + at, s->width[0], row_area(s, row), out + at, s->n[0]);
+	}
+}
+
 void ts_stencil_ghosts(const struct ts_stencil *s, double *p)
 {
 	int rows = ts_stencil_rows(s);
@@ -261,6 +280,49 @@ static double residual_row(const struct ts_stencil *s, size_t at, const double *
 	for (int i = 0; i < s->n[0]; i++)
 		out[at + (size_t)i] = b[at + (size_t)i] - out[at + (size_t)i];
 	return largest_row(out + at, s->width[0], s->n[0]);
+}
+
+/* Gauss-Seidel along every other cell of a row: those whose index is `first` plus an even number. */
+static inline __attribute__((always_inline)) void
+sweep_axes(const struct ts_stencil *s, size_t at, double *p, const double *b, int first, double omega,
+	   int axes)
+{
+	const double *cx = s->link[0] + at, *cy = s->link[1] + at, *inverse = s->inverse + at;
+	const double *cz = axes > 2 ? s->link[2] + at : NULL;
+	const ptrdiff_t sy = s->stride[1], sz = s->stride[2];
+	const int n = s->n[0];
+
+	p += at;
+	b += at;
+#pragma omp simd
+	for (int i = 0; i < n; i++) {
+		double sum = b[i] + cx[i] * p[i - 1] + cx[i + 1] * p[i + 1];
+
+		sum += cy[i] * p[i - sy] + cy[i + sy] * p[i + sy];
+		if (axes > 2)
+			sum += cz[i] * p[i - sz] + cz[i + sz] * p[i + sz];
+		if ((i & 1) == first)
+			p[i] += omega * (sum * inverse[i] - p[i]);
+	}
+}
+
+TS_CLONES
+static void sweep_row(const struct ts_stencil *s, size_t at, double *p, const double *b, int first,
+		      double omega)
+{
+	if (s->axes > 2)
+		sweep_axes(s, at, p, b, first, omega, 3);
+	else
+		sweep_axes(s, at, p, b, first, omega, 2);
+}
+
+void ts_stencil_sweep(const struct ts_stencil *s, double *p, const double *b, int colour, double omega)
+{
+#pragma omp parallel for num_threads(s->threads) schedule(static)
+	for (int row = 0; row < ts_stencil_rows(s); row++)
+		sweep_row(s, ts_stencil_row(s, row), p, b, (row % s->n[1] + row / s->n[1] + colour) & 1,
+			  omega);
+	ts_stencil_ghosts(s, p);
 }
 
 double ts_stencil_sum(const struct ts_stencil *s)

@@ -56,9 +56,15 @@ void ts_stencil_take(const struct ts_stencil *s, const struct ts_grid *grid, con
 void ts_stencil_give(const struct ts_stencil *s, const struct ts_grid *grid, const double *field,
 		     double *out);
 
+/* out = -r/V */
+void ts_stencil_by_volume(const struct ts_stencil *s, const double *r, double *out);
+
 void ts_stencil_ghosts(const struct ts_stencil *s, double *p);
 /* out = A p, after ts_stencil_ghosts(p); returns p.Ap */
 double ts_stencil_apply(const struct ts_stencil *s, const double *p, double *out);
+/* One half of a Gauss-Seidel sweep, with the ghosts right before, and right after: p += omega (what balances the
+ * cell - p) in every other cell, like the black squares of a chess board (colour 0: with cell (0,0,0), or 1). */
+void ts_stencil_sweep(const struct ts_stencil *s, double *p, const double *b, int colour, double omega);
 /* out = b - A p, after ts_stencil_ghosts(p); returns its largest value by volume. NaN if there is one. */
 double ts_stencil_residual(const struct ts_stencil *s, const double *p, const double *b, double *out);
 /* Largest value by volume. */

@@ -120,8 +120,8 @@ syn keyword tsimKeyword  yplane zplane xcylinder ycylinder zcylinder shear store
 syn keyword tsimKeyword  store_force_contact store_force_contact_stress contacts viscosity
 syn keyword tsimKeyword  ab2 rk2 rk3 substeps courant convection donor central quick
 syn keyword tsimKeyword  cubista gamma form fv fd quadratic body_force generic restitution
-syn keyword tsimKeyword  tolerance iterations unfinished side in out open center bounds
-syn keyword tsimKeyword  angle0
+syn keyword tsimKeyword  tolerance iterations unfinished preconditioner diagonal direct
+syn keyword tsimKeyword  multigrid side in out open center bounds angle0
 
 " numbers of the simulation and of particles
 syn keyword tsimName  id type radius diameter
@@ -200,7 +200,7 @@ syn match tsimHead /^\s*flow_style\s\+/ contains=tsimCommand,tsimVariable nextgr
 syn keyword tsim_flow contained projection uniform
 hi def link tsim_flow Type
 syn match tsimHead /^\s*pressure_style\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_pressure
-syn keyword tsim_pressure contained cg direct
+syn keyword tsim_pressure contained cg direct multigrid
 hi def link tsim_pressure Type
 
 hi def link tsimCommand Statement
