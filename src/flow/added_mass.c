@@ -12,9 +12,10 @@ double ts_added_density(const struct tsim *sim, int group)
 	while ((inst = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k))) {
 		const struct ts_added_mass *mass = inst->state;
 
-		if (strcmp(inst->style->name, TS_ADDED_MASS) == 0 &&
+		if (strcmp(inst->style->name, "added_mass") == 0 &&
 		    (inst->group == 0 || inst->group == group))
-			return mass->coefficient * mass->density;
+			return mass->coefficient *
+			       ts_flow_style_of(mass->force.flow)->density(mass->force.flow);
 	}
 	return 0;
 }

@@ -2,15 +2,13 @@
 #ifndef TS_FLOW_ADDED_MASS_H
 #define TS_FLOW_ADDED_MASS_H
 
-#include "flow/fluid.h"
+#include "flow/flow_force.h"
 
-#define TS_ADDED_MASS "added_mass"
 
 /* The state of fix added_mass begins so. */
 struct ts_added_mass {
-	struct ts_flow_part part;
-	double coefficient; /* of the displaced mass */
-	double density;	    /* of the fluid */
+	struct ts_flow_force force; /* first */
+	double coefficient;	    /* of the displaced mass */
 };
 
 /* Mass that particles of the group take with them, per volume of the particle. */

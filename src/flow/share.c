@@ -106,6 +106,22 @@ double ts_share_gather(const struct ts_grid *grid, const struct ts_share *s, con
 	return sum;
 }
 
+double ts_share_gradient(const struct ts_grid *grid, const struct ts_share *s, int c, const double *field)
+{
+	size_t stride = (size_t)grid->stride[c];
+	double sum = 0;
+
+	for (int b = 0; b < 8; b++) {
+		size_t at;
+		double weight = corner(grid, s, b, &at);
+
+		if (weight != 0)
+			sum += weight * (field[at] - field[at - stride]) /
+			       grid->gap[c][s->index[c][b >> c & 1]];
+	}
+	return sum;
+}
+
 double ts_share_react(const struct ts_grid *grid, const struct ts_share *s, int c, const double *q,
 			double amount, double slope, double *source, double *rate)
 {

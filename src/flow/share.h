@@ -31,6 +31,9 @@ void ts_share_centre(const struct ts_fluid *fluid, const double place[3], const 
 
 /* sum of weight * field */
 double ts_share_gather(const struct ts_grid *grid, const struct ts_share *s, const double *field);
+/* sum of weight * gradient of a centred field along axis c, at the faces of that component */
+double ts_share_gradient(const struct ts_grid *grid, const struct ts_share *s, int c, const double *field);
+
 /* What a particle gives that gets the amount F from the field q (of faces across axis c, or of centres: c ==
  * -1), dF/dq = slope: by weight w and control volume V
  *   source += w (slope q - F)/V,  rate += w slope/V,
