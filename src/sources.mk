@@ -107,6 +107,8 @@ library_sources = \
 	src/flow/drag.c \
 	src/flow/drag.h \
 	src/flow/flow.h \
+	src/flow/flow_force.c \
+	src/flow/flow_force.h \
 	src/flow/fluid.c \
 	src/flow/fluid.h \
 	src/flow/fourier.c \
@@ -611,6 +613,7 @@ library_sources = \
 	src/styles/dump/restart.c \
 	src/styles/dump/xyz.c \
 	src/styles/fix/adapt.c \
+	src/styles/fix/added_mass.c \
 	src/styles/fix/addforce.c \
 	src/styles/fix/ave_atom.c \
 	src/styles/fix/ave_chunk.c \
@@ -639,6 +642,7 @@ library_sources = \
 	src/styles/fix/drill_bit.c \
 	src/styles/fix/enforce2d.c \
 	src/styles/fix/evaporate.c \
+	src/styles/fix/flow_pressure_gradient.c \
 	src/styles/fix/freeze.c \
 	src/styles/fix/gravity.c \
 	src/styles/fix/halt.c \
@@ -647,6 +651,8 @@ library_sources = \
 	src/styles/fix/insert_rate_region.c \
 	src/styles/fix/insert_stream.c \
 	src/styles/fix/langevin.c \
+	src/styles/fix/lift_magnus.c \
+	src/styles/fix/lift_saffman.c \
 	src/styles/fix/lineforce.c \
 	src/styles/fix/massflow_mesh.c \
 	src/styles/fix/mesh_surface.c \

@@ -7,6 +7,7 @@
 #include "flow/share.h"
 #include "flow/spread.h"
 #include "geom/ball_corner.h"
+#include "particles/particles.h"
 
 static const double PI = 3.14159265358979323846;
 
@@ -233,6 +234,74 @@ START_TEST(fields_do_not_depend_on_order)
 }
 END_TEST
 
+/* ---- what particles gain the fluid loses */
+
+/* Momentum of particles, between steps where velocity Verlet has half of the kick to come, and of the fluid. */
+static void momentum(struct tsim *sim, double out[3])
+{
+	const struct ts_particles *p = sim->particles;
+	const struct ts_fluid *fluid = fluid_of(sim);
+	const struct ts_grid *grid = &fluid->grid;
+
+	for (int c = 0; c < 3; c++) {
+		out[c] = 0;
+		for (size_t i = 0; i < p->n; i++)
+			out[c] += p->mass[i] * p->v[i][c] + 0.5 * sim->clock.dt * p->f[i][c];
+		for (int k = 0; k < grid->n[2]; k++)
+			for (int j = 0; j < grid->n[1]; j++)
+				for (int i = 0; i < grid->n[0]; i++)
+					out[c] += fluid->density * ts_grid_volume(grid, i, j, k) *
+						  fluid->u[c][ts_at(grid, i, j, k)];
+	}
+}
+
+/* Alone, and a thick crowd that would hold the fluid within a part of a step and be held by it. */
+START_TEST(momentum_is_kept)
+{
+	static const struct {
+		const char *fluid, *drag;
+		double diameter, viscosity, density;
+		int cells;
+	} ways[] = {
+		{ "", "drag/schiller_naumann", 0.02, 0.13, 1.31, 8 },
+		{ "every 3", "drag/stokes scheme exact", 0.02, 0.13, 1.31, 8 },
+		{ "", "drag/stokes scheme exact", 0.05, 2236, 238.5, 4 },
+		{ "", "drag/schiller_naumann scheme implicit interpolation cell", 0.05, 2236, 238.5, 4 },
+		{ "time rk3", "drag/stokes scheme implicit", 0.002, 0.13, 1.31, 8 },
+		{ "", "drag/schiller_naumann scheme exact axes xz", 0.02, 0.13, 1.31, 7 },
+	};
+	double before[3], after[3], size = 2385 * 2000 * PI / 6 * pow(ways[_i].diameter, 3) * 0.5;
+	struct tsim *sim = deck_open("units si\n"
+				     "boundary p p p\n"
+				     "newton off\n"
+				     "communicate single vel yes\n"
+				     "region box block 0 1 0 1.3 0 0.7 units box\n"
+				     "create_box 1 box\n"
+				     "create_atoms 1 random 2000 2385 box\n"
+				     "set group all diameter %g density 2385\n"
+				     "flow_style projection cells %d 5 3 viscosity %g density %g %s\n"
+				     "pressure_style direct\n"
+				     "velocity all create 1 2385\n"
+				     "velocity all set 0.5 -0.3 0.2 sum yes\n"
+				     "fix d all %s\n"
+				     "fix m all nve\n"
+				     "timestep 0.001\n"
+				     "run 0",
+				     ways[_i].diameter, ways[_i].cells, ways[_i].viscosity,
+				     ways[_i].density, ways[_i].fluid, ways[_i].drag);
+
+	deck(sim, "run 3");
+	momentum(sim, before);
+	deck(sim, "run 24");
+	momentum(sim, after);
+	for (int c = 0; c < 3; c++)
+		DECK_NEAR(after[c], before[c], 1e-12 * size);
+	/* and it has moved something */
+	ck_assert(fabs(fluid_of(sim)->u[0][ts_at(&fluid_of(sim)->grid, 1, 2, 1)]) > 1e-5);
+	tsim_close(sim);
+}
+END_TEST
+
 int main(void)
 {
 	Suite *suite = suite_create("coupling");
@@ -243,6 +312,7 @@ int main(void)
 	tcase_add_test(c, divided_volumes);
 	tcase_add_loop_test(c, void_fraction_keeps_the_volume, 0, 3);
 	tcase_add_loop_test(c, fields_do_not_depend_on_order, 0, 2);
+	tcase_add_loop_test(c, momentum_is_kept, 0, 6);
 	suite_add_tcase(suite, c);
 	return deck_main(suite);
 }

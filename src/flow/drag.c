@@ -5,6 +5,7 @@
 
 #include "core/plan.h"
 #include "flow/added_mass.h"
+#include "flow/projection.h"
 #include "particles/body.h"
 #include "particles/particles.h"
 #include "particles/rigid.h"
@@ -76,6 +77,11 @@ static double void_at(const struct ts_drag *s, const double place[3], const int 
 	return ts_fluid_value(fluid, fluid->empty, place, NULL);
 }
 
+static double mean(double wa, double wb, double a, double b)
+{
+	return (wa * a + wb * b) / (wa + wb);
+}
+
 /* Velocity of the cell: the mean of its faces; in a bed that of the flow e u through them, so that the slip in
  * a layer of the bed is the flow through it by its own void fraction. */
 static void cell_velocity(const struct ts_fluid *fluid, const int cell[3], double u[3])
@@ -88,9 +94,11 @@ static void cell_velocity(const struct ts_fluid *fluid, const int cell[3], doubl
 		size_t s = c < grid->dimensions ? (size_t)grid->stride[c] : 0;
 		double low = fluid->u[c][at], high = fluid->u[c][at + s];
 
-		if (e) {
-			low *= 0.5 * (e[at - s] + e[at]) / e[at];
-			high *= 0.5 * (e[at] + e[at + s]) / e[at];
+		if (e && s) {
+			const double *width = grid->width[c] + cell[c];
+
+			low *= mean(width[-1], width[0], e[at - s], e[at]) / e[at];
+			high *= mean(width[0], width[1], e[at], e[at + s]) / e[at];
 		}
 		u[c] = 0.5 * (low + high);
 	}
@@ -170,6 +178,15 @@ static void drag_on(const struct ts_instance *self, struct tsim *sim, size_t i, 
 		found->stiffness = fmax(found->stiffness, c * h / mass);
 }
 
+/* The fluid takes the mean over so many steps of the simulation; 0: it does not make its step in this one, and
+ * what it gets now is the force as it is. */
+static double steps_to_fluid(const struct ts_drag *s)
+{
+	const struct ts_projection *p = s->flow->state;
+
+	return p->waited + 1 >= p->every ? (double)p->every : 0;
+}
+
 /* What the fluid gets of one particle. */
 static void lay(void *context, size_t i)
 {
@@ -198,8 +215,11 @@ static enum ts_status react(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_drag *s = self->state;
 	void *context[2] = { self, sim };
+	double steps = steps_to_fluid(s);
 
 	TS_TRY(ts_cell_order_make(&s->order, sim, s->fluid, self->group, 1));
+	for (size_t i = 0; i < sim->particles->n; i++)
+		s->note[i].slope *= steps;
 	ts_cell_order_each(&s->order, ts_team(sim, sim->particles->n), lay, context);
 	s->noted = sim->particles->n;
 	return TS_OK;
@@ -250,7 +270,7 @@ enum ts_status ts_drag_post_force(struct ts_instance *self, struct tsim *sim)
 			       "steps below twice that, and the step is %g: use scheme exact, or a smaller "
 			       "`timestep`",
 			       self->style->name, sim->clock.dt / stiffness, sim->clock.dt);
-	return s->part.carry && !sim->in_setup ? react(self, sim) : TS_OK;
+	return s->fluid && s->two_way && !sim->in_setup ? react(self, sim) : TS_OK;
 }
 
 /* How much of a force added now the velocities get before the next forces: velocity Verlet has given half of
@@ -293,7 +313,7 @@ static enum ts_status carry(struct ts_instance *self, struct tsim *sim, struct t
 			ts_share_face(fluid, c, place, cell, (enum ts_interpolation)s->interpolation,
 					&st);
 			more = s->note[i].slope *
-			       (ts_share_gather(&fluid->grid, &st, fluid->u[c]) - s->note[i].held[c]);
+			       (ts_share_gather(&fluid->grid, &st, fluid->used[c]) - s->note[i].held[c]);
 			s->total.note[i][c] += more;
 			if (p->imass[i] != 0)
 				p->f[i][c] += share * more;

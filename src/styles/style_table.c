@@ -3,6 +3,7 @@
 
 #include "flow/drag.h"
 #include "flow/flow.h"
+#include "flow/flow_force.h"
 #include "flow/poisson.h"
 #include "neigh/bonds.h"
 #include "neigh/pair.h"
@@ -168,6 +169,7 @@ TS_STYLE(dump, ts_style, ts_dump_mesh_vtk)
 TS_STYLE(dump, ts_style, ts_dump_restart)
 TS_STYLE(dump, ts_style, ts_dump_xyz)
 TS_STYLE(fix, ts_style, ts_fix_adapt)
+TS_STYLE(fix, ts_flow_force_style, ts_fix_added_mass)
 TS_STYLE(fix, ts_style, ts_fix_addforce)
 TS_STYLE(fix, ts_style, ts_fix_ave_atom)
 TS_STYLE(fix, ts_style, ts_fix_ave_chunk)
@@ -196,6 +198,7 @@ TS_STYLE(fix, ts_drag_style, ts_fix_drag_wen_yu)
 TS_STYLE(fix, ts_style, ts_fix_drill_bit)
 TS_STYLE(fix, ts_style, ts_fix_enforce2d)
 TS_STYLE(fix, ts_style, ts_fix_evaporate)
+TS_STYLE(fix, ts_flow_force_style, ts_fix_flow_pressure_gradient)
 TS_STYLE(fix, ts_style, ts_fix_freeze)
 TS_STYLE(fix, ts_style, ts_fix_gravity)
 TS_STYLE(fix, ts_style, ts_fix_halt)
@@ -204,6 +207,8 @@ TS_STYLE(fix, ts_style, ts_fix_insert_pack)
 TS_STYLE(fix, ts_style, ts_fix_insert_rate_region)
 TS_STYLE(fix, ts_style, ts_fix_insert_stream)
 TS_STYLE(fix, ts_style, ts_fix_langevin)
+TS_STYLE(fix, ts_flow_force_style, ts_fix_lift_magnus)
+TS_STYLE(fix, ts_flow_force_style, ts_fix_lift_saffman)
 TS_STYLE(fix, ts_style, ts_fix_lineforce)
 TS_STYLE(fix, ts_style, ts_fix_massflow_mesh)
 TS_STYLE(fix, ts_style, ts_fix_mesh_surface)
@@ -428,6 +433,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_dump_restart,
 	&ts_dump_xyz,
 	&ts_fix_adapt,
+	&ts_fix_added_mass.style,
 	&ts_fix_addforce,
 	&ts_fix_ave_atom,
 	&ts_fix_ave_chunk,
@@ -456,6 +462,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_drill_bit,
 	&ts_fix_enforce2d,
 	&ts_fix_evaporate,
+	&ts_fix_flow_pressure_gradient.style,
 	&ts_fix_freeze,
 	&ts_fix_gravity,
 	&ts_fix_halt,
@@ -464,6 +471,8 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_insert_rate_region,
 	&ts_fix_insert_stream,
 	&ts_fix_langevin,
+	&ts_fix_lift_magnus.style,
+	&ts_fix_lift_saffman.style,
 	&ts_fix_lineforce,
 	&ts_fix_massflow_mesh,
 	&ts_fix_mesh_surface,

@@ -72,23 +72,24 @@ syn keyword tsimKeyword  cubic kspace tensor com average property xcm vcm fcm to
 syn keyword tsimKeyword  angmom masstotal inertia clumptype id_multisphere ex_space
 syn keyword tsimKeyword  ey_space ez_space bond/type region_count tracer reset_marker
 syn keyword tsimKeyword  radius min max ave sumsq avesq sumabs aveabs minabs maxabs inputs
-syn keyword tsimKeyword  peratom update_on_run_end adof cdof primitives reset energy sample
-syn keyword tsimKeyword  running window overwrite title1 title2 title3 auto upper lower
-syn keyword tsimKeyword  auto/upper auto/lower full prefactor nevery cell_size_relative
-syn keyword tsimKeyword  parallel basevolume_region scalar kind global beyond end extra dim
-syn keyword tsimKeyword  level vmax
+syn keyword tsimKeyword  peratom update_on_run_end adof cdof primitives reset coefficient
+syn keyword tsimKeyword  fluid_acceleration two_way energy sample running window overwrite
+syn keyword tsimKeyword  title1 title2 title3 auto upper lower auto/upper auto/lower full
+syn keyword tsimKeyword  prefactor nevery cell_size_relative parallel basevolume_region
+syn keyword tsimKeyword  scalar kind global beyond end extra dim level vmax
 syn match tsimKeyword /\<legacy\>/ 
 syn keyword tsimKeyword  final delta erate trate volume wiggle xy xz yz v flip axes xyz
-syn keyword tsimKeyword  scheme explicit exact implicit two_way cell void C1 C2 wob spring
-syn keyword tsimKeyword  body clearance chute spherical hard soft continue message path
+syn keyword tsimKeyword  scheme explicit exact implicit cell void C1 C2 wob spring body
+syn keyword tsimKeyword  clearance chute spherical hard soft continue message path
 syn keyword tsimKeyword  initial_temperature contact_area area_correction
 syn keyword tsimKeyword  store_contact_data euler seed distributiontemplate maxattempt
 syn keyword tsimKeyword  overlapcheck all_in random_distribute uncorrelated orientation
 syn keyword tsimKeyword  set_property verbose compress_tags insert_every ntry_mc
 syn keyword tsimKeyword  check_dist_from_subdomain_border warn_region particles_in_region
 syn keyword tsimKeyword  volumefraction_region mass_in_region nparticles particlerate
-syn keyword tsimKeyword  massrate insertion_face extrude_length duration vec_side multiple
-syn keyword tsimKeyword  point_at_outlet inside_out writeTime
+syn keyword tsimKeyword  massrate insertion_face extrude_length duration law rubinow
+syn keyword tsimKeyword  oesterle saffman mei vec_side multiple point_at_outlet inside_out
+syn keyword tsimKeyword  writeTime
 syn match tsimKeyword /\<delete_atoms\>/ 
 syn keyword tsimKeyword  sum_property temperature element_exclusion_list precision
 syn keyword tsimKeyword  curvature extrude_planar curvature_tolerant heal
@@ -144,15 +145,16 @@ syn match tsimCommand /^\s*\%(atom_modify\|atom_style\|balance\|bond_coeff\|bond
 
 " styles, behind their command, name and group
 syn match tsimHead /^\s*fix\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_fix
-syn keyword tsim_fix contained adapt addforce ave/atom ave/chunk ave/correlate ave/euler
-syn keyword tsim_fix contained ave/histo ave/histo/weight ave/spatial ave/time aveforce
+syn keyword tsim_fix contained adapt added_mass addforce ave/atom ave/chunk ave/correlate
+syn keyword tsim_fix contained ave/euler ave/histo ave/histo/weight ave/spatial ave/time aveforce
 syn match tsim_fix /\<balance\>/ contained
 syn keyword tsim_fix contained bond/breakage buoyancy check/timestep/gran controller deform drag
 syn keyword tsim_fix contained drag/beetstra drag/di_felice drag/ergun drag/gidaspow
 syn keyword tsim_fix contained drag/koch_hill drag/schiller_naumann drag/stokes drag/wen_yu
-syn keyword tsim_fix contained drill/bit enforce2d evaporate freeze gravity halt heat/gran
-syn keyword tsim_fix contained heat/gran/conduction insert/pack insert/rate/region insert/stream
-syn keyword tsim_fix contained langevin lineforce massflow/mesh mesh/surface mesh/surface/planar
+syn keyword tsim_fix contained drill/bit enforce2d evaporate flow/pressure_gradient freeze
+syn keyword tsim_fix contained gravity halt heat/gran heat/gran/conduction insert/pack
+syn keyword tsim_fix contained insert/rate/region insert/stream langevin lift/magnus lift/saffman
+syn keyword tsim_fix contained lineforce massflow/mesh mesh/surface mesh/surface/planar
 syn keyword tsim_fix contained mesh/surface/stress mesh/surface/stress/servo momentum move
 syn keyword tsim_fix contained move/mesh multisphere nve nve/euler nve/limit nve/noforce
 syn keyword tsim_fix contained nve/sphere nve/symplectic particledistribution/discrete

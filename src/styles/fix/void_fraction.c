@@ -22,10 +22,7 @@ struct state {
 
 	struct ts_fluid *fluid;
 	struct ts_cell_order order;
-	double *before; /* the void fraction with which the fluid has made its last step */
-	size_t size, capacity;
-	int64_t step; /* that of this step */
-	bool known, warned;
+	bool warned;
 	double found; /* the least of a cell, before it is limited */
 };
 
@@ -103,20 +100,6 @@ static void limit(struct ts_instance *self, struct tsim *sim)
 	}
 }
 
-/* de/dt since the fluid's last step. */
-static void rate(struct state *s, const struct tsim *sim)
-{
-	const struct ts_fluid *fluid = s->fluid;
-	double time = (double)(sim->clock.step - s->step) * sim->clock.dt;
-
-	if (!s->known || !(time > 0)) {
-		memset(fluid->empty_rate, 0, fluid->grid.size * sizeof *fluid->empty_rate);
-		return;
-	}
-	for (size_t k = 0; k < fluid->grid.size; k++)
-		fluid->empty_rate[k] = (fluid->empty[k] - s->before[k]) / time;
-}
-
 static enum ts_status pre_force(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
@@ -129,28 +112,7 @@ static enum ts_status pre_force(struct ts_instance *self, struct tsim *sim)
 	ts_cell_order_each(&s->order, ts_team(sim, sim->particles->n), lay, &context);
 	limit(self, sim);
 	ts_fluid_fill_centred(s->fluid, s->fluid->empty);
-	rate(s, sim);
 	return TS_OK;
-}
-
-static enum ts_status remember(struct state *s, struct tsim *sim)
-{
-	const struct ts_fluid *fluid = s->fluid;
-
-	s->size = fluid->grid.size;
-	if (TS_GROW(s->before, s->capacity, s->size) != TS_OK)
-		return ts_nomem(&sim->error);
-	memcpy(s->before, fluid->empty, s->size * sizeof *s->before);
-	s->step = sim->clock.step;
-	s->known = true;
-	return TS_OK;
-}
-
-static enum ts_status carry(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid, double dt)
-{
-	(void)fluid;
-	(void)dt;
-	return remember(self->state, sim);
 }
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -159,31 +121,10 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	TS_TRY(ts_flow_require_fluid(sim, "fix void_fraction", &self->where, &s->fluid));
 	TS_TRY(ts_fluid_want(s->fluid, sim, TS_FLUID_VOID));
-	s->part.carry = carry;
-	if (s->known && s->size != s->fluid->grid.size)
-		s->known = false; /* another grid */
 	return pre_force(self, sim);
 }
 
-/* The first step of the fluid sees what has changed since the run began. */
-static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
-{
-	struct state *s = self->state;
-
-	return s->known ? TS_OK : remember(s, sim);
-}
-
-static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
-{
-	struct state *s = self->state;
-
-	(void)sim;
-	return ts_archive_array(a, "before", TS_SAVED_F64, (void **)&s->before, &s->capacity, &s->size);
-}
-
 static const struct ts_saved saved[] = {
-	TS_SAVE_I64(struct state, step),
-	TS_SAVE_U8(struct state, known),
 	TS_SAVE_U8(struct state, warned),
 	TS_SAVE_F64(struct state, found),
 	TS_SAVED_ROWS_END,
@@ -225,16 +166,12 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 	(void)sim;
 	ts_report_line(report, "void fraction", "%s, at present down to %g", methods[s->method],
 		       s->found);
-	report->bytes += 8.0 * (double)s->fluid->grid.size;
 	return TS_OK;
 }
 
 static void fini(struct ts_instance *self)
 {
-	struct state *s = self->state;
-
-	ts_cell_order_release(&s->order);
-	ts_free(s->before);
+	ts_cell_order_release(&((struct state *)self->state)->order);
 }
 
 static const struct ts_arg args[] = {
@@ -271,10 +208,9 @@ const struct ts_style ts_fix_void_fraction = {
 	.args = args,
 	.state_size = sizeof(struct state),
 	.saved = saved,
-	.archive = archive,
 	.values = values,
 	.init = init,
-	.hook = { [TS_STAGE_PRE_FORCE] = pre_force, [TS_STAGE_SETUP] = setup },
+	.hook = { [TS_STAGE_PRE_FORCE] = pre_force },
 	.plan = plan,
 	.fini = fini,
 };
