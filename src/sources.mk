@@ -253,10 +253,13 @@ library_sources = \
 	src/law/lens.h \
 	src/law/lift.h \
 	src/law/normal.h \
+	src/law/normal_area.h \
 	src/law/rolling.h \
 	src/law/spring_dashpot.h \
 	src/law/tangential.h \
+	src/law/tangential_turning.h \
 	src/law/touch.h \
+	src/law/twisting.h \
 	src/law/wear.h \
 	src/library/columns.c \
 	src/library/library.h \
@@ -302,6 +305,8 @@ library_sources = \
 	src/neigh/energy.h \
 	src/neigh/gather.c \
 	src/neigh/gather.h \
+	src/neigh/gran_coeff.c \
+	src/neigh/gran_coeff.h \
 	src/neigh/gran_numbers.c \
 	src/neigh/gran_numbers.h \
 	src/neigh/heat.c \
@@ -338,6 +343,8 @@ library_sources = \
 	src/neigh/wall.h \
 	src/neigh/wall_contacts.c \
 	src/neigh/wall_contacts.h \
+	src/neigh/wall_law.c \
+	src/neigh/wall_law.h \
 	src/particles/assign.c \
 	src/particles/assign_words.c \
 	src/particles/assign_words.h \
@@ -700,6 +707,7 @@ library_sources = \
 	src/styles/pair/gran_hertz_history.c \
 	src/styles/pair/gran_hooke.c \
 	src/styles/pair/gran_hooke_history.c \
+	src/styles/pair/granular.c \
 	src/styles/pair/spring_dashpot.c \
 	src/styles/pressure/cg.c \
 	src/styles/pressure/direct.c \

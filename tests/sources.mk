@@ -50,6 +50,7 @@ shell_tests = \
 	tests/decks/fixes.sh \
 	tests/decks/flow_outputs.sh \
 	tests/decks/gran_numbers.sh \
+	tests/decks/granular_laws.sh \
 	tests/decks/groups.sh \
 	tests/decks/heat.sh \
 	tests/decks/impacts.sh \

@@ -87,6 +87,9 @@ struct ts_arg {
 	/* TS_ARG_REST with TS_TO_KEYWORD: the TS_ARG_INT row that says, where it was given before, how many
 	 * words there are at least, whatever they are. */
 	const char *count;
+	/* TS_ARG_REST with TS_TO_KEYWORD: keywords and choices of these rows belong to the words, though the table
+	 * has keywords of the same name. */
+	const struct ts_arg *inner;
 };
 
 struct ts_mode {

@@ -33,6 +33,26 @@ static size_t announced(const struct ts_arg *row, const struct ts_words *out, co
 	return n > 0 ? (size_t)n : 0;
 }
 
+static bool is_choice(const struct ts_arg *row, const char *text)
+{
+	for (int k = 0; row->choices && row->choices[k]; k++)
+		if (ts_streq(row->choices[k], text))
+			return true;
+	for (int k = 0; row->modes && row->modes[k].name; k++)
+		if (ts_streq(row->modes[k].name, text))
+			return true;
+	return false;
+}
+
+/* Whether a table has it as a keyword or a choice. */
+static bool has_word(const struct ts_arg *rows, const char *text)
+{
+	for (; rows && rows->type != TS_ARG_END; rows++)
+		if ((!(rows->flags & TS_POSITIONAL) && is_named(rows, text)) || is_choice(rows, text))
+			return true;
+	return false;
+}
+
 static enum ts_status read_rest(struct ts_parse *p, const struct ts_arg *row, struct ts_words *out,
 				const struct ts_arg *common)
 {
@@ -47,8 +67,9 @@ static enum ts_status read_rest(struct ts_parse *p, const struct ts_arg *row, st
 	}
 	rest = ts_words_from(p->words, p->next);
 	for (size_t k = least; k < rest.n && (row->flags & TS_TO_KEYWORD); k++)
-		if (find_keyword(common, rest.word[k].text) ||
-		    find_keyword(p->rows, rest.word[k].text))
+		if (!has_word(row->inner, rest.word[k].text) &&
+		    (find_keyword(common, rest.word[k].text) ||
+		     find_keyword(p->rows, rest.word[k].text)))
 			rest.n = k;
 	if (!rest.n && !(row->flags & TS_OPTIONAL))
 		return ts_arg_refuse(p, row, NULL, row->help);

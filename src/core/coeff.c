@@ -26,7 +26,8 @@ enum ts_status ts_coeffs_resize(struct tsim *sim, struct ts_coeffs *c, size_t n)
 		memcpy(data, c->data, c->n * c->size);
 		memcpy(given, c->given, c->n * sizeof *given);
 	}
-	ts_coeffs_release(c);
+	ts_free(c->data);
+	ts_free(c->given);
 	c->data = data;
 	c->given = given;
 	c->n = n;
@@ -37,6 +38,7 @@ void ts_coeffs_release(struct ts_coeffs *c)
 {
 	ts_free(c->data);
 	ts_free(c->given);
+	ts_arena_release(&c->arena);
 	c->data = NULL;
 	c->given = NULL;
 	c->n = 0;
@@ -117,19 +119,17 @@ static enum ts_status parse_file(struct tsim *sim, const char *what, const struc
 	return ts_args_parse(sim, what, c->rows, words, &name->place, arena, entry);
 }
 
-enum ts_status ts_coeff_parse(struct tsim *sim, const char *what, const struct ts_coeffs *c,
+enum ts_status ts_coeff_parse(struct tsim *sim, const char *what, struct ts_coeffs *c,
 			      struct ts_words words, const struct ts_place *where, void *entry)
 {
-	struct ts_arena arena = { 0 };
 	enum ts_status status;
 
 	if (words.n == 2 && ts_streq(words.word[0].text, "file"))
-		status = parse_file(sim, what, c, &words.word[1], &arena, entry);
+		status = parse_file(sim, what, c, &words.word[1], &c->arena, entry);
 	else
-		status = ts_args_parse(sim, what, c->rows, words, where, &arena, entry);
+		status = ts_args_parse(sim, what, c->rows, words, where, &c->arena, entry);
 	if (status == TS_OK)
 		ts_settings_log(sim, what, c->rows, entry, words);
-	ts_arena_release(&arena);
 	return status;
 }
 
@@ -138,7 +138,6 @@ static enum ts_status archive_entry(struct ts_archive *archive, struct tsim *sim
 {
 	const struct ts_place where = { .file = "restart file" };
 	struct ts_str record = { 0 };
-	struct ts_arena arena = { 0 };
 	struct ts_words words;
 	char name[32];
 	const char *text;
@@ -150,14 +149,13 @@ static enum ts_status archive_entry(struct ts_archive *archive, struct tsim *sim
 	text = ts_str_text(&record);
 	status = ts_archive_string(archive, name, &text);
 	if (status == TS_OK && !ts_archive_writing(archive) && *text) {
-		status = ts_words_split(&arena, text, &where, &words);
+		status = ts_words_split(&c->arena, text, &where, &words);
 		if (status == TS_OK)
-			status = ts_args_parse(sim, "restart file", c->rows, words, &where, &arena,
-					       ts_coeff(c, k));
+			status = ts_args_parse(sim, "restart file", c->rows, words, &where,
+					       &c->arena, ts_coeff(c, k));
 		c->given[k] = status == TS_OK;
 	}
 	ts_str_release(&record);
-	ts_arena_release(&arena);
 	return status;
 }
 

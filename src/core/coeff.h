@@ -11,6 +11,7 @@ struct ts_coeffs {
 	size_t n;                  /* entries */
 	char *data;
 	bool *given;
+	struct ts_arena arena; /* strings of the arguments */
 };
 
 /* Makes room for n entries, keeping what is given. */
@@ -25,7 +26,7 @@ static inline void *ts_coeff(const struct ts_coeffs *c, size_t k)
 /* Parses the words of one entry into `entry`; the words `file NAME` stand for the contents of a
  * coefficient file: keyword-value lines, `#` comments, searched as given, then in the folders of
  * TSIM_POTENTIALS and of the installed potentials. */
-enum ts_status ts_coeff_parse(struct tsim *sim, const char *what, const struct ts_coeffs *c,
+enum ts_status ts_coeff_parse(struct tsim *sim, const char *what, struct ts_coeffs *c,
 			      struct ts_words words, const struct ts_place *where, void *entry);
 
 /* All words of such a file, found in the same places, also with the ending added to its name. */

@@ -14,13 +14,30 @@ enum ts_normal_law {
 	TS_NORMAL_HOOKE_STIFFNESS,
 	TS_NORMAL_HERTZ_STIFFNESS,
 	TS_NORMAL_HOOKE_HYSTERESIS,
+	/* by the radius of the contact area: law/normal_area.h */
+	TS_NORMAL_AREA_HOOKE,
+	TS_NORMAL_AREA_HERTZ,
+	TS_NORMAL_AREA_DMT,
+	TS_NORMAL_AREA_JKR,
 	TS_NNORMAL
+};
+enum ts_damping_law {
+	TS_DAMPING_VELOCITY,
+	TS_DAMPING_MASS_VELOCITY,
+	TS_DAMPING_VISCOELASTIC,
+	TS_DAMPING_TSUJI
 };
 enum ts_tangential_law {
 	TS_TANGENTIAL_OFF,
 	TS_TANGENTIAL_HISTORY,
 	TS_TANGENTIAL_NO_HISTORY,
 	TS_TANGENTIAL_SLIDER,
+	/* their spring turns with the contact: law/tangential_turning.h */
+	TS_TANGENTIAL_LINEAR,
+	TS_TANGENTIAL_MINDLIN,
+	TS_TANGENTIAL_MINDLIN_FORCE,
+	TS_TANGENTIAL_MINDLIN_RESCALE,
+	TS_TANGENTIAL_MINDLIN_RESCALE_FORCE,
 	TS_NTANGENTIAL
 };
 enum ts_rolling_law {
@@ -28,12 +45,15 @@ enum ts_rolling_law {
 	TS_ROLLING_CDT,
 	TS_ROLLING_EPSD,
 	TS_ROLLING_EPSD2,
-	TS_ROLLING_EPSD3
+	TS_ROLLING_EPSD3,
+	TS_ROLLING_SDS
 };
+enum ts_twisting_law { TS_TWISTING_OFF, TS_TWISTING_SDS, TS_TWISTING_MARSHALL };
 enum ts_cohesion_law { TS_COHESION_OFF, TS_COHESION_SJKR, TS_COHESION_SJKR2 };
 
 struct ts_granular_model {
-	int normal, tangential, rolling, cohesion;
+	int normal, tangential, rolling, cohesion, twisting;
+	int damping; /* of the laws by the contact area */
 	bool no_tension;	       /* limitForce: F_n >= 0 */
 	bool no_tangential_damping;    /* tangential_damping off */
 	bool absolute_damping;	       /* of the stiffness laws: gamma is not multiplied by m* */
@@ -42,7 +62,9 @@ struct ts_granular_model {
 	bool reduce;  /* tangential_reduce: cohesion lowers the limit of friction */
 	bool torsion; /* torsionTorque: rolling friction resists spinning too */
 	bool plane;   /* two dimensions: discs roll */
-	bool full_arms; /* the arms of torque and slip are the radii, not those less delta/2 */
+	bool full_arms; /* the arms of torque are the radii, not those less delta/2 */
+	bool full_slip; /* the arms of slip alone are */
+	bool wide; /* memory has room for all laws, as contacts of other types may have others */
 };
 
 /* Constants of a pair of materials; each law uses its own few. */
@@ -58,6 +80,9 @@ struct ts_granular_pair {
 	double cohesion;					       /* energy density */
 	double viscosity, critical_stokes, largest_restitution;	       /* of the fluid between */
 	double unloading, adhesion, plasticity;			       /* k2max/k1, kc/k1, phi */
+	double surface_energy;					       /* energy per area */
+	double roll_stiffness, roll_damping;   /* of sds; its limit is rolling_friction |F_n| */
+	double twist_stiffness, twist_damping, twist_friction;
 };
 
 #endif

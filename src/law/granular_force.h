@@ -6,6 +6,7 @@
 #include "law/cohesion.h"
 #include "law/rolling.h"
 #include "law/tangential.h"
+#include "law/twisting.h"
 
 /* What acts on i; on j: -force, arm_j * turn, -roll. */
 struct ts_granular_force {
@@ -18,7 +19,8 @@ struct ts_granular_force {
 
 static inline bool ts_granular_turns(const struct ts_granular_model *m)
 {
-	return m->tangential != TS_TANGENTIAL_OFF || m->rolling != TS_ROLLING_OFF;
+	return m->tangential != TS_TANGENTIAL_OFF || m->rolling != TS_ROLLING_OFF ||
+	       m->twisting != TS_TWISTING_OFF;
 }
 
 /* By how much the arms of the contact fall short of the radii; then the arms. */
@@ -33,30 +35,61 @@ static inline void ts_granular_arms(const struct ts_granular_model *m, struct ts
 
 	t->arm[0] = t->radius[0] - less;
 	t->arm[1] = t->wall ? 0 : t->radius[1] - less;
+	t->lever[0] = m->full_slip ? t->radius[0] : t->arm[0];
+	t->lever[1] = m->full_slip ? t->radius[1] : t->arm[1];
 }
 
-/* The memory of a contact: where each law keeps its part, and how many numbers in all. */
+/* The memory of a contact: where each law keeps its part, and how many numbers in all. First the vectors. */
 static inline int ts_granular_rolling_at(const struct ts_granular_model *m)
 {
-	return ts_tangential_remembers(m) ? 3 : 0;
+	return m->wide || ts_tangential_remembers(m) ? 3 : 0;
 }
 
+/* Overlap of hysteresis. */
 static inline int ts_granular_depth_at(const struct ts_granular_model *m)
 {
-	return ts_granular_rolling_at(m) + (m->rolling > TS_ROLLING_CDT ? 3 : 0);
+	return ts_granular_rolling_at(m) + (m->wide || m->rolling > TS_ROLLING_CDT ? 3 : 0);
 }
 
-/* What changes sign when i and j change places: all but the depth of hysteresis. */
+/* Angle of twisting. */
+static inline int ts_granular_twist_at(const struct ts_granular_model *m)
+{
+	return ts_granular_depth_at(m) + (m->normal == TS_NORMAL_HOOKE_HYSTERESIS);
+}
+
+/* Radius of the contact area in the last step. */
+static inline int ts_granular_area_at(const struct ts_granular_model *m)
+{
+	return ts_granular_twist_at(m) + (m->wide || m->twisting != TS_TWISTING_OFF);
+}
+
+/* Whether surfaces that stick have met: then they pull beyond their touch. */
+static inline int ts_granular_met_at(const struct ts_granular_model *m)
+{
+	return ts_granular_area_at(m) + (m->wide || ts_tangential_rescales(m));
+}
+
+/* What changes sign when i and j change places: the vectors. */
 static inline void ts_granular_memory_signs(const struct ts_granular_model *m, signed char sign[])
 {
-	for (int k = 0; k <= ts_granular_depth_at(m); k++)
+	for (int k = 0; k <= ts_granular_met_at(m); k++)
 		sign[k] = k < ts_granular_depth_at(m) ? -1 : 1;
 }
 
-enum { TS_GRANULAR_MEMORY = 7 }; /* at most */
+enum { TS_GRANULAR_MEMORY = 9 }; /* at most */
 static inline int ts_granular_memory(const struct ts_granular_model *m)
 {
-	return ts_granular_depth_at(m) + (m->normal == TS_NORMAL_HOOKE_HYSTERESIS);
+	return ts_granular_met_at(m) + (m->wide || ts_normal_sticks(m));
+}
+
+/* The distance at which a contact ends, less the sum of the radii: > 0 for surfaces that stick and have met. */
+static inline double ts_granular_beyond(const struct ts_granular_model *m,
+					const struct ts_granular_pair *c, double r_eff,
+					const double *memory)
+{
+	if (!ts_normal_sticks(m) || !(memory[ts_granular_met_at(m)] > 0))
+		return 0;
+	return ts_jkr_reach(c, r_eff);
 }
 
 /* `dt`: the time step; `advance`: false in the set-up of a run, when memory stands still. */
@@ -66,19 +99,25 @@ ts_granular_contact(const struct ts_granular_model *m, const struct ts_granular_
 		    struct ts_granular_force *out)
 {
 	struct ts_normal n;
-	double tangential[3], roll[3], pull;
+	double tangential[3], roll[3], pull, twist;
 
 	ts_normal_force(m, c, t, advance, memory + ts_granular_depth_at(m), &n);
 	pull = ts_cohesion_force(m, c, t);
 	out->normal = n.force + pull;
 	if (m->reduce)
 		n.limit += pull;
-	ts_tangential_force(m, c, t, &n, advance ? dt : 0, memory, tangential);
+	ts_tangential_force(m, c, t, &n, advance ? dt : 0, memory,
+			    memory + ts_granular_area_at(m), tangential);
 	ts_rolling_torque(m, c, t, &n, dt, advance, memory + ts_granular_rolling_at(m), roll);
+	twist = ts_twisting_torque(m, c, t, &n, advance ? dt : 0, memory + ts_granular_twist_at(m));
+	if (ts_normal_sticks(m))
+		memory[ts_granular_met_at(m)] = 1;
 	ts_cross(tangential, t->n, out->turn);
 	for (int k = 0; k < 3; k++) {
 		out->force[k] = out->normal * t->n[k] + tangential[k];
 		out->roll[k] = -roll[k];
+		if (m->twisting != TS_TWISTING_OFF)
+			out->roll[k] += twist * t->n[k];
 	}
 }
 

@@ -31,7 +31,8 @@ static inline double ts_oscillator_limit(double stiffness, double damping, doubl
 /* Whether the stiffness grows with the overlap. */
 static inline bool ts_granular_stiffens(const struct ts_granular_model *m)
 {
-	return m->normal == TS_NORMAL_HERTZ || m->normal == TS_NORMAL_HERTZ_STIFFNESS;
+	return m->normal == TS_NORMAL_HERTZ || m->normal == TS_NORMAL_HERTZ_STIFFNESS ||
+	       m->normal > TS_NORMAL_AREA_HOOKE;
 }
 
 /* Constants of a contact of these partners at rest. */

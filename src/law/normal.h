@@ -18,13 +18,8 @@
 
 #include "law/granular.h"
 #include "law/lens.h"
+#include "law/normal_area.h"
 #include "law/touch.h"
-
-struct ts_normal {
-	double kn, kt, gamman, gammat;
-	double force; /* F_n: elastic and damping part */
-	double limit; /* what friction is limited by */
-};
 
 #define TS_SQRT_5_6 0.91287092917527685576
 
@@ -118,6 +113,7 @@ static inline void ts_normal_force(const struct ts_granular_model *m,
 {
 	double elastic;
 
+	*f = (struct ts_normal){ 0 };
 	switch (m->normal) {
 	case TS_NORMAL_SPRING:
 		*f = (struct ts_normal){ .kn = c->kn, .gamman = c->gamman };
@@ -137,18 +133,28 @@ static inline void ts_normal_force(const struct ts_granular_model *m,
 	case TS_NORMAL_HERTZ_STIFFNESS:
 		ts_normal_given(m, c, t, sqrt(t->r_eff * t->overlap), f);
 		break;
+	case TS_NORMAL_AREA_HOOKE:
+	case TS_NORMAL_AREA_HERTZ:
+	case TS_NORMAL_AREA_DMT:
+	case TS_NORMAL_AREA_JKR:
+		ts_normal_area(m, c, t, f);
+		break;
 	default:
-		*f = (struct ts_normal){ 0 };
+		break;
 	}
 	if (m->no_tangential_damping)
 		f->gammat = 0;
 	elastic = f->kn * t->overlap;
 	if (m->normal == TS_NORMAL_HOOKE_HYSTERESIS)
 		elastic = ts_hysteretic_force(c, t, f->kn, advance, deepest);
+	if (ts_normal_by_area(m))
+		elastic = ts_normal_area_force(m, c, t, f);
 	f->force = elastic - f->gamman * t->vn;
 	if (m->no_tension)
 		f->force = fmax(f->force, 0);
 	f->limit = f->force;
+	if (m->normal == TS_NORMAL_AREA_DMT || m->normal == TS_NORMAL_AREA_JKR)
+		f->limit = elastic + 2 * ts_pull_off_force(m, c, t->r_eff);
 }
 
 #endif

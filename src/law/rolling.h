@@ -5,6 +5,9 @@
  *         mu_r |F_n| R*; below that with a dashpot 2 eta_r sqrt(I k_r) w_r
  * epsd2   k_r = k_t R*^2, no dashpot
  * epsd3   k_r = given factor times k_n mu_r^2 R*^2
+ * sds     law/tangential_turning.h: a force F_r at the contact against the velocity of rolling
+ *         v_r = R* w_r x n, a spring, dashpot and slider limited to mu_r |F_n|; T_r = -R* n x F_r
+ *         (S. Luding, Granul. Matter 10 (2008) 235; Y. Wang et al., Particuology 23 (2015) 49)
  *         (J. Ai, J.-F. Chen, J. M. Rotter, J. Y. Ooi, Powder Technol. 206 (2011) 269; K. Iwashita,
  *         M. Oda, J. Eng. Mech. 124 (1998) 285)
  *
@@ -12,7 +15,7 @@
 #ifndef TS_LAW_ROLLING_H
 #define TS_LAW_ROLLING_H
 
-#include "law/normal.h"
+#include "law/tangential_turning.h"
 
 /* Friction of constant torque follows the elastic force k_n delta, and projects the torque after it
  * has been made from the whole of |w_r|. */
@@ -39,6 +42,11 @@ static inline double ts_rolling_stiffness(const struct ts_granular_model *m,
 	if (m->rolling == TS_ROLLING_EPSD2)
 		return n->kt * r2;
 	return (m->rolling == TS_ROLLING_EPSD3 ? c->rolling_stiffness : 2.25) * n->kn * mu2 * r2;
+}
+
+static inline bool ts_rolling_remembers_torque(const struct ts_granular_model *m)
+{
+	return m->rolling > TS_ROLLING_CDT && m->rolling < TS_ROLLING_SDS;
 }
 
 /* Of the rolling pair about the contact point. */
@@ -75,6 +83,22 @@ static inline void ts_rolling_spring(const struct ts_granular_model *m,
 	ts_axpy(dashpot, roll, torque);
 }
 
+static inline void ts_rolling_slider(const struct ts_granular_pair *c, const struct ts_touch *t,
+				     const struct ts_normal *n, double step, double stored[3],
+				     double torque[3])
+{
+	struct ts_slider slider = { .k = c->roll_stiffness, .gamma = c->roll_damping,
+				    .limit = c->rolling_friction * fabs(n->limit) };
+	double velocity[3], force[3], turned[3];
+
+	ts_cross(t->spin, t->n, velocity);
+	ts_scale(t->r_eff, velocity, velocity);
+	ts_slider_advance(&slider, t->n, velocity, step, stored);
+	ts_slider_force(&slider, velocity, stored, force);
+	ts_cross(t->n, force, turned);
+	ts_scale(-t->r_eff, turned, torque);
+}
+
 static inline void ts_rolling_torque(const struct ts_granular_model *m,
 				     const struct ts_granular_pair *c, const struct ts_touch *t,
 				     const struct ts_normal *n, double dt, bool advance,
@@ -84,6 +108,8 @@ static inline void ts_rolling_torque(const struct ts_granular_model *m,
 		torque[0] = torque[1] = torque[2] = 0;
 	else if (m->rolling == TS_ROLLING_CDT)
 		ts_rolling_constant(m, c, t, n, torque);
+	else if (m->rolling == TS_ROLLING_SDS)
+		ts_rolling_slider(c, t, n, advance ? dt : 0, stored, torque);
 	else
 		ts_rolling_spring(m, c, t, n, dt, advance, stored, torque);
 }

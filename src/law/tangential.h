@@ -7,12 +7,13 @@
  *              shortened to what the dashpot leaves of it (L. E. Silbert et al., Phys. Rev. E 64
  *              (2001) 051302; LAMMPS)
  * no_history   F_t = -min(gamma_t, mu |F_n| / |v_t|) v_t
+ * linear, mindlin ...    law/tangential_turning.h
  *
  * xi is advanced by v_t h in each step and projected onto the plane of contact. */
 #ifndef TS_LAW_TANGENTIAL_H
 #define TS_LAW_TANGENTIAL_H
 
-#include "law/normal.h"
+#include "law/tangential_turning.h"
 
 static inline void ts_tangential_history(const struct ts_granular_pair *c, const struct ts_touch *t,
 					 const struct ts_normal *n, double step, double xi[3],
@@ -72,14 +73,15 @@ static inline void ts_tangential_no_history(const struct ts_granular_pair *c,
 
 static inline bool ts_tangential_remembers(const struct ts_granular_model *m)
 {
-	return m->tangential == TS_TANGENTIAL_HISTORY || m->tangential == TS_TANGENTIAL_SLIDER;
+	return m->tangential != TS_TANGENTIAL_OFF && m->tangential != TS_TANGENTIAL_NO_HISTORY;
 }
 
-/* The force on i. `step`: by how much time the memory advances, 0 in set-up. */
+/* The force on i. `step`: by how much time the memory advances, 0 in set-up; *last: radius of the contact area in
+ * the last step. */
 static inline void ts_tangential_force(const struct ts_granular_model *m,
 				       const struct ts_granular_pair *c, const struct ts_touch *t,
 				       const struct ts_normal *n, double step, double *xi,
-				       double force[3])
+				       double *last, double force[3])
 {
 	if (m->tangential == TS_TANGENTIAL_HISTORY)
 		ts_tangential_history(c, t, n, step, xi, force);
@@ -87,6 +89,8 @@ static inline void ts_tangential_force(const struct ts_granular_model *m,
 		ts_tangential_slider(c, t, n, step, xi, force);
 	else if (m->tangential == TS_TANGENTIAL_NO_HISTORY)
 		ts_tangential_no_history(c, t, n, force);
+	else if (m->tangential >= TS_TANGENTIAL_LINEAR)
+		ts_tangential_turning(m, c, t, n, step, xi, last, force);
 	else
 		force[0] = force[1] = force[2] = 0;
 }

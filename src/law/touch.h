@@ -18,9 +18,11 @@ struct ts_touch {
 	double mass[2];	     /* of i and j; [1] = 0 for a wall */
 	double r_eff, m_eff; /* R*, m* */
 	double arm[2];	     /* from the centres to the contact point: R - delta/2 */
+	double lever[2];     /* the same, as slip sees it */
 	double vn;	     /* (v_i - v_j).n, < 0 while approaching */
 	double slip[3];	     /* tangential velocity of i relative to j at the contact point */
 	double roll[3];	     /* relative rotation that rolling friction resists */
+	double spin[3];	     /* w_i - w_j */
 	bool wall;
 };
 
@@ -30,8 +32,8 @@ static inline void ts_project(const double n[3], double v[3])
 	ts_axpy(-ts_dot(v, n), n, v);
 }
 
-/* Velocities at the contact: slip = v_t + n x (arm_i w_i + arm_j w_j). `v` is v_i - v_j. n, arm and
- * wall are set. */
+/* Velocities at the contact: slip = v_t + n x (lever_i w_i + lever_j w_j). `v` is v_i - v_j. n, lever
+ * and wall are set. */
 static inline void ts_touch_motion(struct ts_touch *t, const double v[3], const double wi[3],
 				   const double wj[3])
 {
@@ -40,7 +42,8 @@ static inline void ts_touch_motion(struct ts_touch *t, const double v[3], const 
 	t->vn = ts_dot(v, t->n);
 	for (int k = 0; k < 3; k++) {
 		t->slip[k] = v[k] - t->vn * t->n[k];
-		turn[k] = t->arm[0] * wi[k] + t->arm[1] * wj[k];
+		t->spin[k] = wi[k] - wj[k];
+		turn[k] = t->lever[0] * wi[k] + t->lever[1] * wj[k];
 		t->roll[k] = t->wall ? turn[k] / t->distance : wi[k] - wj[k];
 	}
 	ts_cross(t->n, turn, lift);

@@ -12,13 +12,14 @@ static double of_row(const struct tsim *sim, const struct ts_pair *pair, size_t 
 	const struct ts_rows *rows = &sim->neigh->rows;
 	const struct ts_particles *p = sim->particles;
 	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r], width = rows->history_width;
+	const struct ts_granular_model *model = ts_pair_model(pair, p->type[i], p->type[j]);
 	struct ts_touch t;
 
-	ts_row_touch(p, i, j, &pair->model, &t);
-	return t.overlap > 0 ? ts_granular_energy(&pair->model,
-						  ts_pair_law(pair, p->type[i], p->type[j]), &t,
-						  width ? rows->history + r * width : NULL)
-			     : 0;
+	ts_row_touch(p, i, j, model, &t);
+	if (!(t.overlap > 0) && !ts_normal_sticks(model))
+		return 0;
+	return ts_granular_energy(model, ts_pair_law(pair, p->type[i], p->type[j]), &t,
+				  width ? rows->history + r * width : NULL);
 }
 
 static double of_contacts(const struct tsim *sim, size_t i)

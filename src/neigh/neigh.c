@@ -9,6 +9,7 @@
 #include "core/settings.h"
 #include "neigh/bonds.h"
 #include "neigh/order.h"
+#include "neigh/pair.h"
 #include "particles/domain.h"
 #include "particles/exchange.h"
 #include "particles/particles.h"
@@ -223,6 +224,7 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_neigh *nb = self->state;
 	struct ts_particles *p = sim->particles;
+	double largest = largest_radius(p), reach = nb->wanted ? ts_pair_reach(sim, largest) : 0;
 
 	if (!sim->resuming)
 		TS_TRY(ts_order_by_place(sim));
@@ -231,12 +233,12 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 		ts_exchange_hold(sim);
 	if (!sim->resuming || !(nb->built_skin > 0))
 		nb->built_skin = ts_neigh_skin(sim);
-	TS_TRY(ts_exchange_borders(sim, 2 * largest_radius(p) + nb->built_skin));
+	TS_TRY(ts_exchange_borders(sim, 2 * largest + nb->built_skin + reach));
 	nb->builds++;
 	nb->stale &= sim->resuming; /* a run that goes on rebuilds where the whole would */
 	if (!nb->wanted)
 		return TS_OK;
-	TS_TRY(ts_rows_build(sim, &nb->rows, nb->built_skin, ts_neigh_excluded(sim)));
+	TS_TRY(ts_rows_build(sim, &nb->rows, nb->built_skin + reach, ts_neigh_excluded(sim)));
 	if (nb->saved.n && nb->saved.width == nb->rows.history_width)
 		ts_row_history_give(&nb->saved, &nb->rows);
 	ts_row_history_release(&nb->saved);

@@ -128,6 +128,19 @@ enum ts_status ts_pair_set_number(struct tsim *sim, const struct ts_arg *row, in
 	return TS_OK;
 }
 
+double ts_pair_reach(const struct tsim *sim, double radius)
+{
+	const struct ts_instance *inst = ts_sim_only(sim, TS_KIND_PAIR);
+	const struct ts_pair *pair = inst ? inst->state : NULL;
+	double most = 0;
+
+	for (int a = 1; pair && pair->model_offset && a <= pair->ntypes; a++)
+		for (int b = a; b <= pair->ntypes; b++)
+			if (ts_normal_sticks(ts_pair_model(pair, a, b)))
+				most = fmax(most, ts_jkr_reach(ts_pair_law(pair, a, b), 0.5 * radius));
+	return most;
+}
+
 static void types_present(const struct tsim *sim, bool *present)
 {
 	const struct ts_particles *p = sim->particles;
@@ -148,7 +161,11 @@ static enum ts_status check_given(struct tsim *sim, struct ts_instance *self)
 	types_present(sim, present);
 	for (int a = 1; a <= pair->ntypes; a++) {
 		for (int b = a; b <= pair->ntypes; b++) {
-			if (!present[a] || !present[b] || pair->coeffs.given[entry_of(pair, a, b)])
+			bool mixed = pair->mixes && pair->coeffs.given[entry_of(pair, a, a)] &&
+				     pair->coeffs.given[entry_of(pair, b, b)];
+
+			if (!present[a] || !present[b] || mixed ||
+			    pair->coeffs.given[entry_of(pair, a, b)])
 				continue;
 			ts_free(present);
 			return ts_fail(&sim->error, TS_STATE, &self->where,
@@ -237,8 +254,8 @@ static enum ts_status report_types(const struct ts_instance *self, struct tsim *
 	double sum = one->inverse_mass[0] + other->inverse_mass[a == b];
 	double r = one->radius[0] * other->radius[a == b] /
 		   (one->radius[0] + other->radius[a == b]);
-	struct ts_contact_case c = { &pair->model, ts_pair_law(pair, a, b), r, 1 / sum, overlap,
-				     speed };
+	struct ts_contact_case c = { ts_pair_model(pair, a, b), ts_pair_law(pair, a, b), r, 1 / sum,
+				     overlap, speed };
 	char what[48];
 
 	/* no such pair, or both are held */

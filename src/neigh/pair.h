@@ -21,6 +21,8 @@ struct ts_pair {
 	struct ts_coeffs coeffs; /* entry of types a, b: a * (ntypes + 1) + b, types from 1 */
 	int ntypes;
 	size_t law_offset;		/* in an entry */
+	size_t model_offset;		/* where each entry has a model of its own; 0: all have this one */
+	bool mixes;			/* entries that are not given are made of those that are */
 	struct ts_granular_model model; /* the law: used by rows, walls, outputs and tests */
 	signed char memory_sign[TS_GRANULAR_MEMORY + 1];
 };
@@ -36,6 +38,18 @@ static inline const struct ts_granular_pair *ts_pair_law(const struct ts_pair *p
 
 	return (const struct ts_granular_pair *)(entry + pair->law_offset);
 }
+
+static inline const struct ts_granular_model *ts_pair_model(const struct ts_pair *pair, int a, int b)
+{
+	const char *entry = ts_coeff(&pair->coeffs, (size_t)(a * (pair->ntypes + 1) + b));
+
+	if (!pair->model_offset)
+		return &pair->model;
+	return (const struct ts_granular_model *)(entry + pair->model_offset);
+}
+
+/* How far beyond their touch the surfaces of particles of this radius, or smaller ones, may still pull. */
+double ts_pair_reach(const struct tsim *sim, double radius);
 
 /* What pair_coeff does. */
 enum ts_status ts_pair_set(struct tsim *sim, struct ts_types a, struct ts_types b,

@@ -214,6 +214,18 @@ static double distance(const struct ts_primitive_wall *w, int element, double mo
 	return ts_primitive_distance(&primitive, x, n);
 }
 
+/* Of the surface, seen from x: as in LAMMPS the mean of both directions. LIGGGHTS takes cylinders as flat. */
+static double curvature(const struct ts_primitive_wall *w, const double n[3], const double x[3])
+{
+	int axis = (int)w->primitive[0].shape % 3, a = (axis + 1) % 3, b = (axis + 2) % 3;
+	const double *centre = w->primitive[0].centre;
+	double out = n[a] * (x[a] - centre[0]) + n[b] * (x[b] - centre[1]);
+
+	if (!w->lammps || (int)w->primitive[0].shape < TS_XCYLINDER)
+		return 0;
+	return (out > 0 ? 0.5 : -0.5) / w->primitive[0].radius;
+}
+
 /* ---- stages ---- */
 
 /* Contacts are listed for as long as particles and wall each move less than half the skin. */
@@ -236,7 +248,8 @@ enum ts_status ts_primitive_wall_list(struct ts_instance *self, struct tsim *sim
 			continue;
 		for (int k = 0; k < w->n; k++)
 			if (distance(w, k, w->held, p->xhold[i], n) <
-			    p->radius[i] + sim->neigh->built_skin)
+			    p->radius[i] + sim->neigh->built_skin +
+				    ts_wall_reach(wall, p->radius[i]))
 				TS_TRY(ts_wall_contacts_add(sim, &wall->contacts, i, k));
 	}
 	return TS_OK;
@@ -255,7 +268,8 @@ void ts_primitive_wall_push(struct tsim *sim, struct ts_wall *wall, const struct
 		size_t i = (size_t)wall->contacts.row[k];
 
 		spot.distance = distance(w, wall->contacts.key[k][1], moved, p->x[i], spot.n);
-		if (!(spot.distance < p->radius[i])) {
+		spot.curvature = curvature(w, spot.n, p->x[i]);
+		if (!ts_wall_touches(wall, sim, k, &spot)) {
 			ts_wall_contact_part(&wall->contacts, k);
 			continue;
 		}

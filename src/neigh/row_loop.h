@@ -47,16 +47,29 @@ static inline void ts_row_part(struct ts_rows *rows, size_t r, bool keep)
 		rows->history[r * rows->history_width + k] = 0;
 }
 
-/* Lists the touching ones of the rows from .. to-1; returns how many. */
+/* How far beyond their touch the partners of a row still pull. */
+static inline double ts_row_beyond(const struct ts_particles *p, const struct ts_pair *pair,
+				   const struct ts_rows *rows, size_t r)
+{
+	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
+	double a = p->radius[i], b = p->radius[j];
+
+	return ts_granular_beyond(ts_pair_model(pair, p->type[i], p->type[j]),
+				  ts_pair_law(pair, p->type[i], p->type[j]), a * b / (a + b),
+				  rows->history + r * rows->history_width);
+}
+
+/* Lists the touching ones of the rows from .. to-1; returns how many. `each`: rows have models of their own. */
 static inline __attribute__((always_inline)) size_t
-ts_row_find(const struct ts_particles *p, struct ts_rows *rows, size_t from, size_t to, bool keep,
-	    uint32_t list[TS_ROW_BLOCK])
+ts_row_find(const struct ts_particles *p, const struct ts_pair *pair, bool each,
+	    struct ts_rows *rows, size_t from, size_t to, bool keep, uint32_t list[TS_ROW_BLOCK])
 {
 	size_t n = 0;
 
 	for (size_t r = from; r < to; r++) {
 		size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
-		double d[3], sum = p->radius[i] + p->radius[j];
+		double d[3], sum = p->radius[i] + p->radius[j] +
+				   (each ? ts_row_beyond(p, pair, rows, r) : 0);
 		bool touching = ts_row_distance2(p, i, j, d) < sum * sum;
 
 		list[n] = (uint32_t)r;
@@ -94,7 +107,7 @@ static inline __attribute__((always_inline)) void ts_row_touch(const struct ts_p
 	ts_granular_arms(m, t);
 	t->vn = ts_dot(v, t->n);
 	for (int k = 0; k < 3; k++)
-		t->slip[k] = t->roll[k] = 0;
+		t->slip[k] = t->roll[k] = t->spin[k] = 0;
 	if (ts_granular_turns(m))
 		ts_touch_motion(t, v, p->omega[i], p->omega[j]);
 }
@@ -116,9 +129,10 @@ static inline __attribute__((always_inline)) void ts_row_store(struct ts_rows *r
 	}
 }
 
+/* `all`: the model of all rows; NULL: each has its own. */
 static inline __attribute__((always_inline)) void ts_row_share(const struct ts_row_task *task,
 							       size_t from, size_t to,
-							       const struct ts_granular_model *m)
+							       const struct ts_granular_model *all)
 {
 	/* copies, so that the compiler knows that the stores below leave the pointers alone */
 	const struct ts_particles p = *task->p;
@@ -129,10 +143,12 @@ static inline __attribute__((always_inline)) void ts_row_share(const struct ts_r
 
 	for (; from < to; from += TS_ROW_BLOCK) {
 		size_t end = to - from < TS_ROW_BLOCK ? to : from + TS_ROW_BLOCK;
-		size_t n = ts_row_find(&p, &rows, from, end, task->keep, list);
+		size_t n = ts_row_find(&p, &pair, !all, &rows, from, end, task->keep, list);
 
 		for (size_t k = 0; k < n; k++) {
 			size_t r = list[k], i = (size_t)rows.i[r], j = (size_t)rows.j[r];
+			const struct ts_granular_model *m =
+				all ? all : ts_pair_model(&pair, p.type[i], p.type[j]);
 			struct ts_granular_force f;
 			struct ts_touch t;
 
@@ -147,6 +163,8 @@ static inline __attribute__((always_inline)) void ts_row_share(const struct ts_r
 
 /* The generic instance: for any model, that of the pair. */
 void ts_row_share_generic(void *task, size_t from, size_t to);
+/* For pairs of types that each have a model of their own. */
+void ts_row_share_each(void *task, size_t from, size_t to);
 
 /* Forces of all rows by the shares, then the sum of each particle. */
 static inline void ts_row_loop(struct tsim *sim, const struct ts_pair *pair, ts_share_fn *share)

@@ -129,7 +129,13 @@ enum ts_status ts_wall_rebuild_finish(struct ts_wall *w, struct tsim *sim,
 	return status;
 }
 
-/* The wall is the limit of an infinitely heavy partner whose surface is flat. */
+/* R* at a surface of this curvature. */
+static double effective_radius(double radius, double curvature)
+{
+	return radius / (1 + radius * curvature);
+}
+
+/* The wall is the limit of an infinitely heavy partner. */
 static void touch(const struct ts_granular_model *model, const struct ts_particles *p, size_t i,
 		  const struct ts_wall_spot *spot, struct ts_touch *t)
 {
@@ -139,13 +145,34 @@ static void touch(const struct ts_granular_model *model, const struct ts_particl
 	*t = (struct ts_touch){ .wall = true, .distance = spot->distance };
 	for (int k = 0; k < 3; k++)
 		t->n[k] = spot->n[k];
-	t->radius[0] = t->r_eff = p->radius[i];
+	t->radius[0] = p->radius[i];
+	t->r_eff = effective_radius(p->radius[i], spot->curvature);
 	/* a member of a rigid body has the mass of the body */
 	t->mass[0] = t->m_eff = ts_rigid_member(p, i) ? 1 / p->imass[i] : p->mass[i];
 	t->overlap = p->radius[i] - t->distance;
 	ts_granular_arms(model, t);
 	ts_sub(p->v[i], spot->velocity, v);
 	ts_touch_motion(t, v, p->omega ? p->omega[i] : at_rest, at_rest);
+}
+
+double ts_wall_reach(const struct ts_wall *w, double radius)
+{
+	/* hollow surfaces stick farther; they are found while their curvature is less than half the sphere's */
+	return w->given && ts_normal_sticks(&w->model) ? ts_jkr_reach(&w->numbers, 2 * radius) : 0;
+}
+
+bool ts_wall_touches(const struct ts_wall *w, const struct tsim *sim, size_t k,
+		     const struct ts_wall_spot *spot)
+{
+	const struct ts_granular_model *model = model_of(w, sim);
+	const struct ts_particles *p = sim->particles;
+	size_t i = (size_t)w->contacts.row[k];
+	double radius = p->radius[i];
+
+	return spot->distance <
+	       radius + ts_granular_beyond(model, law_of(w, sim, spot->type, p->type[i]),
+					   effective_radius(radius, spot->curvature),
+					   ts_wall_memory(&w->contacts, k));
 }
 
 static void report(struct ts_wall_report *r, const struct ts_particles *p, size_t i,

@@ -58,6 +58,7 @@ struct ts_wall_spot {
 	bool sums;	    /* the wall sums what it feels: held particles push it as well */
 	double distance;    /* of the particle's centre, >= 0 */
 	double n[3];	    /* unit vector from the surface to the centre; 0 where there is none */
+	double curvature;   /* 1/radius of the surface, > 0: bulging towards the particle */
 	double velocity[3]; /* of the surface there */
 	int type;	    /* particle type whose material the surface has */
 	int mesh, triangle; /* from 1 and from 0, for reports; 0, 0: no mesh */
@@ -97,6 +98,11 @@ void ts_wall_rebuild_start(struct ts_wall *w, const struct tsim *sim, size_t own
 enum ts_status ts_wall_rebuild_finish(struct ts_wall *w, struct tsim *sim,
 				      struct ts_wall_rebuild *rebuild, enum ts_status status);
 
+/* How far beyond the touch of a particle of this radius the surface may still pull. */
+double ts_wall_reach(const struct ts_wall *w, double radius);
+/* Whether the contact k is one at the spot: they touch, or have met and stick. */
+bool ts_wall_touches(const struct ts_wall *w, const struct tsim *sim, size_t k,
+		     const struct ts_wall_spot *spot);
 /* The contact k touches at the spot: force and torque on the particle, force on the wall. */
 void ts_wall_push(struct ts_wall *w, struct tsim *sim, size_t k, const struct ts_wall_spot *spot);
 

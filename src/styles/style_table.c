@@ -257,6 +257,7 @@ TS_STYLE(pair, ts_pair_style, ts_pair_gran)
 TS_STYLE(pair, ts_pair_style, ts_pair_gran_hertz_history)
 TS_STYLE(pair, ts_pair_style, ts_pair_gran_hooke)
 TS_STYLE(pair, ts_pair_style, ts_pair_gran_hooke_history)
+TS_STYLE(pair, ts_pair_style, ts_pair_granular)
 TS_STYLE(pair, ts_pair_style, ts_pair_spring_dashpot)
 TS_STYLE(pressure, ts_pressure_style, ts_pressure_cg)
 TS_STYLE(pressure, ts_pressure_style, ts_pressure_direct)
@@ -521,6 +522,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_pair_gran_hertz_history.style,
 	&ts_pair_gran_hooke.style,
 	&ts_pair_gran_hooke_history.style,
+	&ts_pair_granular.style,
 	&ts_pair_spring_dashpot.style,
 	&ts_pressure_cg.style,
 	&ts_pressure_direct.style,

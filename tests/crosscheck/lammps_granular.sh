@@ -9,15 +9,19 @@ if ! command -v lmp >/dev/null || [ ! -x /usr/bin/python3 ]; then
 fi
 decks=$top_srcdir/tests/crosscheck
 
-agrees() { # STYLE AND NUMBERS
-	set -- -in "$decks/in.lammps_granular" -var decks "$decks" -var steps 6000 -var style "$*"
+agrees() { # PAIR STYLE [COEFFICIENTS OF PAIR_COEFF...]
+	local what="$*"
+	echo "pair_style $1" >laws
+	shift
+	printf 'pair_coeff %s\n' "${@:-* *}" >>laws
+	set -- -in "$decks/in.lammps_granular" -var decks "$decks" -var steps 6000
 	lmp "$@" -var program lammps -log none -screen none >err 2>&1
-	report "${*:8}: LAMMPS" $? err
+	report "$what: LAMMPS" $? err
 	"$TSIM" "$@" -var program tsim -log none -screen none 2>err
-	report "${*:8}: tsim" $? err
+	report "$what: tsim" $? err
 	/usr/bin/python3 "$decks/compare.py" lammps.dump tsim.dump 6000 1e-12 >deviation 2>&1
-	report "${*:8}" $? deviation
-	echo "${*:8}: $(cat deviation)"
+	report "$what" $? deviation
+	echo "$what: $(cat deviation)"
 	rm -f ./*.dump
 }
 
@@ -27,4 +31,26 @@ for numbers in '2.3e5 1.3e5 53 23 0.31 1' '2.3e5 NULL 53 NULL 0.17 0' '2.3e5 NUL
 	done
 	agrees "gran/hertz/history ${numbers/2.3e5/5.31e6}"
 done
+
+history='tangential linear_history 1.3e5 0.4 0.31' sds='rolling sds 3e4 3 0.13'
+material='hertz/material 5.3e6 0.7 0.3' mindlin='tangential mindlin NULL 0.4 0.31' tsuji='damping tsuji'
+laws=(
+	'* * hooke 2.3e5 53 tangential linear_nohistory 0.4 0.31 damping mass_velocity'
+	"* * hooke 2.3e5 23 $history damping velocity $sds"
+	"* * hooke 2.3e5 0.7 $history $tsuji twisting sds 40 0.02 0.003 limit_damping"
+	"* * hertz 5.3e6 2e3 $history"
+	"* * hertz 5.3e6 300 tangential mindlin 4e6 0.4 0.31 twisting marshall"
+	"* * $material $mindlin $tsuji $sds twisting marshall"
+	"* * $material ${mindlin/ NULL/_rescale NULL} $tsuji"
+	"* * $material ${mindlin/ NULL//force NULL} $tsuji $sds"
+	"* * $material ${mindlin/ NULL/_rescale/force NULL} $tsuji twisting sds 40 0.02 0.003"
+	"* * dmt 5.3e6 0.7 0.3 5 ${mindlin/ 0.31/ 0} $tsuji"
+	"* * jkr 5.3e6 0.7 0.3 5 $mindlin $tsuji"
+	"* * jkr 5.3e6 900 0.3 5 tangential mindlin_rescale 3e6 0.4 0.31 $sds twisting marshall"
+)
+for words in "${laws[@]}"; do
+	agrees granular "$words"
+done
+agrees granular "1 * jkr 5.3e6 900 0.3 3 ${mindlin/ NULL/_rescale NULL} $sds twisting marshall" \
+	"2 2 hertz 7.3e6 200 $history rolling sds 4e4 2 0.23 damping mass_velocity"
 finish

@@ -116,13 +116,15 @@ syn keyword tsimKeyword  tangential_damping absolute_damping ktToKnUser viscous
 syn keyword tsimKeyword  tangential_reduce torsionTorque heating_normal_hertz
 syn keyword tsimKeyword  heating_tangential_history computeElasticPotential
 syn keyword tsimKeyword  computeDissipatedEnergy disableNormalWhenBonded hooke/history
-syn keyword tsimKeyword  hertz/history limit_damping primitive n_meshes meshes xplane
-syn keyword tsimKeyword  yplane zplane xcylinder ycylinder zcylinder shear store_force
-syn keyword tsimKeyword  store_force_contact store_force_contact_stress contacts viscosity
-syn keyword tsimKeyword  ab2 rk2 rk3 substeps courant convection donor central quick
-syn keyword tsimKeyword  cubista gamma form fv fd quadratic body_force generic restitution
-syn keyword tsimKeyword  tolerance iterations unfinished preconditioner diagonal direct
-syn keyword tsimKeyword  multigrid side in out open center bounds angle0
+syn keyword tsimKeyword  hertz/history granular limit_damping primitive n_meshes meshes
+syn keyword tsimKeyword  xplane yplane zplane xcylinder ycylinder zcylinder shear
+syn keyword tsimKeyword  store_force store_force_contact store_force_contact_stress
+syn keyword tsimKeyword  contacts viscosity ab2 rk2 rk3 substeps courant convection donor
+syn keyword tsimKeyword  central quick cubista gamma form fv fd quadratic body_force
+syn keyword tsimKeyword  generic hertz/material dmt jkr mass_velocity viscoelastic tsuji
+syn keyword tsimKeyword  rolling twisting restitution tolerance iterations unfinished
+syn keyword tsimKeyword  preconditioner diagonal direct multigrid side in out open center
+syn keyword tsimKeyword  bounds angle0
 
 " numbers of the simulation and of particles
 syn keyword tsimName  id type radius diameter
@@ -192,7 +194,7 @@ syn match tsim_dump /\<restart\>/ contained
 syn keyword tsim_dump contained xyz
 hi def link tsim_dump Type
 syn match tsimHead /^\s*pair_style\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_pair
-syn keyword tsim_pair contained gran gran/hertz/history gran/hooke gran/hooke/history
+syn keyword tsim_pair contained gran gran/hertz/history gran/hooke gran/hooke/history granular
 syn keyword tsim_pair contained spring/dashpot
 hi def link tsim_pair Type
 syn match tsimHead /^\s*bond_style\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_bond

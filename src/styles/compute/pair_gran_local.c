@@ -61,19 +61,20 @@ static void compute_anew(const struct tsim *sim, const struct ts_contact_view *v
 	const struct ts_rows *rows = &sim->neigh->rows;
 	const struct ts_particles *p = sim->particles;
 	size_t i = (size_t)rows->i[v->row], j = (size_t)rows->j[v->row];
+	const struct ts_granular_model *model = ts_pair_model(pair, p->type[i], p->type[j]);
 	double memory[TS_GRANULAR_MEMORY + 1] = { 0 };
 	struct ts_granular_force acting;
 	struct ts_touch t;
 
 	for (size_t k = 0; k < rows->history_width; k++)
 		memory[k] = rows->history[v->row * rows->history_width + k];
-	ts_row_touch(p, i, j, &pair->model, &t);
-	ts_granular_contact(&pair->model, ts_pair_law(pair, p->type[i], p->type[j]), &t,
+	ts_row_touch(p, i, j, model, &t);
+	ts_granular_contact(model, ts_pair_law(pair, p->type[i], p->type[j]), &t,
 			    sim->clock.dt, false, memory, &acting);
 	for (int k = 0; k < 3; k++) {
 		f->force[k] = v->sign * acting.force[k];
 		if (rows->turn)
-			f->torque[k] = (p->radius[v->a] - ts_granular_short(&pair->model, &t)) *
+			f->torque[k] = (p->radius[v->a] - ts_granular_short(model, &t)) *
 				       acting.turn[k];
 	}
 }

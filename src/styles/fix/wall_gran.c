@@ -1,31 +1,19 @@
-#include "neigh/gran_numbers.h"
 #include "neigh/mesh_stress.h"
 #include "neigh/primitive_wall.h"
+#include "neigh/wall_law.h"
 
 #include <math.h>
-#include <stdio.h>
 
 #include "core/plan.h"
 
 #include "base/banned.h"
 
-/* The laws of LAMMPS, by name of their keywords. */
-enum { NLAWS = 3 };
-static const struct {
-	const char *name;
-	int normal, tangential;
-} laws[NLAWS] = {
-	{ "hooke", TS_NORMAL_HOOKE_STIFFNESS, TS_TANGENTIAL_NO_HISTORY },
-	{ "hooke/history", TS_NORMAL_HOOKE_STIFFNESS, TS_TANGENTIAL_SLIDER },
-	{ "hertz/history", TS_NORMAL_HERTZ_STIFFNESS, TS_TANGENTIAL_SLIDER },
-};
-
 struct wall {
 	struct ts_wall wall;
 	bool primitive_word, mesh_word, contacts_word;
 	int64_t type, nmeshes;
-	struct ts_words meshes, law_words[NLAWS];
-	struct ts_gran_numbers numbers;
+	struct ts_words meshes;
+	struct ts_wall_law law;
 	struct ts_primitive_wall primitive;
 	struct ts_mesh_wall mesh;
 };
@@ -45,34 +33,6 @@ static enum ts_status check_shape(struct ts_instance *self, struct tsim *sim)
 		"fix wall/gran: expected one of xplane, yplane, zplane, xcylinder, ycylinder, "
 		"zcylinder, found %d of them",
 		given);
-}
-
-/* `hooke/history kn kt gamma_n gamma_t xmu dampflag` */
-static enum ts_status choose_law(struct ts_instance *self, struct tsim *sim)
-{
-	static const struct ts_arg rows[] = { TS_GRAN_NUMBERS_ARGS(struct wall, numbers),
-					      TS_ARGS_END };
-	struct wall *w = self->state;
-	bool limit_damping = w->numbers.limit_damping;
-	char what[64];
-	int given = w->wall.words.normal != TS_NORMAL_OFF;
-
-	for (int k = 0; k < NLAWS; k++) {
-		if (!w->law_words[k].n)
-			continue;
-		snprintf(what, sizeof what, "fix wall/gran %s", laws[k].name);
-		if (given++)
-			return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, laws[k].name),
-				       "%s: there is another law on this line", what);
-		TS_TRY(ts_args_parse(sim, what, rows, w->law_words[k],
-				     ts_instance_word(self, laws[k].name), &self->arena, w));
-		w->numbers.limit_damping = limit_damping;
-		w->wall.model = ts_gran_numbers_model(laws[k].normal, laws[k].tangential,
-						      &w->numbers);
-		w->wall.given = true;
-		TS_TRY(ts_gran_numbers_law(sim, &w->numbers, &self->where, &w->wall.numbers));
-	}
-	return TS_OK;
 }
 
 static enum ts_status find_meshes(struct ts_instance *self, struct tsim *sim)
@@ -112,7 +72,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct wall *w = self->state;
 
 	TS_TRY(check_shape(self, sim));
-	TS_TRY(choose_law(self, sim));
+	TS_TRY(ts_wall_law_choose(self, sim, &w->law, &w->wall));
 	TS_TRY(w->mesh_word ? find_meshes(self, sim) : place_primitive(self, sim));
 	w->wall.meshes = w->mesh_word ? (int)w->mesh.nmeshes : 0;
 	w->wall.warm = !w->mesh_word && !isnan(w->primitive.temperature);
@@ -195,18 +155,9 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	return ts_wall_archive(self, sim, a);
 }
 
-#define LAW(name, k)                                                                               \
-	TS_SOME_KEYWORD(name, struct wall, law_words[k], 0,                                        \
-			.help = "the law of pair_style gran/" name ": kn kt gamma_n gamma_t xmu " \
-				"dampflag")
-
 static const struct ts_arg args[] = {
 	TS_GRANULAR_ARGS(struct wall, wall.words),
-	LAW("hooke", 0),
-	LAW("hooke/history", 1),
-	LAW("hertz/history", 2),
-	TS_FLAG("limit_damping", struct wall, numbers.limit_damping,
-		.help = "with these laws: the normal force never pulls"),
+	TS_WALL_LAW_ARGS(struct wall, law),
 	TS_FLAG("primitive", struct wall, primitive_word,
 		.help = "the wall is a plane or cylinder"),
 	TS_INT("type", struct wall, type, .flags = TS_OPTIONAL, .range = TS_POSITIVE,
@@ -238,7 +189,9 @@ static const char doc[] =
 	"The particles of the group meet the wall as they would an infinitely heavy partner with a flat\n"
 	"surface: m* = m, R* = R. With `model ...` the wall has contact laws of its own, composed as for\n"
 	"pair_style gran, with the material of its `type`; with `hooke`, `hooke/history` or `hertz/history` and\n"
-	"their numbers those of LAMMPS; with neither, those of the pair style. Planes and cylinders are\n"
+	"their numbers, or `granular` and the words of pair_coeff (pair_style granular), those of LAMMPS (but a\n"
+	"material meets the wall as it meets itself, E* = E/(2 (1 - nu^2)), k_t NULL = 8 G*, where LAMMPS of 29 Sep 2021\n"
+	"has E/(2 (1 - nu)) and E (2 - nu)(1 + nu)/4, as `legacy yes` has); with neither, those of the pair style. Planes and cylinders are\n"
 	"two-sided. On the axis of a cylinder there is no force. Each particle remembers its contact with the\n"
 	"wall as with a partner. The centre of a cylinder is given along the next two axes in cyclic order:\n"
 	"xcylinder y z, ycylinder z x, zcylinder x y.\n\n"
@@ -267,6 +220,8 @@ const struct ts_style ts_fix_wall_gran = {
 		   "fix drum all wall/gran primitive type 2 zcylinder 0.05 0.0 0.0 temperature 373.15\n"
 		   "fix lid all wall/gran hooke/history 200000.0 NULL 50.0 NULL 0.5 1 zplane 0.0 0.1 "
 		   "wiggle z 0.001 0.02\n"
+		   "fix side all wall/gran granular hertz/material 1e7 0.7 0.3 tangential mindlin NULL 1.0 0.5 damping "
+		   "tsuji xplane 0.0 NULL\n"
 		   "fix walls all wall/gran model hertz tangential history mesh n_meshes 2 meshes cad1 "
 		   "cad2",
 	.args = args,

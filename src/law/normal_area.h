@@ -1,0 +1,130 @@
+/* Normal laws of contact by the radius a of the contact area, R the effective radius R*, m the effective mass:
+ *
+ * hooke   F_e = k delta,                  k_a = k
+ * hertz   F_e = k a delta,                k_a = k a, a = sqrt(R delta); k = 4/3 E of elastic spheres
+ * dmt     F_e = k a delta - 4 pi w R,     the same with a pull, w the surface energy per area
+ *         (B. V. Derjaguin, V. M. Muller, Y. P. Toporov, J. Colloid Interface Sci. 53 (1975) 314)
+ * jkr     F_e = 4 E a^3/(3 R) - 2 pi a^2 sqrt(4 w E/(pi a)),  k_a = k a,  delta = a^2/R - 2 sqrt(pi w a/E): once they
+ *         have met, surfaces pull beyond their touch, down to delta = -3/4 (pi^2 w^2 R/E^2)^(1/3) 3^(1/3)
+ *         (K. L. Johnson, K. Kendall, A. D. Roberts, Proc. R. Soc. Lond. A 324 (1971) 301)
+ *
+ * Dashpot gamma_n = gamma_0 f, gamma_t = x gamma_n:
+ *
+ * velocity f = 1; mass_velocity f = m; viscoelastic f = a m (N. V. Brilliantov et al., Phys. Rev. E 53 (1996) 5382);
+ * tsuji   f = sqrt(m k_a), gamma_0 a polynomial of the restitution
+ *         (Y. Tsuji, T. Tanaka, T. Ishida, Powder Technol. 71 (1992) 239)
+ *
+ * k_t as given, or times a for the laws of Mindlin. Friction of surfaces that stick is limited by F_e + 2 F_p, F_p the
+ * force that parts them, 4 pi w R and 3 pi w R (C. Thornton, J. Phys. D 24 (1991) 1942). */
+#ifndef TS_LAW_NORMAL_AREA_H
+#define TS_LAW_NORMAL_AREA_H
+
+#include <math.h>
+
+#include "law/granular.h"
+#include "law/lens.h"
+#include "law/touch.h"
+
+struct ts_normal {
+	double kn, kt, gamman, gammat;
+	double force; /* F_n: elastic and damping part */
+	double limit; /* what friction is limited by */
+	double area;  /* radius of the contact area, of laws that have one */
+};
+
+static inline bool ts_normal_by_area(const struct ts_granular_model *m)
+{
+	return m->normal >= TS_NORMAL_AREA_HOOKE;
+}
+
+/* Whether surfaces that have met pull each other beyond their touch. */
+static inline bool ts_normal_sticks(const struct ts_granular_model *m)
+{
+	return m->normal == TS_NORMAL_AREA_JKR;
+}
+
+static inline double ts_pull_off_force(const struct ts_granular_model *m,
+				       const struct ts_granular_pair *c, double r_eff)
+{
+	return (m->normal == TS_NORMAL_AREA_JKR ? 3 : 4) * TS_PI * c->surface_energy * r_eff;
+}
+
+/* E of k = 4/3 E. */
+static inline double ts_jkr_modulus(const struct ts_granular_pair *c)
+{
+	return 0.75 * c->kn;
+}
+
+/* How far beyond their touch surfaces part: -delta at the least delta that there is, a^3 = 9/4 pi w R^2/E. */
+static inline double ts_jkr_reach(const struct ts_granular_pair *c, double r_eff)
+{
+	double q = TS_PI * c->surface_energy / ts_jkr_modulus(c), a = cbrt(2.25 * q * r_eff * r_eff);
+
+	return 2 * sqrt(q * a) - a * a / r_eff;
+}
+
+/* The larger root a of delta = a^2/R - 2 sqrt(pi w a/E). With s = sqrt(a) that is a root of the convex
+ * s^4 - c s - R delta; Newton's method from above comes down to it without fail. */
+static inline double ts_jkr_radius(const struct ts_granular_pair *c, double r_eff, double delta)
+{
+	double slope = 2 * r_eff * sqrt(TS_PI * c->surface_energy / ts_jkr_modulus(c));
+	double target = r_eff * delta, s = cbrt(slope) + sqrt(sqrt(fmax(target, 0))), next;
+
+	for (int k = 0; k < 100; k++) {
+		double s3 = s * s * s, steep = 4 * s3 - slope;
+
+		if (!(steep > 0))
+			break;
+		next = s - (s3 * s - slope * s - target) / steep;
+		if (!(next < s))
+			break;
+		s = next;
+	}
+	return s * s;
+}
+
+static inline double ts_damping_factor(const struct ts_granular_model *m, const struct ts_touch *t,
+				       const struct ts_normal *f)
+{
+	switch (m->damping) {
+	case TS_DAMPING_MASS_VELOCITY:
+		return t->m_eff;
+	case TS_DAMPING_VISCOELASTIC:
+		return f->area * t->m_eff;
+	case TS_DAMPING_TSUJI:
+		return sqrt(t->m_eff * f->kn);
+	default:
+		return 1;
+	}
+}
+
+static inline void ts_normal_area(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+				  const struct ts_touch *t, struct ts_normal *f)
+{
+	*f = (struct ts_normal){ .kn = c->kn, .kt = c->kt };
+	f->area = m->normal == TS_NORMAL_AREA_JKR ? ts_jkr_radius(c, t->r_eff, t->overlap)
+						  : sqrt(t->r_eff * t->overlap);
+	if (m->normal != TS_NORMAL_AREA_HOOKE)
+		f->kn *= f->area;
+	if (m->tangential >= TS_TANGENTIAL_MINDLIN)
+		f->kt *= f->area;
+	f->gamman = c->gamman * ts_damping_factor(m, t, f);
+	f->gammat = c->gammat * f->gamman;
+}
+
+static inline double ts_normal_area_force(const struct ts_granular_model *m,
+					  const struct ts_granular_pair *c, const struct ts_touch *t,
+					  const struct ts_normal *f)
+{
+	double a2 = f->area * f->area;
+
+	if (m->normal == TS_NORMAL_AREA_JKR)
+		return f->kn * a2 / t->r_eff -
+		       2 * TS_PI * a2 *
+			       sqrt(4 * c->surface_energy * ts_jkr_modulus(c) / (TS_PI * f->area));
+	if (m->normal == TS_NORMAL_AREA_DMT)
+		return f->kn * t->overlap - ts_pull_off_force(m, c, t->r_eff);
+	return f->kn * t->overlap;
+}
+
+#endif
