@@ -37,4 +37,6 @@ END
 
 sh "$examples/penetration/run.sh" 0.008 >out 2>&1 && grep -q '^RESULT .* ok$' out
 report 'penetration of a bed of large grains, Dosta et al. (2024)' $? out
+sh "$examples/silo/run.sh" large 0.014 -var seconds 0.35 >out 2>&1 && grep -q '^RESULT .* ok$' out
+report 'discharge of a silo with large grains, Dosta et al. (2024)' $? out
 finish

@@ -3,6 +3,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "particles/domain.h"
+
 #include "base/banned.h"
 
 void ts_dump_vtk_warn_of_one_file(struct ts_instance *self, struct tsim *sim)
@@ -196,6 +198,19 @@ enum ts_status ts_dump_vtk_list(struct ts_instance *self, struct tsim *sim)
 		return TS_OK;
 	TS_TRY(ts_vtk_series_add(sim, &s->series, sim->clock.step, ts_sim_time(sim)));
 	return ts_vtk_series_write(sim, &s->series, d->file, (int)d->pad, &self->where);
+}
+
+void ts_dump_vtk_line(const struct tsim *sim, const double a[3], const double b[3], double to[6])
+{
+	double apart[3];
+
+	for (int d = 0; d < 3; d++)
+		apart[d] = b[d] - a[d];
+	ts_box_nearest(&sim->domain->box, apart);
+	for (int d = 0; d < 3; d++) {
+		to[d] = a[d];
+		to[3 + d] = a[d] + apart[d];
+	}
 }
 
 enum ts_status ts_dump_vtk_write(struct ts_instance *self, struct tsim *sim,

@@ -16,13 +16,14 @@ struct ts_dump_vtk {
 	struct ts_table points;
 };
 
-#define TS_DUMP_VTK_ARGS(T, columns_help)                                                          \
+#define TS_DUMP_VTK_FILE_ARGS(T)                                                                   \
 	TS_INT("every", T, vtk.common.every, .flags = TS_POSITIONAL, .range = TS_POSITIVE,         \
 	       .help = "steps between frames"),                                                    \
 		TS_WORD("file", T, vtk.common.file, .flags = TS_POSITIONAL | TS_WRITES,            \
 			.help = "name of the frames, ending in .vtk, .vtp, .vtu, .pvtp or .pvtu, with "  \
-				"a `*` for the step"),    \
-		TS_REST("columns", T, vtk.names, .help = (columns_help))
+				"a `*` for the step")
+#define TS_DUMP_VTK_ARGS(T, columns_help)                                                          \
+	TS_DUMP_VTK_FILE_ARGS(T), TS_REST("columns", T, vtk.names, .help = (columns_help))
 #define TS_DUMP_VTK_SAVED(T) TS_SAVE_I64(T, vtk.common.last), TS_SAVE_I64(T, vtk.common.frames)
 
 /* Without a `*` in the name. */
@@ -38,6 +39,8 @@ enum ts_status ts_dump_vtk_merge(struct ts_instance *self, struct tsim *sim, boo
 enum ts_status ts_dump_vtk_path(struct ts_dump_common *d, struct tsim *sim);
 /* Enters the frame of this step in the collection, and writes that. */
 enum ts_status ts_dump_vtk_list(struct ts_instance *self, struct tsim *sim);
+/* The two ends of a line: from a to the nearest periodic image of b. */
+void ts_dump_vtk_line(const struct tsim *sim, const double a[3], const double b[3], double to[6]);
 /* Writes the frame and the collection. */
 enum ts_status ts_dump_vtk_write(struct ts_instance *self, struct tsim *sim,
 				 struct ts_vtk_poly *poly);

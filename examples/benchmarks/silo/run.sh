@@ -1,13 +1,14 @@
 #!/bin/sh
 # The silo: sh run.sh [large|small [DIAMETER [-var NAME VALUE ...]]], an orifice of 60 or of 40 mm. With the grains
-# of 4 mm filling takes minutes and a second of discharge half an hour; with 0.014 both take seconds. TSIM is the
-# program. discharge.txt is drawn by plot.gp.
+# of 4 mm filling takes minutes and a second of discharge twenty; with 0.012 both take seconds. TSIM is the program.
+# The grains above the lip over time go to large.txt or small.txt, which plot.gp draws.
 tsim=${TSIM:-tsim}
 here=$(cd "$(dirname "$0")" && pwd)
-case ${1:-large} in
+size=${1:-large}
+case $size in
 large) orifice=0.06 lip=-0.0554222 height=0.07 ;;
 small) orifice=0.04 lip=-0.0593008 height=0.08 ;;
-*) echo "run.sh: large or small, not $1" >&2; exit 2 ;;
+*) echo "run.sh: large or small, not $size" >&2; exit 2 ;;
 esac
 d=${2:-0.004}
 shift $(($# < 2 ? $# : 2))
@@ -34,4 +35,4 @@ function triangle(r1, a1, z1, r2, a2, z2, r3, a3, z3) {
 	print "    endloop\n  endfacet"
 }' >cone.stl
 set -- -log none -var here "$here" -var d "$d" -var lip "$lip" "$@"
-"$tsim" -in "$here/in.fill" "$@" && "$tsim" -in "$here/in.discharge" -var orifice "$orifice" "$@"
+"$tsim" -in "$here/in.fill" "$@" && "$tsim" -in "$here/in.discharge" -var orifice "$orifice" -var path "$size.txt" "$@"

@@ -83,11 +83,7 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 }
 
 static const struct ts_arg args[] = {
-	TS_INT("every", struct state, vtk.common.every, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
-	       .help = "steps between frames"),
-	TS_WORD("file", struct state, vtk.common.file, .flags = TS_POSITIONAL | TS_WRITES,
-		.help = "name of the frames, ending in .vtk, .vtp, .vtu, .pvtp or .pvtu, with a `*` for "
-			"the step"),
+	TS_DUMP_VTK_FILE_ARGS(struct state),
 	TS_WORD("fix", struct state, fix, .flags = TS_POSITIONAL | TS_OPTIONAL,
 		.help = "id of the fix ave/euler; without: the first one"),
 	TS_ARGS_END,

@@ -2,7 +2,6 @@
 #include "core/sim.h"
 #include "io/dump_vtk.h"
 #include "neigh/contact_columns.h"
-#include "particles/domain.h"
 
 #include <stdint.h>
 
@@ -30,26 +29,15 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* The line goes to the image nearest to the first end. */
 static enum ts_status fill_points(struct state *s, struct tsim *sim, const struct ts_table *table,
 				  size_t pos)
 {
-	double *to;
-
 	if (ts_table_resize(&s->vtk.points, 2 * table->rows, 3) != TS_OK)
 		return ts_nomem(&sim->error);
-	to = s->vtk.points.data;
-	for (size_t row = 0; row < table->rows; row++, to += 6) {
+	for (size_t row = 0; row < table->rows; row++) {
 		const double *ends = table->data + row * table->columns + pos;
-		double apart[3];
 
-		for (int d = 0; d < 3; d++)
-			apart[d] = ends[3 + d] - ends[d];
-		ts_box_nearest(&sim->domain->box, apart);
-		for (int d = 0; d < 3; d++) {
-			to[d] = ends[d];
-			to[3 + d] = ends[d] + apart[d];
-		}
+		ts_dump_vtk_line(sim, ends, ends + 3, &s->vtk.points.data[6 * row]);
 	}
 	return TS_OK;
 }
@@ -98,11 +86,7 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 }
 
 static const struct ts_arg args[] = {
-	TS_INT("every", struct state, vtk.common.every, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
-	       .help = "steps between frames"),
-	TS_WORD("file", struct state, vtk.common.file, .flags = TS_POSITIONAL | TS_WRITES,
-		.help = "name of the frames, ending in .vtk, .vtp, .vtu, .pvtp or .pvtu, with a `*` for "
-			"the step"),
+	TS_DUMP_VTK_FILE_ARGS(struct state),
 	TS_WORD("compute", struct state, compute, .flags = TS_POSITIONAL,
 		.help = "id of a compute pair/gran/local or wall/gran/local with the word pos"),
 	TS_ARGS_END,

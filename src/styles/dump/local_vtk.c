@@ -1,7 +1,6 @@
 /* Dump local/vtk: rows between two particles, such as bonds and contacts, as lines for ParaView. */
 #include "core/sim.h"
 #include "io/dump_vtk.h"
-#include "particles/domain.h"
 #include "particles/identity.h"
 #include "particles/particles.h"
 
@@ -38,21 +37,6 @@ static enum ts_status find_row(struct ts_instance *self, struct tsim *sim,
 		       id);
 }
 
-/* The second end is the image nearest to the first. */
-static void place_ends(const struct tsim *sim, const double *a, const double *b, double *to)
-{
-	const struct ts_box *box = &sim->domain->box;
-	double apart[3];
-
-	for (int d = 0; d < 3; d++)
-		apart[d] = b[d] - a[d];
-	ts_box_nearest(box, apart);
-	for (int d = 0; d < 3; d++) {
-		to[d] = a[d];
-		to[3 + d] = a[d] + apart[d];
-	}
-}
-
 static enum ts_status fill_points(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *state = self->state;
@@ -70,7 +54,7 @@ static enum ts_status fill_points(struct ts_instance *self, struct tsim *sim)
 
 		TS_TRY(find_row(self, sim, &map, d->column[0].values.data[from], &i));
 		TS_TRY(find_row(self, sim, &map, d->column[1].values.data[from], &j));
-		place_ends(sim, x[i], x[j], &s->points.data[6 * row]);
+		ts_dump_vtk_line(sim, x[i], x[j], &s->points.data[6 * row]);
 	}
 	return TS_OK;
 }
