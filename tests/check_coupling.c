@@ -280,7 +280,7 @@ START_TEST(momentum_is_kept)
 				     "create_atoms 1 random 2000 2385 box\n"
 				     "set group all diameter %g density 2385\n"
 				     "flow_style projection cells %d 5 3 viscosity %g density %g %s\n"
-				     "pressure_style direct\n"
+				     "pressure_style cg\n"
 				     "velocity all create 1 2385\n"
 				     "velocity all set 0.5 -0.3 0.2 sum yes\n"
 				     "fix d all %s\n"

@@ -45,8 +45,8 @@ static enum ts_status check_numbers(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static enum ts_status carry(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
-			    double dt);
+static enum ts_status settle(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
+			     double length);
 
 enum ts_status ts_drag_init(struct ts_instance *self, struct tsim *sim)
 {
@@ -59,8 +59,8 @@ enum ts_status ts_drag_init(struct ts_instance *self, struct tsim *sim)
 	s->fluid = NULL;
 	if (ts_flow_style_of(s->flow)->fluid)
 		TS_TRY(ts_flow_require_fluid(sim, self->style->name, &self->where, &s->fluid));
-	s->part.carry = s->fluid && s->two_way ? carry : NULL;
-	if (s->part.carry)
+	s->part.settle = s->fluid && s->two_way ? settle : NULL;
+	if (s->part.settle)
 		TS_TRY(ts_fluid_want(s->fluid, sim, TS_FLUID_FORCE | TS_FLUID_EXCHANGE));
 	s->added = ts_added_density(sim, self->group);
 	return check_numbers(self, sim);
@@ -231,7 +231,7 @@ static enum ts_status make_room(struct ts_drag *s, struct tsim *sim)
 
 	TS_TRY(ts_tally_start(sim, &s->total));
 	s->noted = 0;
-	if (!s->part.carry)
+	if (!s->part.settle)
 		return TS_OK;
 	if (TS_GROW(s->note, s->capacity, n) != TS_OK)
 		return ts_nomem(&sim->error);
@@ -287,13 +287,13 @@ static double kicks_left(const struct tsim *sim)
 }
 
 /* The fluid has made its step with the new velocity: the particles get what it has felt. */
-static enum ts_status carry(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid, double dt)
+static enum ts_status settle(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid, double length)
 {
 	struct ts_drag *s = self->state;
 	struct ts_particles *p = sim->particles;
 	double share = 1 / kicks_left(sim);
 
-	(void)dt;
+	(void)length;
 	if (s->noted != p->n)
 		return TS_OK;
 	s->total.fresh = true;
@@ -388,7 +388,7 @@ enum ts_status ts_drag_plan(struct ts_instance *self, struct tsim *sim,
 		if (p->imass[i] != 0)
 			least = fmin(least, mass / style_of(self)->coefficient(s, &slip));
 	}
-	if (s->part.carry)
+	if (s->part.settle)
 		warn_of_cells(self, sim, largest);
 	if (isinf(least))
 		return TS_OK;

@@ -124,13 +124,15 @@ static enum ts_status solver(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_projection *p = self->state;
 	struct ts_instance *pressure;
+	bool weighted = p->poisson.weight[0];
 
-	if (p->pressure && p->removals == sim->removals)
+	if (p->pressure && p->removals == sim->removals && p->weighted == weighted)
 		return TS_OK;
 	TS_TRY(ts_pressure_choose(sim, &p->poisson, &self->where, &pressure));
 	TS_TRY(ts_pressure_style_of(pressure)->prepare(pressure, sim, &p->poisson));
 	p->pressure = pressure;
 	p->removals = sim->removals;
+	p->weighted = weighted;
 	return TS_OK;
 }
 
@@ -141,10 +143,10 @@ enum ts_status ts_projection_project(struct ts_instance *self, struct tsim *sim,
 	struct ts_poisson_report report = { 0 };
 	double mean;
 
+	TS_TRY(ts_projection_weights(p, held) == TS_OK ? TS_OK : ts_nomem(&sim->error));
 	TS_TRY(solver(self, sim));
 	ts_fluid_fill_velocity(fluid, fluid->u);
 	TS_TRY(ts_projection_balance(self, sim, &mean));
-	TS_TRY(ts_projection_weights(p, held) == TS_OK ? TS_OK : ts_nomem(&sim->error));
 	divergence(p, fluid->density / dt, mean);
 	TS_TRY(ts_pressure_style_of(p->pressure)->solve(p->pressure, sim, p->rhs, fluid->p, &report));
 	fluid->iterations = report.iterations;

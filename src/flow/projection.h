@@ -60,6 +60,7 @@ struct ts_projection {
 	struct ts_poisson poisson;
 	struct ts_instance *pressure; /* who solves; NULL: not asked yet */
 	uint64_t removals;	      /* of instances, when it was chosen */
+	bool weighted;		      /* for faces of different weights */
 };
 
 /* The live flow style with its projection, for commands that change it. */
