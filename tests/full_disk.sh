@@ -73,6 +73,9 @@ full 'dump of bonds' out.bonds "out.bonds' failed: $reason" 'create_bonds many a
 	'compute b all bonds' 'dump d all local 1 ${file} c_b[1] c_b[2] c_b[4]' 'run 100'
 full 'dump for ParaView' 'out.*.vtp' "out.0.vtp' failed: $reason" 'create_atoms 1 random 3000 7 box' \
 	'set group all diameter 1e-3' 'timestep 1e-7' 'dump d all custom/vtk 1 ${file} id vx vy vz' 'run 10'
+full 'dump of a fluid' 'out.*.vti' "out.0.vti' failed: $reason" \
+	'flow_style projection cells 16 16 16 viscosity 1 density 1' 'variable u equal random(0,1,7)' \
+	'flow_set velocity v_u 0 0' 'dump d all flow/vtk 1 ${file}' 'run 10'
 full write_dump out.dump "out.dump' failed: $reason" 'create_atoms 1 random 3000 7 box' \
 	'write_dump all custom ${file} id x y z'
 full write_data out.data "out.data' failed: $reason" 'create_atoms 1 random 3000 7 box' \

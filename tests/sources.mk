@@ -48,6 +48,7 @@ shell_tests = \
 	tests/decks/energy.sh \
 	tests/decks/euler.sh \
 	tests/decks/fixes.sh \
+	tests/decks/flow_faults.sh \
 	tests/decks/flow_outputs.sh \
 	tests/decks/gran_numbers.sh \
 	tests/decks/granular_laws.sh \
@@ -83,6 +84,7 @@ shell_tests = \
 	tests/dry_run.sh \
 	tests/extremes.sh \
 	tests/flow_cases.sh \
+	tests/flow_restart.sh \
 	tests/full_disk.sh \
 	tests/fuzz/fuzz.sh \
 	tests/grammar.sh \

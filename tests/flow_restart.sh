@@ -1,0 +1,49 @@
+#!/bin/bash
+# A fluid continued from a restart file, with all that is put out of it, is the fluid that went on: byte for byte.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+
+cat >scene <<'END'
+units si
+boundary p f f
+region box block 0 1 0 0.5 0 0.25 units box
+create_box 1 box
+END
+# rest TIME CONVECTION PRESSURE
+rest() {
+	cat <<END
+variable pull equal sin(40*time)
+variable lid equal 0.3+time
+flow_style projection cells 4 6 5 viscosity 0.1 density 2.385 body_force v_pull 0 0.1 time $1 convection $2
+flow_boundary yhi wall velocity v_lid 0 0
+pressure_style $3
+dump i all flow/vtk 10 s*.vti
+compute top all flow/force yhi
+variable ke equal flow_ke
+fix m all ave/time 1 10 10 v_ke c_top[1]
+thermo 10
+thermo_style custom step flow_ke flow_div flow_cfl flow_res flow_time flow_steps f_m[1] f_m[2]
+thermo_modify format float %.17g
+timestep 5e-3
+END
+}
+while read -r time convection pressure; do
+	rm -rf whole again
+	mkdir whole again
+	{ cat scene; rest $time $convection $pressure; printf 'run 45\nwrite_restart ../restart\nrun 35\n'; } >whole/in
+	{ echo 'read_restart ../restart'; rest $time $convection $pressure; echo 'run 35'; } >again/in
+	(cd whole && "$TSIM" -in in -log none) >whole/out 2>&1 && (cd again && "$TSIM" -in in -log none) >again/out 2>&1
+	report "$time $convection $pressure runs" $? whole/out
+	rows whole/out | tail -n 4 >whole/rows
+	rows again/out | tail -n 4 >again/rows
+	same "$time $convection $pressure: the log" whole/rows again/rows
+	for file in s.pvd s80.vti; do
+		same "$time $convection $pressure: $file" whole/$file again/$file
+	done
+done <<'END'
+euler central direct
+ab2 quick cg
+rk2 donor cg
+rk3 cubista direct
+END
+finish
