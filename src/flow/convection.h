@@ -6,11 +6,6 @@
 
 #include "flow/operators.h"
 
-/* Of one side: see struct ts_line. */
-struct ts_side_weights {
-	double part, up[3], down[3];
-};
-
 /* Alves, Oliveira & Pinho, Int. J. Numer. Meth. Fluids 41 (2003) 47: QUICK, bounded. From the points upstream:
  * far, near, and the one downstream. Of third order where smooth; never beyond near and downstream. */
 static inline __attribute__((always_inline)) double ts_cubista(double far, double near, double downstream)
@@ -23,21 +18,22 @@ static inline __attribute__((always_inline)) double ts_cubista(double far, doubl
 	return near + (a * b > 0 ? copysign(step, b) : 0);
 }
 
-/* Points m - 2 .. m + 1 are far_low, low, high, far_high; the side is between low and high; q is the
+/* Points m - 2 .. m + 1 of the line are far_low, low, high, far_high; the side m is between low and high; q is the
  * velocity through it. */
 static inline __attribute__((always_inline)) double
 ts_side_value(enum ts_convection scheme, double gamma, double q, double far_low, double low, double high,
-	      double far_high, const struct ts_side_weights *w)
+	      double far_high, double part, const struct ts_line *line, int m)
 {
-	double central = w->part * low + (1 - w->part) * high;
+	double central = part * low + (1 - part) * high;
 
 	if (scheme == TS_CONVECTION_CENTRAL)
 		return central;
 	if (scheme == TS_CONVECTION_DONOR)
 		return (1 - gamma) * central + gamma * (q > 0 ? low : high);
 	if (scheme == TS_CONVECTION_QUICK) {
-		double up = w->up[0] * far_low + w->up[1] * low + w->up[2] * high;
-		double down = w->down[0] * far_high + w->down[1] * high + w->down[2] * low;
+		double up = line->up[0][m] * far_low + line->up[1][m] * low + line->up[2][m] * high;
+		double down = line->down[0][m] * far_high + line->down[1][m] * high +
+			      line->down[2][m] * low;
 
 		return q > 0 ? up : down;
 	}

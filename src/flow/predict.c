@@ -1,6 +1,7 @@
 /* The predictor: convection and diffusion of all components in one pass over the rows of the grid. */
 #include <math.h>
 
+#include "base/clones.h"
 #include "flow/convection.h"
 #include "flow/operators.h"
 
@@ -20,22 +21,17 @@ void ts_flow_unknowns(const struct ts_fluid *fluid, int c, int from[3], int to[3
 	to[c] = fluid->face[c][TS_HIGH] == TS_FLOW_OUTLET ? grid->n[c] + 1 : grid->n[c];
 }
 
-/* Coefficients of a line at one point. */
+/* Coefficients of a line at one point, and whose they are. They go to the functions below one by one: a structure
+ * made within a loop keeps compilers from making several of its rounds at once. */
 struct at_point {
-	double inverse, below, above;
-	struct ts_side_weights low, high;
+	double inverse, below, above, part_low, part_high;
+	const struct ts_line *line;
+	int m;
 };
-
-static inline __attribute__((always_inline)) struct at_point at_point(const struct ts_line *line, int m)
-{
-	return (struct at_point){
-		line->inverse[m], line->below[m], line->above[m],
-		{ line->part[m], { line->up[0][m], line->up[1][m], line->up[2][m] },
-		  { line->down[0][m], line->down[1][m], line->down[2][m] } },
-		{ line->part[m + 1], { line->up[0][m + 1], line->up[1][m + 1], line->up[2][m + 1] },
-		  { line->down[0][m + 1], line->down[1][m + 1], line->down[2][m + 1] } },
-	};
-}
+#define AT(line, m)                                                                                \
+	(line)->inverse[m], (line)->below[m], (line)->above[m], (line)->part[m],                   \
+		(line)->part[(m) + 1], (line), (m)
+#define OF(p) p.inverse, p.below, p.above, p.part_low, p.part_high, p.line, p.m
 
 /* What stays the same along a row, for one direction e. */
 struct direction {
@@ -62,7 +58,8 @@ static inline __attribute__((always_inline)) void shares(const struct direction 
 
 /* What direction e adds to the rate of change of component c at place `at`. */
 static inline __attribute__((always_inline)) double
-along(const struct at_point *p, const struct direction *e, const double *u, ptrdiff_t at, ptrdiff_t sc,
+along(double inverse, double below, double above, double part_low, double part_high,
+      const struct ts_line *line, int m, const struct direction *e, const double *u, ptrdiff_t at, ptrdiff_t sc,
       double mass, double nu, double gamma, enum ts_convection scheme, enum ts_form form, bool packed)
 {
 	const double *q = e->q;
@@ -81,9 +78,9 @@ along(const struct at_point *p, const struct direction *e, const double *u, ptrd
 	}
 	if (form == TS_FORM_VOLUME) {
 		double phi_low = ts_side_value(scheme, gamma, q_low, u[at - 2 * se], low, here, high,
-					       &p->low);
+					       part_low, line, m);
 		double phi_high = ts_side_value(scheme, gamma, q_high, low, here, high, u[at + 2 * se],
-						&p->high);
+						part_high, line, m + 1);
 
 		if (packed) {
 			q_low *= e_low;
@@ -91,14 +88,14 @@ along(const struct at_point *p, const struct direction *e, const double *u, ptrd
 			phi_low -= here;
 			phi_high -= here;
 		}
-		rate = (q_low * phi_low - q_high * phi_high) * p->inverse;
+		rate = (q_low * phi_low - q_high * phi_high) * inverse;
 	} else {
 		rate = ts_advection(scheme, gamma, e->same ? here : 0.5 * (q_low + q_high), high - here,
-				    here - low, p->above, p->below, p->inverse);
+				    here - low, above, below, inverse);
 	}
 	if (!packed)
-		return rate + nu * (p->above * (high - here) - p->below * (here - low));
-	return rate + nu * (p->above * e_high * (high - here) - p->below * e_low * (here - low));
+		return rate + nu * (above * (high - here) - below * (here - low));
+	return rate + nu * (above * e_high * (high - here) - below * e_low * (here - low));
 }
 
 struct row {
@@ -127,10 +124,10 @@ static inline __attribute__((always_inline)) void predict_row(const struct row *
 {
 	const struct ts_predictor *p = row->p;
 	const struct ts_operators *o = p->operators;
-	const struct ts_line line = c == 0 ? o->staggered[0] : o->centred[0];
-	const struct at_point y = at_point(c == 1 ? &o->staggered[1] : &o->centred[1], row->j);
-	const struct at_point z =
-		dimensions == 3 ? at_point(c == 2 ? &o->staggered[2] : &o->centred[2], row->k) : y;
+	const struct ts_line *line = c == 0 ? &o->staggered[0] : &o->centred[0];
+	const struct at_point y = { AT(c == 1 ? &o->staggered[1] : &o->centred[1], row->j) };
+	const struct at_point z = { AT(c == 2 ? &o->staggered[2] : &o->centred[2],
+				       dimensions == 3 ? row->k : 0) };
 	const struct direction along_x = direction(row, 0, c, dimensions, packed);
 	const struct direction along_y = direction(row, 1, c, dimensions, packed);
 	const struct direction along_z = direction(row, 2, c, dimensions, packed);
@@ -145,13 +142,12 @@ static inline __attribute__((always_inline)) void predict_row(const struct row *
 
 #pragma omp simd
 	for (int i = row->from; i < row->to; i++) {
-		const struct at_point x = at_point(&line, i);
 		double mass = c == 0 ? mass_x[i] : mass_c;
-		double rate = along(&x, &along_x, u, i, sc, mass, nu, gamma, scheme, form, packed);
+		double rate = along(AT(line, i), &along_x, u, i, sc, mass, nu, gamma, scheme, form, packed);
 
-		rate += along(&y, &along_y, u, i, sc, mass, nu, gamma, scheme, form, packed);
+		rate += along(OF(y), &along_y, u, i, sc, mass, nu, gamma, scheme, form, packed);
 		if (dimensions == 3)
-			rate += along(&z, &along_z, u, i, sc, mass, nu, gamma, scheme, form, packed);
+			rate += along(OF(z), &along_z, u, i, sc, mass, nu, gamma, scheme, form, packed);
 		if (packed)
 			rate /= share[i];
 		out[i] = keep * old[i] + take * (u[i] + dt * (acceleration + rate));
@@ -161,6 +157,7 @@ static inline __attribute__((always_inline)) void predict_row(const struct row *
 typedef void row_fn(const struct row *row);
 
 #define ROW(name, c, dimensions, scheme, form, packed)                                             \
+	TS_CLONES                                                                                  \
 	static void name##_##c(const struct row *row)                                              \
 	{                                                                                          \
 		predict_row(row, c, dimensions, scheme, form, packed);                             \
