@@ -155,6 +155,8 @@ library_sources = \
 	src/geom/ball_corner.c \
 	src/geom/ball_corner.h \
 	src/geom/box.h \
+	src/geom/frustum.c \
+	src/geom/frustum.h \
 	src/geom/mesh.c \
 	src/geom/mesh.h \
 	src/geom/mesh_cracks.c \
@@ -333,6 +335,8 @@ library_sources = \
 	src/neigh/pressure.c \
 	src/neigh/primitive_wall.c \
 	src/neigh/primitive_wall.h \
+	src/neigh/region_wall.c \
+	src/neigh/region_wall.h \
 	src/neigh/row_history.c \
 	src/neigh/row_history.h \
 	src/neigh/row_loop.c \
@@ -415,6 +419,8 @@ library_sources = \
 	src/particles/reference.h \
 	src/particles/region.c \
 	src/particles/region.h \
+	src/particles/region_frustum.c \
+	src/particles/region_frustum.h \
 	src/particles/rigid.c \
 	src/particles/rigid.h \
 	src/particles/rigid_motion.c \
@@ -700,6 +706,7 @@ library_sources = \
 	src/styles/fix/viscous_sphere.c \
 	src/styles/fix/void_fraction.c \
 	src/styles/fix/wall_gran.c \
+	src/styles/fix/wall_gran_region.c \
 	src/styles/fix/wall_reflect.c \
 	src/styles/flow/projection.c \
 	src/styles/flow/uniform.c \

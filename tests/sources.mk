@@ -10,6 +10,7 @@ shell_tests = \
 	tests/crosscheck/insertion.sh \
 	tests/crosscheck/lammps.sh \
 	tests/crosscheck/lammps_granular.sh \
+	tests/crosscheck/lammps_regions.sh \
 	tests/crosscheck/lammps_walls.sh \
 	tests/crosscheck/language.sh \
 	tests/crosscheck/legacy.sh \
@@ -72,6 +73,7 @@ shell_tests = \
 	tests/decks/plane.sh \
 	tests/decks/pour.sh \
 	tests/decks/refusals.sh \
+	tests/decks/region_walls.sh \
 	tests/decks/regions.sh \
 	tests/decks/rigid.sh \
 	tests/decks/temperature_words.sh \

@@ -84,7 +84,6 @@ const struct ts_known ts_known_table[] = {
 	{ TS_KIND_DUMP, "decomposition/vtk", "there is one process, the box is not cut into parts" },
 	{ TS_KIND_DUMP, "image", "pictures are drawn from dumps by other programs (ParaView, OVITO)" },
 	{ TS_KIND_DUMP, "movie", "pictures are drawn from dumps by other programs (ParaView, OVITO)" },
-	{ TS_KIND_FIX, "wall/gran/region", "walls are planes, cylinders and meshes: fix wall/gran" },
 	{ .name = NULL },
 };
 

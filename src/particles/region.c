@@ -1,6 +1,7 @@
 #include "particles/region.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "math/vec3.h"
 #include "particles/domain.h"
@@ -61,6 +62,7 @@ enum ts_status ts_region_update(struct ts_instance *region, struct tsim *sim)
 		TS_TRY(ts_number_now(sim, &r->move[k], &region->where, &r->shift[k]));
 	TS_TRY(ts_number_now(sim, &r->angle, &region->where, &angle));
 	rotation(r->axis, angle, r->turn);
+	r->turned = angle;
 	return TS_OK;
 }
 
@@ -89,6 +91,58 @@ double ts_region_depth(const struct ts_instance *region, const double x[3])
 	}
 	depth = style_of(region)->depth(region, x);
 	return r->side == 1 ? -depth : depth;
+}
+
+/* ---- its surface */
+
+int ts_region_faces(const struct ts_instance *region)
+{
+	const struct ts_region_style *style = style_of(region);
+
+	if (!style->spots)
+		return 0;
+	return style->count ? style->count(region) : style->faces;
+}
+
+int ts_region_spots_all(const struct ts_instance *region, const double x[3],
+			struct ts_region_spot *out)
+{
+	const struct ts_region *r = region->state;
+	double y[3];
+	int n;
+
+	if (!r->moves)
+		return style_of(region)->spots(region, x, style_of(region)->contains(region, x), out);
+	to_shape(r, x, y);
+	n = style_of(region)->spots(region, y, style_of(region)->contains(region, y), out);
+	for (int k = 0; k < n; k++) {
+		double there[3];
+
+		for (int d = 0; d < 3; d++)
+			there[d] = ts_dot(r->turn[d], out[k].n);
+		for (int d = 0; d < 3; d++)
+			out[k].n[d] = there[d];
+	}
+	return n;
+}
+
+int ts_region_spots(const struct ts_instance *region, const double x[3], struct ts_region_spot *out)
+{
+	const struct ts_region *r = region->state;
+
+	if (!r->open && !ts_region_contains(region, x))
+		return 0;
+	return ts_region_spots_all(region, x, out);
+}
+
+bool ts_region_varies(const struct ts_instance *region)
+{
+	return ((const struct ts_region *)region->state)->varies;
+}
+
+bool ts_region_has_moving_members(const struct ts_instance *region)
+{
+	return ((const struct ts_region *)region->state)->members_move;
 }
 
 /* The box around the turned and shifted box of the shape. */
@@ -219,6 +273,9 @@ enum ts_status ts_region_init(struct ts_instance *self, struct tsim *sim)
 	}
 	TS_TRY(define_motion(self, sim));
 	TS_TRY(define_open(self, sim));
+	r->varies = r->moves;
+	for (size_t k = 0; k < self->words.n; k++)
+		r->varies |= strncmp(self->words.word[k].text, "v_", 2) == 0;
 	r->defined = true;
 	return TS_OK;
 }

@@ -27,7 +27,10 @@ struct ts_region {
 	/* as of the last ts_region_update: a point y of the shape stands at
 	 * turn (y - pivot) + pivot + shift */
 	bool moves;
-	double shift[3], turn[3][3];
+	double shift[3], turn[3][3], turned; /* by the angle */
+
+	/* whether the surface may change with time; whether members of a union or intersection move */
+	bool varies, members_move;
 };
 #define TS_REGION_ARGS(T)                                                                          \
 	TS_ENUM("side", T, region.side, ts_region_sides, .fallback = "in",                         \
@@ -45,6 +48,13 @@ struct ts_region {
 				"used as one; may be repeated")
 extern const char *const ts_region_sides[], *const ts_region_units[];
 
+/* Where the surface is nearest to a point. */
+struct ts_region_spot {
+	double distance, n[3]; /* n: unit vector towards the point; 0 on the surface where none is distinguished */
+	double curvature;      /* mean curvature of the surface, > 0: bulging towards the point */
+	int face;	       /* counted from 0 */
+};
+
 struct ts_region_style {
 	struct ts_style style;
 	/* The shape itself, without `side`. */
@@ -57,6 +67,12 @@ struct ts_region_style {
 	 * not known exactly, a bound nearer to 0. NULL: not known at all. */
 	double (*depth)(const struct ts_instance *self, const double x[3]);
 	int faces; /* how many faces can be open */
+	/* The spots of x on faces that are not open: seen from inside the nearest of each face, from outside
+	 * the nearest of all, with face 0. NULL: not known. */
+	int (*spots)(const struct ts_instance *self, const double x[3], bool inside,
+		     struct ts_region_spot *out);
+	/* How many there may be; NULL: faces. */
+	int (*count)(const struct ts_instance *self);
 	/* Evaluates variables of the shape. NULL: nothing to do. */
 	ts_hook_fn *update;
 };
@@ -69,6 +85,16 @@ void ts_region_bounds(const struct ts_instance *region, double lo[3], double hi[
 double ts_region_depth(const struct ts_instance *region, const double x[3]);
 /* NaN where it is not known, infinite outside of a shape. */
 double ts_region_volume(const struct ts_instance *region);
+
+/* The surface of a region as a wall. How many spots a point may have on it; 0: it cannot be a wall. */
+int ts_region_faces(const struct ts_instance *region);
+/* The spots of x on the surface; returns how many. A region without open faces is met from its side only. */
+int ts_region_spots(const struct ts_instance *region, const double x[3], struct ts_region_spot *out);
+/* The same from whatever side x is on. */
+int ts_region_spots_all(const struct ts_instance *region, const double x[3],
+			struct ts_region_spot *out);
+bool ts_region_varies(const struct ts_instance *region);
+bool ts_region_has_moving_members(const struct ts_instance *region);
 
 /* For region styles. Call first in init: the first time it fixes scale, edges and motion. */
 enum ts_status ts_region_init(struct ts_instance *self, struct tsim *sim);

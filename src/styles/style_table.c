@@ -250,6 +250,7 @@ TS_STYLE(fix, ts_style, ts_fix_viscous)
 TS_STYLE(fix, ts_style, ts_fix_viscous_sphere)
 TS_STYLE(fix, ts_style, ts_fix_void_fraction)
 TS_STYLE(fix, ts_style, ts_fix_wall_gran)
+TS_STYLE(fix, ts_style, ts_fix_wall_gran_region)
 TS_STYLE(fix, ts_style, ts_fix_wall_reflect)
 TS_STYLE(flow, ts_flow_style, ts_flow_projection)
 TS_STYLE(flow, ts_flow_style, ts_flow_uniform)
@@ -515,6 +516,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_viscous_sphere,
 	&ts_fix_void_fraction,
 	&ts_fix_wall_gran,
+	&ts_fix_wall_gran_region,
 	&ts_fix_wall_reflect,
 	&ts_flow_projection.style,
 	&ts_flow_uniform.style,

@@ -168,7 +168,8 @@ syn match tsim_fix /\<print\>/ contained
 syn keyword tsim_fix contained property/atom property/atom/regiontracer/time property/atom/tracer
 syn keyword tsim_fix contained property/atom/tracer/stream property/global recenter rigid
 syn keyword tsim_fix contained setforce spring spring/self store/force store/state vector viscous
-syn keyword tsim_fix contained viscous/sphere void_fraction wall/gran wall/reflect
+syn keyword tsim_fix contained viscous/sphere void_fraction wall/gran wall/gran/region
+syn keyword tsim_fix contained wall/reflect
 hi def link tsim_fix Type
 syn match tsimHead /^\s*compute\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_compute
 syn keyword tsim_compute contained aggregate/atom angmom/chunk bond/local bonds chunk/atom

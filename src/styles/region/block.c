@@ -1,6 +1,10 @@
 /* Region: a cuboid with edges along the axes. */
 #include "particles/region.h"
 
+#include <math.h>
+
+#include "math/vec3.h"
+
 #include "base/banned.h"
 
 struct block {
@@ -47,6 +51,56 @@ static double depth(const struct ts_instance *self, const double x[3])
 		beyond += in < 0 ? in * in : 0;
 	}
 	return least < 0 ? -sqrt(beyond) : least;
+}
+
+/* The faces from within, each with its plane. */
+static int from_within(const struct block *b, const double x[3], struct ts_region_spot *out)
+{
+	int n = 0;
+
+	for (int face = 0; face < 6; face++) {
+		int d = face / 2;
+
+		if (b->region.open & 1u << face)
+			continue;
+		out[n] = (struct ts_region_spot){ .face = face };
+		out[n].distance = face % 2 ? b->hi[d] - x[d] : x[d] - b->lo[d];
+		out[n++].n[d] = face % 2 ? -1 : 1;
+	}
+	return n;
+}
+
+/* Which point of the face is nearest. */
+static double nearest_on(const struct block *b, int face, const double x[3], double at[3])
+{
+	for (int d = 0; d < 3; d++)
+		at[d] = fmin(fmax(x[d], b->lo[d]), b->hi[d]);
+	at[face / 2] = face % 2 ? b->hi[face / 2] : b->lo[face / 2];
+	return ts_distance2(x, at);
+}
+
+static int from_without(const struct block *b, const double x[3], struct ts_region_spot *out)
+{
+	double at[3], d2, least = INFINITY;
+
+	for (int face = 0; face < 6; face++) {
+		if (b->region.open & 1u << face)
+			continue;
+		d2 = nearest_on(b, face, x, at);
+		if (!(d2 < least))
+			continue;
+		least = d2;
+		*out = (struct ts_region_spot){ .distance = sqrt(d2) };
+		for (int d = 0; d < 3 && d2 > 0; d++)
+			out->n[d] = (x[d] - at[d]) / out->distance;
+	}
+	return isfinite(least);
+}
+
+static int spots(const struct ts_instance *self, const double x[3], bool inside,
+		 struct ts_region_spot *out)
+{
+	return inside ? from_within(self->state, x, out) : from_without(self->state, x, out);
 }
 
 static void bounds(const struct ts_instance *self, double lo[3], double hi[3])
@@ -103,4 +157,5 @@ const struct ts_region_style ts_region_block = {
 	.bounds = bounds,
 	.volume = volume,
 	.faces = 6,
+	.spots = spots,
 };

@@ -1,5 +1,5 @@
 /* Region: a truncated cone along an axis. */
-#include "particles/region.h"
+#include "particles/region_frustum.h"
 
 #include <math.h>
 
@@ -68,6 +68,15 @@ static double depth(const struct ts_instance *self, const double x[3])
 	return fmin(along, in * length / sqrt(length * length + widening * widening));
 }
 
+static int spots(const struct ts_instance *self, const double x[3], bool inside,
+		 struct ts_region_spot *out)
+{
+	const struct cone *z = self->state;
+	struct ts_frustum shape = { z->lo, z->hi, { z->radius[0], z->radius[1] } };
+
+	return ts_region_frustum_spots(&z->region, &shape, z->axis, z->c, z->center, x, inside, out);
+}
+
 static void bounds(const struct ts_instance *self, double lo[3], double hi[3])
 {
 	const struct cone *z = self->state;
@@ -131,4 +140,5 @@ const struct ts_region_style ts_region_cone = {
 	.volume = volume,
 	.update = update,
 	.faces = 3,
+	.spots = spots,
 };

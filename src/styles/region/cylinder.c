@@ -1,5 +1,5 @@
 /* Region: a cylinder along an axis. */
-#include "particles/region.h"
+#include "particles/region_frustum.h"
 
 #include "base/banned.h"
 
@@ -55,6 +55,15 @@ static double depth(const struct ts_instance *self, const double x[3])
 	double along = fmin(x[z->axis] - z->lo, z->hi - x[z->axis]);
 
 	return in < 0 && along < 0 ? -sqrt(in * in + along * along) : fmin(in, along);
+}
+
+static int spots(const struct ts_instance *self, const double x[3], bool inside,
+		 struct ts_region_spot *out)
+{
+	const struct cylinder *z = self->state;
+	struct ts_frustum shape = { z->lo, z->hi, { z->radius, z->radius } };
+
+	return ts_region_frustum_spots(&z->region, &shape, z->axis, z->c, z->center, x, inside, out);
 }
 
 static void bounds(const struct ts_instance *self, double lo[3], double hi[3])
@@ -116,4 +125,5 @@ const struct ts_region_style ts_region_cylinder = {
 	.volume = volume,
 	.update = update,
 	.faces = 3,
+	.spots = spots,
 };

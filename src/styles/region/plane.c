@@ -1,6 +1,8 @@
 /* Region: a half-space. */
 #include "particles/region.h"
 
+#include <math.h>
+
 #include "math/vec3.h"
 
 #include "base/banned.h"
@@ -47,6 +49,18 @@ static double depth(const struct ts_instance *self, const double x[3])
 	return ts_dot(d, p->normal);
 }
 
+static int spots(const struct ts_instance *self, const double x[3], bool inside,
+		 struct ts_region_spot *out)
+{
+	const struct plane *p = self->state;
+
+	if (p->region.open)
+		return 0;
+	*out = (struct ts_region_spot){ .distance = fabs(depth(self, x)) };
+	ts_scale(inside ? 1 : -1, p->normal, out->n);
+	return 1;
+}
+
 static void bounds(const struct ts_instance *self, double lo[3], double hi[3])
 {
 	const struct plane *p = self->state;
@@ -82,4 +96,5 @@ const struct ts_region_style ts_region_plane = {
 	.depth = depth,
 	.bounds = bounds,
 	.faces = 1,
+	.spots = spots,
 };

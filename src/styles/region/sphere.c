@@ -1,6 +1,8 @@
 /* Region: a ball. */
 #include "particles/region.h"
 
+#include <math.h>
+
 #include "math/vec3.h"
 
 #include "base/banned.h"
@@ -42,6 +44,22 @@ static double depth(const struct ts_instance *self, const double x[3])
 	const struct ball *b = self->state;
 
 	return b->radius - sqrt(ts_distance2(x, b->center));
+}
+
+static int spots(const struct ts_instance *self, const double x[3], bool inside,
+		 struct ts_region_spot *out)
+{
+	const struct ball *b = self->state;
+	double d[3], r, sign = inside ? -1 : 1;
+
+	ts_sub(x, b->center, d);
+	r = ts_norm(d);
+	if (b->region.open || !(r > 0) || !(b->radius > 0))
+		return 0;
+	*out = (struct ts_region_spot){ .distance = fabs(r - b->radius),
+					.curvature = sign / b->radius };
+	ts_scale(sign / r, d, out->n);
+	return 1;
 }
 
 static void bounds(const struct ts_instance *self, double lo[3], double hi[3])
@@ -92,4 +110,5 @@ const struct ts_region_style ts_region_sphere = {
 	.volume = volume,
 	.update = update,
 	.faces = 1,
+	.spots = spots,
 };

@@ -33,8 +33,14 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	if (!s->member)
 		return ts_nomem(&sim->error);
 	TS_TRY(ts_region_init(self, sim));
-	for (size_t k = 0; k < s->names.n; k++)
+	for (size_t k = 0; k < s->names.n; k++) {
+		const struct ts_region *member;
+
 		TS_TRY(ts_sim_require(sim, TS_KIND_REGION, &s->names.word[k], &s->member[k]));
+		member = s->member[k]->state;
+		s->region.varies |= member->varies;
+		s->region.members_move |= member->moves || member->members_move;
+	}
 	return TS_OK;
 }
 
@@ -72,6 +78,63 @@ static double depth(const struct ts_instance *self, const double x[3])
 		d = all ? fmin(d, one) : fmax(d, one);
 	}
 	return d;
+}
+
+/* ---- the surface: faces of the members */
+
+static int count(const struct ts_instance *self)
+{
+	const struct state *s = self->state;
+	int sum = 0;
+
+	for (int64_t k = 0; k < s->n; k++) {
+		int faces = ts_region_faces(s->member[k]);
+
+		if (!faces)
+			return 0;
+		sum += faces;
+	}
+	return sum;
+}
+
+/* A spot of a member bounds the whole where all other members have it, or of a union none. */
+static bool bounds_whole(const struct ts_instance *self, int64_t of, const double x[3],
+			 const struct ts_region_spot *spot)
+{
+	const struct state *s = self->state;
+	bool all = wants_all(self);
+	double at[3];
+
+	for (int d = 0; d < 3; d++)
+		at[d] = x[d] - spot->distance * spot->n[d];
+	for (int64_t k = 0; k < s->n; k++)
+		if (k != of && ts_region_contains(s->member[k], at) != all)
+			return false;
+	return true;
+}
+
+static int spots(const struct ts_instance *self, const double x[3], bool inside,
+		 struct ts_region_spot *out)
+{
+	const struct state *s = self->state;
+	int n = 0, first = 0;
+
+	for (int64_t k = 0; k < s->n; k++) {
+		const struct ts_instance *member = s->member[k];
+		const struct ts_region *r = member->state;
+		/* from within the whole only members that have x turn faces to it */
+		bool seen = r->open || ts_region_contains(member, x) == inside;
+		int end = n + (seen ? ts_region_spots_all(member, x, out + n) : 0);
+
+		for (int at = n; at < end; at++) {
+			if (!bounds_whole(self, k, x, &out[at]))
+				continue;
+			out[n] = out[at];
+			out[n++].face += first;
+		}
+		first += ts_region_faces(member);
+	}
+	return n;
 }
 
 static void bounds(const struct ts_instance *self, double lo[3], double hi[3])
@@ -114,6 +177,8 @@ const struct ts_region_style ts_region_union = {
 	.depth = depth,
 	.bounds = bounds,
 	.update = update,
+	.spots = spots,
+	.count = count,
 };
 
 TS_STYLE(region, ts_region_style, ts_region_intersect)
@@ -133,4 +198,6 @@ const struct ts_region_style ts_region_intersect = {
 	.depth = depth,
 	.bounds = bounds,
 	.update = update,
+	.spots = spots,
+	.count = count,
 };

@@ -1,0 +1,52 @@
+#include "geom/frustum.h"
+
+#include <math.h>
+
+#include "base/banned.h"
+
+/* On the segment between the rims. */
+static void side(const struct ts_frustum *f, double r, double s, struct ts_frustum_spot *out)
+{
+	double dr = f->radius[1] - f->radius[0], ds = f->hi - f->lo, t;
+
+	*out = (struct ts_frustum_spot){ TS_FRUSTUM_SIDE, f->radius[0],
+					 fmin(fmax(s, f->lo), f->hi) };
+	if (dr == 0) /* a cylinder, which may have no ends */
+		return;
+	t = ((r - f->radius[0]) * dr + (s - f->lo) * ds) / (dr * dr + ds * ds);
+	t = fmin(fmax(t, 0), 1);
+	out->r = f->radius[0] + t * dr;
+	out->s = f->lo + t * ds;
+}
+
+int ts_frustum_faces(const struct ts_frustum *f, unsigned open, double r, double s,
+		     struct ts_frustum_spot out[TS_FRUSTUM_FACES])
+{
+	int n = 0;
+
+	if (!(open & 1u << TS_FRUSTUM_SIDE))
+		side(f, r, s, &out[n++]);
+	if (!(open & 1u << TS_FRUSTUM_LOW) && isfinite(f->lo))
+		out[n++] = (struct ts_frustum_spot){ TS_FRUSTUM_LOW, fmin(r, f->radius[0]), f->lo };
+	if (!(open & 1u << TS_FRUSTUM_HIGH) && isfinite(f->hi))
+		out[n++] = (struct ts_frustum_spot){ TS_FRUSTUM_HIGH, fmin(r, f->radius[1]), f->hi };
+	return n;
+}
+
+int ts_frustum_nearest(const struct ts_frustum *f, unsigned open, double r, double s,
+		       struct ts_frustum_spot *out)
+{
+	struct ts_frustum_spot faces[TS_FRUSTUM_FACES];
+	int n = ts_frustum_faces(f, open, r, s, faces);
+	double least = INFINITY;
+
+	for (int k = 0; k < n; k++) {
+		double dr = r - faces[k].r, ds = s - faces[k].s, d2 = dr * dr + ds * ds;
+
+		if (!(d2 < least))
+			continue;
+		least = d2;
+		*out = faces[k];
+	}
+	return n > 0;
+}

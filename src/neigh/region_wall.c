@@ -1,0 +1,140 @@
+#include "neigh/region_wall.h"
+
+#include <math.h>
+
+#include "math/vec3.h"
+#include "particles/particles.h"
+
+#include "base/banned.h"
+
+enum ts_status ts_region_wall_init(struct ts_instance *self, struct tsim *sim,
+				   struct ts_region_wall *w)
+{
+	const struct ts_place *where = ts_instance_word(self, w->region->id);
+
+	w->faces = ts_region_faces(w->region);
+	if (!w->faces)
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "fix wall/gran/region: region %s is of style %s, whose surface is no wall; "
+			       "expected block, cone, cylinder, plane, sphere, or a union or intersection "
+			       "of them",
+			       w->region->id, w->region->style->name);
+	if (ts_region_has_moving_members(w->region))
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "fix wall/gran/region: some of the regions that %s is made of moves; "
+			       "expected that the whole moves, or nothing",
+			       w->region->id);
+	w->spot = ts_arena_alloc(&self->arena, (size_t)w->faces, sizeof *w->spot);
+	return w->spot ? TS_OK : ts_nomem(&sim->error);
+}
+
+/* ---- motion ---- */
+
+/* The velocity is by what variables said in the last step, as in LAMMPS; 0 where nobody asked before. */
+static void look_at_motion(struct ts_region_wall *w, const struct tsim *sim)
+{
+	const struct ts_region *r = w->region->state;
+	struct ts_region_motion *m = &w->motion;
+	double step = (double)sim->clock.step;
+
+	if (m->known > 0 && m->step == step)
+		return;
+	for (int k = 0; k < 3; k++) {
+		m->velocity[k] = m->known > 0 ? (r->shift[k] - m->shift[k]) / sim->clock.dt : 0;
+		m->shift[k] = r->shift[k];
+	}
+	m->rate = m->known > 0 ? (r->turned - m->angle) / sim->clock.dt : 0;
+	m->angle = r->turned;
+	m->step = step;
+	m->known = 1;
+}
+
+/* Of the surface at the spot nearest to x. */
+static void surface_velocity(const struct ts_region_wall *w, const double x[3],
+			     struct ts_wall_spot *spot)
+{
+	const struct ts_region *r = w->region->state;
+	double arm[3], spin[3], turn[3];
+
+	for (int k = 0; k < 3; k++) {
+		arm[k] = x[k] - spot->distance * spot->n[k] - r->pivot[k] - r->shift[k];
+		spin[k] = w->motion.rate * r->axis[k];
+	}
+	ts_cross(spin, arm, turn);
+	ts_add(w->motion.velocity, turn, spot->velocity);
+}
+
+/* ---- stages ---- */
+
+/* Particles near a surface that stands still; all of them where it moves. */
+static bool is_near(const struct ts_region_wall *w, const struct tsim *sim, const struct ts_wall *wall,
+		    size_t i)
+{
+	const struct ts_particles *p = sim->particles;
+	double reach = p->radius[i] + sim->neigh->built_skin + ts_wall_reach(wall, p->radius[i]);
+
+	return ts_region_varies(w->region) ||
+	       !(fabs(ts_region_depth(w->region, p->xhold[i])) >= reach);
+}
+
+enum ts_status ts_region_wall_list(struct ts_instance *self, struct tsim *sim, struct ts_wall *wall,
+				   struct ts_region_wall *w)
+{
+	const struct ts_particles *p = sim->particles;
+
+	TS_TRY(ts_region_update(w->region, sim));
+	for (size_t i = 0; i < p->n; i++) {
+		if (!ts_wall_meets(self, sim, i, false) || !is_near(w, sim, wall, i))
+			continue;
+		for (int k = 0; k < w->faces; k++)
+			TS_TRY(ts_wall_contacts_add(sim, &wall->contacts, i, k));
+	}
+	return TS_OK;
+}
+
+static const struct ts_region_spot *spot_of(const struct ts_region_wall *w, int n, int face)
+{
+	for (int k = 0; k < n; k++)
+		if (w->spot[k].face == face)
+			return &w->spot[k];
+	return NULL;
+}
+
+/* The contact k of a particle with a face: its spot on it, if the face has one. */
+static void push_face(struct tsim *sim, struct ts_wall *wall, const struct ts_region_wall *w, size_t k,
+		      const struct ts_region_spot *on, int type)
+{
+	const double *x = sim->particles->x[wall->contacts.row[k]];
+	struct ts_wall_spot spot = { .type = type };
+
+	if (on) {
+		spot.distance = on->distance;
+		spot.curvature = on->curvature;
+		for (int d = 0; d < 3; d++)
+			spot.n[d] = on->n[d];
+	}
+	if (!on || !ts_wall_touches(wall, sim, k, &spot)) {
+		ts_wall_contact_part(&wall->contacts, k);
+		return;
+	}
+	surface_velocity(w, x, &spot);
+	ts_wall_push(wall, sim, k, &spot);
+}
+
+enum ts_status ts_region_wall_push(struct tsim *sim, struct ts_wall *wall, struct ts_region_wall *w,
+				   int type)
+{
+	const struct ts_wall_contacts *c = &wall->contacts;
+	int n = 0;
+
+	TS_TRY(ts_region_update(w->region, sim));
+	look_at_motion(w, sim);
+	for (size_t k = 0; k < c->n; k++) { /* the faces of a particle follow one another */
+		int face = c->key[k][1];
+
+		if (face == 0)
+			n = ts_region_spots(w->region, sim->particles->x[c->row[k]], w->spot);
+		push_face(sim, wall, w, k, spot_of(w, n, face), type);
+	}
+	return TS_OK;
+}

@@ -1,0 +1,35 @@
+/* Walls that are the surface of a region: where they touch, how they move. */
+#ifndef TS_NEIGH_REGION_WALL_H
+#define TS_NEIGH_REGION_WALL_H
+
+#include "neigh/wall.h"
+#include "particles/region.h"
+
+struct ts_region_wall {
+	struct ts_instance *region;
+	struct ts_region_spot *spot; /* room for those of a particle */
+	int faces;
+
+	/* How it moves, by what variables said in the step before; saved. */
+	struct ts_region_motion {
+		double known, step, shift[3], angle;
+		double velocity[3], rate; /* of rotation */
+	} motion;
+};
+#define TS_REGION_WALL_SAVED(T, f)                                                                 \
+	{                                                                                          \
+		"motion", TS_SAVED_F64, offsetof(T, f.motion),                                     \
+			sizeof(struct ts_region_motion) / sizeof(double)                           \
+	}
+
+/* In init, when the region is known. */
+enum ts_status ts_region_wall_init(struct ts_instance *self, struct tsim *sim,
+				   struct ts_region_wall *w);
+/* Between ts_wall_rebuild_start and _finish: lists particles of the group. */
+enum ts_status ts_region_wall_list(struct ts_instance *self, struct tsim *sim, struct ts_wall *wall,
+				   struct ts_region_wall *w);
+/* All forces; the surface has the material of this type. */
+enum ts_status ts_region_wall_push(struct tsim *sim, struct ts_wall *wall, struct ts_region_wall *w,
+				   int type);
+
+#endif

@@ -1,0 +1,51 @@
+#!/bin/bash
+# fix wall/gran/region, by LAMMPS: shapes from within and without, open faces, unions, moving and turning ones (about
+# unit vectors: of others LAMMPS takes the length into the speed).
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+if ! command -v lmp >/dev/null || [ ! -x /usr/bin/python3 ]; then
+	echo 'skipped: needs lmp and python3 (apt-get install lammps python3)'
+	exit 77
+fi
+
+agrees() { # WAY LAW REGION...
+	local way=$1 law=$2 what
+	shift 2
+	what="$law: $*"
+	printf '%s\n' "$@" >shape
+	set -- -in "$top_srcdir/tests/crosscheck/in.lammps_regions" -log none -screen none \
+		-var way "$way" -var wall "$law" -var skin 0.02
+	lmp "$@" -var out lmp >err 2>&1
+	report "$what: LAMMPS" $? err
+	"$TSIM" -legacy "$@" -var out tsim 2>err
+	report "$what: tsim" $? err
+	sed -i '/BOX BOUNDS/,+3d' lmp.dump tsim.dump # of other precision
+	/usr/bin/python3 "$top_srcdir/tests/crosscheck/columns.py" lmp.dump tsim.dump 1e-11 >deviation 2>&1
+	report "$what" $? deviation
+	echo "$what: $(head -n 1 deviation)"
+	rm -f ./*.dump
+}
+hooke='hooke/history 1e4 NULL 50 NULL 0.5 1'
+hertz='hertz/history 1e6 NULL 50 NULL 0.5 1'
+granular='granular hertz/material 1e6 0.7 0.3 tangential mindlin_rescale NULL 1.0 0.5 damping tsuji rolling sds 1e3 1 0.1 twisting marshall'
+
+agrees 1 "$hertz" 'region w block -0.4 0.5 -0.45 0.4 -0.4 0.42 units box'
+agrees -1 "$hertz" 'region w block -0.1 0.15 -0.12 0.1 -0.1 0.12 side out units box'
+agrees 1 "$hooke" 'region w block -0.4 0.5 -0.45 0.4 -0.2 0.3 open 6 units box'
+agrees 1 "$granular" 'region w cylinder z 0.02 -0.01 0.45 -0.4 0.42 units box'
+agrees -1 "$hertz" 'region w cylinder y 0.02 -0.01 0.1 -0.1 0.12 side out units box'
+agrees 1 "$hooke" 'region w cylinder x 0.02 -0.01 0.3 -0.2 0.2 open 1 open 2 units box'
+agrees 1 "$granular" 'region w sphere 0.02 -0.01 0.03 0.48 units box'
+agrees -1 "$granular" 'region w sphere 0.02 -0.01 0.03 0.12 side out units box'
+agrees 1 "$hertz" 'region w plane 0.02 -0.01 -0.4 0.1 0.2 1 units box'
+agrees 1 "$hertz" 'region w cone z 0.02 -0.01 0.3 0.55 -0.45 0.42 units box'
+agrees -1 "$hooke" 'region w cone z 0.02 -0.01 0.2 0.05 -0.12 0.15 side out units box'
+agrees 1 "$hooke" 'region c cone z 0 0 0.15 0.5 -0.5 -0.1 open 1 open 2 units box' \
+	'region t cylinder z 0 0 0.5 -0.1 0.5 open 1 units box' 'region w union 2 c t'
+agrees 1 "$hertz" 'region c cylinder z 0 0 0.5 -0.5 0.45 units box' \
+	'region a block -0.4 0.4 -0.05 0.05 -0.5 -0.42 side out units box' 'region w intersect 2 c a'
+agrees 1 "$granular" 'variable a equal 2.3*time' \
+	'region w cylinder z 0.02 -0.01 0.45 -0.4 0.42 rotate v_a 0.1 0.2 0 0.48 0.64 0.6 units box'
+agrees 1 "$hooke" 'variable y equal 0.05*sin(20*time)' 'variable z equal 0.3*time' \
+	'region w block -0.4 0.5 -0.45 0.4 -0.4 0.42 move NULL v_y v_z units box'
+finish

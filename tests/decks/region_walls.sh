@@ -1,0 +1,79 @@
+#!/bin/bash
+# fix wall/gran/region: distances, curvature, open faces, edges that several faces share, and what is refused.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+
+at() { # X Z REGION...: a sphere of radius 0.1 beside the walls of region w
+	local x=$1 z=$2
+	shift 2
+	printf '%s\n' "units si
+boundary f f f
+region box block -2 2 -2 2 -2 2 units box
+create_box 1 box
+create_atoms 1 single $x 0 $z units box
+set type 1 diameter 0.2 density 1000
+pair_style spring/dashpot
+pair_coeff * * stiffness 1 damping 0
+timestep 1e-9" "$@" 'fix move all nve/sphere'
+}
+hooke='fix w all wall/gran/region hooke 1e5 0 0 0 0 0 region w'
+hertz='fix w all wall/gran/region hertz/history 1e7 0 0 0 0 0 region w'
+
+# forces of faces: overlaps 0.01 and 0.02 in a corner from within, the edge from without
+agree 'block' "$(at 0.91 0.92 'region w block -1 1 -1 1 -1 1 units box' "$hooke")
+run 0
+print \"is fx \$(fx[1]) \$(-1e5*0.01)\"
+print \"is fz \$(fz[1]) \$(-1e5*0.02)\"
+print \"is wall \$(f_w[1]) \$(1e5*0.01)\""
+agree 'edge' "$(at 1.06 1.06 'region w block -1 1 -1 1 -1 1 side out units box' "$hooke")
+run 0
+variable d equal 0.1-0.06*sqrt(2)
+print \"is fx \$(fx[1]) \$(1e5*v_d/sqrt(2))\"
+print \"is fz \$(fz[1]) \$(1e5*v_d/sqrt(2))\""
+# who is on the other side feels nothing, but where faces are open
+agree 'sides' "$(at 1.06 0.2 'region w block -1 1 -1 1 -1 1 units box' "$hooke")
+run 0
+print \"is fx \$(fx[1]) 0\""
+agree 'open' "$(at 1.06 0.2 'region w block -1 1 -1 1 -1 1 open 5 units box' "$hooke")
+run 0
+print \"is fx \$(fx[1]) \$(1e5*0.04)\""
+agree 'an open face' "$(at 0.2 0.95 'region w block -1 1 -1 1 -1 1 open 6 units box' "$hooke")
+run 0
+print \"is fz \$(fz[1]) 0\""
+# R* = R/(1 + kappa R)
+for case in 'sphere 0 0 0 0.5 units box|0.41|-1/0.5|-1' 'sphere 0 0 0 0.5 side out units box|0.59|1/0.5|1' \
+	'cylinder z 0 0 0.5 INF INF units box|0.41|-1/1.0|-1' \
+	'cone z 0 0 0.5 0.5 -1 1 side out units box|0.59|1/1.0|1'; do
+	IFS='|' read -r shape x kappa sign <<<"$case"
+	agree "curvature: $shape" "$(at "$x" 0 "region w $shape" "$hertz")
+run 0
+variable r equal 0.1/(1+0.1*($kappa))
+print \"is f \$(fx[1]) \$($sign*1e7*sqrt(v_r*0.01)*0.01)\""
+done
+# faces of one member inside of another are none
+for x in 0.11 -0.5; do
+	agree "union at $x" "$(at $x 0.09 'region a block -1 0.2 -1 1 0 1 units box' \
+		'region b block 0.1 1 -1 1 -0.3 1 units box' 'region w union 2 a b' "$hooke")
+run 0
+print \"is fx \$(fx[1]) 0\"
+print \"is fz \$(fz[1]) \$(1e5*0.01*($x<0))\""
+done
+
+# a surface that moves away leaves no force; its velocity counts
+agree 'moving' "$(at 0 0.095 'variable z equal -3*time' 'region w plane 0 0 0 0 0 1 move NULL NULL v_z units box' \
+	'fix w all wall/gran/region hooke 1e5 0 40 0 0 0 region w')
+timestep 1e-6
+run 1
+run 1
+variable d equal 0.1-z[1]-3*2e-6
+print \"is f \$(fz[1]:%.9g) \$(1e5*v_d-40*mass(all)*(vz[1]-0.5e-6*fz[1]/mass(all)+3):%.9g)\""
+
+rejects "$(at 0 0 'region w ellipsoid 0 0 0 1 1 1 units box' "$hooke")
+run 0" 'whose surface is no wall'
+rejects "$(at 0 0 'region w sphere 0 0 0 1 units box')
+fix w all wall/gran/region region w" 'which law?'
+rejects "$(at 0 0 "$hooke")" "there is no region 'w'"
+rejects "$(at 0 0 'variable z equal time' 'region a sphere 0 0 0 1 move NULL NULL v_z units box' \
+	'region b sphere 0 0 1 1 units box' 'region w union 2 a b' "$hooke")" 'some of the regions that w is made of moves'
+rejects "$(at 0 0 'region w sphere 0 0 0 1 units box' "${hooke/hooke/hertz/history 1 1 1 1 1 1 hooke}")" 'there is another law'
+finish
