@@ -391,6 +391,7 @@ library_sources = \
 	src/particles/identity.h \
 	src/particles/insertion.c \
 	src/particles/insertion.h \
+	src/particles/insertion_make.c \
 	src/particles/insertion_rate.c \
 	src/particles/insertion_rate.h \
 	src/particles/insertion_region.c \
