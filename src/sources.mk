@@ -510,6 +510,7 @@ library_sources = \
 	src/styles/command/fix.c \
 	src/styles/command/fix_modify.c \
 	src/styles/command/flow_boundary.c \
+	src/styles/command/flow_grid.c \
 	src/styles/command/flow_set.c \
 	src/styles/command/flow_style.c \
 	src/styles/command/group.c \

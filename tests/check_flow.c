@@ -52,13 +52,12 @@ static void run_channel(int solid, const char *words, double tolerance)
 
 START_TEST(channel)
 {
-	for (int solid = 0; solid < 2; solid++) {
-		run_channel(solid, "", 1e-8);
-		run_channel(solid, "convection quick", 1e-8);
-		run_channel(solid, "convection cubista time rk2", 1e-8);
-		run_channel(solid, "convection donor form fd time ab2", 1e-8);
-		run_channel(solid, "wall linear", 0.7 / (0.2385 / 2) / 8 / 81 + 1e-9);
-	}
+	run_channel(0, "", 1e-8);
+	run_channel(1, "", 1e-8);
+	run_channel(0, "convection quick", 1e-8);
+	run_channel(0, "convection cubista time rk2", 1e-8);
+	run_channel(1, "convection donor form fd", 1e-8);
+	run_channel(0, "wall linear time ab2", 0.7 / (0.2385 / 2) / 8 / 81 + 1e-9);
 }
 END_TEST
 
@@ -113,7 +112,7 @@ START_TEST(order_in_space)
 	} cases[] = {
 		{ "time rk3 convection central", 2 },	  { "time rk3 convection quick", 2 },
 		{ "time rk3 convection cubista", 2 },	  { "time rk3 convection donor gamma 1", 1 },
-		{ "time rk3 convection donor gamma 0", 2 }, { "time rk3 form fd", 2 },
+		{ "time rk3 convection donor gamma 0", 2 }, { "time rk3 form fd convection central", 2 },
 	};
 	FILE *table = deck_table("Order in space");
 

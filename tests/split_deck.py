@@ -13,7 +13,7 @@ import sys
 
 MAKES = {"create_box", "create_atoms", "read_data", "read_restart", "set", "velocity", "group",
          "delete_atoms", "create_bonds", "delete_bonds", "displace_atoms", "reset_timestep",
-         "replicate", "change_box", "timestep", "mass"}
+         "replicate", "change_box", "timestep", "mass", "flow_set"}
 STARTS = {"create_box", "read_data", "read_restart"}
 UNDO = {"unfix": "fix", "uncompute": "compute", "undump": "dump"}
 

@@ -152,6 +152,7 @@ static enum ts_status make_stage(struct ts_instance *self, struct tsim *sim,
 		add_history(p, p->work, dt);
 	exchange_fields(fluid->u, p->work);
 	ts_projection_push(p, length);
+	ts_projection_blend(p, ((double)p->now_at + scheme->at[s]) / (double)p->done);
 	ts_fluid_fill_velocity(fluid, fluid->u);
 	TS_TRY(parts_force(sim, fluid, fluid->time + scheme->at[s] * dt, length));
 	TS_TRY(ts_projection_project(self, sim, length, length));
@@ -218,14 +219,17 @@ enum ts_status ts_projection_step(struct ts_instance *self, struct tsim *sim, do
 	p->source_share = p->source_steps > 0 ? 1 / (double)p->source_steps : 0;
 	if (ts_projection_room(p, length) != TS_OK)
 		return ts_nomem(&sim->error);
+	ts_projection_blend(p, 0);
 	ts_fluid_fill_velocity(&p->fluid, p->fluid.u);
 	p->done = substeps_now(p, sim, length);
 	for (int64_t k = 0; k < p->done; k++) {
+		p->now_at = k;
 		TS_TRY(ts_projection_advance(self, sim, length / (double)p->done, carry));
 		carry = carry_of(&ts_time_schemes[p->time]);
 	}
 	divide_used(p, (double)p->done);
 	TS_TRY(parts_settle(sim, &p->fluid, length));
+	ts_projection_settle(p);
 	ts_projection_clear_sources(p);
 	return TS_OK;
 }

@@ -1,5 +1,6 @@
 /* Boundary conditions: which there are, what is given there, and whether the flow can be. */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "flow/projection.h"
@@ -126,25 +127,63 @@ static size_t plane_size(const struct ts_grid *grid, int d)
 	return ts_flow_plane_at(grid, d, 0, grid->n[b] + grid->ghosts[b] + 1);
 }
 
+static enum ts_status want_plane(const struct ts_grid *grid, int d, double **plane)
+{
+	if (!*plane)
+		*plane = ts_alloc(plane_size(grid, d), sizeof(double));
+	return *plane ? TS_OK : TS_NOMEM;
+}
+
+static void drop_plane(double **plane)
+{
+	ts_free(*plane);
+	*plane = NULL;
+}
+
+static double value_of(const struct ts_flow_given *given, int c, size_t k)
+{
+	return given->plane[c] ? given->plane[c][k] : given->constant[c];
+}
+
+/* Planes where something varies over the face now. What was given at the last step stays as it is. */
+static enum ts_status shape(struct ts_projection *p, int d, enum ts_side side, int c, bool over_face)
+{
+	struct ts_flow_given *now = &p->now[d][side], *before = &p->before[d][side];
+	struct ts_flow_given *given = &p->fluid.given[d][side];
+	const struct ts_grid *grid = &p->fluid.grid;
+	size_t n = plane_size(grid, d);
+	bool had = before->plane[c];
+
+	if (over_face)
+		TS_TRY(want_plane(grid, d, &now->plane[c]));
+	else
+		drop_plane(&now->plane[c]);
+	if (over_face)
+		TS_TRY(want_plane(grid, d, &before->plane[c]));
+	for (size_t k = 0; over_face && !had && k < n; k++)
+		before->plane[c][k] = before->constant[c];
+	if (before->plane[c])
+		return want_plane(grid, d, &given->plane[c]);
+	drop_plane(&given->plane[c]);
+	return TS_OK;
+}
+
 static enum ts_status evaluate(struct ts_projection *p, struct tsim *sim, int d, enum ts_side side)
 {
 	const struct ts_flow_condition *condition = &p->condition[d][side];
 	const struct ts_grid *grid = &p->fluid.grid;
-	struct ts_flow_given *given = &p->fluid.given[d][side];
-	bool varies = condition->set[0] || condition->set[1] || condition->set[2];
+	struct ts_flow_given *now = &p->now[d][side];
+	bool set = condition->set[0] || condition->set[1] || condition->set[2];
 
 	for (int c = 0; c < grid->dimensions; c++) {
-		if (!condition->velocity[c].variable || !varies) {
-			ts_free(given->plane[c]);
-			given->plane[c] = NULL;
-			TS_TRY(value_now(sim, condition, c, &given->constant[c]));
-			continue;
-		}
-		if (!given->plane[c])
-			given->plane[c] = ts_alloc(plane_size(grid, d), sizeof(double));
-		if (!given->plane[c])
+		bool over_face = set && condition->velocity[c].variable;
+
+		if (shape(p, d, side, c, over_face) != TS_OK)
 			return ts_nomem(&sim->error);
-		TS_TRY(fill_plane(sim, condition, grid, d, side, c, given->plane[c]));
+		if (over_face)
+			TS_TRY(fill_plane(sim, condition, grid, d, side, c, now->plane[c]));
+		else
+			TS_TRY(value_now(sim, condition, c, &now->constant[c]));
 	}
 	return TS_OK;
 }
@@ -156,6 +195,76 @@ enum ts_status ts_projection_boundary(struct ts_instance *self, struct tsim *sim
 	for (int d = 0; d < p->fluid.grid.dimensions; d++)
 		for (int side = 0; side < 2; side++)
 			TS_TRY(evaluate(p, sim, d, (enum ts_side)side));
+	if (!p->before_known || (p->fluid.steps == 0 && !sim->running))
+		ts_projection_settle(p);
+	return TS_OK;
+}
+
+static void settle(const struct ts_grid *grid, int d, const struct ts_flow_given *now,
+		   struct ts_flow_given *before)
+{
+	for (int c = 0; c < grid->dimensions; c++) {
+		before->constant[c] = now->constant[c];
+		if (now->plane[c])
+			memcpy(before->plane[c], now->plane[c], plane_size(grid, d) * sizeof(double));
+		else
+			drop_plane(&before->plane[c]);
+	}
+}
+
+void ts_projection_settle(struct ts_projection *p)
+{
+	for (int d = 0; d < p->fluid.grid.dimensions; d++)
+		for (int side = 0; side < 2; side++)
+			settle(&p->fluid.grid, d, &p->now[d][side], &p->before[d][side]);
+	p->before_known = 1;
+}
+
+/* Exact at both ends, and where nothing changes. */
+static double between(double a, double b, double share)
+{
+	return share < 1 ? a + share * (b - a) : b;
+}
+
+static void blend(const struct ts_grid *grid, int d, const struct ts_flow_given *before,
+		  const struct ts_flow_given *now, double share, struct ts_flow_given *out)
+{
+	for (int c = 0; c < grid->dimensions; c++) {
+		size_t n = out->plane[c] ? plane_size(grid, d) : 0;
+
+		out->constant[c] = between(before->constant[c], now->constant[c], share);
+		for (size_t k = 0; k < n; k++)
+			out->plane[c][k] = between(value_of(before, c, k), value_of(now, c, k), share);
+	}
+}
+
+void ts_projection_blend(struct ts_projection *p, double share)
+{
+	for (int d = 0; d < p->fluid.grid.dimensions; d++)
+		for (int side = 0; side < 2; side++)
+			blend(&p->fluid.grid, d, &p->before[d][side], &p->now[d][side], share,
+			      &p->fluid.given[d][side]);
+}
+
+enum ts_status ts_projection_archive_given(struct ts_projection *p, struct tsim *sim,
+					   struct ts_archive *archive)
+{
+	for (int face = 0; face < 6; face++) {
+		struct ts_flow_given *given = &p->before[face / 2][face % 2];
+		char name[32];
+
+		snprintf(name, sizeof name, "given_%d", face);
+		TS_TRY(ts_archive_fixed(archive, name, TS_SAVED_F64, given->constant, 3));
+		for (int c = 0; c < 3; c++) {
+			snprintf(name, sizeof name, "given_%d_%d", face, c);
+			if (ts_archive_writing(archive) ? !given->plane[c] : !ts_archive_has(archive, name))
+				continue;
+			if (want_plane(&p->fluid.grid, face / 2, &given->plane[c]) != TS_OK)
+				return ts_nomem(&sim->error);
+			TS_TRY(ts_archive_fixed(archive, name, TS_SAVED_F64, given->plane[c],
+						plane_size(&p->fluid.grid, face / 2)));
+		}
+	}
 	return TS_OK;
 }
 

@@ -104,6 +104,8 @@ struct ts_flow_part {
 /* Writes ghosts of a velocity field, u or another; and its components across the boundary where these are
  * given. */
 void ts_fluid_fill_velocity(const struct ts_fluid *fluid, double *const u[3]);
+/* Ghosts only: the boundary itself is left as it is. */
+void ts_fluid_fill_ghosts(const struct ts_fluid *fluid, double *const u[3]);
 /* Of a scalar at centres: no gradient at faces that are not periodic. */
 void ts_fluid_fill_centred(const struct ts_fluid *fluid, double *field);
 /* Of a pressure: as a scalar, but zero on outlets. */

@@ -82,7 +82,7 @@ static double given_at(const struct ts_flow_given *given, const struct ts_grid *
 
 /* ---- the component across the face */
 
-static void fill_across(const struct ts_fluid *fluid, double *u, int d, enum ts_side side)
+static void fill_across(const struct ts_fluid *fluid, double *u, int d, enum ts_side side, bool keep)
 {
 	const struct ts_grid *grid = &fluid->grid;
 	struct plane plane = plane_across(grid, d);
@@ -95,9 +95,9 @@ static void fill_across(const struct ts_fluid *fluid, double *u, int d, enum ts_
 			double *at = u + plane_offset(grid, &plane, ia, ib) + face;
 			double out = at[0] * (double)(side == TS_LOW ? -1 : 1);
 
-			if (kind == TS_FLOW_SLIP)
+			if (kind == TS_FLOW_SLIP && !keep)
 				at[0] = 0;
-			else if (kind != TS_FLOW_OUTLET)
+			else if (kind != TS_FLOW_OUTLET && !keep)
 				at[0] = given_at(&fluid->given[d][side], grid, d, d, ia, ib);
 			at[-s] = kind != TS_FLOW_OUTLET ? 2 * at[0] - at[s] : out > 0 ? at[0] : 0;
 			if (side == TS_LOW) /* above the upper face there is one layer */
@@ -141,7 +141,7 @@ static void fill_along(const struct ts_fluid *fluid, double *const u[3], int c, 
 		}
 }
 
-void ts_fluid_fill_velocity(const struct ts_fluid *fluid, double *const u[3])
+static void fill_velocity(const struct ts_fluid *fluid, double *const u[3], bool keep)
 {
 	const struct ts_grid *grid = &fluid->grid;
 
@@ -157,10 +157,20 @@ void ts_fluid_fill_velocity(const struct ts_fluid *fluid, double *const u[3])
 			}
 			for (int side = 0; side < 2; side++)
 				if (c == d)
-					fill_across(fluid, u[c], d, (enum ts_side)side);
+					fill_across(fluid, u[c], d, (enum ts_side)side, keep);
 				else
 					fill_along(fluid, u, c, d, (enum ts_side)side);
 		}
+}
+
+void ts_fluid_fill_velocity(const struct ts_fluid *fluid, double *const u[3])
+{
+	fill_velocity(fluid, u, false);
+}
+
+void ts_fluid_fill_ghosts(const struct ts_fluid *fluid, double *const u[3])
+{
+	fill_velocity(fluid, u, true);
 }
 
 /* ---- what lives in centres */

@@ -149,7 +149,11 @@ enum ts_status ts_projection_prepare(struct ts_instance *self, struct tsim *sim)
 	p->poisson.threads = ts_team(sim, ts_grid_cells(&fluid->grid));
 	TS_TRY(ts_projection_faces(self, sim));
 	TS_TRY(ts_projection_boundary(self, sim));
-	ts_fluid_fill_velocity(fluid, fluid->u);
+	ts_projection_blend(p, 0); /* the fields are those of the last step */
+	if (fluid->steps == 0)
+		ts_fluid_fill_velocity(fluid, fluid->u);
+	else
+		ts_fluid_fill_ghosts(fluid, fluid->u);
 	ts_fluid_fill_pressure(fluid, fluid->p);
 	return TS_OK;
 }
@@ -164,6 +168,10 @@ void ts_projection_release(struct ts_projection *p)
 		ts_grid_field_free(p->history[d]);
 		ts_grid_field_free(p->weight[d]);
 		ts_free(p->graded[d]);
+		for (int k = 0; k < 6; k++) {
+			ts_free(p->now[d][k / 3].plane[k % 3]);
+			ts_free(p->before[d][k / 3].plane[k % 3]);
+		}
 	}
 	ts_grid_field_free(p->rhs);
 	ts_grid_field_free(p->empty_before);

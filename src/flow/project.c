@@ -120,12 +120,15 @@ static void correct(const struct ts_projection *p, double factor)
 	}
 }
 
-static enum ts_status solver(struct ts_instance *self, struct tsim *sim)
+enum ts_status ts_projection_solver(struct ts_instance *self, struct tsim *sim, double held)
 {
 	struct ts_projection *p = self->state;
 	struct ts_instance *pressure;
-	bool weighted = p->poisson.weight[0];
+	bool weighted;
 
+	if (ts_projection_weights(p, held) != TS_OK)
+		return ts_nomem(&sim->error);
+	weighted = p->poisson.weight[0];
 	if (p->pressure && p->removals == sim->removals && p->weighted == weighted)
 		return TS_OK;
 	TS_TRY(ts_pressure_choose(sim, &p->poisson, &self->where, &pressure));
@@ -143,8 +146,7 @@ enum ts_status ts_projection_project(struct ts_instance *self, struct tsim *sim,
 	struct ts_poisson_report report = { 0 };
 	double mean;
 
-	TS_TRY(ts_projection_weights(p, held) == TS_OK ? TS_OK : ts_nomem(&sim->error));
-	TS_TRY(solver(self, sim));
+	TS_TRY(ts_projection_solver(self, sim, held));
 	ts_fluid_fill_velocity(fluid, fluid->u);
 	TS_TRY(ts_projection_balance(self, sim, &mean));
 	divergence(p, fluid->density / dt, mean);

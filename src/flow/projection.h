@@ -38,6 +38,10 @@ struct ts_projection {
 	int convection, form, wall, time;
 	struct ts_flow_condition condition[3][2];
 
+	/* Velocities given at the last step of the fluid and now; fluid.given is between them. */
+	struct ts_flow_given before[3][2], now[3][2];
+	uint8_t before_known;
+
 	bool read; /* the words, into: */
 	int64_t cells[3];
 	int64_t substeps; /* 0: as many as its limits want */
@@ -55,6 +59,7 @@ struct ts_projection {
 	int64_t source_steps; /* steps of the simulation since the last one of the fluid */
 	double source_share;  /* 1/source_steps, while sources are used */
 	int64_t done;	      /* substeps in the last step */
+	int64_t now_at;	      /* which of them it is, from 0 */
 	int64_t waited;	      /* steps of the simulation since the last step of the fluid */
 	struct ts_operators operators;
 	struct ts_poisson poisson;
@@ -95,6 +100,8 @@ void ts_projection_push(struct ts_projection *projection, double dt);
 void ts_projection_use(struct ts_projection *projection, double carry, double take);
 void ts_projection_clear_sources(struct ts_projection *projection);
 
+/* Who solves for the pressure, prepared for the faces and weights of now. */
+enum ts_status ts_projection_solver(struct ts_instance *self, struct tsim *sim, double held);
 /* Makes the velocity free of divergence: u -= dt/rho grad p. `held`: for how long particles hold the fluid in
  * it by their k, dt or 0. */
 enum ts_status ts_projection_project(struct ts_instance *self, struct tsim *sim, double dt, double held);
@@ -112,6 +119,13 @@ enum ts_status ts_projection_watch(struct ts_instance *self, struct tsim *sim, d
 
 /* Evaluates what variables say about the faces: velocities given, now. boundary.c */
 enum ts_status ts_projection_boundary(struct ts_instance *self, struct tsim *sim);
+/* The faces get what is given between the last step of the fluid (0) and now (1). */
+void ts_projection_blend(struct ts_projection *projection, double share);
+/* What is given now becomes what was given at the last step. */
+void ts_projection_settle(struct ts_projection *projection);
+/* Planes of velocities given, for restart files. */
+enum ts_status ts_projection_archive_given(struct ts_projection *projection, struct tsim *sim,
+					   struct ts_archive *archive);
 /* Kinds of the faces by settings and box; refuses what cannot be. */
 enum ts_status ts_projection_faces(struct ts_instance *self, struct tsim *sim);
 /* Flow through the whole boundary outwards per volume of the grid, by the velocities given; refused where

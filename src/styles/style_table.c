@@ -39,6 +39,7 @@ TS_STYLE(command, ts_command_style, ts_command_echo)
 TS_STYLE(command, ts_command_style, ts_command_fix)
 TS_STYLE(command, ts_command_style, ts_command_fix_modify)
 TS_STYLE(command, ts_command_style, ts_command_flow_boundary)
+TS_STYLE(command, ts_command_style, ts_command_flow_grid)
 TS_STYLE(command, ts_command_style, ts_command_flow_set)
 TS_STYLE(command, ts_command_style, ts_command_flow_style)
 TS_STYLE(command, ts_command_style, ts_command_group)
@@ -305,6 +306,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_command_fix.style,
 	&ts_command_fix_modify.style,
 	&ts_command_flow_boundary.style,
+	&ts_command_flow_grid.style,
 	&ts_command_flow_set.style,
 	&ts_command_flow_style.style,
 	&ts_command_group.style,

@@ -43,16 +43,17 @@ syn keyword tsimKeyword  none zlib lz4 flush pbc binary fileper nfile screen
 syn match tsimKeyword /\<log\>/ 
 syn keyword tsimKeyword  both xlo xhi ylo yhi zlo zhi periodic wall slip inlet outlet
 syn match tsimKeyword /\<velocity\>/ 
-syn keyword tsimKeyword  type union subtract intersect empty initialize
+syn keyword tsimKeyword  uniform geometric fine lo hi tanh faces type union subtract
+syn keyword tsimKeyword  intersect empty initialize
 syn match tsimKeyword /\<clear\>/ 
 syn keyword tsimKeyword  delete dynamic static
 syn match tsimKeyword /\<include\>/ 
 syn keyword tsimKeyword  molecule sc bcc fcc hcp diamond sq sq2 hex custom origin orient
 syn keyword tsimKeyword  spacing a1 a2 a3 file check binsize page one once cluster
 syn keyword tsimKeyword  collection/type collection/interval exclude bin nsq omp grain
-syn keyword tsimKeyword  shift tail mix geometric arithmetic sixthpower universe grid part
-syn keyword tsimKeyword  numa add offset nocoeff extra/atom/types extra/bond/types
-syn keyword tsimKeyword  extra/angle/types extra/dihedral/types extra/improper/types
+syn keyword tsimKeyword  shift tail mix arithmetic sixthpower universe grid part numa add
+syn keyword tsimKeyword  offset nocoeff extra/atom/types extra/bond/types extra/angle/types
+syn keyword tsimKeyword  extra/dihedral/types extra/improper/types
 syn match tsimKeyword /\<fix\>/ 
 syn keyword tsimKeyword  replace trim purge bbox last skip start stop
 syn match tsimKeyword /\<dump\>/ 
@@ -65,14 +66,14 @@ syn keyword tsimKeyword  temp press si cgs micro real metal electron nano index 
 syn keyword tsimKeyword  uloop string getenv
 syn match tsimKeyword /\<timer\>/ 
 syn keyword tsimKeyword  internal atomfile equal vector create zero linear angular
-syn keyword tsimKeyword  angularIndividual sum dist uniform gaussian mom rot local geom
-syn keyword tsimKeyword  bias pair ii ij nofix modify noinit discard default mixed bound
-syn keyword tsimKeyword  reduced nchunk limit ids nfreq between cells values interpolation
-syn keyword tsimKeyword  cubic kspace tensor com average property xcm vcm fcm torque quat
-syn keyword tsimKeyword  angmom masstotal inertia clumptype id_multisphere ex_space
-syn keyword tsimKeyword  ey_space ez_space bond/type region_count tracer reset_marker
-syn keyword tsimKeyword  radius min max ave sumsq avesq sumabs aveabs minabs maxabs inputs
-syn keyword tsimKeyword  peratom update_on_run_end adof cdof primitives reset coefficient
+syn keyword tsimKeyword  angularIndividual sum dist gaussian mom rot local geom bias pair
+syn keyword tsimKeyword  ii ij nofix modify noinit discard default mixed bound reduced
+syn keyword tsimKeyword  nchunk limit ids nfreq between cells values interpolation cubic
+syn keyword tsimKeyword  kspace tensor com average property xcm vcm fcm torque quat angmom
+syn keyword tsimKeyword  masstotal inertia clumptype id_multisphere ex_space ey_space
+syn keyword tsimKeyword  ez_space bond/type region_count tracer reset_marker radius min max
+syn keyword tsimKeyword  ave sumsq avesq sumabs aveabs minabs maxabs inputs peratom
+syn keyword tsimKeyword  update_on_run_end adof cdof primitives reset coefficient
 syn keyword tsimKeyword  fluid_acceleration two_way energy sample running window overwrite
 syn keyword tsimKeyword  title1 title2 title3 auto upper lower auto/upper auto/lower full
 syn keyword tsimKeyword  prefactor nevery cell_size_relative parallel basevolume_region
@@ -143,7 +144,7 @@ syn keyword tsimName  cellc cellalpha cellbeta cellgamma PI yes no true false on
 syn match tsimFunction /\<\%(sqrt\|exp\|ln\|log\|abs\|sign\|sin\|cos\|tan\|asin\|acos\|atan\|atan2\|ceil\|floor\|round\|ternary\|random\|normal\|ramp\|vdisplace\|swiggle\|cwiggle\|stagger\|logfreq\|logfreq2\|logfreq3\|stride\|stride2\|sum\|ave\|min\|max\|trap\|slope\|stderr\|sort\|rsort\|next\|is_file\|is_os\|is_defined\|is_active\|is_available\|extract_setting\|volume\|count\|mass\|ke\|gyration\|xcm\|vcm\|fcm\|angmom\|torque\|inertia\|omega\|bound\|property\|gmask\|rmask\|grmask\)\ze(/
 
 " commands, at the start of a line
-syn match tsimCommand /^\s*\%(atom_modify\|atom_style\|balance\|bond_coeff\|bond_style\|boundary\|box\|change_box\|clear\|comm_modify\|comm_style\|communicate\|compute\|compute_modify\|create_atoms\|create_particles\|create_bonds\|create_box\|delete_atoms\|delete_bonds\|dimension\|displace_atoms\|dump\|dump_modify\|echo\|fix\|fix_modify\|flow_boundary\|flow_set\|flow_style\|group\|hard_particles\|if\|include\|info\|jump\|label\|lattice\|legacy\|log\|mass\|material\|modify_timing\|neigh_modify\|neighbor\|newton\|next\|package\|pair_coeff\|pair_modify\|pair_style\|partition\|partitioner_style\|pressure_style\|print\|processors\|quit\|read_data\|read_dump\|read_restart\|region\|replicate\|rerun\|reset_timestep\|restart\|run\|set\|shell\|soft_particles\|special_bonds\|thermo\|thermo_log\|thermo_modify\|thermo_style\|timer\|timestep\|uncompute\|undump\|unfix\|units\|variable\|velocity\|write_data\|write_dump\|write_restart\|write_restart_on_signal\)\ze\%(\s\|$\)/
+syn match tsimCommand /^\s*\%(atom_modify\|atom_style\|balance\|bond_coeff\|bond_style\|boundary\|box\|change_box\|clear\|comm_modify\|comm_style\|communicate\|compute\|compute_modify\|create_atoms\|create_particles\|create_bonds\|create_box\|delete_atoms\|delete_bonds\|dimension\|displace_atoms\|dump\|dump_modify\|echo\|fix\|fix_modify\|flow_boundary\|flow_grid\|flow_set\|flow_style\|group\|hard_particles\|if\|include\|info\|jump\|label\|lattice\|legacy\|log\|mass\|material\|modify_timing\|neigh_modify\|neighbor\|newton\|next\|package\|pair_coeff\|pair_modify\|pair_style\|partition\|partitioner_style\|pressure_style\|print\|processors\|quit\|read_data\|read_dump\|read_restart\|region\|replicate\|rerun\|reset_timestep\|restart\|run\|set\|shell\|soft_particles\|special_bonds\|thermo\|thermo_log\|thermo_modify\|thermo_style\|timer\|timestep\|uncompute\|undump\|unfix\|units\|variable\|velocity\|write_data\|write_dump\|write_restart\|write_restart_on_signal\)\ze\%(\s\|$\)/
 
 " styles, behind their command, name and group
 syn match tsimHead /^\s*fix\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_fix

@@ -29,6 +29,8 @@ static enum ts_status read_words(struct ts_instance *self, struct tsim *sim)
 	if (p->body_words.n)
 		TS_TRY(ts_flow_read_vector(sim, "flow_style projection: body_force", p->body_words,
 					   &self->where, &self->arena, p->body_force));
+	if (p->convection < 0)
+		p->convection = p->form == TS_FORM_DIFFERENCE ? TS_CONVECTION_DONOR : TS_CONVECTION_QUICK;
 	p->substeps = 0;
 	if (!ts_streq(p->substeps_word, "auto") &&
 	    (!ts_parse_int(p->substeps_word, &p->substeps) || p->substeps < 1))
@@ -48,10 +50,13 @@ static enum ts_status read_words(struct ts_instance *self, struct tsim *sim)
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_projection *p = self->state;
+	bool is_run = p->read; /* the faces are known only then */
 
-	if (!p->read)
+	if (!is_run)
 		TS_TRY(read_words(self, sim));
 	TS_TRY(ts_projection_prepare(self, sim));
+	if (is_run)
+		TS_TRY(ts_projection_solver(self, sim, 0));
 	if (p->fluid.steps == 0)
 		p->fluid.time = ts_sim_time(sim);
 	return TS_OK;
@@ -115,6 +120,8 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	for (size_t k = 0; k < sizeof scalars / sizeof *scalars && status == TS_OK; k++)
 		status = archive_field(archive, scalars[k].name, '\0', &fluid->grid, scalars[k].field,
 				       !writing || *scalars[k].field);
+	if (status == TS_OK)
+		status = ts_projection_archive_given(p, sim, archive);
 	return status == TS_NOMEM ? ts_nomem(&sim->error) : status;
 }
 
@@ -124,8 +131,11 @@ static void fingerprint(const struct ts_instance *self, const struct tsim *sim, 
 
 	(void)sim;
 	for (int d = 0; d < 3; d++)
+		ts_hash_add(hash, p->fluid.grid.face[d],
+			    (size_t)(p->fluid.grid.n[d] + 1) * sizeof(double));
+	for (int d = 0; d < 3; d++)
 		for (int side = 0; side < 2; side++) {
-			const struct ts_flow_given *given = &p->fluid.given[d][side];
+			const struct ts_flow_given *given = &p->before[d][side];
 
 			ts_hash_add(hash, &p->fluid.face[d][side], sizeof p->fluid.face[d][side]);
 			ts_hash_add(hash, given->constant, sizeof given->constant);
@@ -191,8 +201,10 @@ static const struct ts_saved saved[] = {
 	TS_SAVE_F64(struct ts_projection, fluid.courant),
 	TS_SAVE_F64(struct ts_projection, fluid.divergence),
 	TS_SAVE_F64(struct ts_projection, fluid.residual),
+	TS_SAVE_I32(struct ts_projection, fluid.iterations),
 	TS_SAVE_F64(struct ts_projection, history_dt),
 	TS_SAVE_U8(struct ts_projection, empty_known),
+	TS_SAVE_U8(struct ts_projection, before_known),
 	TS_SAVE_I64(struct ts_projection, source_steps),
 	TS_SAVE_I64(struct ts_projection, done),
 	TS_SAVE_I64(struct ts_projection, waited),
@@ -217,8 +229,9 @@ static const struct ts_arg args[] = {
 		.hi = 1, .help = "substeps auto: share of the largest stable step"),
 	TS_REGION("region", struct ts_projection, region, .flags = TS_OPTIONAL,
 		  .help = "the grid fills the bounds of this region; else the box"),
-	TS_ENUM("convection", struct ts_projection, convection, ts_convection_names, .fallback = "central",
-		.help = "scheme for velocities on the sides of control volumes"),
+	TS_ENUM("convection", struct ts_projection, convection, ts_convection_names, .flags = TS_OPTIONAL,
+		.help = "scheme for velocities on the sides of control volumes; default: quick, or donor in "
+			"form fd"),
 	TS_REAL("gamma", struct ts_projection, gamma, .range = TS_FRACTION, .fallback = "0.5",
 		.help = "convection donor: share of donor cell, the rest is central"),
 	TS_ENUM("form", struct ts_projection, form, ts_form_names, .fallback = "fv",
