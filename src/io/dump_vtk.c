@@ -159,7 +159,8 @@ static size_t take_array(struct ts_instance *self, size_t k, bool vectors, doubl
 	return a->components;
 }
 
-enum ts_status ts_dump_vtk_merge(struct ts_instance *self, struct tsim *sim, bool vectors)
+/* Fills `array` with the columns in order of writing. */
+static enum ts_status merge(struct ts_instance *self, struct tsim *sim, bool vectors)
 {
 	struct ts_dump_vtk *s = self->state;
 	const struct ts_dump_common *d = &s->common;
@@ -224,6 +225,33 @@ enum ts_status ts_dump_vtk_write(struct ts_instance *self, struct tsim *sim,
 	TS_TRY(ts_dump_vtk_path(d, sim));
 	TS_TRY(ts_vtk_write_poly(sim, ts_str_text(&d->path), &self->where, poly));
 	return ts_dump_vtk_list(self, sim);
+}
+
+enum ts_status ts_dump_vtk_frame(struct ts_instance *self, struct tsim *sim, bool local,
+				 ts_dump_vtk_place_fn *place)
+{
+	struct ts_dump_vtk *s = self->state;
+	struct ts_vtk_poly poly = { 0 };
+	bool due;
+
+	TS_TRY(ts_dump_due(self, sim, &due));
+	if (!due)
+		return TS_OK;
+	TS_TRY(ts_dump_gather(self, sim, local));
+	TS_TRY(place(self, sim));
+	TS_TRY(merge(self, sim, !local));
+	poly.points = s->points.data;
+	if (local) {
+		poly.nlines = s->common.nrows;
+		poly.npoints = 2 * poly.nlines;
+		poly.cell_data = s->array;
+		poly.ncell_data = s->narrays;
+	} else {
+		poly.npoints = s->common.nrows;
+		poly.point_data = s->array;
+		poly.npoint_data = s->narrays;
+	}
+	return ts_dump_vtk_write(self, sim, &poly);
 }
 
 enum ts_status ts_dump_vtk_archive(struct ts_instance *self, struct tsim *sim,

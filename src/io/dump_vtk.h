@@ -32,16 +32,19 @@ void ts_dump_vtk_warn_of_one_file(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_dump_vtk_check_name(struct ts_instance *self, struct tsim *sim);
 /* All that, and finds the columns. */
 enum ts_status ts_dump_vtk_init(struct ts_instance *self, struct tsim *sim, bool local);
-/* Fills `array` with the columns in order of writing. `vectors`: three columns that are components
- * of one vector (vx vy vz, c_ID[1] c_ID[2] c_ID[3]) become one array. x, y, z are left out. */
-enum ts_status ts_dump_vtk_merge(struct ts_instance *self, struct tsim *sim, bool vectors);
+/* A frame of columns, if one is due. `place` fills `points`: one for each row, or of local rows two, the ends of a line.
+ * Of particles three columns that are components of one vector (vx vy vz, c_ID[1] c_ID[2] c_ID[3]) become one
+ * array; x, y, z are left out. */
+typedef enum ts_status ts_dump_vtk_place_fn(struct ts_instance *self, struct tsim *sim);
+enum ts_status ts_dump_vtk_frame(struct ts_instance *self, struct tsim *sim, bool local,
+				 ts_dump_vtk_place_fn *place);
 /* The name of the frame of this step, into common.path. */
 enum ts_status ts_dump_vtk_path(struct ts_dump_common *d, struct tsim *sim);
 /* Enters the frame of this step in the collection, and writes that. */
 enum ts_status ts_dump_vtk_list(struct ts_instance *self, struct tsim *sim);
 /* The two ends of a line: from a to the nearest periodic image of b. */
 void ts_dump_vtk_line(const struct tsim *sim, const double a[3], const double b[3], double to[6]);
-/* Writes the frame and the collection. */
+/* Writes a frame and the collection. */
 enum ts_status ts_dump_vtk_write(struct ts_instance *self, struct tsim *sim,
 				 struct ts_vtk_poly *poly);
 enum ts_status ts_dump_vtk_archive(struct ts_instance *self, struct tsim *sim,

@@ -55,25 +55,15 @@ static enum ts_status write_box(struct ts_instance *self, struct tsim *sim)
 	return status;
 }
 
+static enum ts_status place(struct ts_instance *self, struct tsim *sim)
+{
+	TS_TRY(fill_points(self->state, sim));
+	return write_box(self, sim);
+}
+
 static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 {
-	struct state *state = self->state;
-	struct ts_dump_vtk *s = &state->vtk;
-	struct ts_vtk_poly poly = { 0 };
-	bool due;
-
-	TS_TRY(ts_dump_due(self, sim, &due));
-	if (!due)
-		return TS_OK;
-	TS_TRY(ts_dump_gather(self, sim, false));
-	TS_TRY(fill_points(s, sim));
-	TS_TRY(ts_dump_vtk_merge(self, sim, true));
-	poly.points = s->points.data;
-	poly.npoints = s->common.nrows;
-	poly.point_data = s->array;
-	poly.npoint_data = s->narrays;
-	TS_TRY(write_box(self, sim));
-	return ts_dump_vtk_write(self, sim, &poly);
+	return ts_dump_vtk_frame(self, sim, false, place);
 }
 
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim,

@@ -61,23 +61,7 @@ static enum ts_status fill_points(struct ts_instance *self, struct tsim *sim)
 
 static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 {
-	struct state *state = self->state;
-	struct ts_dump_vtk *s = &state->vtk;
-	struct ts_vtk_poly poly = { 0 };
-	bool due;
-
-	TS_TRY(ts_dump_due(self, sim, &due));
-	if (!due)
-		return TS_OK;
-	TS_TRY(ts_dump_gather(self, sim, true));
-	TS_TRY(fill_points(self, sim));
-	TS_TRY(ts_dump_vtk_merge(self, sim, false));
-	poly.points = s->points.data;
-	poly.npoints = 2 * s->common.nrows;
-	poly.nlines = s->common.nrows;
-	poly.cell_data = s->array;
-	poly.ncell_data = s->narrays;
-	return ts_dump_vtk_write(self, sim, &poly);
+	return ts_dump_vtk_frame(self, sim, true, fill_points);
 }
 
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
