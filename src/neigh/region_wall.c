@@ -19,22 +19,29 @@ enum ts_status ts_region_wall_init(struct ts_instance *self, struct tsim *sim,
 			       "expected block, cone, cylinder, plane, sphere, or a union or intersection "
 			       "of them",
 			       w->region->id, w->region->style->name);
-	if (ts_region_has_moving_members(w->region))
-		return ts_fail(&sim->error, TS_STATE, where,
-			       "fix wall/gran/region: some of the regions that %s is made of moves; "
-			       "expected that the whole moves, or nothing",
-			       w->region->id);
+	w->nmovers = ts_region_movers(w->region, NULL, 0);
 	w->spot = ts_arena_alloc(&self->arena, (size_t)w->faces, sizeof *w->spot);
-	return w->spot ? TS_OK : ts_nomem(&sim->error);
+	w->mover = ts_arena_alloc(&self->arena, (size_t)w->nmovers + 1, sizeof *w->mover);
+	if (!w->motion)
+		w->motion = ts_arena_alloc(&self->arena, (size_t)w->nmovers + 1, sizeof *w->motion);
+	if (!w->spot || !w->mover || !w->motion)
+		return ts_nomem(&sim->error);
+	ts_region_movers(w->region, w->mover, w->nmovers);
+	if (w->nmovers < 2 || w->mover[0] != w->region)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, where,
+		       "fix wall/gran/region: region %s moves, and %s, which it is made of, moves in it; "
+		       "expected one of both",
+		       w->region->id, w->mover[1]->id);
 }
 
 /* ---- motion ---- */
 
 /* The velocity is by what variables said in the last step, as in LAMMPS; 0 where nobody asked before. */
-static void look_at_motion(struct ts_region_wall *w, const struct tsim *sim)
+static void look_at_motion(const struct ts_instance *mover, struct ts_region_motion *m,
+			   const struct tsim *sim)
 {
-	const struct ts_region *r = w->region->state;
-	struct ts_region_motion *m = &w->motion;
+	const struct ts_region *r = mover->state;
 	double step = (double)sim->clock.step;
 
 	if (m->known > 0 && m->step == step)
@@ -50,18 +57,21 @@ static void look_at_motion(struct ts_region_wall *w, const struct tsim *sim)
 }
 
 /* Of the surface at the spot nearest to x. */
-static void surface_velocity(const struct ts_region_wall *w, const double x[3],
-			     struct ts_wall_spot *spot)
+static void surface_velocity(const struct ts_region_wall *w, const struct ts_instance *mover,
+			     const double x[3], struct ts_wall_spot *spot)
 {
-	const struct ts_region *r = w->region->state;
+	const struct ts_region *r = mover->state;
+	const struct ts_region_motion *m = w->motion;
 	double arm[3], spin[3], turn[3];
 
+	for (int k = 0; k < w->nmovers && w->mover[k] != mover; k++)
+		m++;
 	for (int k = 0; k < 3; k++) {
 		arm[k] = x[k] - spot->distance * spot->n[k] - r->pivot[k] - r->shift[k];
-		spin[k] = w->motion.rate * r->axis[k];
+		spin[k] = m->rate * r->axis[k];
 	}
 	ts_cross(spin, arm, turn);
-	ts_add(w->motion.velocity, turn, spot->velocity);
+	ts_add(m->velocity, turn, spot->velocity);
 }
 
 /* ---- stages ---- */
@@ -117,7 +127,8 @@ static void push_face(struct tsim *sim, struct ts_wall *wall, const struct ts_re
 		ts_wall_contact_part(&wall->contacts, k);
 		return;
 	}
-	surface_velocity(w, x, &spot);
+	if (on->mover)
+		surface_velocity(w, on->mover, x, &spot);
 	ts_wall_push(wall, sim, k, &spot);
 }
 
@@ -128,7 +139,8 @@ enum ts_status ts_region_wall_push(struct tsim *sim, struct ts_wall *wall, struc
 	int n = 0;
 
 	TS_TRY(ts_region_update(w->region, sim));
-	look_at_motion(w, sim);
+	for (int k = 0; k < w->nmovers; k++)
+		look_at_motion(w->mover[k], &w->motion[k], sim);
 	for (size_t k = 0; k < c->n; k++) { /* the faces of a particle follow one another */
 		int face = c->key[k][1];
 
@@ -137,4 +149,12 @@ enum ts_status ts_region_wall_push(struct tsim *sim, struct ts_wall *wall, struc
 		push_face(sim, wall, w, k, spot_of(w, n, face), type);
 	}
 	return TS_OK;
+}
+
+enum ts_status ts_region_wall_archive(struct ts_archive *a, struct ts_region_wall *w)
+{
+	if (!w->nmovers)
+		return TS_OK;
+	return ts_archive_fixed(a, "motion", TS_SAVED_F64, w->motion,
+				(size_t)w->nmovers * TS_REGION_MOTION);
 }

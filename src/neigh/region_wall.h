@@ -5,22 +5,21 @@
 #include "neigh/wall.h"
 #include "particles/region.h"
 
+/* How a region moves, by what its variables said in the step before. */
+struct ts_region_motion {
+	double known, step, shift[3], angle;
+	double velocity[3], rate; /* of rotation */
+};
+enum { TS_REGION_MOTION = sizeof(struct ts_region_motion) / sizeof(double) };
+
 struct ts_region_wall {
 	struct ts_instance *region;
 	struct ts_region_spot *spot; /* room for those of a particle */
 	int faces;
-
-	/* How it moves, by what variables said in the step before; saved. */
-	struct ts_region_motion {
-		double known, step, shift[3], angle;
-		double velocity[3], rate; /* of rotation */
-	} motion;
+	int nmovers; /* the region or those that it is made of */
+	const struct ts_instance **mover;
+	struct ts_region_motion *motion; /* of each; saved */
 };
-#define TS_REGION_WALL_SAVED(T, f)                                                                 \
-	{                                                                                          \
-		"motion", TS_SAVED_F64, offsetof(T, f.motion),                                     \
-			sizeof(struct ts_region_motion) / sizeof(double)                           \
-	}
 
 /* In init, when the region is known. */
 enum ts_status ts_region_wall_init(struct ts_instance *self, struct tsim *sim,
@@ -31,5 +30,6 @@ enum ts_status ts_region_wall_list(struct ts_instance *self, struct tsim *sim, s
 /* All forces; the surface has the material of this type. */
 enum ts_status ts_region_wall_push(struct tsim *sim, struct ts_wall *wall, struct ts_region_wall *w,
 				   int type);
+enum ts_status ts_region_wall_archive(struct ts_archive *a, struct ts_region_wall *w);
 
 #endif

@@ -98,10 +98,38 @@ double ts_region_depth(const struct ts_instance *region, const double x[3])
 int ts_region_faces(const struct ts_instance *region)
 {
 	const struct ts_region_style *style = style_of(region);
+	const struct ts_instance *member;
+	int sum = 0;
 
-	if (!style->spots)
-		return 0;
-	return style->count ? style->count(region) : style->faces;
+	if (!style->spots || !style->member)
+		return style->spots ? style->faces : 0;
+	for (int64_t k = 0; (member = style->member(region, k)); k++) {
+		int faces = ts_region_faces(member);
+
+		if (!faces)
+			return 0;
+		sum += faces;
+	}
+	return sum;
+}
+
+int ts_region_movers(const struct ts_instance *region, const struct ts_instance **out, int room)
+{
+	const struct ts_region_style *style = style_of(region);
+	const struct ts_instance *member;
+	int n = 0;
+
+	if (((const struct ts_region *)region->state)->moves) {
+		if (room > 0)
+			out[0] = region;
+		n++;
+	}
+	for (int64_t k = 0; style->member && (member = style->member(region, k)); k++) {
+		int at = n < room ? n : room;
+
+		n += ts_region_movers(member, out + at, room - at);
+	}
+	return n;
 }
 
 int ts_region_spots_all(const struct ts_instance *region, const double x[3],
@@ -122,6 +150,7 @@ int ts_region_spots_all(const struct ts_instance *region, const double x[3],
 			there[d] = ts_dot(r->turn[d], out[k].n);
 		for (int d = 0; d < 3; d++)
 			out[k].n[d] = there[d];
+		out[k].mover = region;
 	}
 	return n;
 }
@@ -138,11 +167,6 @@ int ts_region_spots(const struct ts_instance *region, const double x[3], struct 
 bool ts_region_varies(const struct ts_instance *region)
 {
 	return ((const struct ts_region *)region->state)->varies;
-}
-
-bool ts_region_has_moving_members(const struct ts_instance *region)
-{
-	return ((const struct ts_region *)region->state)->members_move;
 }
 
 /* The box around the turned and shifted box of the shape. */

@@ -29,8 +29,7 @@ struct ts_region {
 	bool moves;
 	double shift[3], turn[3][3], turned; /* by the angle */
 
-	/* whether the surface may change with time; whether members of a union or intersection move */
-	bool varies, members_move;
+	bool varies; /* the surface may change with time */
 };
 #define TS_REGION_ARGS(T)                                                                          \
 	TS_ENUM("side", T, region.side, ts_region_sides, .fallback = "in",                         \
@@ -53,6 +52,7 @@ struct ts_region_spot {
 	double distance, n[3]; /* n: unit vector towards the point; 0 on the surface where none is distinguished */
 	double curvature;      /* mean curvature of the surface, > 0: bulging towards the point */
 	int face;	       /* counted from 0 */
+	const struct ts_instance *mover; /* the region with whose move and rotate it goes; NULL: none */
 };
 
 struct ts_region_style {
@@ -71,8 +71,8 @@ struct ts_region_style {
 	 * the nearest of all, with face 0. NULL: not known. */
 	int (*spots)(const struct ts_instance *self, const double x[3], bool inside,
 		     struct ts_region_spot *out);
-	/* How many there may be; NULL: faces. */
-	int (*count)(const struct ts_instance *self);
+	/* Of regions made of others the k-th one, NULL: there are no more. */
+	const struct ts_instance *(*member)(const struct ts_instance *self, int64_t k);
 	/* Evaluates variables of the shape. NULL: nothing to do. */
 	ts_hook_fn *update;
 };
@@ -94,7 +94,8 @@ int ts_region_spots(const struct ts_instance *region, const double x[3], struct 
 int ts_region_spots_all(const struct ts_instance *region, const double x[3],
 			struct ts_region_spot *out);
 bool ts_region_varies(const struct ts_instance *region);
-bool ts_region_has_moving_members(const struct ts_instance *region);
+/* The region and those that it is made of that have move or rotate, at most `room`; returns how many there are. */
+int ts_region_movers(const struct ts_instance *region, const struct ts_instance **out, int room);
 
 /* For region styles. Call first in init: the first time it fixes scale, edges and motion. */
 enum ts_status ts_region_init(struct ts_instance *self, struct tsim *sim);

@@ -48,4 +48,9 @@ agrees 1 "$granular" 'variable a equal 2.3*time' \
 	'region w cylinder z 0.02 -0.01 0.45 -0.4 0.42 rotate v_a 0.1 0.2 0 0.48 0.64 0.6 units box'
 agrees 1 "$hooke" 'variable y equal 0.05*sin(20*time)' 'variable z equal 0.3*time' \
 	'region w block -0.4 0.5 -0.45 0.4 -0.4 0.42 move NULL v_y v_z units box'
+blades='rotate v_a 0.1 0.2 0 0 0 1 units box'
+# without losses: LAMMPS does not see the velocity of members
+agrees 1 'hertz/history 1e6 0 0 0 0 0' 'variable a equal 2.3*time' 'region c cylinder z 0 0 0.5 -0.45 0.45 units box' \
+	"region a block -0.4 0.4 -0.05 0.05 -0.5 -0.32 side out $blades" \
+	"region b block -0.05 0.05 -0.4 0.4 -0.5 -0.32001 side out $blades" 'region w intersect 3 c a b'
 finish

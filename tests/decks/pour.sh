@@ -44,6 +44,36 @@ $rain diam one 0.1 vol 0.05 50 rate 2.385 region tube
 run 5000
 print \"at \$(f_rain)\"" 'at 135'
 
+# in two dimensions along -y, which is what gravity's words for -z say then
+for way in 'vector 0 -1 3' 'chute 0' 'spherical 30 -180'; do
+	prints "units si
+dimension 2
+boundary f f p
+region box block -1 1 -1 1 -0.1 0.1 units box
+create_box 2 box
+timestep 1e-4
+fix move all nve/sphere
+region flat block -0.5 0.5 0.2 0.8 -0.1 0.1 units box
+fix down all gravity 9.81 $way
+$rain region flat diam one 0.1 vol 0.1 50 vel 0 0.1 -1.3
+run 1
+print \"\$(count(all)) \$(vy[3]+sqrt(1.3^2+2*9.81*(0.8-y[3]))+0.5e-4*9.81 < 1e-12)\"" '7 1'
+done
+for way in 'chute 30|0.5|-sqrt(0.75)' 'spherical 40 30|0.5|sqrt(0.75)' 'vector 3 4 12|0.6|0.8'; do
+	IFS='|' read -r words gx gy <<<"$way"
+	agree "gravity $words in the plane" "units si
+dimension 2
+boundary f f p
+region box block -1 1 -1 1 -0.1 0.1 units box
+create_box 1 box
+create_atoms 1 single 0 0 0 units box
+fix down all gravity 9.81 $words
+fix move all nve
+run 0
+print \"is x \$(fx[1]/mass(all)) \$(9.81*($gx))\"
+print \"is y \$(fy[1]/mass(all)) \$(9.81*($gy))\""
+done
+
 rejects "$box
 $rain region sky" 'fix pour needs fix gravity before it'
 rejects "$box

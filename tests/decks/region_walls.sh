@@ -74,6 +74,6 @@ rejects "$(at 0 0 'region w sphere 0 0 0 1 units box')
 fix w all wall/gran/region region w" 'which law?'
 rejects "$(at 0 0 "$hooke")" "there is no region 'w'"
 rejects "$(at 0 0 'variable z equal time' 'region a sphere 0 0 0 1 move NULL NULL v_z units box' \
-	'region b sphere 0 0 1 1 units box' 'region w union 2 a b' "$hooke")" 'some of the regions that w is made of moves'
+	'region b sphere 0 0 1 1 units box' 'region w union 2 a b move NULL NULL v_z' "$hooke")" 'a, which it is made of, moves in it'
 rejects "$(at 0 0 'region w sphere 0 0 0 1 units box' "${hooke/hooke/hertz/history 1 1 1 1 1 1 hooke}")" 'there is another law'
 finish

@@ -19,25 +19,47 @@ struct gravity {
 	struct tsim *sim;
 };
 
-static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+static void direction(const struct gravity *g, double d[3])
 {
-	struct gravity *g = self->state;
 	const double degree = 3.14159265358979323846 / 180;
-	double *d = g->base.direction, length;
+	double theta = g->theta * degree, phi = g->phi * degree, tilt = g->angle * degree;
 
-	g->sim = sim;
 	if (g->mode == VECTOR) {
 		for (int k = 0; k < 3; k++)
 			d[k] = g->vector[k];
 	} else if (g->mode == CHUTE) {
-		d[0] = sin(g->angle * degree);
+		d[0] = sin(tilt);
 		d[1] = 0;
-		d[2] = -cos(g->angle * degree);
+		d[2] = -cos(tilt);
 	} else {
-		d[0] = sin(g->theta * degree) * cos(g->phi * degree);
-		d[1] = sin(g->theta * degree) * sin(g->phi * degree);
-		d[2] = cos(g->theta * degree);
+		d[0] = sin(theta) * cos(phi);
+		d[1] = sin(theta) * sin(phi);
+		d[2] = cos(theta);
 	}
+}
+
+/* As in LAMMPS y is up then, and there is no phi. */
+static void direction_in_plane(const struct gravity *g, double d[3])
+{
+	if (g->mode == VECTOR) {
+		d[2] = 0;
+		return;
+	}
+	d[1] = d[2];
+	d[2] = 0;
+	if (g->mode == SPHERICAL)
+		d[0] = sin(g->theta * 3.14159265358979323846 / 180);
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct gravity *g = self->state;
+	double *d = g->base.direction, length;
+
+	g->sim = sim;
+	direction(g, d);
+	if (sim->dimension == 2)
+		direction_in_plane(g, d);
 	length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
 	if (!(length > 0))
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
@@ -132,7 +154,8 @@ const struct ts_style ts_fix_gravity = {
 	.kind = TS_KIND_FIX,
 	.summary = "constant acceleration of all particles of the group",
 	.doc = "f += m g. The direction is given by `vector x y z` (normalised), `chute angle` "
-	       "(from -z towards +x, in degrees) or `spherical phi theta`. f_ID is the potential energy, which\n"
+	       "(from -z towards +x, in degrees) or `spherical phi theta`; in two dimensions y stands for z, and phi\n"
+	       "has no effect. f_ID is the potential energy, which\n"
 	       "`fix_modify ID energy yes` counts in pe. Rigid bodies with a member in the group are accelerated as\n"
 	       "a whole, with their own mass.",
 	.example = "fix g all gravity 9.81 vector 0.0 0.0 -1.0",

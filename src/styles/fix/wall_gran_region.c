@@ -75,9 +75,14 @@ static const struct ts_value values[] = {
 
 static const struct ts_saved saved[] = {
 	{ "force", TS_SAVED_F64, offsetof(struct wall, wall.force), 3 },
-	TS_REGION_WALL_SAVED(struct wall, region),
 	TS_SAVED_ROWS_END,
 };
+
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	TS_TRY(ts_region_wall_archive(a, &((struct wall *)self->state)->region));
+	return ts_wall_archive(self, sim, a);
+}
 
 static const char doc[] =
 	"The particles of the group meet the surface of a region: a block, cone, cylinder, plane or sphere, or a union\n"
@@ -91,8 +96,8 @@ static const char doc[] =
 	"and a cone (of which LAMMPS takes the outer side as hollow, too, and a cylinder with open faces from without\n"
 	"as flat).\n\n"
 	"A region that moves or turns by variables takes the surface with it, with the velocity by what they were in\n"
-	"the step before (LAMMPS takes the length of the axis of `rotate` into the speed; here it has none); of the members of a union none moves by itself. A surface that only changes its size has no\n"
-	"velocity by that.";
+	"the step before (LAMMPS takes the length of the axis of `rotate` into the speed; here it has none); either a union moves, or\n"
+	"its members do (whose velocity LAMMPS leaves out). A surface that only changes its size has no velocity by that.";
 
 TS_STYLE(fix, ts_style, ts_fix_wall_gran_region)
 const struct ts_style ts_fix_wall_gran_region = {
@@ -107,7 +112,7 @@ const struct ts_style ts_fix_wall_gran_region = {
 	.args = args,
 	.family = TS_FAMILY_WALL,
 	.state_size = sizeof(struct wall),
-	.archive = ts_wall_archive,
+	.archive = archive,
 	.values = values,
 	.init = init,
 	.saved = saved,

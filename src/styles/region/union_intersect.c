@@ -34,12 +34,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		return ts_nomem(&sim->error);
 	TS_TRY(ts_region_init(self, sim));
 	for (size_t k = 0; k < s->names.n; k++) {
-		const struct ts_region *member;
-
 		TS_TRY(ts_sim_require(sim, TS_KIND_REGION, &s->names.word[k], &s->member[k]));
-		member = s->member[k]->state;
-		s->region.varies |= member->varies;
-		s->region.members_move |= member->moves || member->members_move;
+		s->region.varies |= ts_region_varies(s->member[k]);
 	}
 	return TS_OK;
 }
@@ -82,19 +78,11 @@ static double depth(const struct ts_instance *self, const double x[3])
 
 /* ---- the surface: faces of the members */
 
-static int count(const struct ts_instance *self)
+static const struct ts_instance *member(const struct ts_instance *self, int64_t k)
 {
 	const struct state *s = self->state;
-	int sum = 0;
 
-	for (int64_t k = 0; k < s->n; k++) {
-		int faces = ts_region_faces(s->member[k]);
-
-		if (!faces)
-			return 0;
-		sum += faces;
-	}
-	return sum;
+	return k < s->n ? s->member[k] : NULL;
 }
 
 /* A spot of a member bounds the whole where all other members have it, or of a union none. */
@@ -120,11 +108,11 @@ static int spots(const struct ts_instance *self, const double x[3], bool inside,
 	int n = 0, first = 0;
 
 	for (int64_t k = 0; k < s->n; k++) {
-		const struct ts_instance *member = s->member[k];
-		const struct ts_region *r = member->state;
+		const struct ts_instance *one = s->member[k];
+		const struct ts_region *r = one->state;
 		/* from within the whole only members that have x turn faces to it */
-		bool seen = r->open || ts_region_contains(member, x) == inside;
-		int end = n + (seen ? ts_region_spots_all(member, x, out + n) : 0);
+		bool seen = r->open || ts_region_contains(one, x) == inside;
+		int end = n + (seen ? ts_region_spots_all(one, x, out + n) : 0);
 
 		for (int at = n; at < end; at++) {
 			if (!bounds_whole(self, k, x, &out[at]))
@@ -132,7 +120,7 @@ static int spots(const struct ts_instance *self, const double x[3], bool inside,
 			out[n] = out[at];
 			out[n++].face += first;
 		}
-		first += ts_region_faces(member);
+		first += ts_region_faces(one);
 	}
 	return n;
 }
@@ -178,7 +166,7 @@ const struct ts_region_style ts_region_union = {
 	.bounds = bounds,
 	.update = update,
 	.spots = spots,
-	.count = count,
+	.member = member,
 };
 
 TS_STYLE(region, ts_region_style, ts_region_intersect)
@@ -199,5 +187,5 @@ const struct ts_region_style ts_region_intersect = {
 	.bounds = bounds,
 	.update = update,
 	.spots = spots,
-	.count = count,
+	.member = member,
 };
