@@ -139,6 +139,8 @@ library_sources = \
 	src/flow/probe.h \
 	src/flow/project.c \
 	src/flow/projection.h \
+	src/flow/relaxation.c \
+	src/flow/relaxation.h \
 	src/flow/sample.c \
 	src/flow/schemes.c \
 	src/flow/schemes.h \
@@ -721,6 +723,7 @@ library_sources = \
 	src/styles/pressure/cg.c \
 	src/styles/pressure/direct.c \
 	src/styles/pressure/multigrid.c \
+	src/styles/pressure/sor.c \
 	src/styles/region/block.c \
 	src/styles/region/cone.c \
 	src/styles/region/cylinder.c \

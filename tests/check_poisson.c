@@ -1,10 +1,12 @@
 /* Solvers for the pressure: each against the operator itself, for all conditions at boundaries. */
 #include <check.h>
+#include <gsl/gsl_fft_complex.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "core/sim.h"
+#include "flow/fourier.h"
 #include "flow/poisson.h"
 #include "math/rng.h"
 
@@ -190,6 +192,7 @@ static const struct {
 	{ "direct", true },
 	{ "cg preconditioner diagonal tolerance 1e-10", false },
 	{ "multigrid tolerance 1e-10", false },
+	{ "sor tolerance 1e-10", false },
 };
 
 /* rhs = div grad p for a random p, all combinations of conditions: the solution is p, or p less its mean. */
@@ -302,7 +305,7 @@ START_TEST(transforms_of_any_length)
 {
 	struct tsim *sim = ts_sim_new();
 
-	for (int n = 1; n <= 98; n++)
+	for (int n = 1; n <= 131; n += n < 50 ? 1 : 3)
 		for (int code = 0; code < 5; code++) {
 			const int cells[3] = { n, 3, 1 };
 			struct problem q;
@@ -315,6 +318,49 @@ START_TEST(transforms_of_any_length)
 			done(&q);
 		}
 	ts_sim_free(sim);
+}
+END_TEST
+
+/* Complex transforms of three lines at once beside GSL's. */
+START_TEST(fourier_as_gsl)
+{
+	static const int lengths[] = { 1, 2, 3, 5, 12, 37, 60, 61, 64, 77, 127, 128, 202, 243, 500, 509 };
+
+	for (size_t k = 0; k < sizeof lengths / sizeof *lengths; k++) {
+		enum { LINES = 3 };
+		size_t n = (size_t)lengths[k];
+		struct ts_rng rng = ts_rng_start(86028157, n);
+		gsl_fft_complex_wavetable *table = gsl_fft_complex_wavetable_alloc(n);
+		gsl_fft_complex_workspace *work = gsl_fft_complex_workspace_alloc(n);
+		double *re = malloc(n * LINES * sizeof *re), *im = malloc(n * LINES * sizeof *im);
+		double *theirs = malloc(2 * n * LINES * sizeof *theirs), *spare;
+		struct ts_fourier f;
+
+		ck_assert(ts_fourier_make(&f, lengths[k]) == TS_OK);
+		spare = malloc(ts_fourier_spare(&f, LINES) * sizeof *spare);
+		for (size_t i = 0; i < n * LINES; i++) {
+			theirs[2 * i] = re[i] = ts_rng_uniform(&rng) - 0.5;
+			theirs[2 * i + 1] = im[i] = ts_rng_uniform(&rng) - 0.5;
+		}
+		ts_fourier_apply(&f, LINES, re, im, spare);
+		for (size_t l = 0; l < LINES; l++)
+			gsl_fft_complex_forward(theirs + 2 * l, LINES, n, table, work);
+		for (size_t i = 0; i < n * LINES; i++) {
+			double limit = 3e-16 * sqrt((double)n) * (2 + log((double)n));
+
+			ck_assert_msg(fabs(re[i] - theirs[2 * i]) <= limit &&
+					      fabs(im[i] - theirs[2 * i + 1]) <= limit,
+				      "length %zu: off by %g, %g, limit %g", n, re[i] - theirs[2 * i],
+				      im[i] - theirs[2 * i + 1], limit);
+		}
+		ts_fourier_release(&f);
+		gsl_fft_complex_wavetable_free(table);
+		gsl_fft_complex_workspace_free(work);
+		free(re);
+		free(im);
+		free(theirs);
+		free(spare);
+	}
 }
 END_TEST
 
@@ -331,6 +377,7 @@ int main(void)
 	tcase_add_loop_test(tcase, of_second_order, 0, (int)(sizeof solvers / sizeof *solvers));
 	tcase_add_loop_test(tcase, threads_do_not_matter, 0, (int)(sizeof solvers / sizeof *solvers));
 	tcase_add_test(tcase, transforms_of_any_length);
+	tcase_add_test(tcase, fourier_as_gsl);
 	srunner_run_all(runner, CK_NORMAL);
 	failed = srunner_ntests_failed(runner);
 	srunner_free(runner);

@@ -156,7 +156,8 @@ unit_tests = \
 	tests/check_variables \
 	tests/check_wear \
 	tests/stability/check_contacts \
-	tests/stability/check_limits
+	tests/stability/check_limits \
+	tests/stability/check_relaxation
 tests_common = \
 	tests/cloud.c \
 	tests/cloud.h \
@@ -326,3 +327,7 @@ tests_stability_check_contacts_LDADD = $(tests_ldadd)
 tests_stability_check_limits_SOURCES = tests/stability/check_limits.c $(tests_common)
 tests_stability_check_limits_CFLAGS = $(tests_cflags)
 tests_stability_check_limits_LDADD = $(tests_ldadd)
+
+tests_stability_check_relaxation_SOURCES = tests/stability/check_relaxation.c $(tests_common)
+tests_stability_check_relaxation_CFLAGS = $(tests_cflags)
+tests_stability_check_relaxation_LDADD = $(tests_ldadd)

@@ -1,6 +1,7 @@
 #include "flow/fourier.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 #include "base/alloc.h"
@@ -25,22 +26,65 @@ void ts_fourier_root(long k, long n, double root[2])
 	root[1] = quarter % 2 ? (quarter == 1 ? c : -c) : quarter == 2 ? -s : s;
 }
 
+enum { LARGE = 13 }; /* primes above cost more as sums than a convolution does */
+
 static int next_radix(int n)
 {
-	static const int good[] = { 4, 2, 3 };
+	static const int good[] = { 4, 2, 3, 5 };
 
 	for (size_t k = 0; k < sizeof good / sizeof *good; k++)
 		if (n % good[k] == 0)
 			return good[k];
-	for (int p = 5; p * p <= n; p += 2)
+	for (int p = 7; p <= n / p; p += 2)
 		if (n % p == 0)
 			return p;
 	return n;
 }
 
+static bool smooth(int n, int largest)
+{
+	for (; n > 1; n /= next_radix(n))
+		if (next_radix(n) > largest)
+			return false;
+	return true;
+}
+
+static enum ts_status make_chirp(struct ts_fourier *f)
+{
+	int n = f->n, m = 2 * n - 1;
+	double *re, *im, *spare;
+
+	while (!smooth(m, 3))
+		m++;
+	f->longer = ts_alloc(1, sizeof *f->longer);
+	f->chirp = ts_alloc((size_t)n, sizeof *f->chirp);
+	f->filter = ts_alloc((size_t)m, sizeof *f->filter);
+	if (!f->longer || !f->chirp || !f->filter || ts_fourier_make(f->longer, m) != TS_OK)
+		return TS_NOMEM;
+	re = ts_alloc(2 * (size_t)m + ts_fourier_spare(f->longer, 1), sizeof *re);
+	if (!re)
+		return TS_NOMEM;
+	im = re + m;
+	spare = im + m;
+	for (long k = 0; k < n; k++) {
+		ts_fourier_root(k * k % (2 * n), 2 * n, f->chirp[k]);
+		re[k] = re[k ? m - k : 0] = f->chirp[k][0];
+		im[k] = im[k ? m - k : 0] = f->chirp[k][1];
+	}
+	ts_fourier_apply(f->longer, 1, re, im, spare);
+	for (int k = 0; k < m; k++) {
+		f->filter[k][0] = re[k] / m;
+		f->filter[k][1] = im[k] / m;
+	}
+	ts_free(re);
+	return TS_OK;
+}
+
 enum ts_status ts_fourier_make(struct ts_fourier *f, int n)
 {
 	*f = (struct ts_fourier){ .n = n };
+	if (!smooth(n, LARGE))
+		return make_chirp(f);
 	for (int length = n; length > 1; length /= f->radix[f->stages++])
 		f->radix[f->stages] = next_radix(length);
 	f->root = ts_alloc((size_t)n, sizeof *f->root);
@@ -53,8 +97,20 @@ enum ts_status ts_fourier_make(struct ts_fourier *f, int n)
 
 void ts_fourier_release(struct ts_fourier *f)
 {
+	if (f->longer)
+		ts_fourier_release(f->longer);
+	ts_free(f->longer);
+	ts_free(f->chirp);
+	ts_free(f->filter);
 	ts_free(f->root);
-	f->root = NULL;
+	*f = (struct ts_fourier){ 0 };
+}
+
+size_t ts_fourier_spare(const struct ts_fourier *f, int lines)
+{
+	size_t rows = f->longer ? 4 * (size_t)f->longer->n : 2 * (size_t)f->n;
+
+	return rows * (size_t)lines;
 }
 
 /* A stage of a transform: `rest` butterflies, each for `block` numbers side by side. */
@@ -165,6 +221,49 @@ static void radix4(const struct pass *s)
 	}
 }
 
+TS_CLONES
+static void radix5(const struct pass *s)
+{
+	/* cos and sin of 72 and 144 degrees */
+	const double ca = 0.30901699437494742410229341718282, cb = -0.80901699437494742410229341718282;
+	const double sa = 0.95105651629515357211643933337938, sb = 0.58778525229247312916870595463907;
+	const size_t n = s->block;
+
+	for (int p = 0; p < s->rest; p++) {
+		const double *restrict xr = TERM(s->xr, 0), *restrict xi = TERM(s->xi, 0);
+		double *restrict yr = RESULT(s->yr, 0), *restrict yi = RESULT(s->yi, 0);
+		const double c1 = TURN(1, 0), s1 = TURN(1, 1), c2 = TURN(2, 0), s2 = TURN(2, 1);
+		const double c3 = TURN(3, 0), s3 = TURN(3, 1), c4 = TURN(4, 0), s4 = TURN(4, 1);
+		const size_t in = (size_t)s->rest * n;
+
+#pragma omp simd
+		for (size_t l = 0; l < n; l++) {
+			double r0 = xr[l], i0 = xi[l];
+			double ar = xr[l + in] + xr[l + 4 * in], ai = xi[l + in] + xi[l + 4 * in];
+			double br = xr[l + 2 * in] + xr[l + 3 * in], bi = xi[l + 2 * in] + xi[l + 3 * in];
+			double cr = xr[l + in] - xr[l + 4 * in], ci = xi[l + in] - xi[l + 4 * in];
+			double dr = xr[l + 2 * in] - xr[l + 3 * in], di = xi[l + 2 * in] - xi[l + 3 * in];
+			double er = r0 + (ca * ar + cb * br), ei = i0 + (ca * ai + cb * bi);
+			double fr = r0 + (cb * ar + ca * br), fi = i0 + (cb * ai + ca * bi);
+			double gr = sa * ci + sb * di, gi = -(sa * cr + sb * dr);
+			double hr = sb * ci - sa * di, hi = -(sb * cr - sa * dr);
+			double ur = er + gr, ui = ei + gi, vr = fr + hr, vi = fi + hi;
+			double wr = fr - hr, wi = fi - hi, zr = er - gr, zi = ei - gi;
+
+			yr[l] = r0 + (ar + br);
+			yi[l] = i0 + (ai + bi);
+			yr[l + n] = c1 * ur + s1 * ui;
+			yi[l + n] = c1 * ui - s1 * ur;
+			yr[l + 2 * n] = c2 * vr + s2 * vi;
+			yi[l + 2 * n] = c2 * vi - s2 * vr;
+			yr[l + 3 * n] = c3 * wr + s3 * wi;
+			yi[l + 3 * n] = c3 * wi - s3 * wr;
+			yr[l + 4 * n] = c4 * zr + s4 * zi;
+			yi[l + 4 * n] = c4 * zi - s4 * zr;
+		}
+	}
+}
+
 /* y_k += x (cos, -sin) of the angle given. */
 TS_CLONES
 static void add_turned(const double *restrict xr, const double *restrict xi, const double root[2],
@@ -206,16 +305,56 @@ static void make_pass(const struct ts_fourier *f, const struct pass *s)
 	case 2: radix2(s); break;
 	case 3: radix3(s); break;
 	case 4: radix4(s); break;
+	case 5: radix5(s); break;
 	default: radix_any(f, s);
 	}
 }
 
-void ts_fourier_apply(const struct ts_fourier *f, int lines, double *re, double *im, double *spare_re,
-		      double *spare_im)
+/* out = x times the conjugate of f in rows of `lines`. */
+TS_CLONES
+static void turn_rows(const double (*f)[2], int rows, int lines, const double *xr, const double *xi,
+		      double *yr, double *yi)
 {
+	for (int k = 0; k < rows; k++) {
+		const double c = f[k][0], s = f[k][1];
+
+#pragma omp simd
+		for (int l = k * lines; l < (k + 1) * lines; l++) {
+			double r = xr[l], i = xi[l];
+
+			yr[l] = c * r + s * i;
+			yi[l] = c * i - s * r;
+		}
+	}
+}
+
+/* Bluestein's way: turned by the chirp, convolved with its conjugate, turned again. */
+static void convolve(const struct ts_fourier *f, int lines, double *re, double *im, double *spare)
+{
+	const struct ts_fourier *g = f->longer;
+	size_t part = (size_t)g->n * (size_t)lines, used = (size_t)f->n * (size_t)lines;
+	double *ar = spare, *ai = ar + part, *rest = ai + part;
+
+	turn_rows((const double (*)[2])f->chirp, f->n, lines, re, im, ar, ai);
+	memset(ar + used, 0, (part - used) * sizeof *ar);
+	memset(ai + used, 0, (part - used) * sizeof *ai);
+	ts_fourier_apply(g, lines, ar, ai, rest);
+	/* times the filter, with re and im exchanged: (i a) conj(f), so the inverse has them exchanged too */
+	turn_rows((const double (*)[2])f->filter, g->n, lines, ai, ar, ai, ar);
+	ts_fourier_apply(g, lines, ai, ar, rest);
+	turn_rows((const double (*)[2])f->chirp, f->n, lines, ar, ai, re, im);
+}
+
+void ts_fourier_apply(const struct ts_fourier *f, int lines, double *re, double *im, double *spare)
+{
+	double *spare_re = spare, *spare_im = spare + (size_t)f->n * (size_t)lines;
 	struct pass s = { .xr = re, .xi = im, .yr = spare_re, .yi = spare_im };
 	size_t bytes = (size_t)f->n * (size_t)lines * sizeof *re;
 
+	if (f->longer) {
+		convolve(f, lines, re, im, spare);
+		return;
+	}
 	s.root = f->root;
 	for (int k = 0, length = f->n; k < f->stages; length /= f->radix[k++]) {
 		s.radix = f->radix[k];

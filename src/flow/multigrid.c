@@ -9,7 +9,7 @@
 
 enum {
 	FEWEST = 16,  /* cells of the coarsest level, more or less */
-	SWEEPS = 8,   /* there, of each colour */
+	SWEEPS = 8,   /* there, in either direction */
 	GRAIN = 4096, /* cells that are worth a thread */
 };
 
@@ -315,11 +315,25 @@ static void ascend(struct ts_level *fine, struct ts_level *coarse)
 	ts_stencil_ghosts(&fine->s, fine->p);
 }
 
-/* An even number of half sweeps and one: the same in both directions. */
-static void solve_coarsest(struct ts_level *l)
+static void sweep_up(const struct ts_level *l)
 {
-	for (int k = 0; k <= 2 * SWEEPS; k++)
-		ts_stencil_sweep(&l->s, l->p, l->rhs, k & 1, 1);
+	for (int colour = 0; colour < l->s.colours; colour++)
+		ts_stencil_sweep(&l->s, l->p, l->rhs, colour, 1);
+}
+
+static void sweep_down(const struct ts_level *l)
+{
+	for (int colour = l->s.colours - 1; colour >= 0; colour--)
+		ts_stencil_sweep(&l->s, l->p, l->rhs, colour, 1);
+}
+
+/* In reverse as often as forward: symmetric. */
+static void solve_coarsest(const struct ts_level *l)
+{
+	for (int k = 0; k < SWEEPS; k++)
+		sweep_up(l);
+	for (int k = 0; k < SWEEPS; k++)
+		sweep_down(l);
 }
 
 void ts_multigrid_cycle(void *multigrid, const double *r, double *z)
@@ -334,15 +348,13 @@ void ts_multigrid_cycle(void *multigrid, const double *r, double *z)
 		memset(l[k].p, 0, l[k].s.size * sizeof *l[k].p);
 		if (k == last)
 			break;
-		ts_stencil_sweep(&l[k].s, l[k].p, l[k].rhs, 0, 1);
-		ts_stencil_sweep(&l[k].s, l[k].p, l[k].rhs, 1, 1);
+		sweep_up(&l[k]);
 		descend(&l[k], &l[k + 1]);
 	}
 	solve_coarsest(&l[last]);
 	for (int k = last - 1; k >= 0; k--) {
 		ascend(&l[k], &l[k + 1]);
-		ts_stencil_sweep(&l[k].s, l[k].p, l[k].rhs, 1, 1);
-		ts_stencil_sweep(&l[k].s, l[k].p, l[k].rhs, 0, 1);
+		sweep_down(&l[k]);
 	}
 	l[0].p = NULL;
 }

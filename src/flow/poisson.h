@@ -52,7 +52,8 @@ struct ts_pressure_style {
 	 * written. Bitwise the same for any number of threads. */
 	enum ts_status (*solve)(struct ts_instance *self, struct tsim *sim, const double *rhs,
 				double *p, struct ts_poisson_report *report);
-	/* Seconds a solve will cost, roughly, for the choice of the default and -explain. */
+	/* Seconds a solve will cost, roughly, for the choice of the default and -explain. Here and in `suits`
+	 * self may be NULL: with the arguments' defaults. */
 	double (*cost)(const struct ts_instance *self, const struct ts_poisson *problem);
 };
 
@@ -65,6 +66,11 @@ static inline const struct ts_pressure_style *ts_pressure_style_of(const struct 
  * -explain). */
 enum ts_status ts_pressure_choose(struct tsim *sim, const struct ts_poisson *problem,
 				  const struct ts_place *where, struct ts_instance **out);
+
+/* A line of the plan: which solver, why, and how long a solve will take. `weights`: there will be some. */
+struct ts_plan_report;
+void ts_pressure_explain(const struct tsim *sim, const struct ts_poisson *problem, bool weights,
+			 struct ts_plan_report *report);
 
 /* out = div(w grad p) in the inner cells: the operator itself, for residuals and tests. Reads p of inner cells
  * only. */

@@ -1,5 +1,5 @@
 /* Which solver a problem gets where the script names none. */
-#include "core/sim.h"
+#include "core/plan.h"
 #include "flow/poisson.h"
 
 #include "base/banned.h"
@@ -7,11 +7,20 @@
 /* Its id tells the choice that was made here from the user's, who gives none. */
 #define AUTOMATIC "auto"
 
-static const struct ts_pressure_style *cheapest(struct tsim *sim, const struct ts_poisson *problem)
+/* By the seconds that the styles say they will take. */
+static const struct ts_pressure_style *cheapest(const struct ts_poisson *problem)
 {
-	(void)sim;
-	return (const struct ts_pressure_style *)ts_style_find(TS_KIND_PRESSURE,
-							       problem->weight[0] ? "cg" : "direct");
+	const struct ts_pressure_style *best = NULL;
+	const char *why;
+
+	for (const struct ts_style *const *s = ts_style_table; *s; s++) {
+		const struct ts_pressure_style *style = (const struct ts_pressure_style *)*s;
+
+		if ((*s)->kind == TS_KIND_PRESSURE && style->suits(NULL, problem, &why) &&
+		    (!best || style->cost(NULL, problem) < best->cost(NULL, problem)))
+			best = style;
+	}
+	return best;
 }
 
 enum ts_status ts_pressure_choose(struct tsim *sim, const struct ts_poisson *problem,
@@ -28,13 +37,13 @@ enum ts_status ts_pressure_choose(struct tsim *sim, const struct ts_poisson *pro
 			TS_TRY(ts_sim_destroy(sim, TS_KIND_PRESSURE, &automatic));
 		*out = chosen;
 		style = ts_pressure_style_of(chosen);
-		if (style->suits && !style->suits(chosen, problem, &why))
+		if (!style->suits(chosen, problem, &why))
 			return ts_fail(&sim->error, TS_STATE, &chosen->where,
 				       "pressure_style %s cannot be used here: %s", style->style.name,
 				       why);
 		return TS_OK;
 	}
-	style = cheapest(sim, problem);
+	style = cheapest(problem);
 	if (guess && guess->style == &style->style) {
 		*out = guess;
 		return TS_OK;
@@ -43,4 +52,22 @@ enum ts_status ts_pressure_choose(struct tsim *sim, const struct ts_poisson *pro
 		TS_TRY(ts_sim_destroy(sim, TS_KIND_PRESSURE, &automatic));
 	return ts_sim_create(sim, TS_KIND_PRESSURE, &style->style, AUTOMATIC, 0,
 			     (struct ts_words){ 0 }, where, out);
+}
+
+void ts_pressure_explain(const struct tsim *sim, const struct ts_poisson *problem, bool weights,
+			 struct ts_plan_report *report)
+{
+	const struct ts_instance *chosen = ts_sim_find(sim, TS_KIND_PRESSURE, "");
+	struct ts_poisson now = *problem;
+	const struct ts_pressure_style *style;
+
+	/* what the weights are does not matter, only that they are there */
+	for (int d = 0; d < 3; d++)
+		now.weight[d] = weights ? problem->grid->memory : NULL;
+	style = chosen ? ts_pressure_style_of(chosen) : cheapest(&now);
+	ts_report_line(report, "pressure", "%s (%s), %s: about %.2g s a solve", style->style.name,
+		       style->style.summary,
+		       chosen ? "chosen by the script" : weights ? "the cheapest here, where void fractions vary" :
+								   "the cheapest here",
+		       style->cost(chosen, &now));
 }

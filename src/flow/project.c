@@ -129,9 +129,9 @@ enum ts_status ts_projection_solver(struct ts_instance *self, struct tsim *sim, 
 	if (ts_projection_weights(p, held) != TS_OK)
 		return ts_nomem(&sim->error);
 	weighted = p->poisson.weight[0];
-	if (p->pressure && p->removals == sim->removals && p->weighted == weighted)
-		return TS_OK;
 	TS_TRY(ts_pressure_choose(sim, &p->poisson, &self->where, &pressure));
+	if (pressure == p->pressure && p->removals == sim->removals && p->weighted == weighted)
+		return TS_OK;
 	TS_TRY(ts_pressure_style_of(pressure)->prepare(pressure, sim, &p->poisson));
 	p->pressure = pressure;
 	p->removals = sim->removals;

@@ -10,6 +10,22 @@
 
 enum { LANES = 8 }; /* sums in rows have so many parts, whatever the processor does at once */
 
+/* An odd period needs a third colour, for its last cell. */
+static void set_colours(struct ts_stencil *s)
+{
+	s->colours = 2;
+	for (int d = 0; d < 3; d++) {
+		int n = s->n[d];
+
+		for (int i = 0; i < n; i++)
+			s->colour[d][i] = i % 2;
+		if (s->periodic[d] && n % 2) {
+			s->colours = 3;
+			s->colour[d][n - 1] = 2;
+		}
+	}
+}
+
 enum ts_status ts_stencil_shape(struct ts_stencil *s, const int n[3], int axes, const bool periodic[3])
 {
 	size_t lengths = 0;
@@ -18,7 +34,7 @@ enum ts_status ts_stencil_shape(struct ts_stencil *s, const int n[3], int axes, 
 	for (int d = 0; d < 3; d++) {
 		s->n[d] = n[d];
 		s->periodic[d] = periodic[d];
-		lengths += 2 * (size_t)n[d] + 1;
+		lengths += 3 * (size_t)n[d] + 1;
 	}
 	/* Rows begin on lines of the cache, with room for a ghost on either side. */
 	s->stride[0] = 1;
@@ -36,8 +52,10 @@ enum ts_status ts_stencil_shape(struct ts_stencil *s, const int n[3], int axes, 
 		s->width[d] = s->memory + lengths;
 		s->conduct[d] = s->width[d] + n[d];
 		s->link[d] = d < axes ? s->fields + (size_t)d * s->size : NULL;
-		lengths += 2 * (size_t)n[d] + 1;
+		s->colour[d] = s->conduct[d] + n[d] + 1;
+		lengths += 3 * (size_t)n[d] + 1;
 	}
+	set_colours(s);
 	s->inverse = s->fields + (size_t)axes * s->size;
 	return TS_OK;
 }
@@ -282,14 +300,15 @@ static double residual_row(const struct ts_stencil *s, size_t at, const double *
 	return largest_row(out + at, s->width[0], s->n[0]);
 }
 
-/* Gauss-Seidel along every other cell of a row: those whose index is `first` plus an even number. */
+/* Gauss-Seidel in the cells of a row that have one colour along it, */
 static inline __attribute__((always_inline)) void
-sweep_axes(const struct ts_stencil *s, size_t at, double *p, const double *b, int first, double omega,
+sweep_axes(const struct ts_stencil *s, size_t at, double *p, const double *b, double wanted, double omega,
 	   int axes)
 {
 	const double *cx = s->link[0] + at, *cy = s->link[1] + at, *inverse = s->inverse + at;
 	const double *cz = axes > 2 ? s->link[2] + at : NULL;
 	const ptrdiff_t sy = s->stride[1], sz = s->stride[2];
+	const double *colour = s->colour[0];
 	const int n = s->n[0];
 
 	p += at;
@@ -301,27 +320,29 @@ sweep_axes(const struct ts_stencil *s, size_t at, double *p, const double *b, in
 		sum += cy[i] * p[i - sy] + cy[i + sy] * p[i + sy];
 		if (axes > 2)
 			sum += cz[i] * p[i - sz] + cz[i + sz] * p[i + sz];
-		if ((i & 1) == first)
+		if (colour[i] == wanted)
 			p[i] += omega * (sum * inverse[i] - p[i]);
 	}
 }
 
 TS_CLONES
-static void sweep_row(const struct ts_stencil *s, size_t at, double *p, const double *b, int first,
+static void sweep_row(const struct ts_stencil *s, size_t at, double *p, const double *b, double wanted,
 		      double omega)
 {
 	if (s->axes > 2)
-		sweep_axes(s, at, p, b, first, omega, 3);
+		sweep_axes(s, at, p, b, wanted, omega, 3);
 	else
-		sweep_axes(s, at, p, b, first, omega, 2);
+		sweep_axes(s, at, p, b, wanted, omega, 2);
 }
 
 void ts_stencil_sweep(const struct ts_stencil *s, double *p, const double *b, int colour, double omega)
 {
 #pragma omp parallel for num_threads(s->threads) schedule(static)
-	for (int row = 0; row < ts_stencil_rows(s); row++)
-		sweep_row(s, ts_stencil_row(s, row), p, b, (row % s->n[1] + row / s->n[1] + colour) & 1,
-			  omega);
+	for (int row = 0; row < ts_stencil_rows(s); row++) {
+		int of_row = (int)(s->colour[1][row % s->n[1]] + s->colour[2][row / s->n[1]]);
+
+		sweep_row(s, ts_stencil_row(s, row), p, b, (colour + 6 - of_row) % s->colours, omega);
+	}
 	ts_stencil_ghosts(s, p);
 }
 

@@ -19,6 +19,8 @@ struct ts_stencil {
 	double *conduct[3];  /* 1/d of lower faces 0 .. n, 0 where no gradient is */
 	double *link[3];     /* fields: of lower faces, upper boundary too */
 	double *inverse;     /* field: 1/sum of links; 0 for a cell without */
+	int colours;         /* of cells, so that no neighbours have the same: 2, or 3 with an odd period */
+	double *colour[3];   /* 0, 1 or 2 by index along each axis; the cell's is the sum modulo `colours` */
 	double *rows;        /* one number for each row: parts of sums */
 	double *memory, *fields;
 };
@@ -62,8 +64,8 @@ void ts_stencil_by_volume(const struct ts_stencil *s, const double *r, double *o
 void ts_stencil_ghosts(const struct ts_stencil *s, double *p);
 /* out = A p, after ts_stencil_ghosts(p); returns p.Ap */
 double ts_stencil_apply(const struct ts_stencil *s, const double *p, double *out);
-/* One half of a Gauss-Seidel sweep, with the ghosts right before, and right after: p += omega (what balances the
- * cell - p) in every other cell, like the black squares of a chess board (colour 0: with cell (0,0,0), or 1). */
+/* Gauss-Seidel in the cells of one colour, as the squares of a chess board: p += omega (what balances the cell - p).
+ * Ghosts must be right, and are so afterwards. */
 void ts_stencil_sweep(const struct ts_stencil *s, double *p, const double *b, int colour, double omega);
 /* out = b - A p, after ts_stencil_ghosts(p); returns its largest value by volume. NaN if there is one. */
 double ts_stencil_residual(const struct ts_stencil *s, const double *p, const double *b, double *out);

@@ -168,7 +168,17 @@ void ts_transform_release(struct ts_transform *t)
 
 size_t ts_transform_spare(const struct ts_transform *t)
 {
-	return 2 * (size_t)t->n * TS_LINES;
+	switch (t->waves) {
+	case TS_WAVES_MATRIX:
+		return (size_t)t->n * TS_LINES;
+	case TS_WAVES_QUARTER: {
+		size_t parts = (size_t)t->n * TS_LINES, spare = ts_fourier_spare(&t->fourier, TS_LINES);
+
+		return parts + (spare > parts ? spare : parts);
+	}
+	default:
+		return (size_t)t->n * TS_LINES + ts_fourier_spare(&t->fourier, HALF);
+	}
 }
 
 /* Where cell i of a line goes for Makhoul's cosine transform: the even ones ascending, then the odd ones descending. */
@@ -309,7 +319,7 @@ static void quarters(const struct ts_transform *t, double scale, bool from_mirro
 		memcpy(y + m * TS_LINES, lines + (last - even) * TS_LINES, line);
 	}
 	turn_quarters(t, x, y, 1, re, im);
-	ts_fourier_apply(&t->fourier, TS_LINES, re, im, x, y);
+	ts_fourier_apply(&t->fourier, TS_LINES, re, im, x);
 	turn_quarters(t, re, im, scale, x, y);
 	for (int m = 0; m < t->n / 2; m++) {
 		int even = to_mirror ? last - 2 * m : 2 * m;
@@ -375,7 +385,7 @@ void ts_transform_forward(const struct ts_transform *t, double *lines, double *s
 		break;
 	default:
 		pack(t, lines, spare, spare + part);
-		ts_fourier_apply(&t->fourier, HALF, spare, spare + part, spare + 2 * part, spare + 3 * part);
+		ts_fourier_apply(&t->fourier, HALF, spare, spare + part, spare + 2 * part);
 		separate(t, spare, spare + part, lines);
 	}
 }
@@ -393,7 +403,7 @@ void ts_transform_backward(const struct ts_transform *t, double *lines, double *
 		break;
 	default:
 		unite(t, lines, spare, spare + part);
-		ts_fourier_apply(&t->fourier, HALF, spare + part, spare, spare + 3 * part, spare + 2 * part);
+		ts_fourier_apply(&t->fourier, HALF, spare + part, spare, spare + 2 * part);
 		unpack(t, spare, spare + part, lines);
 	}
 }

@@ -264,6 +264,7 @@ TS_STYLE(pair, ts_pair_style, ts_pair_spring_dashpot)
 TS_STYLE(pressure, ts_pressure_style, ts_pressure_cg)
 TS_STYLE(pressure, ts_pressure_style, ts_pressure_direct)
 TS_STYLE(pressure, ts_pressure_style, ts_pressure_multigrid)
+TS_STYLE(pressure, ts_pressure_style, ts_pressure_sor)
 TS_STYLE(region, ts_region_style, ts_region_block)
 TS_STYLE(region, ts_region_style, ts_region_cone)
 TS_STYLE(region, ts_region_style, ts_region_cylinder)
@@ -531,6 +532,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_pressure_cg.style,
 	&ts_pressure_direct.style,
 	&ts_pressure_multigrid.style,
+	&ts_pressure_sor.style,
 	&ts_region_block.style,
 	&ts_region_cone.style,
 	&ts_region_cylinder.style,

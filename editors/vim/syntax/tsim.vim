@@ -124,8 +124,8 @@ syn keyword tsimKeyword  contacts viscosity ab2 rk2 rk3 substeps courant convect
 syn keyword tsimKeyword  central quick cubista gamma form fv fd quadratic body_force
 syn keyword tsimKeyword  generic hertz/material dmt jkr mass_velocity viscoelastic tsuji
 syn keyword tsimKeyword  rolling twisting restitution tolerance iterations unfinished
-syn keyword tsimKeyword  preconditioner diagonal direct multigrid side in out open center
-syn keyword tsimKeyword  bounds angle0
+syn keyword tsimKeyword  preconditioner diagonal direct multigrid relaxation side in out
+syn keyword tsimKeyword  open center bounds angle0
 
 " numbers of the simulation and of particles
 syn keyword tsimName  id type radius diameter
@@ -206,7 +206,7 @@ syn match tsimHead /^\s*flow_style\s\+/ contains=tsimCommand,tsimVariable nextgr
 syn keyword tsim_flow contained projection uniform
 hi def link tsim_flow Type
 syn match tsimHead /^\s*pressure_style\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_pressure
-syn keyword tsim_pressure contained cg direct multigrid
+syn keyword tsim_pressure contained cg direct multigrid sor
 hi def link tsim_pressure Type
 
 hi def link tsimCommand Statement

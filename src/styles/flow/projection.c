@@ -174,10 +174,10 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	/* steps of the simulation to one of the fluid */
 	double steps = (double)p->every / (double)(p->substeps ? p->substeps : 1);
 
-	(void)sim;
 	ts_report_line(report, "fluid", "%d x %d x %d cells, convection %s (%s), time %s", grid->n[0],
 		       grid->n[1], grid->n[2], ts_convection_names[p->convection], ts_form_names[p->form],
 		       ts_time_names[p->time]);
+	ts_pressure_explain(sim, &p->poisson, p->fluid.empty || p->fluid.exchange[0], report);
 	report->bytes += 8 * fields * (double)grid->size;
 	if (!p->substeps) {
 		ts_report_line(report, "fluid's steps", "as its limits want, %g of the stable one, which is %g",

@@ -46,7 +46,7 @@ static enum ts_status solve(struct ts_instance *self, struct tsim *sim, const do
 static double cost(const struct ts_instance *self, const struct ts_poisson *problem)
 {
 	(void)self;
-	return 1e-8 * (double)ts_grid_cells(problem->grid);
+	return ts_direct_cost(problem);
 }
 
 

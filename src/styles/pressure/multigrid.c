@@ -34,8 +34,10 @@ static enum ts_status solve(struct ts_instance *self, struct tsim *sim, const do
 
 static double cost(const struct ts_instance *self, const struct ts_poisson *problem)
 {
+	const struct ts_preconditioned multigrid = { .wanted = TS_PRECONDITION_MULTIGRID };
+
 	(void)self;
-	return 3e-7 * (double)ts_grid_cells(problem->grid);
+	return ts_preconditioned_cost(&multigrid, problem);
 }
 
 static const struct ts_arg args[] = {
