@@ -1,0 +1,193 @@
+/* What the fluid carries: orders, bounds, and heat that is neither made nor lost. */
+#include "deck.h"
+#include "flow/flow.h"
+#include "flow/fluid.h"
+
+static const double PI = 3.14159265358979323846;
+
+/* Rows of the array output of fix T: x y z T. */
+static const struct ts_table *cells(struct tsim *sim)
+{
+	struct ts_instance *fix = ts_sim_find(sim, TS_KIND_FIX, "T");
+	static struct ts_table table;
+
+	ck_assert_int_eq(ts_value_eval(fix, sim, ts_value_find(fix, TS_ARRAY), &table), TS_OK);
+	return &table;
+}
+
+static const char plane[] = "units si\ndimension 2\nboundary %s\n"
+			    "region box block 0 1 0 1 -0.5 0.5 units box\ncreate_box 1 box\n";
+
+/* Mean error of a wave that is carried obliquely and dies out. */
+static double wave_error(int n, const char *scheme)
+{
+	const double nu = 0.003, k = 2 * PI, time = 0.25, decay = exp(-2 * k * k * nu * time);
+	const struct ts_table *table;
+	struct tsim *sim;
+	double sum = 0;
+	char box[512];
+
+	snprintf(box, sizeof box, plane, "p p p");
+	sim = deck_open("%svariable xx internal 0\nvariable yy internal 0\n"
+			"variable T0 equal 2.385+sin(2*PI*v_xx)*cos(2*PI*v_yy)\n"
+			"flow_style projection cells %d %d 1 viscosity 0 density 731 convection central time rk3\n"
+			"flow_set velocity 0.7 0.3 0\n"
+			"fix T all flow/scalar conductivity $(0.003*731*5) capacity 5 initial v_T0 set x xx "
+			"set y yy convection %s\n"
+			"timestep $(0.025/%d)\nrun %d",
+			box, n, n, scheme, n, 10 * n);
+	table = cells(sim);
+	for (size_t i = 0; i < table->rows; i++) {
+		const double *row = table->data + 4 * i;
+
+		sum += fabs(row[3] - 2.385 -
+			    decay * sin(k * (row[0] - 0.7 * time)) * cos(k * (row[1] - 0.3 * time)));
+	}
+	sum /= (double)table->rows;
+	DECK_NEAR(deck_value(sim, "f_T[1]"), 731 * 5 * 2.385, 1e-9);
+	tsim_close(sim);
+	return sum;
+}
+
+START_TEST(orders)
+{
+	static const struct {
+		const char *scheme;
+		double order;
+	} schemes[] = { { "central", 1.95 }, { "vanleer", 1.6 }, { "donor", 0.6 } };
+	double coarse = wave_error(16, schemes[_i].scheme), fine = wave_error(32, schemes[_i].scheme);
+
+	ck_assert_msg(log2(coarse / fine) > schemes[_i].order, "%s: %g, %g", schemes[_i].scheme, coarse, fine);
+	ck_assert(fine < (_i == 2 ? 0.2 : 0.02));
+}
+END_TEST
+
+/* Through a plate of fluid at rest, and what a flux brings. */
+START_TEST(conduction)
+{
+	const struct ts_table *table;
+	struct tsim *sim;
+	char box[512];
+
+	snprintf(box, sizeof box, plane, "f p p");
+	sim = deck_open("%sflow_style projection cells 10 2 1 viscosity 1e-3 density 731\n"
+			"fix T all flow/scalar conductivity 7.31 capacity 0.5 initial 3 xlo value 2.385 xhi value "
+			"4.1\ntimestep 0.5\nrun 500",
+			box);
+	table = cells(sim);
+	for (size_t i = 0; i < table->rows; i++)
+		DECK_NEAR(table->data[4 * i + 3], 2.385 + (4.1 - 2.385) * table->data[4 * i], 1e-9);
+	tsim_close(sim);
+	sim = deck_open("%sflow_style projection cells 10 2 1 viscosity 1e-3 density 731\n"
+			"variable q equal 3+step\n"
+			"fix T all flow/scalar conductivity 7.31 capacity 0.5 initial 3 xlo flux 2.385 xhi flux v_q "
+			"source 0.13\ntimestep 0.01\nrun 10",
+			box);
+	DECK_NEAR(deck_value(sim, "f_T[1]"),
+		  731 * 0.5 * 3 + 0.01 * (10 * 2.385 + 10 * 3 + 55 + 10 * 0.13), 1e-11);
+	tsim_close(sim);
+}
+END_TEST
+
+/* A hot spot in a lid-driven cavity stays between cold and hot. */
+START_TEST(bounds)
+{
+	struct tsim *sim;
+	char box[512];
+
+	snprintf(box, sizeof box, plane, "f f p");
+	sim = deck_open("%svariable xx internal 0\nvariable T0 equal 2+(v_xx>0.6)\n"
+			"flow_style projection cells 16 16 1 viscosity 0.01 density 1\n"
+			"flow_boundary yhi wall velocity 1 0 0\n"
+			"fix T all flow/scalar initial v_T0 set x xx\ntimestep 0.01\nrun 200",
+			box);
+	ck_assert(deck_value(sim, "f_T[3]") >= 2 && deck_value(sim, "f_T[4]") <= 3);
+	DECK_NEAR(deck_value(sim, "f_T[1]"), 2 + 6.0 / 16, 1e-13);
+	tsim_close(sim);
+}
+END_TEST
+
+static const char suspension[] = "units si\nboundary f p f\nnewton off\ncommunicate single vel yes\n"
+				 "region box block 0 1 0 1.3 0 0.7 units box\n"
+				 "region in block 0.05 0.95 0.1 1.2 0.05 0.65 units box\n"
+				 "create_box 1 box\ncreate_atoms 1 random 150 2385 in\n"
+				 "set group all diameter 0.0731 density 2385\n"
+				 "fix k all property/global thermalConductivity peratomtype 0\n"
+				 "fix c all property/global thermalCapacity peratomtype 31\n"
+				 "fix heat all heat/gran initial_temperature 300\n"
+				 "flow_style projection cells 7 8 6 viscosity 1.3 density 731 %s\n"
+				 "flow_boundary zhi wall velocity 0 1.5 0\n"
+				 "fix e all void_fraction method %s\n"
+				 "fix d all drag/di_felice scheme implicit\n"
+				 "fix T all flow/scalar conductivity 23.85 capacity 17 initial 400 exchange "
+				 "ranz_marshall\n"
+				 "fix m all nve\ntimestep 1e-3\n";
+
+/* Heat of particles that move, and of the fluid between them. */
+START_TEST(heat_is_kept)
+{
+	static const char *const fluids[] = { "", "every 3", "substeps 2" };
+	struct tsim *sim = deck_open(suspension, fluids[_i], "divided");
+	double before, drop;
+
+	deck(sim, "run 3");
+	before = deck_value(sim, "f_heat+f_T[1]");
+	drop = deck_value(sim, "f_T[1]");
+	deck(sim, "run 30");
+	DECK_NEAR(deck_value(sim, "f_heat+f_T[1]") / before, 1, 1e-12);
+	/* the particles have become warmer, by about what they got a step */
+	drop -= deck_value(sim, "f_T[1]");
+	ck_assert(drop > 0);
+	DECK_NEAR(deck_value(sim, "f_T[2]*0.03") / drop, 1, 0.1);
+	tsim_close(sim);
+}
+END_TEST
+
+/* Where all have the same temperature nothing happens, whatever moves. */
+START_TEST(even_temperatures_stay)
+{
+	struct tsim *sim = deck_open(suspension, "", "kernel");
+
+	deck(sim, "set group all property/atom Temp 400\nrun 30");
+	DECK_NEAR(deck_value(sim, "f_T[3]"), 400, 1e-4);
+	DECK_NEAR(deck_value(sim, "f_T[4]"), 400, 1e-4);
+	tsim_close(sim);
+}
+END_TEST
+
+/* One hot sphere in much cold fluid at rest: T - T_f dies by exp(-pi d^2 h t/(m c)), Nu = 2. */
+START_TEST(one_sphere_cools)
+{
+	struct tsim *sim = deck_open("units si\nboundary p p p\nnewton off\ncommunicate single vel yes\n"
+				     "region box block 0 1 0 1 0 1 units box\ncreate_box 1 box\n"
+				     "create_atoms 1 single 0.43 0.57 0.61 units box\n"
+				     "set group all diameter 0.01 density 2385\n"
+				     "fix k all property/global thermalConductivity peratomtype 0\n"
+				     "fix c all property/global thermalCapacity peratomtype 31\n"
+				     "fix heat all heat/gran initial_temperature 500\n"
+				     "flow_style projection cells 4 4 4 viscosity 1.3 density 731\n"
+				     "fix T all flow/scalar conductivity 0.73 capacity 4e9 initial 300 exchange "
+				     "ranz_marshall\ntimestep 1e-3\nrun 2000");
+	double rate = 12 * 0.73 / (2385 * 31 * 0.01 * 0.01), temperature;
+
+	temperature = deck_value(sim, "f_heat/(31*mass(all))");
+	DECK_NEAR(temperature, 300 + 200 * pow(1 - rate * 1e-3, 2000), 1e-6);
+	DECK_NEAR(temperature, 300 + 200 * exp(-rate * 2), 0.2);
+	tsim_close(sim);
+}
+END_TEST
+
+int main(void)
+{
+	Suite *suite = suite_create("scalar");
+	TCase *c = tcase_create("scalar");
+
+	tcase_add_loop_test(c, orders, 0, 3);
+	tcase_add_test(c, conduction);
+	tcase_add_test(c, bounds);
+	tcase_add_loop_test(c, heat_is_kept, 0, 3);
+	tcase_add_test(c, even_temperatures_stay);
+	tcase_add_test(c, one_sphere_cools);
+	suite_add_tcase(suite, c);
+	return deck_main(suite);
+}
