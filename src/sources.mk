@@ -152,6 +152,8 @@ library_sources = \
 	src/flow/stencil.h \
 	src/flow/transform.c \
 	src/flow/transform.h \
+	src/flow/transport.c \
+	src/flow/transport.h \
 	src/flow/watch.c \
 	src/flow/words.c \
 	src/geom/ball_corner.c \
@@ -660,6 +662,7 @@ library_sources = \
 	src/styles/fix/enforce2d.c \
 	src/styles/fix/evaporate.c \
 	src/styles/fix/flow_pressure_gradient.c \
+	src/styles/fix/flow_scalar.c \
 	src/styles/fix/freeze.c \
 	src/styles/fix/gravity.c \
 	src/styles/fix/halt.c \

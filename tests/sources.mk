@@ -3,6 +3,7 @@ shell_tests = \
 	tests/benchmarks.sh \
 	tests/command_line.sh \
 	tests/corpus.sh \
+	tests/coupling.sh \
 	tests/crosscheck/data_files.sh \
 	tests/crosscheck/fixes.sh \
 	tests/crosscheck/granular.sh \
@@ -150,6 +151,7 @@ unit_tests = \
 	tests/check_poisson \
 	tests/check_price \
 	tests/check_rigid \
+	tests/check_scalar \
 	tests/check_script \
 	tests/check_styles \
 	tests/check_unbreakable \
@@ -299,6 +301,10 @@ tests_check_price_LDADD = $(tests_ldadd)
 tests_check_rigid_SOURCES = tests/check_rigid.c $(tests_common)
 tests_check_rigid_CFLAGS = $(tests_cflags)
 tests_check_rigid_LDADD = $(tests_ldadd)
+
+tests_check_scalar_SOURCES = tests/check_scalar.c $(tests_common)
+tests_check_scalar_CFLAGS = $(tests_cflags)
+tests_check_scalar_LDADD = $(tests_ldadd)
 
 tests_check_script_SOURCES = tests/check_script.c $(tests_common)
 tests_check_script_CFLAGS = $(tests_cflags)

@@ -200,6 +200,7 @@ TS_STYLE(fix, ts_style, ts_fix_drill_bit)
 TS_STYLE(fix, ts_style, ts_fix_enforce2d)
 TS_STYLE(fix, ts_style, ts_fix_evaporate)
 TS_STYLE(fix, ts_flow_force_style, ts_fix_flow_pressure_gradient)
+TS_STYLE(fix, ts_style, ts_fix_flow_scalar)
 TS_STYLE(fix, ts_style, ts_fix_freeze)
 TS_STYLE(fix, ts_style, ts_fix_gravity)
 TS_STYLE(fix, ts_style, ts_fix_halt)
@@ -468,6 +469,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_enforce2d,
 	&ts_fix_evaporate,
 	&ts_fix_flow_pressure_gradient.style,
+	&ts_fix_flow_scalar,
 	&ts_fix_freeze,
 	&ts_fix_gravity,
 	&ts_fix_halt,

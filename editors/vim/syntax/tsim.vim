@@ -81,16 +81,17 @@ syn keyword tsimKeyword  scalar kind global beyond end extra dim level vmax
 syn match tsimKeyword /\<legacy\>/ 
 syn keyword tsimKeyword  final delta erate trate volume wiggle xy xz yz v flip axes xyz
 syn keyword tsimKeyword  scheme explicit exact implicit cell void C1 C2 wob spring body
-syn keyword tsimKeyword  clearance chute spherical hard soft continue message path
-syn keyword tsimKeyword  initial_temperature contact_area area_correction
-syn keyword tsimKeyword  store_contact_data euler seed distributiontemplate maxattempt
-syn keyword tsimKeyword  overlapcheck all_in random_distribute uncorrelated orientation
-syn keyword tsimKeyword  set_property verbose compress_tags insert_every ntry_mc
-syn keyword tsimKeyword  check_dist_from_subdomain_border warn_region particles_in_region
-syn keyword tsimKeyword  volumefraction_region mass_in_region nparticles particlerate
-syn keyword tsimKeyword  massrate insertion_face extrude_length duration law rubinow
-syn keyword tsimKeyword  oesterle saffman mei vec_side multiple point_at_outlet inside_out
-syn keyword tsimKeyword  writeTime
+syn keyword tsimKeyword  clearance conductivity capacity initial source convection vanleer
+syn keyword tsimKeyword  central donor exchange ranz_marshall chute spherical hard soft
+syn keyword tsimKeyword  continue message path initial_temperature contact_area
+syn keyword tsimKeyword  area_correction store_contact_data euler seed distributiontemplate
+syn keyword tsimKeyword  maxattempt overlapcheck all_in random_distribute uncorrelated
+syn keyword tsimKeyword  orientation set_property verbose compress_tags insert_every
+syn keyword tsimKeyword  ntry_mc check_dist_from_subdomain_border warn_region
+syn keyword tsimKeyword  particles_in_region volumefraction_region mass_in_region
+syn keyword tsimKeyword  nparticles particlerate massrate insertion_face extrude_length
+syn keyword tsimKeyword  duration law rubinow oesterle saffman mei vec_side multiple
+syn keyword tsimKeyword  point_at_outlet inside_out writeTime
 syn match tsimKeyword /\<delete_atoms\>/ 
 syn keyword tsimKeyword  sum_property temperature element_exclusion_list precision
 syn keyword tsimKeyword  curvature extrude_planar curvature_tolerant heal
@@ -120,12 +121,11 @@ syn keyword tsimKeyword  computeDissipatedEnergy disableNormalWhenBonded hooke/h
 syn keyword tsimKeyword  hertz/history granular limit_damping primitive n_meshes meshes
 syn keyword tsimKeyword  xplane yplane zplane xcylinder ycylinder zcylinder shear
 syn keyword tsimKeyword  store_force store_force_contact store_force_contact_stress
-syn keyword tsimKeyword  contacts viscosity ab2 rk2 rk3 substeps courant convection donor
-syn keyword tsimKeyword  central quick cubista gamma form fv fd quadratic body_force
-syn keyword tsimKeyword  generic hertz/material dmt jkr mass_velocity viscoelastic tsuji
-syn keyword tsimKeyword  rolling twisting restitution tolerance iterations unfinished
-syn keyword tsimKeyword  preconditioner diagonal direct multigrid relaxation side in out
-syn keyword tsimKeyword  open center bounds angle0
+syn keyword tsimKeyword  contacts viscosity ab2 rk2 rk3 substeps courant quick cubista
+syn keyword tsimKeyword  gamma form fv fd quadratic body_force generic hertz/material dmt
+syn keyword tsimKeyword  jkr mass_velocity viscoelastic tsuji rolling twisting restitution
+syn keyword tsimKeyword  tolerance iterations unfinished preconditioner diagonal direct
+syn keyword tsimKeyword  multigrid relaxation side in out open center bounds angle0
 
 " numbers of the simulation and of particles
 syn keyword tsimName  id type radius diameter
@@ -154,8 +154,8 @@ syn match tsim_fix /\<balance\>/ contained
 syn keyword tsim_fix contained bond/breakage buoyancy check/timestep/gran controller deform drag
 syn keyword tsim_fix contained drag/beetstra drag/di_felice drag/ergun drag/gidaspow
 syn keyword tsim_fix contained drag/koch_hill drag/schiller_naumann drag/stokes drag/wen_yu
-syn keyword tsim_fix contained drill/bit enforce2d evaporate flow/pressure_gradient freeze
-syn keyword tsim_fix contained gravity halt heat/gran heat/gran/conduction insert/pack
+syn keyword tsim_fix contained drill/bit enforce2d evaporate flow/pressure_gradient flow/scalar
+syn keyword tsim_fix contained freeze gravity halt heat/gran heat/gran/conduction insert/pack
 syn keyword tsim_fix contained insert/rate/region insert/stream langevin lift/magnus lift/saffman
 syn keyword tsim_fix contained lineforce massflow/mesh mesh/surface mesh/surface/planar
 syn keyword tsim_fix contained mesh/surface/stress mesh/surface/stress/servo momentum move

@@ -1,0 +1,168 @@
+#!/bin/bash
+# Particles and fluid: refusals and warnings, limits of the step, known forces.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+
+# ---- refusals
+head='units si
+boundary p p p
+newton off
+communicate single vel yes
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+create_atoms 1 single 0.5 0.5 0.5 units box
+set group all diameter 0.01 density 2385'
+still="$head
+flow_style uniform velocity 0.5 0 0 viscosity 1e-3 density 1000"
+solved="$head
+flow_style projection cells 8 8 8 viscosity 1e-3 density 1000"
+rejects "$head
+fix d all drag/wen_yu void 0.5" 'fix drag/wen_yu needs a fluid: use flow_style before it'
+rejects "$still
+fix d all drag/gidaspow" 'needs the void fraction: put a fix void_fraction before it'
+rejects "$solved
+fix d all drag/beetstra" 'needs the void fraction: put a fix void_fraction before it'
+rejects "$still
+fix e all void_fraction" 'needs a fluid that is solved for'
+rejects "$still
+fix p all flow/pressure_gradient" 'needs a fluid that is solved for'
+rejects "$still
+fix T all flow/scalar" 'needs a fluid that is solved for'
+rejects "$solved
+fix T all flow/scalar xlo value 3" 'the grid is periodic there, it has no face xlo'
+rejects "$solved
+fix T all flow/scalar xlo valve 3" "'valve'"
+rejects "$solved
+fix T all flow/scalar conductivity 1 exchange ranz_marshall" 'exchange needs particles with temperatures'
+rejects "$head
+flow_style uniform velocity 0 0 0 viscosity 1e-3
+fix d all drag/schiller_naumann" 'needs a fluid with a density'
+rejects "$head
+flow_style uniform velocity 0 0 0 viscosity 0 density 1
+fix d all drag/schiller_naumann" 'needs a fluid with a viscosity'
+rejects "$still
+fix d all drag/koch_hill void 1.3" 'void'
+rejects "$solved
+fix e all void_fraction reach 0" 'reach'
+
+# ---- limits: explicit drag is stable below 2 tau, tau = rho d^2/(18 mu); also where slip grows in the run
+rejects "$still
+fix d all drag/stokes
+fix m all nve
+timestep 26.6
+run 1" 'is beyond the stability limit 26.5 of explicit fix drag/stokes, 2 tau'
+prints "$still
+fix d all drag/stokes
+fix m all nve
+timestep 26.6
+run 0 unsafe yes" 'is beyond the stability limit 26.5 of explicit fix drag/stokes'
+rejects "$head
+flow_style uniform velocity 0.5 0 0 viscosity 1e-3 density 1e5
+fix d all drag/schiller_naumann
+fix g all addforce -5 0 0
+fix m all nve
+timestep 9e-4
+run 1000" 'the explicit drag is stable for steps below twice that'
+prints "$solved
+set group all diameter 0.3
+fix d all drag/schiller_naumann
+fix m all nve
+timestep 1e-4
+run 1" 'cells of the fluid are down to 0.125 wide and particles up to 0.3'
+prints "$solved
+set group all diameter 0.16
+fix e all void_fraction method centre
+fix m all nve
+timestep 1e-4
+run 3" 'cells have a void fraction down to -0.098' 'below `least` 0.1, which is used instead (not said again)'
+[ "$(grep -c 'below .least' out)" = 1 ]
+report 'said once' $? out
+
+# ---- forces
+agree 'laws in a uniform flow' "$still
+variable w equal 0.5
+variable mu equal 1e-3
+variable rho equal 1000
+variable d equal 0.01
+variable v equal PI/6*v_d^3
+variable Re equal v_rho*v_w*v_d/v_mu
+fix d all drag/stokes
+run 0
+print 'is stokes \$(f_d[1]) \$(3*PI*v_mu*v_d*v_w)'
+fix d all drag/stokes axes yz
+run 0
+print 'is axes \$(f_d[1]) 0'
+unfix d
+fix d all drag/schiller_naumann
+run 0
+print 'is schiller_naumann \$(f_d[1]) \$(PI/8*v_d^2*0.44*v_rho*v_w^2)'
+print 'is Re \$(f_d[4]/5000) 1'
+unfix d
+fix d all drag/ergun void 0.43
+run 0
+print 'is ergun \$(f_d[1]) \$(v_v*(150*0.57*v_mu/(0.43*v_d^2)+1.75*v_rho*v_w/v_d)*v_w)'
+fix d all drag/ergun void 0.43 C1 180 C2 0
+run 0
+print 'is carman \$(f_d[1]) \$(v_v*180*0.57*v_mu/(0.43*v_d^2)*v_w)'
+unfix d
+fix d all drag/wen_yu void 0.83
+run 0
+print 'is wen_yu \$(f_d[1]) \$(0.75*v_v*0.44*0.83*v_rho*v_w/v_d*0.83^(-2.65)*v_w)'
+unfix d
+fix d all drag/gidaspow void 0.83
+run 0
+print 'is gidaspow \$(f_d[1]) \$(0.75*v_v*0.44*0.83*v_rho*v_w/v_d*0.83^(-2.65)*v_w)'"
+# spin: Rubinow and Keller, and Kirchhoff's torque
+agree 'spin' "$still
+set atom 1 omega 0 0 7.3
+fix l all lift/magnus law rubinow
+fix m all nve/sphere
+run 0
+print 'is lift \$(f_l[2]) \$(-PI/8*1000*0.01^3*7.3*0.5)'
+variable t atom tqz
+compute t all reduce sum v_t
+print 'is torque \$(c_t) \$(-PI*1e-3*0.01^3*7.3)'"
+# shear: a wall moves past another one; Saffman's lift, and none without shear
+agree 'shear' "units si
+boundary p p f
+newton off
+communicate single vel yes
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+create_atoms 1 single 0.43 0.57 0.41 units box
+set group all diameter 0.01 density 2385
+variable zz internal 0
+variable u equal 2.385*v_zz
+flow_style projection cells 4 4 8 viscosity 1e-3 density 1000
+flow_boundary zhi wall velocity 2.385 0 0
+flow_set velocity v_u 0 0 set z zz
+velocity all set 0.5 0 0
+fix l all lift/saffman law saffman two_way no
+timestep 1e-6
+run 0
+print 'is lift \$(f_l[3]) \$(1.615*0.01^2*sqrt(1000*1e-3*2.385)*(2.385*0.41-0.5))'
+print 'is across \$(f_l[1]) 0'"
+# the fluid's weight is in its pressure: a particle is lifted by what it displaces
+agree 'buoyancy' "units si
+boundary p p f
+newton off
+communicate single vel yes
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+create_atoms 1 single 0.43 0.57 0.03 units box
+create_atoms 1 single 0.23 0.17 0.73 units box
+set group all diameter 0.01 density 2385
+flow_style projection cells 4 4 8 viscosity 1e-3 density 731 body_force 0 0 -9.81
+fix b all flow/pressure_gradient
+timestep 1e-3
+run 2
+print 'is lift \$(f_b[3]) \$(2*731*9.81*PI/6*0.01^3)'"
+# C rho V more of inertia
+agree 'added mass' "$still
+fix f all addforce 0 0 0.37
+fix a all added_mass
+fix m all nve
+timestep 1e-3
+run 1
+print 'is acceleration \$(fz[1]/mass[1]) \$(0.37/(PI/6*0.01^3*(2385+500)))'"
+finish
