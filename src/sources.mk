@@ -116,6 +116,9 @@ library_sources = \
 	src/flow/ghosts.c \
 	src/flow/grid.c \
 	src/flow/grid.h \
+	src/flow/immersed.c \
+	src/flow/immersed.h \
+	src/flow/immersed_place.c \
 	src/flow/keywords.c \
 	src/flow/limits.c \
 	src/flow/limits.h \
@@ -146,6 +149,11 @@ library_sources = \
 	src/flow/schemes.h \
 	src/flow/share.c \
 	src/flow/share.h \
+	src/flow/solid.c \
+	src/flow/solid.h \
+	src/flow/solid_mesh.c \
+	src/flow/solid_region.c \
+	src/flow/solid_spheres.c \
 	src/flow/spread.c \
 	src/flow/spread.h \
 	src/flow/stencil.c \
@@ -165,6 +173,8 @@ library_sources = \
 	src/geom/mesh.h \
 	src/geom/mesh_cracks.c \
 	src/geom/mesh_cracks.h \
+	src/geom/mesh_distance.c \
+	src/geom/mesh_distance.h \
 	src/geom/mesh_doctor.c \
 	src/geom/mesh_doctor.h \
 	src/geom/mesh_links.c \
@@ -667,6 +677,7 @@ library_sources = \
 	src/styles/fix/gravity.c \
 	src/styles/fix/halt.c \
 	src/styles/fix/heat_gran.c \
+	src/styles/fix/immersed_boundary.c \
 	src/styles/fix/insert_pack.c \
 	src/styles/fix/insert_rate_region.c \
 	src/styles/fix/insert_stream.c \

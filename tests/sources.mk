@@ -56,6 +56,7 @@ shell_tests = \
 	tests/decks/granular_laws.sh \
 	tests/decks/groups.sh \
 	tests/decks/heat.sh \
+	tests/decks/immersed.sh \
 	tests/decks/impacts.sh \
 	tests/decks/info.sh \
 	tests/decks/inputs.sh \

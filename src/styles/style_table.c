@@ -205,6 +205,7 @@ TS_STYLE(fix, ts_style, ts_fix_freeze)
 TS_STYLE(fix, ts_style, ts_fix_gravity)
 TS_STYLE(fix, ts_style, ts_fix_halt)
 TS_STYLE(fix, ts_style, ts_fix_heat_gran)
+TS_STYLE(fix, ts_style, ts_fix_immersed_boundary)
 TS_STYLE(fix, ts_style, ts_fix_insert_pack)
 TS_STYLE(fix, ts_style, ts_fix_insert_rate_region)
 TS_STYLE(fix, ts_style, ts_fix_insert_stream)
@@ -474,6 +475,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_gravity,
 	&ts_fix_halt,
 	&ts_fix_heat_gran,
+	&ts_fix_immersed_boundary,
 	&ts_fix_insert_pack,
 	&ts_fix_insert_rate_region,
 	&ts_fix_insert_stream,

@@ -84,14 +84,15 @@ syn keyword tsimKeyword  scheme explicit exact implicit cell void C1 C2 wob spri
 syn keyword tsimKeyword  clearance conductivity capacity initial source convection vanleer
 syn keyword tsimKeyword  central donor exchange ranz_marshall chute spherical hard soft
 syn keyword tsimKeyword  continue message path initial_temperature contact_area
-syn keyword tsimKeyword  area_correction store_contact_data euler seed distributiontemplate
-syn keyword tsimKeyword  maxattempt overlapcheck all_in random_distribute uncorrelated
-syn keyword tsimKeyword  orientation set_property verbose compress_tags insert_every
-syn keyword tsimKeyword  ntry_mc check_dist_from_subdomain_border warn_region
-syn keyword tsimKeyword  particles_in_region volumefraction_region mass_in_region
-syn keyword tsimKeyword  nparticles particlerate massrate insertion_face extrude_length
-syn keyword tsimKeyword  duration law rubinow oesterle saffman mei vec_side multiple
-syn keyword tsimKeyword  point_at_outlet inside_out writeTime
+syn keyword tsimKeyword  area_correction store_contact_data euler centre iterations spheres
+syn keyword tsimKeyword  relax seed distributiontemplate maxattempt overlapcheck all_in
+syn keyword tsimKeyword  random_distribute uncorrelated orientation set_property verbose
+syn keyword tsimKeyword  compress_tags insert_every ntry_mc
+syn keyword tsimKeyword  check_dist_from_subdomain_border warn_region particles_in_region
+syn keyword tsimKeyword  volumefraction_region mass_in_region nparticles particlerate
+syn keyword tsimKeyword  massrate insertion_face extrude_length duration law rubinow
+syn keyword tsimKeyword  oesterle saffman mei vec_side multiple point_at_outlet inside_out
+syn keyword tsimKeyword  writeTime
 syn match tsimKeyword /\<delete_atoms\>/ 
 syn keyword tsimKeyword  sum_property temperature element_exclusion_list precision
 syn keyword tsimKeyword  curvature extrude_planar curvature_tolerant heal
@@ -103,15 +104,14 @@ syn keyword tsimKeyword  linear/variable/superposable rotate/superposable
 syn keyword tsimKeyword  rotate/variable/superposable wiggle/superposable
 syn keyword tsimKeyword  riggle/superposable viblin/superposable vibrot/superposable
 syn keyword tsimKeyword  allow_group_and_set allow_heatsource by_dimension sphere disc
-syn keyword tsimKeyword  atom_type volume_limit relative nspheres ntry spheres
-syn keyword tsimKeyword  inertia_tensor use_volume use_density fflag tflag diam dens vol
-syn keyword tsimKeyword  rate
+syn keyword tsimKeyword  atom_type volume_limit relative nspheres ntry inertia_tensor
+syn keyword tsimKeyword  use_volume use_density fflag tflag diam dens vol rate
 syn match tsimKeyword /\<next\>/ 
 syn keyword tsimKeyword  molfrac rigid shake title ghost writedata add_region
 syn keyword tsimKeyword  check_region_every region_mark mark_step marker_style dirac
 syn keyword tsimKeyword  heaviside check_mark_every insert_stream n_tracer peratomtype
-syn keyword tsimKeyword  peratomtypepair matrix tether couple method centre divided kernel
-syn keyword tsimKeyword  reach least model hooke hertz hooke/stiffness hertz/stiffness
+syn keyword tsimKeyword  peratomtypepair matrix tether couple method divided kernel reach
+syn keyword tsimKeyword  least model hooke hertz hooke/stiffness hertz/stiffness
 syn keyword tsimKeyword  hooke/hysteresis tangential history no_history rolling_friction
 syn keyword tsimKeyword  cdt epsd epsd2 epsd3 cohesion sjkr sjkr2 surface limitForce
 syn keyword tsimKeyword  tangential_damping absolute_damping ktToKnUser viscous
@@ -124,8 +124,8 @@ syn keyword tsimKeyword  store_force store_force_contact store_force_contact_str
 syn keyword tsimKeyword  contacts viscosity ab2 rk2 rk3 substeps courant quick cubista
 syn keyword tsimKeyword  gamma form fv fd quadratic body_force generic hertz/material dmt
 syn keyword tsimKeyword  jkr mass_velocity viscoelastic tsuji rolling twisting restitution
-syn keyword tsimKeyword  tolerance iterations unfinished preconditioner diagonal direct
-syn keyword tsimKeyword  multigrid relaxation side in out open center bounds angle0
+syn keyword tsimKeyword  tolerance unfinished preconditioner diagonal direct multigrid
+syn keyword tsimKeyword  relaxation side in out open center bounds angle0
 
 " numbers of the simulation and of particles
 syn keyword tsimName  id type radius diameter
@@ -155,12 +155,13 @@ syn keyword tsim_fix contained bond/breakage buoyancy check/timestep/gran contro
 syn keyword tsim_fix contained drag/beetstra drag/di_felice drag/ergun drag/gidaspow
 syn keyword tsim_fix contained drag/koch_hill drag/schiller_naumann drag/stokes drag/wen_yu
 syn keyword tsim_fix contained drill/bit enforce2d evaporate flow/pressure_gradient flow/scalar
-syn keyword tsim_fix contained freeze gravity halt heat/gran heat/gran/conduction insert/pack
-syn keyword tsim_fix contained insert/rate/region insert/stream langevin lift/magnus lift/saffman
-syn keyword tsim_fix contained lineforce massflow/mesh mesh/surface mesh/surface/planar
-syn keyword tsim_fix contained mesh/surface/stress mesh/surface/stress/servo momentum move
-syn keyword tsim_fix contained move/mesh multisphere nve nve/euler nve/limit nve/noforce
-syn keyword tsim_fix contained nve/sphere nve/symplectic particledistribution/discrete
+syn keyword tsim_fix contained freeze gravity halt heat/gran heat/gran/conduction
+syn keyword tsim_fix contained immersed/boundary insert/pack insert/rate/region insert/stream
+syn keyword tsim_fix contained langevin lift/magnus lift/saffman lineforce massflow/mesh
+syn keyword tsim_fix contained mesh/surface mesh/surface/planar mesh/surface/stress
+syn keyword tsim_fix contained mesh/surface/stress/servo momentum move move/mesh multisphere nve
+syn keyword tsim_fix contained nve/euler nve/limit nve/noforce nve/sphere nve/symplectic
+syn keyword tsim_fix contained particledistribution/discrete
 syn keyword tsim_fix contained particledistribution/discrete/massbased
 syn keyword tsim_fix contained particledistribution/discrete/numberbased
 syn keyword tsim_fix contained particletemplate/multiplespheres particletemplate/multisphere

@@ -1,0 +1,219 @@
+#include "flow/immersed.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "math/vec3.h"
+
+#include "base/alloc.h"
+#include "base/banned.h"
+
+
+/* How much of the pressure before the velocities beside the surface get in advance. They are not exactly free
+ * of divergence, as those inside are: with all of it, their pressure would grow in each step. */
+static const double BAND_PRESSURE = 0.5;
+
+/* What the projection will take from u at a point of component c, as far as it is known: dt/rho dp/dx. */
+static double pressure_part(const struct ts_fluid *fluid, int c, size_t at, int index, double dt)
+{
+	const struct ts_grid *grid = &fluid->grid;
+
+	return dt / fluid->density * (fluid->p[at] - fluid->p[at - (size_t)grid->stride[c]]) /
+	       grid->gap[c][index];
+}
+
+/* Velocity at a place, linear between the points around, less the pressure's part. */
+static double outer_velocity(const struct ts_fluid *fluid, int c, const struct ts_immersed_place *b,
+			     double dt)
+{
+	const struct ts_grid *grid = &fluid->grid;
+	double sum = 0;
+
+	for (int k = 0; k <= (grid->dimensions > 2); k++)
+		for (int j = 0; j < 2; j++)
+			for (int i = 0; i < 2; i++) {
+				const int step[3] = { i, j, k };
+				size_t at = b->corner;
+				double w = 1;
+
+				for (int d = 0; d < grid->dimensions; d++) {
+					w *= step[d] ? b->t[d] : 1 - b->t[d];
+					at += (size_t)(step[d] * grid->stride[d]);
+				}
+				if (w != 0)
+					sum += w * (fluid->u[c][at] -
+						    pressure_part(fluid, c, at, b->index + step[c], dt));
+			}
+	return sum;
+}
+
+static void force_inside(struct ts_immersed *ib, struct ts_fluid *fluid, int c, double dt)
+{
+	size_t band = ib->band_first[c];
+
+	for (size_t k = ib->first[c]; k < ib->first[c + 1]; k++) {
+		struct ts_immersed_point *p = &ib->point[k];
+
+		p->before = fluid->u[c][p->at];
+		if (band < ib->band_first[c + 1] && ib->band[band].point == k)
+			band++;
+		else
+			fluid->u[c][p->at] =
+				p->target +
+				(p->deep ? 0 : pressure_part(fluid, c, p->at, p->index, dt));
+	}
+}
+
+static void force_band(struct ts_immersed *ib, struct ts_fluid *fluid, int c, double dt)
+{
+	for (size_t k = ib->band_first[c]; k < ib->band_first[c + 1]; k++) {
+		struct ts_immersed_band *b = &ib->band[k];
+		const struct ts_immersed_point *p = &ib->point[b->point];
+		double u = b->surface +
+			   BAND_PRESSURE * pressure_part(fluid, c, p->at, p->index, dt);
+
+		for (int m = 0; m < 2; m++)
+			u += b->out[m].count *
+			     (outer_velocity(fluid, c, &b->out[m], dt) - b->surface);
+
+		b->next = p->before + b->weight * (u - p->before);
+	}
+	for (size_t k = ib->band_first[c]; k < ib->band_first[c + 1]; k++)
+		fluid->u[c][ib->point[ib->band[k].point].at] = ib->band[k].next;
+}
+
+/* Impulse of the forcing at one point and its moment, to the part. */
+static void add_up(struct ts_immersed *ib, const struct ts_fluid *fluid, int c, size_t k)
+{
+	const struct ts_immersed_point *p = &ib->point[k];
+	double *sum = ib->sums[p->part].stage, e = fluid->empty ? fluid->empty_face[c][p->at] : 1;
+	double impulse = fluid->density * e * p->volume * (fluid->u[c][p->at] - p->before);
+	int a = (c + 1) % 3, b = (c + 2) % 3;
+
+	sum[c] += impulse;
+	sum[3 + a] += p->arm[b] * impulse;
+	sum[3 + b] -= p->arm[a] * impulse;
+}
+
+void ts_immersed_begin(struct ts_immersed *ib, size_t parts)
+{
+	memset(ib->sums, 0, parts * sizeof *ib->sums);
+	ib->first_dt = 0;
+}
+
+void ts_immersed_keep(struct ts_immersed *ib, size_t parts)
+{
+	for (size_t k = 0; k < parts; k++) {
+		struct ts_immersed_sums *s = &ib->sums[k];
+
+		ts_add(s->impulse, s->stage, s->impulse);
+		ts_add(s->twist, s->stage + 3, s->twist);
+		memset(s->stage, 0, sizeof s->stage);
+	}
+	ib->first_dt = 0;
+}
+
+/* A step of several stages s, each u <- keep_s u_0 + take_s (u + dt ...) with dt_s = take_s dt and take_0 = 1:
+ * what was given before counts take_s times. */
+static void fade_sums(struct ts_immersed *ib, double dt, size_t parts)
+{
+	if (!(ib->first_dt > 0))
+		ib->first_dt = dt;
+	for (size_t k = 0; k < parts; k++)
+		for (int d = 0; d < 6; d++)
+			ib->sums[k].stage[d] *= dt / ib->first_dt;
+}
+
+void ts_immersed_force(struct ts_immersed *ib, struct ts_fluid *fluid, size_t parts, double dt,
+		       int iterations)
+{
+	const int dimensions = fluid->grid.dimensions;
+
+	fade_sums(ib, dt, parts);
+	for (int c = 0; c < dimensions; c++)
+		force_inside(ib, fluid, c, dt);
+	for (int m = 0; m < iterations && ib->nbands; m++) {
+		ts_fluid_fill_velocity(fluid, fluid->u);
+		for (int c = 0; c < dimensions; c++)
+			force_band(ib, fluid, c, dt);
+	}
+	for (int c = 0; c < dimensions; c++)
+		for (size_t k = ib->first[c]; k < ib->first[c + 1]; k++)
+			add_up(ib, fluid, c, k);
+}
+
+/* Means over the fluid inside one part, of one component. */
+struct mean {
+	double volume, u, x[3], xu[3];
+};
+
+static void mean_of(const struct ts_immersed *ib, const struct ts_fluid *fluid, int c,
+		    struct mean *mean)
+{
+	for (size_t k = ib->first[c]; k < ib->first[c + 1]; k++) {
+		const struct ts_immersed_point *p = &ib->point[k];
+		struct mean *m = &mean[p->part];
+		double volume = p->solid * p->volume, u = fluid->u[c][p->at];
+
+		m->volume += volume;
+		m->u += volume * u;
+		for (int d = 0; d < 3; d++) {
+			m->x[d] += volume * p->arm[d];
+			m->xu[d] += volume * p->arm[d] * u;
+		}
+	}
+}
+
+/* (x - X) x u, X the mean place of the points of each component: of a uniform flow exactly 0. */
+static void take_mean(struct ts_immersed_sums *s, int c, const struct mean *m, int dimensions)
+{
+	int a = (c + 1) % 3, b = (c + 2) % 3;
+	double v = m->volume;
+
+	if (!(v > 0))
+		return;
+	s->volume += v / dimensions;
+	s->velocity[c] = m->u / v;
+	s->spin[a] += m->xu[b] / v - m->x[b] / v * (m->u / v);
+	s->spin[b] -= m->xu[a] / v - m->x[a] / v * (m->u / v);
+}
+
+enum ts_status ts_immersed_inside(struct ts_immersed *ib, const struct ts_fluid *fluid, size_t parts)
+{
+	struct mean *mean = ts_alloc(parts, sizeof *mean);
+
+	if (!mean)
+		return TS_NOMEM;
+	for (size_t k = 0; k < parts; k++) {
+		ib->sums[k].volume = 0;
+		memset(ib->sums[k].velocity, 0, sizeof ib->sums[k].velocity);
+		memset(ib->sums[k].spin, 0, sizeof ib->sums[k].spin);
+	}
+	for (int c = 0; c < fluid->grid.dimensions; c++) {
+		memset(mean, 0, parts * sizeof *mean);
+		mean_of(ib, fluid, c, mean);
+		for (size_t k = 0; k < parts; k++)
+			take_mean(&ib->sums[k], c, &mean[k], fluid->grid.dimensions);
+	}
+	ts_free(mean);
+	return TS_OK;
+}
+
+double ts_immersed_slip(const struct ts_immersed *ib, const struct ts_fluid *fluid)
+{
+	double most = 0;
+
+	for (int c = 0; c < fluid->grid.dimensions; c++) {
+		size_t band = ib->band_first[c];
+
+		for (size_t k = ib->first[c]; k < ib->first[c + 1]; k++) {
+			const struct ts_immersed_point *p = &ib->point[k];
+
+			if (band < ib->band_first[c + 1] && ib->band[band].point == k)
+				band++;
+			else if (!p->deep)
+				most = fmax(most, fabs(fluid->u[c][p->at] - p->target));
+		}
+	}
+	return most;
+}

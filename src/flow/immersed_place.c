@@ -1,0 +1,362 @@
+/* Which points a solid forces. */
+#include "flow/immersed.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "math/vec3.h"
+
+#include "base/alloc.h"
+#include "base/banned.h"
+
+
+/* Values set beside the surface count fully up to 1 - 1/FADING of the distance where they end. With less the
+ * force on bodies that move is a little smoother, but the error of a surface of steps comes back, of first
+ * order in the spacing. */
+static const double FADING = 10;
+
+/* One velocity component while its points are sought. */
+struct search {
+	struct ts_immersed *ib;
+	struct ts_solid *solid;
+	const struct ts_fluid *fluid;
+	const struct ts_grid *grid;
+	int component;
+	size_t part;
+	double lo[3], hi[3]; /* around the part */
+	int from[3], to[3];  /* indices, of periodic axes beyond the grid as well */
+	struct ts_immersed_point *last;
+};
+
+static double period(const struct ts_grid *grid, int d)
+{
+	return grid->face[d][grid->n[d]] - grid->face[d][0];
+}
+
+static int turns_of(int i, int n)
+{
+	return (i >= 0 ? i : i - n + 1) / n;
+}
+
+/* Coordinate of points of the component along axis d. */
+static double coordinate(const struct search *s, int d, int i)
+{
+	const double *line = d == s->component ? s->grid->face[d] : s->grid->centre[d];
+	int turns = s->grid->periodic[d] ? turns_of(i, s->grid->n[d]) : 0;
+
+	return line[i - turns * s->grid->n[d]] + turns * period(s->grid, d);
+}
+
+/* Width of the control volume. */
+static double width(const struct search *s, int d, int i)
+{
+	const double *line = d == s->component ? s->grid->gap[d] : s->grid->width[d];
+
+	return line[s->grid->periodic[d] ? i - turns_of(i, s->grid->n[d]) * s->grid->n[d] : i];
+}
+
+static int cell_of(const struct ts_grid *grid, int d, double x)
+{
+	double turns = floor((x - grid->face[d][0]) / period(grid, d));
+
+	if (!grid->periodic[d] || turns == 0)
+		return ts_grid_find(grid, d, x);
+	return (int)turns * grid->n[d] + ts_grid_find(grid, d, x - turns * period(grid, d));
+}
+
+/* Points near the part: two cells around its box; of an axis that is not periodic those between the
+ * boundaries, where nothing is given. */
+static void ranges(struct search *s)
+{
+	const struct ts_grid *grid = s->grid;
+
+	for (int d = 0; d < 3; d++) {
+		int n = grid->n[d], first = d == s->component && !grid->periodic[d];
+		double lo = grid->face[d][0], hi = grid->face[d][n];
+		bool all = !(s->hi[d] - s->lo[d] < period(grid, d));
+
+		s->from[d] = first;
+		s->to[d] = n;
+		if (grid->periodic[d] && all)
+			continue;
+		if (grid->periodic[d] || (s->lo[d] > lo && s->lo[d] < hi))
+			s->from[d] = cell_of(grid, d, s->lo[d]) - 2;
+		if (grid->periodic[d] || (s->hi[d] > lo && s->hi[d] < hi))
+			s->to[d] = cell_of(grid, d, s->hi[d]) + 4;
+		if (grid->periodic[d]) {
+			if (s->to[d] - s->from[d] > n)
+				s->to[d] = s->from[d] + n;
+			continue;
+		}
+		s->from[d] = s->from[d] < first ? first : s->from[d];
+		s->to[d] = s->lo[d] > hi || s->hi[d] < lo ? s->from[d] : s->to[d] > n ? n : s->to[d];
+	}
+}
+
+static size_t field_index(const struct ts_grid *grid, const int i[3])
+{
+	int at[3];
+
+	for (int d = 0; d < 3; d++)
+		at[d] = i[d] - (grid->periodic[d] ? turns_of(i[d], grid->n[d]) * grid->n[d] : 0);
+	return ts_at(grid, at[0], at[1], at[2]);
+}
+
+/* A point of several parts belongs to the nearest: marked here, settled when all have been looked at. */
+static bool nearest_yet(struct search *s, size_t at, double distance)
+{
+	struct ts_immersed *ib = s->ib;
+
+	if (s->solid->parts < 2)
+		return true;
+	if (ib->owner[at] && !(distance < ib->distance[at]))
+		return false;
+	ib->owner[at] = (int32_t)s->part + 1;
+	ib->distance[at] = distance;
+	return true;
+}
+
+static enum ts_status add_point(struct search *s, const int i[3], const double x[3], double distance)
+{
+	struct ts_immersed *ib = s->ib;
+	size_t at = field_index(s->grid, i);
+	struct ts_immersed_point *p;
+
+	s->last = NULL;
+	if (!nearest_yet(s, at, distance))
+		return TS_OK;
+	TS_TRY(TS_GROW(ib->point, ib->point_capacity, ib->npoints + 1));
+	p = s->last = &ib->point[ib->npoints++];
+	*p = (struct ts_immersed_point){ .at = at, .part = (int32_t)s->part, .solid = 1 };
+	p->index = i[s->component];
+	if (s->grid->periodic[s->component])
+		p->index -= turns_of(p->index, s->grid->n[s->component]) * s->grid->n[s->component];
+	ts_sub(x, s->solid->motion[s->part].centre, p->arm);
+	p->volume = 1;
+	for (int d = 0; d < 3; d++)
+		p->volume *= width(s, d, i[d]);
+	return TS_OK;
+}
+
+static void set_target(struct search *s, const int i[3], double velocity)
+{
+	double h = width(s, s->component, i[s->component]);
+
+	s->last->target = velocity;
+	s->ib->rate = fmax(s->ib->rate, fabs(velocity) / h);
+}
+
+/* How far one can go from x along n and stay in the grid. */
+static double way_out(const struct ts_grid *grid, const double x[3], const double n[3], double most)
+{
+	for (int d = 0; d < 3; d++) {
+		double face = grid->face[d][n[d] > 0 ? grid->n[d] : 0];
+
+		if (!grid->periodic[d] && n[d] != 0)
+			most = fmin(most, fmax(0, (face - x[d]) / n[d]));
+	}
+	return most;
+}
+
+/* The points of the component around the place x + l n. */
+static void look_out(const struct search *s, const double x[3], const double n[3], double l,
+		     struct ts_immersed_place *out)
+{
+	const struct ts_grid *grid = s->grid;
+	int i[3];
+
+	for (int d = 0; d < 3; d++) {
+		const double *line = d == s->component ? grid->face[d] : grid->centre[d];
+		double y = x[d] + l * n[d], lo = grid->face[d][0], hi = grid->face[d][grid->n[d]];
+
+		if (grid->periodic[d])
+			y -= floor((y - lo) / (hi - lo)) * (hi - lo);
+		y = fmin(fmax(y, lo), hi);
+		i[d] = ts_grid_find(grid, d, y);
+		out->t[d] = 0;
+		if (grid->ghosts[d] == 0)
+			continue;
+		i[d] -= d != s->component && y < line[i[d]];
+		out->t[d] = (y - line[i[d]]) / (line[i[d] + 1] - line[i[d]]);
+	}
+	out->corner = ts_at(grid, i[0], i[1], i[2]);
+	out->index = i[s->component];
+}
+
+/* Of a cell with these widths: its extent between planes across n, how far apart its points are along n, and
+ * how far from the surface a point may be and still have a neighbour inside. */
+struct extent {
+	double across, along, reach;
+};
+
+static struct extent extent_of(const struct search *s, const int i[3], const double n[3])
+{
+	struct extent e = { 0 };
+
+	for (int d = 0; d < s->grid->dimensions; d++) {
+		double h = width(s, d, i[d]), part = fabs(n[d]) * h;
+
+		e.across += part;
+		e.reach = fmax(e.reach, part);
+		e.along += n[d] / h * (n[d] / h);
+	}
+	e.along = 1 / sqrt(e.along);
+	return e;
+}
+
+/* A point in the fluid beside the surface. */
+static enum ts_status add_band(struct search *s, const double x[3], const struct ts_solid_spot *spot,
+			       const struct extent *e)
+{
+	struct ts_immersed *ib = s->ib;
+	double d = spot->distance, l = way_out(s->grid, x, spot->n, 2 * e->along) / 2;
+	struct ts_immersed_band *b;
+
+	TS_TRY(TS_GROW(ib->band, ib->band_capacity, ib->nbands + 1));
+	b = &ib->band[ib->nbands++];
+	*b = (struct ts_immersed_band){ .point = ib->npoints - 1 };
+	b->weight = fmin(1, fmax(0, FADING * (1 - d / e->reach)));
+	b->surface = spot->v[s->component];
+	look_out(s, x, spot->n, l, &b->out[0]);
+	look_out(s, x, spot->n, 2 * l, &b->out[1]);
+	b->out[0].count = 2 * d / (d + l);
+	b->out[1].count = -d / (d + 2 * l);
+	return TS_OK;
+}
+
+/* The point that was added last, in the light of the surface near by. */
+static enum ts_status describe(struct search *s, const int i[3], const double x[3],
+			       const struct ts_solid_spot *spot)
+{
+	struct extent e = extent_of(s, i, spot->n);
+	struct ts_immersed_point *p = s->last;
+
+	p->solid = fmin(1, fmax(0, 0.5 - spot->distance / e.across));
+	set_target(s, i, spot->v[s->component]);
+	s->ib->thickness = fmax(s->ib->thickness, -2 * spot->distance / e.across);
+	return spot->distance > 0 ? add_band(s, x, spot, &e) : TS_OK;
+}
+
+/* Along a row in x: far from the surface the side is that of the point before. */
+static enum ts_status search_row(struct search *s, int j, int k)
+{
+	enum { UNKNOWN, OUT, IN } where = UNKNOWN;
+
+	for (int i = s->from[0]; i < s->to[0]; i++) {
+		int index[3] = { i, j, k };
+		double x[3], reach = 0;
+		enum ts_solid_side side;
+		struct ts_solid_spot spot;
+
+		for (int d = 0; d < 3; d++) {
+			x[d] = coordinate(s, d, index[d]);
+			if (d < s->grid->dimensions)
+				reach += width(s, d, index[d]) * width(s, d, index[d]);
+		}
+		reach = 1.001 * sqrt(reach);
+		TS_TRY(s->solid->kind->look(s->solid, s->part, x, reach, &side, &spot));
+		if (side == TS_SOLID_NEAR) {
+			where = spot.distance > 0 ? OUT : IN;
+			TS_TRY(add_point(s, index, x, spot.distance));
+			if (s->last)
+				TS_TRY(describe(s, index, x, &spot));
+			continue;
+		}
+		if (where == UNKNOWN)
+			where = s->solid->kind->inside(s->solid, s->part, x) ? IN : OUT;
+		if (where == OUT)
+			continue;
+		TS_TRY(add_point(s, index, x, -INFINITY));
+		if (s->last) {
+			double v[3];
+
+			ts_solid_velocity(&s->solid->motion[s->part], x, v);
+			set_target(s, index, v[s->component]);
+			s->last->deep = true;
+			s->ib->thickness = fmax(s->ib->thickness, 2);
+		}
+	}
+	return TS_OK;
+}
+
+/* Keeps what belongs to its nearest part; the scratch is clean again. */
+static void settle(struct ts_immersed *ib, size_t first, size_t first_band)
+{
+	size_t n = first, bands = first_band, b = first_band;
+
+	for (size_t k = first; k < ib->npoints; k++) {
+		struct ts_immersed_point p = ib->point[k];
+		bool mine = ib->owner[p.at] == p.part + 1;
+
+		if (b < ib->nbands && ib->band[b].point == k) {
+			ib->band[bands] = ib->band[b++];
+			ib->band[bands].point = n;
+			bands += mine;
+		}
+		ib->point[n] = p;
+		n += mine;
+	}
+	for (size_t k = first; k < n; k++)
+		ib->owner[ib->point[k].at] = 0;
+	ib->npoints = n;
+	ib->nbands = bands;
+}
+
+static enum ts_status place_component(struct search *s)
+{
+	struct ts_immersed *ib = s->ib;
+	size_t first = ib->npoints, first_band = ib->nbands;
+
+	for (s->part = 0; s->part < s->solid->parts; s->part++) {
+		s->solid->kind->bounds(s->solid, s->part, s->lo, s->hi);
+		ranges(s);
+		for (int k = s->from[2]; k < s->to[2]; k++)
+			for (int j = s->from[1]; j < s->to[1]; j++)
+				TS_TRY(search_row(s, j, k));
+	}
+	if (s->solid->parts > 1)
+		settle(ib, first, first_band);
+	return TS_OK;
+}
+
+static enum ts_status make_room(struct ts_immersed *ib, const struct ts_solid *solid,
+				const struct ts_grid *grid)
+{
+	TS_TRY(TS_GROW(ib->sums, ib->sums_capacity, solid->parts));
+	if (solid->parts < 2 || ib->owner)
+		return TS_OK;
+	ib->distance = ts_alloc(grid->size, sizeof *ib->distance);
+	ib->owner = ts_alloc(grid->size, sizeof *ib->owner);
+	return ib->distance && ib->owner ? TS_OK : TS_NOMEM;
+}
+
+enum ts_status ts_immersed_place(struct ts_immersed *ib, struct ts_solid *solid,
+				 const struct ts_fluid *fluid)
+{
+	struct search s = { .ib = ib, .solid = solid, .fluid = fluid, .grid = &fluid->grid };
+
+	TS_TRY(make_room(ib, solid, &fluid->grid));
+	ib->npoints = ib->nbands = ib->inside = 0;
+	ib->thickness = ib->rate = 0;
+	for (int c = 0; c < 3; c++) {
+		ib->first[c] = ib->npoints;
+		ib->band_first[c] = ib->nbands;
+		s.component = c;
+		if (c < fluid->grid.dimensions)
+			TS_TRY(place_component(&s));
+	}
+	ib->first[3] = ib->npoints;
+	ib->band_first[3] = ib->nbands;
+	ib->inside = ib->npoints - ib->nbands;
+	return TS_OK;
+}
+
+void ts_immersed_release(struct ts_immersed *ib)
+{
+	ts_free(ib->point);
+	ts_free(ib->band);
+	ts_free(ib->distance);
+	ts_free(ib->owner);
+	ts_free(ib->sums);
+	*ib = (struct ts_immersed){ 0 };
+}

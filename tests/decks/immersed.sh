@@ -1,0 +1,224 @@
+#!/bin/bash
+# Bodies in a fluid by fix immersed/boundary: drag against exact values and its order, bodies that move against
+# bodies at rest, meshes against regions, restart and threads, and what is refused.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+# shellcheck source=tests/lib_meshes.sh
+. "$top_srcdir/tests/lib_meshes.sh" || exit 99
+
+# near WHAT VALUE REFERENCE TOLERANCE: relative
+near() {
+	awk -v a="$2" -v b="$3" -v t="$4" 'BEGIN { d = a / b - 1; exit !(d <= t && -d <= t) }'
+	report "$1: $2, expected $3" $?
+}
+
+# ---- drag of rods in a square array, a fifth of the area: 51.53 mu U (Sangani & Acrivos, Int. J. Multiphase
+# Flow 8 (1982) 193), and its order
+cat >in.array <<'END2'
+units si
+dimension 2
+boundary p p p
+region box block 0 1 0 1 -0.5 0.5 units box
+create_box 1 box
+variable mu equal 2.385
+flow_style projection cells ${N} ${N} 1 viscosity ${mu} density 1 body_force 1 0 0 time ${time}
+region rod cylinder z 0.51 0.493 $(sqrt(0.2/PI)) INF INF units box
+fix rod all immersed/boundary region rod
+compute flux all flow/flux x 0.5
+timestep $(0.1/v_N^2/v_mu)
+run $(round(0.4/v_mu/dt))
+print "K $(f_rod[1]/v_mu/c_flux[3]) F $(f_rod[1])"
+END2
+drag() {
+	"$TSIM" -in in.array -log none -var N "$1" -var time "$2" >out 2>&1
+	awk '$1 == "K" { print $2 }' out
+}
+coarse=$(drag 16 euler)
+fine=$(drag 32 euler)
+near 'rods in an array, 8 cells across' "$coarse" 51.53 0.035
+near 'rods in an array, 16 cells across' "$fine" 51.53 0.008
+near 'all the force on the fluid is on the rods' "$(awk '$1 == "K" { print $4 }' out)" 1 2e-5
+awk -v a="$coarse" -v b="$fine" 'BEGIN { exit !(log((a - 51.53) / (b - 51.53)) / log(2) > 1.8) }'
+report "order of the drag: $coarse $fine" $?
+for time in ab2 rk2 rk3; do
+	near "drag with time $time" "$(drag 16 $time)" "$coarse" 0.02
+done
+
+# ---- between a cylinder that turns and one at rest: the torque 4 pi mu omega r^2 R^2/(R^2 - r^2) on both
+cat >in.couette <<'END2'
+units si
+dimension 2
+boundary f f p
+region box block -1.2 1.2 -1.2 1.2 -0.5 0.5 units box
+create_box 1 box
+flow_style projection cells 32 32 1 viscosity 1.385 density 1
+region inner cylinder z 0.021 0.013 0.45 INF INF units box
+region outer cylinder z 0.021 0.013 1 INF INF side out units box
+variable omega equal 0.7
+fix in all immersed/boundary region inner omega 0 0 v_omega
+fix out all immersed/boundary region outer
+timestep $(0.2*(2.4/32)^2/1.385)
+run 500
+print "T $(f_in[6]) $(f_out[6]) $(4*PI*1.385*0.7*0.45^2/(1-0.45^2))"
+print "FORCE $(f_in[1]+f_out[1]) $(f_in[2]+f_out[2])"
+END2
+"$TSIM" -in in.couette -log none >out 2>&1
+read -r _ inner outer exact < <(grep '^T ' out)
+near 'torque on the cylinder that turns' "$inner" "-$exact" 0.015
+near 'what one loses the other gets' "$outer" "${inner#-}" 1e-3
+
+# ---- a body that moves through fluid at rest feels what it feels at rest in fluid that moves
+cat >in.moving <<'END2'
+units si
+dimension 2
+boundary p f p
+region box block -2 2 -1.5 1.5 -0.5 0.5 units box
+create_box 1 box
+flow_style projection cells 48 36 1 viscosity 0.05 density 1
+flow_boundary ylo slip
+flow_boundary yhi slip
+variable x equal time*${moves}
+variable nil equal 0
+region rod cylinder z 0.013 0.0057 0.5 INF INF units box move v_x v_nil v_nil
+if "${moves} == 0" then "flow_set velocity -1 0 0"
+fix rod all immersed/boundary ${body}
+variable fx equal f_rod[1]
+variable fy equal f_rod[2]
+fix mean all ave/time 1 60 60 v_fx v_fy
+timestep 0.02
+run 60
+print "F $(f_mean[1]) $(f_mean[2])"
+END2
+for moves in 0 1; do
+	"$TSIM" -in in.moving -log none -var moves $moves -var body 'region rod' >out 2>&1
+	awk '$1 == "F" { print $2 }' out >force.$moves
+done
+near 'force on a body that moves' "$(cat force.1)" "$(cat force.0)" 0.02
+
+# ---- one that is carried along in a uniform flow feels nothing
+cat >in.carried <<'END2'
+units si
+boundary p p p
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+flow_style projection cells 12 12 12 viscosity 0.05 density 1.385
+flow_set velocity 1 0.5 -0.3
+variable x equal time
+variable y equal 0.5*time
+variable z equal -0.3*time
+region ball sphere 0.5 0.52 0.47 0.3 units box move v_x v_y v_z
+fix ball all immersed/boundary region ball velocity 1 0.5 -0.3
+timestep 0.02
+run 40
+print "NOTHING $(abs(f_ball[1])+abs(f_ball[2])+abs(f_ball[3])+abs(f_ball[4])+abs(f_ball[5])+abs(f_ball[6]) < 1e-10)"
+END2
+"$TSIM" -in in.carried -log none >out 2>&1
+grep -q '^NOTHING 1' out
+report 'a body that goes with the flow feels nothing' $? out
+
+# ---- a mesh is the block that it is the surface of
+cuboid 0.25 0.2 0.15 >block.stl
+cat >in.block <<'END2'
+units si
+boundary p p p
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+flow_style projection cells 12 12 12 viscosity 1 density 1.385 body_force 1 0.2 0
+region block block 0.26 0.76 0.3 0.7 0.35 0.65 units box
+fix surface all mesh/surface file block.stl type 1 move 0.51 0.5 0.5
+fix move all move/mesh mesh surface linear 0.4 0 0
+variable x equal 0.4*time
+variable nil equal 0
+region sliding block 0.26 0.76 0.3 0.7 0.35 0.65 units box move v_x v_nil v_nil
+fix body all immersed/boundary ${body}
+timestep 5e-4
+thermo 10
+thermo_style custom step f_body[1] f_body[2] f_body[3] f_body[7]
+thermo_modify format float %.9g
+run 40
+END2
+for body in 'region sliding velocity 0.4 0 0' 'mesh surface'; do
+	"$TSIM" -in in.block -log none -var body "$body" >out 2>&1
+	report "$body runs" $? out
+	rows out | awk '{ printf "%d %.5f %.5f\n", $1, $2, $3 }' >"rows.${body%% *}"
+done
+same 'a mesh and a region' rows.region rows.mesh
+
+# ---- restart, and threads: byte for byte
+cat >in.free <<'END2'
+timestep 1e-3
+flow_style projection cells 16 12 12 viscosity 0.01 density 1 time rk2
+flow_boundary xlo wall velocity 0 1 0
+pair_style gran model hooke tangential history
+pair_coeff * *
+variable x equal 0.1*sin(5*time)
+variable nil equal 0
+region wagging block 1.05 1.35 0.3 0.7 0.3 0.7 units box move v_x v_nil v_nil rotate v_x 1.2 0.5 0.5 0 0 1
+fix bodies all immersed/boundary spheres relax 0.8
+fix wagging all immersed/boundary region wagging
+fix step all nve/sphere
+thermo 4
+compute forces all reduce sum f_bodies[1] f_bodies[6]
+thermo_style custom step flow_ke f_bodies[1] f_bodies[2] f_bodies[6] f_wagging[1] f_wagging[6] ke c_forces[1] c_forces[2]
+thermo_modify format float %.17g
+END2
+cat >in.materials <<'END2'
+fix m1 all property/global youngsModulus peratomtype 5e6
+fix m2 all property/global poissonsRatio peratomtype 0.3
+fix m3 all property/global coefficientRestitution peratomtypepair 1 0.5
+fix m4 all property/global coefficientFriction peratomtypepair 1 0.3
+fix m5 all property/global characteristicVelocity scalar 2
+END2
+cat >in.head <<'END2'
+units si
+atom_style granular
+newton off
+communicate single vel yes
+boundary f p p
+region box block 0 1.6 0 1 0 1 units box
+create_box 1 box
+neighbor 0.05 bin
+create_atoms 1 single 0.31 0.45 0.5
+create_atoms 1 single 0.7 0.52 0.98
+set group all diameter 0.38 density 1.6
+velocity all set 0.5 0 0
+END2
+{ cat in.head in.materials in.free; echo 'run 12'; echo 'write_restart restart'; echo 'run 8'; } >in.whole
+{ echo 'newton off'; echo 'communicate single vel yes'; echo 'read_restart restart'; cat in.materials in.free; echo 'run 8'; } >in.again
+"$TSIM" -in in.whole -log none >whole 2>&1
+report 'bodies that are free' $? whole
+"$TSIM" -in in.again -log none >again 2>&1
+report 'bodies after a restart' $? again
+rows whole | tail -n 3 >rows.whole
+rows again | tail -n 3 >rows.again
+same 'restart' rows.whole rows.again
+OMP_NUM_THREADS=3 "$TSIM" -in in.whole -log none >three 2>&1
+rows three | tail -n 3 >rows.three
+same 'threads' rows.whole rows.three
+
+# ---- faults
+scene='units si
+boundary f f f
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+flow_style projection cells 8 8 8 viscosity 1 density 1'
+rejects "units si
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+fix b all immersed/boundary region box" 'fluid'
+rejects "$scene
+region e ellipsoid 0.5 0.5 0.5 0.2 0.2 0.2 units box
+fix b all immersed/boundary region e" 'how far a place is from the surface is not known'
+plate 2 0.5 >plate.stl # of side 1 about the z axis
+rejects "$scene
+fix m all mesh/surface file plate.stl type 1 move 0.5 0.5 0
+fix b all immersed/boundary mesh m" 'is not closed'
+# warns WHAT REGION TEXT
+warns() {
+	printf '%s\nregion b %s units box\nfix b all immersed/boundary region b\ntimestep 1e-4\nrun 1\n' "$scene" "$2" >in.script
+	"$TSIM" -in in.script -log none >out 2>&1 && grep -qF -- "$3" out
+	report "$1" $? out
+}
+warns 'outside' 'sphere 3 3 3 0.5' 'outside the grid'
+warns 'thin' 'block 0.2 0.8 0.2 0.8 0.45 0.57' 'cells; the fluid leaks'
+finish
