@@ -7,6 +7,7 @@
 #include "base/clock.h"
 #include "core/pending.h"
 #include "core/settings.h"
+#include "core/uses.h"
 
 #include "base/banned.h"
 
@@ -43,6 +44,22 @@ static enum ts_status add_actions(struct ts_plan *plan, struct tsim *sim, struct
 	return TS_OK;
 }
 
+/* A region may be deleted while others use it, as long as none does in a run. */
+static enum ts_status refuse_retired(struct tsim *sim)
+{
+	for (size_t k = 0; k < sim->retired.n; k++) {
+		const struct ts_instance *region = sim->retired.item[k];
+		const struct ts_instance *user = ts_uses_retired(sim, region);
+
+		if (user)
+			return ts_fail(&sim->error, TS_STATE, &user->where,
+				       "%s %s uses region %s (line %d), which has been deleted since",
+				       ts_kind_name(user->style->kind), user->id, region->id,
+				       region->where.line);
+	}
+	return TS_OK;
+}
+
 enum ts_status ts_plan_compile(struct ts_plan *plan, struct tsim *sim)
 {
 	for (int stage = 0; stage < TS_NSTAGE; stage++) {
@@ -50,6 +67,7 @@ enum ts_status ts_plan_compile(struct ts_plan *plan, struct tsim *sim)
 		plan->seconds[stage] = 0;
 	}
 	sim->explicit_euler = false; /* its fix says so in init */
+	TS_TRY(ts_pardon(sim, refuse_retired(sim)));
 	for (int k = 0; k < NORDER; k++) {
 		const struct ts_instances *list = &sim->instances[kind_order[k]];
 

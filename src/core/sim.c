@@ -104,17 +104,20 @@ struct tsim *ts_sim_new(void)
 	return sim;
 }
 
+static void free_list(struct ts_instances *list)
+{
+	while (list->n)
+		instance_free(list->item[--list->n]);
+	ts_free(list->item);
+	*list = (struct ts_instances){ 0 };
+}
+
 /* Later kinds may refer to earlier ones, systems to nothing: free in reverse. */
 static void free_instances(struct tsim *sim)
 {
-	for (int kind = TS_NKIND - 1; kind >= 0; kind--) {
-		struct ts_instances *list = &sim->instances[kind];
-
-		while (list->n)
-			instance_free(list->item[--list->n]);
-		ts_free(list->item);
-		*list = (struct ts_instances){ 0 };
-	}
+	for (int kind = TS_NKIND - 1; kind >= 0; kind--)
+		free_list(&sim->instances[kind]);
+	free_list(&sim->retired);
 	ts_pending_free(sim);
 }
 
@@ -283,19 +286,39 @@ enum ts_status ts_sim_choose(struct tsim *sim, enum ts_kind kind, struct ts_word
 	return ts_sim_create(sim, kind, style, "", 0, ts_words_from(line, 1), where, NULL);
 }
 
-enum ts_status ts_sim_destroy(struct tsim *sim, enum ts_kind kind, const struct ts_word *id)
+static enum ts_status take_out(struct tsim *sim, enum ts_kind kind, const struct ts_word *id,
+			       struct ts_instance **out)
 {
 	struct ts_instances *list = &sim->instances[kind];
-	struct ts_instance *inst = NULL;
 	size_t at = 0;
 
-	TS_TRY(ts_sim_require(sim, kind, id, &inst));
-	while (list->item[at] != inst)
+	TS_TRY(ts_sim_require(sim, kind, id, out));
+	while (list->item[at] != *out)
 		at++;
 	memmove(&list->item[at], &list->item[at + 1], (list->n - at - 1) * sizeof *list->item);
 	list->n--;
-	instance_free(inst);
 	sim->removals++;
+	return TS_OK;
+}
+
+enum ts_status ts_sim_destroy(struct tsim *sim, enum ts_kind kind, const struct ts_word *id)
+{
+	struct ts_instance *inst = NULL;
+
+	TS_TRY(take_out(sim, kind, id, &inst));
+	instance_free(inst);
+	return TS_OK;
+}
+
+enum ts_status ts_sim_retire(struct tsim *sim, enum ts_kind kind, const struct ts_word *id)
+{
+	struct ts_instances *list = &sim->retired;
+	struct ts_instance *inst = NULL;
+
+	if (TS_GROW(list->item, list->capacity, list->n + 1) != TS_OK)
+		return ts_nomem(&sim->error);
+	TS_TRY(take_out(sim, kind, id, &inst));
+	list->item[list->n++] = inst;
 	return TS_OK;
 }
 

@@ -113,6 +113,7 @@ struct tsim {
 
 	unsigned columns;     /* all that live styles need */
 	struct ts_instances instances[TS_NKIND]; /* systems, pair, bond, flow, pressure: at most one live  */
+	struct ts_instances retired; /* deleted, but others may still refer to them */
 
 	/* the systems, by type: set when they are created */
 	struct ts_domain *domain;
@@ -165,6 +166,8 @@ enum ts_status ts_sim_create(struct tsim *sim, enum ts_kind kind, const struct t
 enum ts_status ts_sim_choose(struct tsim *sim, enum ts_kind kind, struct ts_words line,
 			     const struct ts_place *where);
 enum ts_status ts_sim_destroy(struct tsim *sim, enum ts_kind kind, const struct ts_word *id);
+/* The same for one that others refer to: it is found no more, and freed with all. */
+enum ts_status ts_sim_retire(struct tsim *sim, enum ts_kind kind, const struct ts_word *id);
 struct ts_instance *ts_sim_find(const struct tsim *sim, enum ts_kind kind, const char *id);
 /* The same, or an error with a suggestion. */
 enum ts_status ts_sim_require(struct tsim *sim, enum ts_kind kind, const struct ts_word *id,

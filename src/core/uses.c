@@ -5,6 +5,7 @@
 /* What is looked for: a region, or a group where region is NULL. */
 struct target {
 	const struct ts_instance *region;
+	bool retired;
 	int bit;
 };
 
@@ -29,7 +30,7 @@ static bool rows_name(const struct ts_arg *row, const struct ts_instance *inst,
 		if (row->type == TS_ARG_GROUP && !target->region &&
 		    *(const int *)field == target->bit)
 			return true;
-		if (row->type == TS_ARG_REST && target->region &&
+		if (row->type == TS_ARG_REST && target->region && !target->retired &&
 		    inst->style->kind == TS_KIND_REGION &&
 		    rest_names(*(const struct ts_words *)field, target->region->id))
 			return true;
@@ -58,6 +59,11 @@ static const struct ts_instance *search(const struct tsim *sim, const struct tar
 const struct ts_instance *ts_uses_region(const struct tsim *sim, const struct ts_instance *region)
 {
 	return search(sim, &(struct target){ .region = region });
+}
+
+const struct ts_instance *ts_uses_retired(const struct tsim *sim, const struct ts_instance *region)
+{
+	return search(sim, &(struct target){ .region = region, .retired = true });
 }
 
 const struct ts_instance *ts_uses_group(const struct tsim *sim, int bit)

@@ -131,9 +131,28 @@ bad 'region a blok 0 1 0 1 0 1' "did you mean 'block'"
 bad 'region a union 2 b' 'expected the names of 2 regions'
 bad 'region a block 0 1 0 1 0 1
 region a block 0 1 0 1 0 1' "there is a region 'a' already"
-bad 'region a block 0 1 0 1 0 1
+bad "$box
+region a block 0 1 0 1 0 1
 region b union 1 a
-region a delete' 'in use by region b'
+region a delete
+run 0" "there is no region 'a'"
+bad "$box
+region b block 0 1 0 1 0 1
+compute n all reduce/region b sum x
+region b delete
+region b block 0 1 0 1 0 1
+run 0" 'compute n uses region b'
+good 'regions go in any order' "$box
+region b block 0 1 0 1 0 1
+region c union 1 b
+compute n all reduce/region c sum x
+region b delete
+region c delete
+region b block 0 2 0 1 0 1
+region c union 1 b
+uncompute n
+compute n all reduce/region c sum x
+run 0"
 bad 'region a block INF 1 0 1 0 1
 create_box 1 a' 'the box would reach from x = -inf'
 bad "$ball

@@ -13,16 +13,11 @@ struct state {
 static enum ts_status delete_region(struct tsim *sim, const char *id, const struct ts_place *where)
 {
 	const struct ts_word word = { .text = id, .place = *where };
-	const struct ts_instance *user;
 	struct ts_instance *region;
 
 	TS_TRY(ts_sim_require(sim, TS_KIND_REGION, &word, &region));
-	user = ts_uses_region(sim, region);
-	if (user)
-		return ts_fail(&sim->error, TS_STATE, where,
-			       "region '%s' is in use by %s %s (line %d)", id,
-			       ts_kind_name(user->style->kind), user->id, user->where.line);
-	return ts_sim_destroy(sim, TS_KIND_REGION, &word);
+	return (ts_uses_region(sim, region) ? ts_sim_retire : ts_sim_destroy)(sim, TS_KIND_REGION,
+									      &word);
 }
 
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
@@ -54,8 +49,8 @@ const struct ts_command_style ts_command_region = {
 		.name = "region",
 		.kind = TS_KIND_COMMAND,
 		.summary = "Names a set of points",
-		.doc = "Other commands refer to it by its name. `region ID delete` forgets it, unless something\n"
-		       "still refers to it. See the pages of the region styles.",
+		.doc = "Other commands refer to it by its name. `region ID delete` forgets it; what refers to it\n"
+		       "must go, too, before the next run. See the pages of the region styles.",
 		.example = "region bed block 0 1 0 1 0 0.5 units box\n"
 		       "region bed delete",
 		.args = args,
