@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "geom/mesh.h"
+#include "geom/mesh_touch.h"
 #include "math/vec3.h"
 
 /* A cuboid of 12 triangles, as corner numbers: bit 0 x, bit 1 y, bit 2 z. */
@@ -104,6 +105,29 @@ START_TEST(floor_of_a_periodic_box_has_no_rim)
 }
 END_TEST
 
+/* Beyond both edges of a corner of 135 degrees, before one of them: in the edge; LIGGGHTS takes the corner, but for
+ * the last of the three. */
+START_TEST(beyond_an_obtuse_corner)
+{
+	static const double corner[3][3] = { { -1, 0, 0 }, { 0, 0, 0 }, { 1, 1, 0 } };
+	static const double x[3] = { -0.0385, -0.2385, 0.3 }; /* -0.0385 from the corner along the first edge */
+	double soup[1][3][3];
+	struct ts_mesh_spot at;
+	struct ts_mesh m = { 0 };
+
+	for (int first = 0; first < 3; first++) {
+		for (int k = 0; k < 9; k++)
+			soup[0][k / 3][k % 3] = corner[(k / 3 + first) % 3][k % 3];
+		ck_assert(ts_mesh_build(&m, (const double(*)[3][3])soup, 1, 1e-8, 0.256235) == TS_OK);
+		ck_assert(ts_mesh_nearest(&m, 0, x, &at) == TS_MESH_EDGE);
+		ck_assert_double_eq_tol(at.distance, hypot(0.2385, 0.3), 1e-15);
+		m.legacy = true;
+		ck_assert(ts_mesh_nearest(&m, 0, x, &at) == (first == 2 ? TS_MESH_EDGE : TS_MESH_CORNER));
+		ts_mesh_release(&m);
+	}
+}
+END_TEST
+
 int main(void)
 {
 	Suite *suite = suite_create("mesh");
@@ -114,6 +138,7 @@ int main(void)
 	tcase_add_test(tc, cuboid_has_its_shape);
 	tcase_add_test(tc, cuboid_has_every_edge_once);
 	tcase_add_test(tc, floor_of_a_periodic_box_has_no_rim);
+	tcase_add_test(tc, beyond_an_obtuse_corner);
 	suite_add_tcase(suite, tc);
 	srunner_run_all(runner, CK_ENV);
 	failed = srunner_ntests_failed(runner);

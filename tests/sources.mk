@@ -27,6 +27,7 @@ shell_tests = \
 	tests/crosscheck/rigid.sh \
 	tests/crosscheck/scripts.sh \
 	tests/crosscheck/space.sh \
+	tests/crosscheck/terrain.sh \
 	tests/crosscheck/text.sh \
 	tests/crosscheck/timestep.sh \
 	tests/crosscheck/tracers.sh \

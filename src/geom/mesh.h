@@ -39,6 +39,7 @@ struct ts_mesh {
 				  * TS_MESH_MANY: several */
 	uint8_t *active;	 /* bit k: edge k, bit 3 + k: corner k */
 	double flat;		 /* cosine of the angle `curvature` */
+	bool legacy;		 /* beyond an obtuse corner as in LIGGGHTS: ts_mesh_nearest */
 };
 
 enum { TS_MESH_MANY = -2 };

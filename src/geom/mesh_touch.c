@@ -74,13 +74,16 @@ static enum ts_mesh_part at_edge(const struct ts_mesh *m, size_t t, int k, const
 	return TS_MESH_EDGE;
 }
 
-/* Beyond both edges of a corner; if its angle is obtuse the nearest point may still be in one of them. */
+/* Beyond both edges of a corner; if its angle is obtuse the nearest point may still be in one of them. LIGGGHTS
+ * looks for it at the last corner of a triangle only: where the corner is not active, a contact ends there. */
 static enum ts_mesh_part beyond_corner(const struct ts_mesh *m, size_t t, int k, const double x[3],
 				       struct ts_mesh_spot *s)
 {
 	int before = (k + 2) % 3;
 	double arm[3];
 
+	if (m->legacy && k != 2)
+		return at_corner(m, t, k, x, s);
 	ts_sub(x, m->x[t][k], arm);
 	if (ts_dot(arm, m->along[t][k]) > 0)
 		return at_edge(m, t, k, x, s);

@@ -25,7 +25,7 @@ const struct ts_command_style ts_command_legacy = {
 	.style = { .name = "legacy",
 		   .kind = TS_KIND_COMMAND,
 		   .summary = "the numbers of LIGGGHTS where its way and tsim's differ",
-		   .doc = "There are five differences. With `legacy yes`:\n\n"
+		   .doc = "There are six differences. With `legacy yes`:\n\n"
 			  "A pair that parts keeps the memory of its contact (tangential and rolling springs, "
 			  "the depth of hooke/hysteresis) until the next rebuild of neighbours, and takes it "
 			  "up again if it meets before that: results depend on the skin. Otherwise the memory "
@@ -35,6 +35,10 @@ const struct ts_command_style ts_command_legacy = {
 			  "file the whole. Otherwise a run that goes on has the forces of the last step.\n\n"
 			  "compute pair/gran/local gives the forces that the velocities at the end of the step "
 			  "would make, otherwise those that acted.\n\n"
+			  "A particle that is beyond both edges of an obtuse corner of a triangle, and nearest to "
+			  "a point of one of them, touches that point in the last corner of the triangle only; in "
+			  "the others it touches the corner, or nothing where the corner belongs to another "
+			  "triangle: contacts are lost. Otherwise the nearest point is touched.\n\n"
 			  "fix property/atom/tracer/stream forgets the particles that were to be marked from "
 			  "a step on in which the stream has an event, but for the first ones.\n\n"
 			  "Rigid clumps of fix insert/stream get no angular velocity where they are let go.\n\n"

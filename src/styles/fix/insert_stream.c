@@ -34,6 +34,9 @@ struct state {
 
 /* LIGGGHTS seeds the stream of points on a mesh with this; fixes with the same face share it. */
 static const int64_t MESH_SEED = 179424799;
+/* LIGGGHTS adds it to a length before it counts the steps that the stream takes for it, so that 0.03 is 1500
+ * steps of 2e-5. */
+static const double TINY = 1e-14;
 /* As many points show how much of the space behind the face is in the box. */
 enum { NMEASURE = 100000 };
 
@@ -106,7 +109,7 @@ static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
 		s->length = (double)steps * sim->clock.dt * s->speed;
 	} else {
 		s->length = s->given_length;
-		s->base.every = (int64_t)fmin(s->length / travel, 1e15);
+		s->base.every = (int64_t)fmin((s->length + TINY) / travel, 1e15);
 	}
 	if (s->length < least)
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
