@@ -119,6 +119,8 @@ library_sources = \
 	src/flow/immersed.c \
 	src/flow/immersed.h \
 	src/flow/immersed_place.c \
+	src/flow/implicit.c \
+	src/flow/implicit.h \
 	src/flow/keywords.c \
 	src/flow/limits.c \
 	src/flow/limits.h \

@@ -1,6 +1,7 @@
 /* Time steps of the fluid. */
 #include <math.h>
 
+#include "flow/implicit.h"
 #include "flow/limits.h"
 
 #include "base/banned.h"
@@ -13,7 +14,9 @@ static struct ts_predictor predictor(const struct ts_projection *p, double dt)
 				    .convection = (enum ts_convection)p->convection,
 				    .form = (enum ts_form)p->form,
 				    .gamma = p->convection == TS_CONVECTION_DONOR ? p->gamma : 0,
-				    .nu = fluid->viscosity / fluid->density,
+				    .nu = p->viscous == TS_VISCOUS_EXPLICIT
+						  ? fluid->viscosity / fluid->density
+						  : 0,
 				    .dt = dt,
 				    .threads = p->poisson.threads };
 
@@ -37,13 +40,18 @@ static void exchange_fields(double *a[3], double *b[3])
 static enum ts_status parts_force(struct tsim *sim, struct ts_fluid *fluid, double time, double dt)
 {
 	struct ts_instance *part;
+	bool any = false;
 
 	for (size_t k = 0; (part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));) {
 		const struct ts_flow_part *flow_part = part->state;
 
-		if (flow_part->force)
-			TS_TRY(flow_part->force(part, sim, fluid, time, dt));
+		if (!flow_part->force)
+			continue;
+		TS_TRY(flow_part->force(part, sim, fluid, time, dt));
+		any = true;
 	}
+	if (any)
+		ts_fluid_fill_velocity(fluid, fluid->u);
 	return TS_OK;
 }
 
@@ -125,9 +133,29 @@ static enum ts_status want_vector(const struct ts_grid *grid, double *field[3])
 /* Memory that only some schemes need. */
 static enum ts_status want_memory(struct ts_projection *p, const struct ts_time_scheme *scheme)
 {
+	if (p->viscous != TS_VISCOUS_EXPLICIT && !p->increment &&
+	    !(p->increment = ts_grid_field(&p->fluid.grid)))
+		return TS_NOMEM;
 	if (scheme->stages > 1)
 		TS_TRY(want_vector(&p->fluid.grid, p->second));
 	return scheme->history ? want_vector(&p->fluid.grid, p->history) : TS_OK;
+}
+
+/* Viscosity over a step, from p->work with all else but the pressure to u*. */
+static enum ts_status implicit_step(struct ts_projection *p, double dt)
+{
+	struct ts_fluid *fluid = &p->fluid;
+	const struct ts_viscous_step step = { .fluid = fluid,
+					      .operators = &p->operators,
+					      .nu = fluid->viscosity / fluid->density,
+					      .dt = dt,
+					      .theta = p->theta,
+					      .threads = p->poisson.threads };
+
+	/* Walls that change count as far as the end of the step does. */
+	ts_projection_blend(p, ((double)p->now_at + p->theta) / (double)p->done);
+	ts_fluid_fill_velocity(fluid, fluid->u);
+	return ts_viscous_step(&step, p->work);
 }
 
 /* Stage s; the velocities at the beginning of the step are in `old`. The old stage ends up in p->work. */
@@ -150,6 +178,8 @@ static enum ts_status make_stage(struct ts_instance *self, struct tsim *sim,
 	ts_predict(&stage);
 	if (scheme->history)
 		add_history(p, p->work, dt);
+	if (p->viscous != TS_VISCOUS_EXPLICIT)
+		TS_TRY(implicit_step(p, dt) == TS_OK ? TS_OK : ts_nomem(&sim->error));
 	exchange_fields(fluid->u, p->work);
 	ts_projection_push(p, length);
 	ts_projection_blend(p, ((double)p->now_at + scheme->at[s]) / (double)p->done);
@@ -219,8 +249,11 @@ enum ts_status ts_projection_step(struct ts_instance *self, struct tsim *sim, do
 	p->source_share = p->source_steps > 0 ? 1 / (double)p->source_steps : 0;
 	if (ts_projection_room(p, length) != TS_OK)
 		return ts_nomem(&sim->error);
-	ts_projection_blend(p, 0);
-	ts_fluid_fill_velocity(&p->fluid, p->fluid.u);
+	if (!p->filled) {
+		ts_projection_blend(p, 0);
+		ts_fluid_fill_velocity(&p->fluid, p->fluid.u);
+	}
+	p->filled = true;
 	p->done = substeps_now(p, sim, length);
 	for (int64_t k = 0; k < p->done; k++) {
 		p->now_at = k;

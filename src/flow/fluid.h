@@ -61,6 +61,7 @@ struct ts_fluid {
 	double divergence; /* largest |div(e u) + de/dt| after the last projection */
 	double residual;   /* largest |change of u|/dt in the last step */
 	int iterations;    /* of the pressure solver in the last projection */
+	bool pressure_ahead; /* predictors have the old pressure in them, and projections find its change */
 	double body_force[3]; /* acceleration of all fluid, now (body_force of the style) */
 };
 

@@ -12,6 +12,7 @@
  * stable for 1.185/8 (dt C)^4 <= dt nu_least/h^2, half of that rk2. */
 #include <math.h>
 
+#include "flow/implicit.h"
 #include "flow/limits.h"
 
 #include "base/banned.h"
@@ -124,6 +125,8 @@ static double all_numbers(const struct ts_projection *p)
 
 double ts_flow_viscous_limit(const struct ts_projection *p)
 {
+	if (p->viscous != TS_VISCOUS_EXPLICIT)
+		return INFINITY;
 	return ts_time_schemes[p->time].real / (p->viscosity / p->density * all_numbers(p));
 }
 
@@ -134,7 +137,7 @@ struct ts_flow_limits ts_flow_limits(const struct ts_projection *p)
 	const struct ts_time_scheme *scheme = &ts_time_schemes[p->time];
 	const struct weak weak = weak_of(p);
 	long rows = (long)grid->n[1] * grid->n[2];
-	double turn = 0, growth = 0;
+	double turn = 0, growth = 0, numbers = 0;
 
 #pragma omp parallel for num_threads(p->poisson.threads) schedule(static) reduction(max : turn, growth)
 	for (long line = 0; line < rows; line++) {
@@ -144,8 +147,10 @@ struct ts_flow_limits ts_flow_limits(const struct ts_projection *p)
 		turn = fmax(turn, row.turn);
 		growth = fmax(growth, row.growth);
 	}
+	if (p->viscous == TS_VISCOUS_EXPLICIT)
+		numbers = weak.nu * all_numbers(p);
 	return (struct ts_flow_limits){
-		.viscous = scheme->real / (weak.nu * all_numbers(p) + decay_of(p) * turn),
+		.viscous = scheme->real / (numbers + decay_of(p) * turn),
 		.courant = scheme->courant / turn,
 		.growth = 1 / growth,
 	};

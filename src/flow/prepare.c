@@ -149,6 +149,7 @@ enum ts_status ts_projection_prepare(struct ts_instance *self, struct tsim *sim)
 	p->poisson.threads = ts_team(sim, ts_grid_cells(&fluid->grid));
 	TS_TRY(ts_projection_faces(self, sim));
 	TS_TRY(ts_projection_boundary(self, sim));
+	p->filled = false;
 	ts_projection_blend(p, 0); /* the fields are those of the last step */
 	if (fluid->steps == 0)
 		ts_fluid_fill_velocity(fluid, fluid->u);
@@ -174,5 +175,6 @@ void ts_projection_release(struct ts_projection *p)
 		}
 	}
 	ts_grid_field_free(p->rhs);
+	ts_grid_field_free(p->increment);
 	ts_grid_field_free(p->empty_before);
 }

@@ -73,15 +73,15 @@ static void divergence(const struct ts_projection *p, double scale, double mean)
 
 /* u -= factor grad p on the faces of component c where it is not given. Where particles hold the fluid the
  * factor is as much less as the weight of the face is less than its void fraction. */
-static void correct_row(const struct ts_projection *projection, int c, int j, int k, int from, int to,
-			double factor)
+static void correct_row(const struct ts_projection *projection, const double *pressure, int c, int j, int k,
+			int from, int to, double factor)
 {
 	const struct ts_fluid *fluid = &projection->fluid;
 	const struct ts_grid *grid = &fluid->grid;
 	const double *weight = fluid->exchange[c] ? projection->weight[c] : NULL;
 	const size_t at = ts_at(grid, 0, j, k);
 	const ptrdiff_t s = grid->stride[c];
-	const double *p = fluid->p + at, *gap = grid->gap[0];
+	const double *p = pressure + at, *gap = grid->gap[0];
 	double *u = fluid->u[c] + at;
 
 	if (weight) {
@@ -102,7 +102,7 @@ static void correct_row(const struct ts_projection *projection, int c, int j, in
 	}
 }
 
-static void correct(const struct ts_projection *p, double factor)
+static void correct(const struct ts_projection *p, const double *pressure, double factor)
 {
 	const struct ts_grid *grid = &p->fluid.grid;
 	int from[3][3], to[3][3], height = grid->n[1] + 1;
@@ -116,7 +116,7 @@ static void correct(const struct ts_projection *p, double factor)
 
 		for (int c = 0; c < grid->dimensions; c++)
 			if (j >= from[c][1] && j < to[c][1] && k >= from[c][2] && k < to[c][2])
-				correct_row(p, c, j, k, from[c][0], to[c][0], factor);
+				correct_row(p, pressure, c, j, k, from[c][0], to[c][0], factor);
 	}
 }
 
@@ -139,21 +139,40 @@ enum ts_status ts_projection_solver(struct ts_instance *self, struct tsim *sim, 
 	return TS_OK;
 }
 
+/* p += phi - theta mu div u*; rhs is rho/dt div u*. */
+static void add_increment(struct ts_projection *p, double dt)
+{
+	struct ts_fluid *fluid = &p->fluid;
+	const struct ts_grid *grid = &fluid->grid;
+	const double share = p->theta * fluid->viscosity * dt / fluid->density;
+	long rows = (long)grid->n[1] * grid->n[2];
+
+#pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
+	for (long line = 0; line < rows; line++) {
+		size_t at = ts_at(grid, 0, (int)(line % grid->n[1]), (int)(line / grid->n[1]));
+
+		for (size_t end = at + (size_t)grid->n[0]; at < end; at++)
+			fluid->p[at] += p->increment[at] - share * p->rhs[at];
+	}
+	ts_fluid_fill_pressure(fluid, fluid->p);
+}
+
 enum ts_status ts_projection_project(struct ts_instance *self, struct tsim *sim, double dt, double held)
 {
 	struct ts_projection *p = self->state;
 	struct ts_fluid *fluid = &p->fluid;
 	struct ts_poisson_report report = { 0 };
-	double mean;
+	double *pressure = fluid->pressure_ahead ? p->increment : fluid->p, mean;
 
 	TS_TRY(ts_projection_solver(self, sim, held));
-	ts_fluid_fill_velocity(fluid, fluid->u);
 	TS_TRY(ts_projection_balance(self, sim, &mean));
 	divergence(p, fluid->density / dt, mean);
-	TS_TRY(ts_pressure_style_of(p->pressure)->solve(p->pressure, sim, p->rhs, fluid->p, &report));
+	TS_TRY(ts_pressure_style_of(p->pressure)->solve(p->pressure, sim, p->rhs, pressure, &report));
 	fluid->iterations = report.iterations;
-	ts_fluid_fill_pressure(fluid, fluid->p);
-	correct(p, dt / fluid->density);
+	ts_fluid_fill_pressure(fluid, pressure);
+	correct(p, pressure, dt / fluid->density);
+	if (pressure != fluid->p)
+		add_increment(p, dt);
 	ts_fluid_fill_velocity(fluid, fluid->u);
 	return TS_OK;
 }
@@ -163,9 +182,15 @@ enum ts_status ts_projection_start(struct ts_instance *self, struct tsim *sim)
 	struct ts_projection *p = self->state;
 	struct ts_fluid *fluid = &p->fluid;
 	const struct ts_grid *grid = &fluid->grid;
+	enum ts_status status;
+	bool ahead;
 
 	/* Any time step gives the same velocity; this one makes numbers of the size of 1. */
-	TS_TRY(ts_projection_project(self, sim, fluid->density * grid->width[0][0], 0));
+	ahead = fluid->pressure_ahead;
+	fluid->pressure_ahead = false;
+	status = ts_projection_project(self, sim, fluid->density * grid->width[0][0], 0);
+	fluid->pressure_ahead = ahead;
+	TS_TRY(status);
 	memset(fluid->p, 0, grid->size * sizeof *fluid->p);
 	p->fluid.steps = 0;
 	p->fluid.time = ts_sim_time(sim);

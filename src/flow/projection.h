@@ -35,7 +35,7 @@ struct ts_projection {
 	const char *substeps_word;
 	struct ts_instance *region;
 	struct ts_words cell_words, body_words;
-	int convection, form, wall, time;
+	int convection, form, wall, time, viscous;
 	struct ts_flow_condition condition[3][2];
 
 	/* Velocities given at the last step of the fluid and now; fluid.given is between them. */
@@ -52,6 +52,9 @@ struct ts_projection {
 	double *second[3];  /* and a second one, for schemes of several stages */
 	double *history[3]; /* the rate of the step before, for ab2 */
 	double history_dt;  /* how long that was; 0: there is none */
+	double *increment;  /* change of the pressure, where viscosity is implicit */
+	double theta;	    /* how far it is: 1/2 or 1 */
+	bool filled;	    /* ghosts of u are those of the faces as they are */
 	double *rhs;
 	double *weight[3];    /* of faces in the projection, where particles take part in it */
 	double *empty_before; /* void fraction at the last step */
@@ -102,7 +105,7 @@ void ts_projection_clear_sources(struct ts_projection *projection);
 
 /* Who solves for the pressure, prepared for the faces and weights of now. */
 enum ts_status ts_projection_solver(struct ts_instance *self, struct tsim *sim, double held);
-/* Makes the velocity free of divergence: u -= dt/rho grad p. `held`: for how long particles hold the fluid in
+/* Makes the velocity, whose boundary is filled, free of divergence: u -= dt/rho grad p. `held`: for how long particles hold the fluid in
  * it by their k, dt or 0. */
 enum ts_status ts_projection_project(struct ts_instance *self, struct tsim *sim, double dt, double held);
 /* div(e u) + de/dt in a row of cells. */

@@ -121,11 +121,11 @@ syn keyword tsimKeyword  computeDissipatedEnergy disableNormalWhenBonded hooke/h
 syn keyword tsimKeyword  hertz/history granular limit_damping primitive n_meshes meshes
 syn keyword tsimKeyword  xplane yplane zplane xcylinder ycylinder zcylinder shear
 syn keyword tsimKeyword  store_force store_force_contact store_force_contact_stress
-syn keyword tsimKeyword  contacts viscosity ab2 rk2 rk3 substeps courant quick cubista
-syn keyword tsimKeyword  gamma form fv fd quadratic body_force generic hertz/material dmt
-syn keyword tsimKeyword  jkr mass_velocity viscoelastic tsuji rolling twisting restitution
-syn keyword tsimKeyword  tolerance unfinished preconditioner diagonal direct multigrid
-syn keyword tsimKeyword  relaxation side in out open center bounds angle0
+syn keyword tsimKeyword  contacts viscosity ab2 rk2 rk3 backward substeps courant quick
+syn keyword tsimKeyword  cubista gamma form fv fd quadratic body_force generic
+syn keyword tsimKeyword  hertz/material dmt jkr mass_velocity viscoelastic tsuji rolling
+syn keyword tsimKeyword  twisting restitution tolerance unfinished preconditioner diagonal
+syn keyword tsimKeyword  direct multigrid relaxation side in out open center bounds angle0
 
 " numbers of the simulation and of particles
 syn keyword tsimName  id type radius diameter

@@ -2,10 +2,12 @@
 #include <stdio.h>
 
 #include "core/plan.h"
+#include "flow/implicit.h"
 #include "flow/limits.h"
 
 #include "base/banned.h"
 
+static const char *const viscous_names[] = { "explicit", "implicit", "backward", NULL };
 static const char *const wall_forms[] = { "quadratic", "linear", NULL };
 
 /* ---- life */
@@ -19,6 +21,26 @@ static const struct ts_arg cell_rows[] = {
 	       .hi = 1e6, .help = "along z"),
 	TS_ARGS_END,
 };
+
+static enum ts_status check_viscous(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_projection *p = self->state;
+	const char *viscous = viscous_names[p->viscous];
+	const struct ts_place *where = ts_instance_word(self, viscous);
+
+	if (p->viscous == TS_VISCOUS_EXPLICIT)
+		return TS_OK;
+	if (ts_time_schemes[p->time].stages > 1)
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "flow_style projection: viscous %s goes with time ab2 or euler, not %s", viscous,
+			       ts_time_names[p->time]);
+	if (!(p->viscosity > 0))
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "flow_style projection: viscous %s has no viscosity to work on: it is 0", viscous);
+	p->theta = p->viscous == TS_VISCOUS_BACKWARD ? 1 : 0.5;
+	p->fluid.pressure_ahead = true;
+	return TS_OK;
+}
 
 static enum ts_status read_words(struct ts_instance *self, struct tsim *sim)
 {
@@ -43,6 +65,7 @@ static enum ts_status read_words(struct ts_instance *self, struct tsim *sim)
 			       "flow_style projection: convection %s is for form fv; form fd has donor and "
 			       "central",
 			       ts_convection_names[p->convection]);
+	TS_TRY(check_viscous(self, sim));
 	p->read = true;
 	return TS_OK;
 }
@@ -110,7 +133,8 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	  scalars[] = { { "p", &fluid->p },
 			{ "empty", &fluid->empty },
 			{ "empty_rate", &fluid->empty_rate },
-			{ "empty_before", &p->empty_before } };
+			{ "empty_before", &p->empty_before },
+			{ "increment", &p->increment } };
 	enum ts_status status = TS_OK;
 
 	for (size_t k = 0; k < sizeof vectors / sizeof *vectors; k++)
@@ -174,6 +198,11 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	/* steps of the simulation to one of the fluid */
 	double steps = (double)p->every / (double)(p->substeps ? p->substeps : 1);
 
+	if (p->viscous != TS_VISCOUS_EXPLICIT && p->fluid.empty)
+		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, viscous_names[p->viscous]),
+			       "flow_style projection: viscous %s does not know the room between particles "
+			       "(fix void/fraction): use viscous explicit, with substeps auto if it limits the step",
+			       viscous_names[p->viscous]);
 	ts_report_line(report, "fluid", "%d x %d x %d cells, convection %s (%s), time %s", grid->n[0],
 		       grid->n[1], grid->n[2], ts_convection_names[p->convection], ts_form_names[p->form],
 		       ts_time_names[p->time]);
@@ -220,6 +249,9 @@ static const struct ts_arg args[] = {
 		.help = "density of the fluid"),
 	TS_ENUM("time", struct ts_projection, time, ts_time_names, .fallback = "euler",
 		.help = "scheme in time"),
+	TS_ENUM("viscous", struct ts_projection, viscous, viscous_names, .fallback = "explicit",
+		.help = "viscosity explicit; implicit: Crank-Nicolson, or backward Euler, which do not limit the "
+			"step: with time ab2 or euler"),
 	TS_INT("every", struct ts_projection, every, .fallback = "1", .range = TS_POSITIVE, .unit = "steps",
 	       .flags = TS_STATEFUL,
 	       .help = "steps of the simulation to one of the fluid, which takes the mean of their forces"),
