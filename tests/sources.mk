@@ -4,6 +4,7 @@ shell_tests = \
 	tests/command_line.sh \
 	tests/corpus.sh \
 	tests/coupling.sh \
+	tests/coupling_cases.sh \
 	tests/crosscheck/data_files.sh \
 	tests/crosscheck/fixes.sh \
 	tests/crosscheck/granular.sh \

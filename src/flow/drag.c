@@ -144,6 +144,15 @@ static double component(int scheme, double c, double w, double f, double mass, d
 	return *slope * (w - h * f / mass);
 }
 
+/* The fluid takes the mean over so many steps of the simulation; 0: it does not make its step in this one, and
+ * what it gets now is the force as it is. */
+static double steps_to_fluid(const struct ts_drag *s)
+{
+	const struct ts_projection *p = s->flow->state;
+
+	return p->waited + 1 >= p->every ? (double)p->every : 0;
+}
+
 struct findings {
 	double reynolds, stiffness; /* the largest Re, and c h/m where the force is explicit */
 };
@@ -154,6 +163,7 @@ static void drag_on(const struct ts_instance *self, struct tsim *sim, size_t i, 
 	struct ts_drag *s = self->state;
 	struct ts_particles *p = sim->particles;
 	double h = sim->clock.dt, w[3], c, mass;
+	double steps = s->part.settle ? steps_to_fluid(s) : 0;
 	bool held = p->imass[i] == 0, member = ts_rigid_member(p, i);
 
 	if (!sample(self, p, i, slip, w))
@@ -169,22 +179,13 @@ static void drag_on(const struct ts_instance *self, struct tsim *sim, size_t i, 
 				  &slope);
 		p->f[i][k] += force;
 		s->total.note[i][k] = force;
-		if (s->note && !member)
-			s->note[i].slope = slope;
+		if (s->part.settle && !member) /* never more than takes the particle to the fluid's velocity */
+			s->note[i].slope = fmin(steps * slope, held ? INFINITY : fmax(slope, mass / h));
 	}
 	if (slip->viscosity > 0)
 		found->reynolds = fmax(found->reynolds, ts_slip_reynolds(slip));
 	if (s->scheme == EXPLICIT && !held)
 		found->stiffness = fmax(found->stiffness, c * h / mass);
-}
-
-/* The fluid takes the mean over so many steps of the simulation; 0: it does not make its step in this one, and
- * what it gets now is the force as it is. */
-static double steps_to_fluid(const struct ts_drag *s)
-{
-	const struct ts_projection *p = s->flow->state;
-
-	return p->waited + 1 >= p->every ? (double)p->every : 0;
 }
 
 /* What the fluid gets of one particle. */
@@ -215,11 +216,8 @@ static enum ts_status react(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_drag *s = self->state;
 	void *context[2] = { self, sim };
-	double steps = steps_to_fluid(s);
 
 	TS_TRY(ts_cell_order_make(&s->order, sim, s->fluid, self->group, 1));
-	for (size_t i = 0; i < sim->particles->n; i++)
-		s->note[i].slope *= steps;
 	ts_cell_order_each(&s->order, ts_team(sim, sim->particles->n), lay, context);
 	s->noted = sim->particles->n;
 	return TS_OK;

@@ -1,0 +1,23 @@
+#!/bin/bash
+# Particles in a fluid in cases whose answer is known, examples/flow at reduced size: their own checks hold.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+
+# results LINES CASE -var NAME VALUE ...: the example runs, and its RESULT lines that match all hold
+results() {
+	local lines=$1 case=$2
+	shift 2
+	(cd "$top_srcdir/examples/flow/$case" && "$TSIM" -in in.$case -log none "$@") >out 2>&1 &&
+		grep "^RESULT $lines" out >found && ! grep -q 'off$' found
+	report "$case $*" $? out
+}
+
+results settling settling
+results settling settling -var case added
+results settling settling -var case schiller
+results shear_cell shear_cell -var n 30 -var N 10 -var times 0.7
+results filter filter -var n 300 -var side 0.005 -var settle 5000 -var within 0.03
+results filter filter -var n 300 -var side 0.005 -var settle 5000 -var within 0.03 -var law carman
+# at rest: the way up to the minimum of fluidisation
+results 'fluidisation[.][0v]' fluidisation -var n 250 -var side 0.0045 -var settle 7000 -var steps 300 -var long 30
+finish
