@@ -19,7 +19,13 @@ variable w atom 0.1*id
 set group all diameter v_d density 2385 omegax v_w
 set atom 20* type 2
 velocity all create 1e20 4928459
+fix a all property/global youngsModulus peratomtype 1e7 1e7
+fix b all property/global poissonsRatio peratomtype 0.3 0.3
+fix c all property/global coefficientRestitution peratomtypepair 2 0.5 0.5 0.5 0.5
+pair_style gran model hertz tangential off
+pair_coeff * *
 write_data tsim.data
+pair_style none
 thermo_style custom step atoms ke erotate
 run 0
 END

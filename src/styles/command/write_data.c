@@ -34,13 +34,19 @@ static bool all_given(const struct ts_pair *pair, bool diagonal)
 	return true;
 }
 
+/* `pair_coeff * *` alone is said in scripts: LIGGGHTS and LAMMPS know no section for it. */
+static bool has_coefficients(const struct ts_coeffs *c)
+{
+	return c->rows && c->rows->type != TS_ARG_END;
+}
+
 static void add_pair_coeffs(const struct tsim *sim, int pairs, struct ts_str *out)
 {
 	const struct ts_instance *inst = ts_sim_only(sim, TS_KIND_PAIR);
 	const struct ts_pair *pair = inst ? inst->state : NULL;
 	char types[32];
 
-	if (!pair || !pair->ntypes || !all_given(pair, pairs == II))
+	if (!pair || !pair->ntypes || !has_coefficients(&pair->coeffs) || !all_given(pair, pairs == II))
 		return;
 	ts_str_addf(out, "\n%s # %s\n\n", pairs == II ? "Pair Coeffs" : "PairIJ Coeffs",
 		    inst->style->name);
