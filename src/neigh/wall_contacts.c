@@ -44,19 +44,33 @@ static int compare(const void *a, const void *b)
 	return (x[1] > y[1]) - (x[1] < y[1]);
 }
 
+/* Whether there is anything to carry over: most particles are near, but do not touch. */
+static bool remembers(const struct ts_wall_contacts *c, size_t k)
+{
+	if (c->report && c->report[k].touching > 0)
+		return true;
+	for (size_t d = 0; d < c->width; d++)
+		if (c->memory[k * c->width + d] != 0)
+			return true;
+	return false;
+}
+
 /* Walls are asked in the order of particles in memory, which a rebuild may change: the old keys are
  * listed in order, each with its place, and looked up. */
-static int32_t (*sorted_keys(const struct ts_wall_contacts *c))[3]
+static int32_t (*sorted_keys(const struct ts_wall_contacts *c, size_t *n))[3]
 {
 	int32_t(*list)[3] = ts_alloc(c->n, sizeof *list);
 
+	*n = 0;
 	for (size_t k = 0; list && k < c->n; k++) {
-		list[k][0] = c->key[k][0];
-		list[k][1] = c->key[k][1];
-		list[k][2] = (int32_t)k;
+		if (!remembers(c, k))
+			continue;
+		list[*n][0] = c->key[k][0];
+		list[*n][1] = c->key[k][1];
+		list[(*n)++][2] = (int32_t)k;
 	}
 	if (list)
-		qsort(list, c->n, sizeof *list, compare);
+		qsort(list, *n, sizeof *list, compare);
 	return list;
 }
 
@@ -74,17 +88,18 @@ enum ts_status ts_wall_contacts_finish(struct tsim *sim, struct ts_wall_contacts
 				       struct ts_wall_rebuild *rebuild)
 {
 	const struct ts_wall_contacts *old = &rebuild->old;
-	bool remembers = old->n && c->n && ((c->width && old->width == c->width) || old->report);
-	int32_t(*list)[3] = remembers ? sorted_keys(old) : NULL;
+	bool some = old->n && c->n && ((c->width && old->width == c->width) || old->report);
+	size_t n = 0;
+	int32_t(*list)[3] = some ? sorted_keys(old, &n) : NULL;
 
-	for (size_t k = 0; list && k < c->n; k++) {
-		const int32_t *found = bsearch(c->key[k], list, old->n, sizeof *list, compare);
+	for (size_t k = 0; n && k < c->n; k++) {
+		const int32_t *found = bsearch(c->key[k], list, n, sizeof *list, compare);
 
 		if (found)
 			carry(c, k, old, (size_t)found[2]);
 	}
 	ts_wall_contacts_release(&rebuild->old);
-	if (remembers && !list)
+	if (some && !list)
 		return ts_nomem(&sim->error);
 	ts_free(list);
 	return TS_OK;
@@ -94,8 +109,8 @@ void ts_wall_contact_part(struct ts_wall_contacts *c, size_t k)
 {
 	if (c->width)
 		memset(ts_wall_memory(c, k), 0, c->width * sizeof *c->memory);
-	if (c->report)
-		c->report[k].touching = 0;
+	if (c->report && c->report[k].touching > 0)
+		c->report[k] = (struct ts_wall_report){ 0 };
 }
 
 /* Reports are there only if somebody wanted them. */

@@ -32,6 +32,14 @@ print \"then \$(f_rain)\"
 run 6000
 print \"all \$(f_rain)\"" 'Particle insertion: 99 every 2415 steps, 300 by step 7246' 'first 99 99 2' \
 	'left 1 0.1' 'before 99' 'then 198' 'all 300'
+# the interval is that of the step when the fix was defined, as in LAMMPS
+prints "$box
+$down
+timestep 2e-4
+$rain diam one 0.1 vol 0.05 50 region tube
+timestep 1e-4
+run 1749
+print \"two \$(f_rain)\"" 'need 3497 steps to leave the region' 'Particle insertion: 45 every 1749 steps' 'two 45'
 # no place: told once, made up for later
 prints "$box
 $down

@@ -344,6 +344,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	s->base.own.least = 0.5 * least_diameter(s);
 	s->base.own.lightest = s->density[0] * ts_body_volume(sim, s->base.own.least);
 	s->each = (int64_t)fmin(s->fraction * room(s) / volume_of_one(s, sim), 1e15);
+	if (first)
+		s->base.every = steps_between(s, sim, g);
 	if (s->each < 1)
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
 			       "fix pour: no particle fits, for `vol` asks for %g of the region's "
@@ -467,7 +469,6 @@ static enum ts_status pre_exchange(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(find_gravity(self, sim, &g));
 	TS_TRY(pour(self, sim, g));
 	TS_TRY(ts_insertion_make(self, sim, &from));
-	s->base.every = steps_between(s, sim, g);
 	s->risen += (double)s->base.every * sim->clock.dt * s->rate;
 	ts_insertion_next(self);
 	if (s->base.inserted >= s->n)
@@ -478,22 +479,28 @@ static enum ts_status pre_exchange(struct ts_instance *self, struct tsim *sim)
 static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
 {
 	struct pour *s = self->state;
-	int64_t every, events = (s->n - s->base.inserted + s->each - 1) / s->each;
+	int64_t events = (s->n - s->base.inserted + s->each - 1) / s->each, now;
 	double g;
 
 	if (s->told || events < 1)
 		return TS_OK;
 	s->told = true;
 	TS_TRY(find_gravity(self, sim, &g));
-	every = steps_between(s, sim, g);
-	if (every < 1)
+	now = steps_between(s, sim, g);
+	if (now != s->base.every)
+		ts_warn(&sim->log, &self->where,
+			"fix pour %s: particles need %lld steps to leave the region, but with time "
+			"step and gravity as they were here it took %lld, and so often they come; "
+			"define it after them",
+			self->id, (long long)now, (long long)s->base.every);
+	if (s->base.every < 1)
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
 			       "fix pour: particles would leave the region within a step; it is %g "
 			       "high, the time step is %g",
 			       s->hi[s->up] - s->lo[s->up], sim->clock.dt);
 	ts_log(&sim->log, "Particle insertion: %lld every %lld steps, %lld by step %lld\n",
-	       (long long)s->each, (long long)every, (long long)s->n,
-	       (long long)(sim->clock.step + s->base.wait + (events - 1) * every));
+	       (long long)s->each, (long long)s->base.every, (long long)s->n,
+	       (long long)(sim->clock.step + s->base.wait + (events - 1) * s->base.every));
 	return TS_OK;
 }
 
@@ -551,6 +558,7 @@ static const struct ts_arg args[] = {
 
 static const struct ts_saved saved[] = {
 	TS_SAVE_I64(struct pour, base.wait),
+	TS_SAVE_I64(struct pour, base.every),
 	TS_SAVE_I64(struct pour, base.inserted),
 	TS_SAVE_F64(struct pour, base.mass),
 	TS_SAVE_F64(struct pour, risen),
@@ -561,7 +569,8 @@ static const char doc[] =
 	"From the next step on particles are made at random places of a region, without overlaps, as in a stream\n"
 	"that falls: with u uniform in (0, 1) the height is that of the top less u^2 h, h the height of the region,\n"
 	"and the velocity along gravity -sqrt(v^2 + 2 g d) at the depth d. The next ones come when the first have\n"
-	"fallen out of the region, after (w + sqrt(w^2 + 2 g h))/g, w = v - rate, until there are N. An event makes\n"
+	"fallen out of the region, after (w + sqrt(w^2 + 2 g h))/g, w = v - rate, in steps as they are when the fix is\n"
+	"defined (like LAMMPS; a warning tells where they change), until there are N. An event makes\n"
 	"fraction V/V_1 of them, rounded down: V the volume of the region, V_1 that of a particle (of `range` of the\n"
 	"largest, of `poly` the mean). Where an event finds no place for some, later ones make up for it.\n\n"
 	"As in LAMMPS, V of a block less than 1 thick in y counts as if it were 1 thick, whatever the units; the\n"
