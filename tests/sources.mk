@@ -54,6 +54,7 @@ shell_tests = \
 	tests/decks/fixes.sh \
 	tests/decks/flow_faults.sh \
 	tests/decks/flow_outputs.sh \
+	tests/decks/flow_style.sh \
 	tests/decks/gran_numbers.sh \
 	tests/decks/granular_laws.sh \
 	tests/decks/groups.sh \
@@ -161,6 +162,7 @@ unit_tests = \
 	tests/check_variables \
 	tests/check_wear \
 	tests/stability/check_contacts \
+	tests/stability/check_flow_limits \
 	tests/stability/check_limits \
 	tests/stability/check_relaxation
 tests_common = \
@@ -332,6 +334,10 @@ tests_check_wear_LDADD = $(tests_ldadd)
 tests_stability_check_contacts_SOURCES = tests/stability/check_contacts.c $(tests_common)
 tests_stability_check_contacts_CFLAGS = $(tests_cflags)
 tests_stability_check_contacts_LDADD = $(tests_ldadd)
+
+tests_stability_check_flow_limits_SOURCES = tests/stability/check_flow_limits.c $(tests_common)
+tests_stability_check_flow_limits_CFLAGS = $(tests_cflags)
+tests_stability_check_flow_limits_LDADD = $(tests_ldadd)
 
 tests_stability_check_limits_SOURCES = tests/stability/check_limits.c $(tests_common)
 tests_stability_check_limits_CFLAGS = $(tests_cflags)

@@ -292,6 +292,18 @@ static double flow_out(const struct ts_fluid *fluid, int d, enum ts_side side, d
 	return side == TS_LOW ? -sum : sum;
 }
 
+/* Where the script says that something flows through the boundary. */
+static const struct ts_place *place_of_flow(const struct ts_instance *self)
+{
+	const struct ts_projection *p = self->state;
+
+	for (int d = 0; d < 3; d++)
+		for (int side = 0; side < 2; side++)
+			if (p->condition[d][side].said && p->condition[d][side].kind == TS_FLOW_INLET)
+				return &p->condition[d][side].where;
+	return &self->where;
+}
+
 enum ts_status ts_projection_balance(struct ts_instance *self, struct tsim *sim, double *mean)
 {
 	static const double UNEVEN = 1e-9; /* far above round-off */
@@ -306,7 +318,7 @@ enum ts_status ts_projection_balance(struct ts_instance *self, struct tsim *sim,
 		for (int side = 0; side < 2 && !grid->periodic[d]; side++)
 			net += flow_out(&p->fluid, d, (enum ts_side)side, &size);
 	if (fabs(net) > UNEVEN * size)
-		return ts_fail(&sim->error, TS_PHYSICS, &self->where,
+		return ts_fail(&sim->error, TS_PHYSICS, place_of_flow(self),
 			       "the fluid cannot %s: through all faces together it flows %s at %g per "
 			       "time, and it is incompressible; make a face an outlet (flow_boundary "
 			       "xhi outlet) or let the velocities given balance",

@@ -195,9 +195,11 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	const struct ts_time_scheme *scheme = &ts_time_schemes[p->time];
 	struct ts_flow_limits limits = ts_flow_limits(p);
 	double fields = 8 + (scheme->stages > 1) * 3 + scheme->history * 3;
+	double mean;
 	/* steps of the simulation to one of the fluid */
 	double steps = (double)p->every / (double)(p->substeps ? p->substeps : 1);
 
+	TS_TRY(ts_projection_balance(self, sim, &mean));
 	if (p->viscous != TS_VISCOUS_EXPLICIT && p->fluid.empty)
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, viscous_names[p->viscous]),
 			       "flow_style projection: viscous %s does not know the room between particles "

@@ -1,0 +1,116 @@
+#!/bin/bash
+# flow_style projection and its commands: what is refused and why, a grid in a part of the box, outlets that
+# vortices cross, any number of threads.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+
+box='units si
+boundary f f p
+dimension 2
+region box block 0 2 0 1 -0.5 0.5 units box
+create_box 1 box'
+fluid="$box
+flow_style projection cells 16 8 1 viscosity 0.01 density 1"
+inlet="$fluid
+flow_boundary xlo inlet velocity 1 0 0"
+
+# ---- refusals, with the place and the remedy
+rejects "$inlet
+timestep 0.001
+run 1" 'make a face an outlet (flow_boundary xhi outlet)'
+rejects "$inlet
+flow_boundary xhi inlet velocity 0.9 0 0
+timestep 0.001
+run 1" 'it flows in at 0.1 per time'
+rejects "${fluid/f f p/p f p}
+flow_boundary xlo outlet" 'the box is periodic there'
+rejects "$box
+flow_boundary xlo outlet" 'use flow_style projection before it'
+rejects "$box
+flow_style uniform velocity 0 0 1 viscosity 0
+flow_boundary xlo outlet" 'which flow_style uniform is not'
+rejects "$fluid viscous implicit time rk3" 'goes with time ab2 or euler, not rk3'
+rejects "${fluid/0.01/0} viscous implicit" 'has no viscosity to work on'
+rejects "${fluid/8 1/8 4}" 'in two dimensions there is one cell along z'
+rejects "${fluid/8 1/8}" 'NZ is missing'
+rejects "${fluid/16 8/1 8}" 'at least two cells between the boundaries along x'
+rejects "$fluid form fd convection cubista" 'form fd has donor and central'
+rejects "$fluid substeps 0" "substeps is a number from 1 on, or auto, not '0'"
+rejects "$fluid
+flow_grid x faces 0 0.1 2" '16 cells along x have 17 faces, and 3 are given'
+rejects "${fluid/16 8/2 8}
+flow_grid x faces 0 1.7 1.2" 'the faces must increase'
+rejects "${fluid/16 8/2 8}
+flow_grid x faces 0 1.2 1.7" 'the grid goes from 0 to 2 along x'
+rejects "$fluid
+flow_grid z tanh 2" 'there is one cell along z'
+rejects "${fluid/16 8/15 8}
+flow_grid x geometric 3 fine both" 'an even number of cells, not 15'
+rejects "$fluid
+flow_boundary ylo slip velocity 1 0 0" 'at slip faces no velocity is given'
+rejects "$fluid
+flow_boundary ylo inlet" 'an inlet needs a velocity'
+rejects "$fluid
+region far block 3 4 0 1 -0.5 0.5 units box
+flow_style projection cells 4 4 1 viscosity 1 density 1 region far" 'has no part in the box along x'
+rejects "$inlet
+flow_boundary xhi outlet
+timestep 0.2
+run 10" "stability limit 0.125 of the fluid's Courant number"
+rejects "${fluid/0.01/0.1} viscous explicit
+timestep 0.3
+run 10" "of the fluid's viscosity and convection"
+# what begins stable and leaves the region of stable steps is stopped, not a number is never met
+rejects "$fluid convection central
+flow_boundary yhi wall velocity 100 0 0
+timestep 0.005
+run 1000" 'the Courant number sum |u| dt/h is'
+
+# ---- substeps by themselves: the same case runs
+prints "$fluid convection central substeps auto
+flow_boundary yhi wall velocity 100 0 0
+timestep 0.005
+run 20
+print \"steps \$(flow_steps>20) time \$(flow_time:%.3f)\"" 'steps 1 time 0.100'
+
+# ---- a part of the box: Poiseuille flow in it, between faces of its own
+prints "$box
+region part block 0.5 1.3 0.2 0.7 INF INF units box
+variable yy internal 0
+variable u equal \"6*(v_yy-0.2)*(0.7-v_yy)/0.25\"
+flow_style projection cells 12 10 1 viscosity 0.05 density 2 region part
+flow_boundary xlo inlet velocity v_u 0 0 set y yy
+flow_boundary xhi outlet
+flow_set velocity v_u 0 0 set y yy
+timestep 0.005
+run 200
+compute p all flow/probe 1.0 0.475 0
+print \"u \$(c_p[1]:%.6f) p \$(c_p[4]:%.6f)\"" 'u 1.485000 p 0.720000'
+
+# ---- a vortex leaves through an outlet: nothing grows
+prints "$box
+variable x internal 0
+variable y internal 0
+variable r equal \"exp(-((v_x-1.5)^2+(v_y-0.5)^2)/0.02)\"
+variable u equal \"1-30*(v_y-0.5)*v_r\"
+variable v equal \"30*(v_x-1.5)*v_r\"
+flow_style projection cells 64 32 1 viscosity 0.0005 density 1 time rk3
+flow_boundary xlo inlet velocity 1 0 0
+flow_boundary xhi outlet
+flow_boundary ylo slip
+flow_boundary yhi slip
+flow_set velocity v_u v_v 0 set x x set y y
+timestep 0.006
+variable before equal \$(flow_ke)
+run 150
+print \"less \$(flow_ke<v_before) quiet \$(abs(flow_ke-1)<0.02)\"" 'less 1 quiet 1'
+
+# ---- bits do not depend on threads
+for threads in 1 2 3; do
+	sed "s/^units/package omp $threads grain 1\nunits/" "$top_srcdir/tests/decks/in.flow" >in.threads
+	"$TSIM" -in in.threads -log log.$threads -screen none 2>err
+	report "$threads threads" $? err
+	rows log.$threads >rows.$threads
+	same "table on $threads threads" rows.1 rows.$threads
+done
+finish
