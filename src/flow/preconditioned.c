@@ -7,9 +7,10 @@
 
 const char *const ts_preconditioner_names[] = { "auto", "diagonal", "direct", "multigrid", NULL };
 
-/* Weights that differ by more take multigrid to fewer seconds: with the direct solver the number of iterations
- * for 8 digits is about 7 sqrt(contrast), with multigrid 13, each a fourth dearer. */
-static const double CONTRAST = 6;
+/* Where weights differ by more, multigrid takes fewer seconds, by measurement (doc/pressure.md): with the direct
+ * solver the iterations for 8 digits are 11 for a ratio of 2.5, 29 for 30, 40 for 100; with multigrid 11 to 14, each
+ * twice as dear. */
+static const double CONTRAST = 30;
 
 /* The largest weight of a face across which anything flows, by the smallest; INFINITY if that is 0. */
 static double contrast(const struct ts_stencil *s, const struct ts_poisson *problem)
@@ -46,10 +47,10 @@ double ts_preconditioned_cost(const struct ts_preconditioned *c, const struct ts
 	for (int d = 0; d < 3; d++)
 		longest = problem->grid->n[d] > longest ? problem->grid->n[d] : longest;
 	if (wanted == TS_PRECONDITION_MULTIGRID)
-		return 13 * 36e-9 * cells;
+		return 13 * 30e-9 * cells;
 	if (wanted == TS_PRECONDITION_DIAGONAL)
-		return 5 * longest * 8e-9 * cells;
-	return (problem->weight[0] ? 11 : 2) * (ts_direct_cost(problem) + 18e-9 * cells);
+		return 5 * longest * 6.5e-9 * cells;
+	return (problem->weight[0] ? 11 : 2) * (ts_direct_cost(problem) + 9e-9 * cells);
 }
 
 void ts_preconditioned_release(struct ts_preconditioned *c)

@@ -2,11 +2,13 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/clones.h"
 #include "flow/projection.h"
 
 #include "base/banned.h"
 
 /* Net flow out of the cells of a row per volume. */
+TS_CLONES
 static void divergence_row(const struct ts_fluid *fluid, int j, int k, double *out)
 {
 	const struct ts_grid *grid = &fluid->grid;
@@ -73,6 +75,7 @@ static void divergence(const struct ts_projection *p, double scale, double mean)
 
 /* u -= factor grad p on the faces of component c where it is not given. Where particles hold the fluid the
  * factor is as much less as the weight of the face is less than its void fraction. */
+TS_CLONES
 static void correct_row(const struct ts_projection *projection, const double *pressure, int c, int j, int k,
 			int from, int to, double factor)
 {

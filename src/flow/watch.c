@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "base/clones.h"
 #include "flow/limits.h"
 
 #include "base/banned.h"
@@ -12,6 +13,7 @@ struct look {
 	bool broken; /* something is not a number */
 };
 
+TS_CLONES
 static struct look look_at_row(const struct ts_fluid *fluid, double *const before[3], int j, int k)
 {
 	const struct ts_grid *grid = &fluid->grid;

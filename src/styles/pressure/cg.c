@@ -54,7 +54,7 @@ const struct ts_pressure_style ts_pressure_cg = {
 			  "to the smallest weight of a face (about 10 for a packed bed under free fluid); "
 			  "`multigrid`, the cycle of pressure_style multigrid, for weights that differ by orders of "
 			  "magnitude, as with a strong semi-implicit drag. `auto` takes for each solve direct, or "
-			  "multigrid where the ratio is above 6: that is where, by measurement, it is the faster. "
+			  "multigrid where the ratio is above 30: that is where, by measurement, it is the faster. "
 			  "The first guess is the pressure of the step before. Iterations end when the largest "
 			  "residual is below `tolerance` by the largest right-hand side.",
 		   .example = "pressure_style cg tolerance 1e-8\npressure_style cg preconditioner direct",

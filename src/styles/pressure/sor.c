@@ -71,7 +71,7 @@ static enum ts_status solve(struct ts_instance *self, struct tsim *sim, const do
 static double cost(const struct ts_instance *self, const struct ts_poisson *problem)
 {
 	(void)self;
-	return 9e-9 * (double)ts_grid_cells(problem->grid) * 18.4 / (2 - ts_relaxation_best(problem));
+	return 6.5e-9 * (double)ts_grid_cells(problem->grid) * 18.4 / (2 - ts_relaxation_best(problem));
 }
 
 static const struct ts_arg args[] = {
