@@ -20,6 +20,12 @@ struct mark {
 	int64_t step;
 };
 
+/* A particle has passed this triangle. */
+struct passage {
+	int32_t triangle, tag;
+	size_t i;
+};
+
 struct state {
 	/* arguments */
 	const char *mesh, *file, *append, *property;
@@ -31,6 +37,8 @@ struct state {
 	struct ts_mesh_tree tree;
 	uint64_t moves; /* surface->moves when the tree was built */
 	struct ts_mesh_list list;
+	struct passage *passage; /* of this step */
+	size_t npassages, passage_capacity;
 	size_t column; /* of the marks of particles */
 	size_t summed, component; /* of the property */
 	struct ts_textfile out;
@@ -248,33 +256,41 @@ static bool is_outside(const struct state *s, const double x[3], const struct ts
 	return s->inside_out ? side < 0 : side > 0;
 }
 
-/* The particle is near a triangle: nearer than its radius and the skin of the neighbour list. Beside the mesh, at a rim, it may come to the inner side, but it does
- * not pass there. */
-static enum ts_status meet(struct state *s, struct tsim *sim, size_t i, double *mark,
-			    enum ts_mesh_part part, bool outside)
+/* The particle is near a triangle. Beside the mesh, at a rim, it may come to the inner side, but it does not pass
+ * there. */
+static bool meet(const struct state *s, double *mark, enum ts_mesh_part part, bool outside)
 {
 	bool inside_before = *mark > INSIDE - 0.5 && *mark < INSIDE + 0.5;
 
 	if (*mark > DONE - 0.5)
-		return TS_OK;
+		return false;
 	if (!outside) {
 		*mark = INSIDE;
-		return TS_OK;
+		return false;
 	}
 	if (part == TS_MESH_FACE) {
 		*mark = s->count == ONCE ? DONE : OUTSIDE;
-		return inside_before ? pass(s, sim, i) : TS_OK;
+		return inside_before;
 	}
 	if (*mark < INSIDE - 0.5)
 		*mark = OUTSIDE;
+	return false;
+}
+
+static enum ts_status note(struct state *s, struct tsim *sim, int32_t triangle, size_t i)
+{
+	if (TS_GROW(s->passage, s->passage_capacity, s->npassages + 1) != TS_OK)
+		return ts_nomem(&sim->error);
+	s->passage[s->npassages++] = (struct passage){ triangle, sim->particles->tag[i], i };
 	return TS_OK;
 }
 
+/* Near is what is not farther than the radius and half of the skin of the neighbour list. */
 static enum ts_status look(struct state *s, struct tsim *sim, size_t i)
 {
 	const struct ts_particles *p = sim->particles;
 	double *mark = mark_of(s, sim, i);
-	double reach = p->radius[i] + sim->neigh->built_skin;
+	double reach = p->radius[i] + 0.5 * sim->neigh->built_skin;
 
 	if (*mark > DONE - 0.5)
 		return TS_OK;
@@ -286,9 +302,20 @@ static enum ts_status look(struct state *s, struct tsim *sim, size_t i)
 			ts_mesh_nearest(&s->surface->mesh, (size_t)s->list.item[k], p->x[i], &at);
 
 		if (part != TS_MESH_NOTHING && at.distance <= reach)
-			TS_TRY(meet(s, sim, i, mark, part, is_outside(s, p->x[i], &at)));
+			if (meet(s, mark, part, is_outside(s, p->x[i], &at)))
+				TS_TRY(note(s, sim, s->list.item[k], i));
 	}
 	return TS_OK;
+}
+
+/* As LIGGGHTS lists them. */
+static int by_triangle(const void *a, const void *b)
+{
+	const struct passage *p = a, *q = b;
+
+	if (p->triangle != q->triangle)
+		return p->triangle < q->triangle ? -1 : 1;
+	return (p->tag > q->tag) - (p->tag < q->tag);
 }
 
 static int by_tag(const void *a, const void *b)
@@ -303,6 +330,7 @@ static enum ts_status post_integrate(struct ts_instance *self, struct tsim *sim)
 	struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
 
+	s->npassages = 0;
 	if (!s->tree.n || s->moves != s->surface->moves) {
 		ts_mesh_tree_release(&s->tree);
 		if (ts_mesh_tree_build(&s->tree, &s->surface->mesh) != TS_OK)
@@ -312,6 +340,10 @@ static enum ts_status post_integrate(struct ts_instance *self, struct tsim *sim)
 	for (size_t i = 0; i < p->n; i++)
 		if (ts_in_group(p, i, self->group))
 			TS_TRY(look(s, sim, i));
+	if (s->npassages)
+		qsort(s->passage, s->npassages, sizeof *s->passage, by_triangle);
+	for (size_t k = 0; k < s->npassages; k++)
+		TS_TRY(pass(s, sim, s->passage[k].i));
 	return TS_OK;
 }
 
@@ -391,6 +423,7 @@ static void fini(struct ts_instance *self)
 	ts_mesh_tree_release(&s->tree);
 	ts_textfile_close(&s->out);
 	ts_free(s->list.item);
+	ts_free(s->passage);
 	ts_free(s->doomed);
 }
 
@@ -447,7 +480,7 @@ const struct ts_style ts_fix_massflow_mesh = {
 	.summary = "Counts the particles that pass a mesh, with their mass",
 	.doc = "A particle of the group passes when it is before a face of the mesh with its centre on the outer\n"
 	       "side, having been on the inner side when it was near the mesh last. Near is what is not farther\n"
-	       "than the radius and the skin of the neighbour list. The mesh is no wall for it, unless a fix\n"
+	       "than the radius and half of the skin of the neighbour list. The mesh is no wall for it, unless a fix\n"
 	       "wall/gran makes it one. Who gets round the rim does not count. The outer side is where vec_side points to, or, for any\n"
 	       "mesh, where (x - p).(point_at_outlet - x) > 0 for a centre x and the nearest point p of the mesh.\n\n"
 	       "f_ID[1], f_ID[2]: mass and number that have passed; f_ID[3], f_ID[4]: the same per time, since\n"
