@@ -28,6 +28,7 @@ static enum ts_status check_numbers(struct ts_instance *self, struct tsim *sim)
 	const struct ts_drag_style *style = style_of(self);
 	const struct ts_flow_style *flow = ts_flow_style_of(s->flow);
 	const char *name = self->style->name;
+	size_t k = 0;
 
 	if (style->inertial && !(flow->density(s->flow) > 0))
 		return ts_fail(&sim->error, TS_STATE, &self->where,
@@ -37,7 +38,8 @@ static enum ts_status check_numbers(struct ts_instance *self, struct tsim *sim)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix %s needs a fluid with a viscosity: give flow_style %s one", name,
 			       s->flow->style->name);
-	if (style->crowded && isnan(s->fraction) && !(s->fluid && s->fluid->empty))
+	if (style->crowded && isnan(s->fraction) &&
+	    !(s->fluid && s->fluid->empty && ts_flow_part_named(sim, "void_fraction", &k)))
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix %s needs the void fraction: put a fix void_fraction before it (with "
 			       "flow_style projection), or give one with `void`",

@@ -28,4 +28,9 @@ enum ts_status ts_flow_require_fluid(struct tsim *sim, const char *who, const st
 /* Its numbers for thermo_style and formulas: flow_ke ... */
 extern const struct ts_system_style ts_flow_system;
 
+/* The same without an error: NULL. */
+struct ts_fluid *ts_flow_fluid(const struct tsim *sim);
+/* Fixes of a style that take part in the fluid's steps, from the k-th fix on: start with *k = 0, until NULL. */
+const struct ts_instance *ts_flow_part_named(const struct tsim *sim, const char *style, size_t *k);
+
 #endif

@@ -94,3 +94,20 @@ enum ts_status ts_flow_require_fluid(struct tsim *sim, const char *who, const st
 	*out = ts_flow_style_of(flow)->fluid(flow);
 	return TS_OK;
 }
+
+struct ts_fluid *ts_flow_fluid(const struct tsim *sim)
+{
+	const struct ts_instance *flow = ts_sim_only(sim, TS_KIND_FLOW);
+
+	return flow && ts_flow_style_of(flow)->fluid ? ts_flow_style_of(flow)->fluid(flow) : NULL;
+}
+
+const struct ts_instance *ts_flow_part_named(const struct tsim *sim, const char *style, size_t *k)
+{
+	const struct ts_instance *inst;
+
+	while ((inst = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, k)))
+		if (ts_streq(inst->style->name, style))
+			return inst;
+	return NULL;
+}

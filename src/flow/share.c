@@ -15,9 +15,9 @@ bool ts_fluid_place(const struct ts_fluid *fluid, const double x[3], double plac
 
 		place[d] = x[d];
 		if (grid->periodic[d] && !(x[d] >= lo && x[d] <= hi))
-			place[d] = fmin(x[d] - floor((x[d] - lo) / (hi - lo)) * (hi - lo), hi);
-		if (grid->ghosts[d] == 0)
-			place[d] = fmin(fmax(place[d], lo), hi);
+			place[d] -= floor((x[d] - lo) / (hi - lo)) * (hi - lo);
+		if (grid->periodic[d] || grid->ghosts[d] == 0)
+			place[d] = place[d] < lo ? lo : place[d] > hi ? hi : place[d];
 		cell[d] = ts_grid_find(grid, d, place[d]);
 		if (cell[d] < 0)
 			return false;

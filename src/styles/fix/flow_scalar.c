@@ -44,6 +44,7 @@ struct state {
 	size_t given_capacity;
 	double exchanged; /* in all, in the last step */
 	size_t size;	  /* of the fields */
+	struct tsim *sim; /* evaluation may fail */
 };
 
 /* ---- words */
@@ -182,6 +183,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_flow_require_fluid(sim, "fix flow/scalar", &self->where, &s->fluid));
 	s->part.carry = carry;
 	s->part.settle = settle;
+	s->sim = sim;
 	if (!s->read)
 		TS_TRY(read_words(self, sim));
 	TS_TRY(find_heat(self, sim));
@@ -317,14 +319,27 @@ static const struct ts_saved saved[] = {
 	TS_SAVED_ROWS_END,
 };
 
+/* The grid that the field is on. */
+static enum ts_status find_grid(const struct ts_instance *self, const struct ts_grid **grid)
+{
+	const struct state *s = self->state;
+	const struct ts_fluid *fluid = ts_flow_fluid(s->sim);
+
+	*grid = fluid ? &fluid->grid : NULL;
+	if (fluid && fluid->grid.size == s->size)
+		return TS_OK;
+	return ts_fail(&s->sim->error, TS_STATE, &self->where,
+		       "fix flow/scalar: the fluid is another one now, a run comes first");
+}
+
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct state *s = self->state;
-	const struct ts_grid *grid = &s->fluid->grid;
+	const struct ts_grid *grid;
 	struct ts_exactsum sum = ts_exactsum_start();
 	double least = INFINITY, most = -INFINITY;
 
-	(void)sim;
+	TS_TRY(find_grid(self, &grid));
 	for (int k = 0; k < grid->n[2]; k++)
 		for (int j = 0; j < grid->n[1]; j++)
 			for (int i = 0; i < grid->n[0]; i++) {
@@ -336,7 +351,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 				least = fmin(least, value);
 				most = fmax(most, value);
 			}
-	out->data[0] = ts_exactsum_value(&sum) * s->fluid->density * s->capacity;
+	out->data[0] = ts_exactsum_value(&sum) * ts_flow_fluid(sim)->density * s->capacity;
 	out->data[1] = s->exchanged;
 	out->data[2] = least;
 	out->data[3] = most;
@@ -346,11 +361,13 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 static enum ts_status eval_cells(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct state *s = self->state;
-	const struct ts_grid *grid = &s->fluid->grid;
+	const struct ts_grid *grid;
 	double *row;
 
+	(void)sim;
+	TS_TRY(find_grid(self, &grid));
 	if (ts_table_resize(out, ts_grid_cells(grid), 4) != TS_OK)
-		return ts_nomem((struct ts_error *)&sim->error);
+		return ts_nomem(&s->sim->error);
 	row = out->data;
 	for (int k = 0; k < grid->n[2]; k++)
 		for (int j = 0; j < grid->n[1]; j++)

@@ -24,6 +24,9 @@ struct state {
 	struct ts_cell_order order;
 	bool warned;
 	double found; /* the least of a cell, before it is limited */
+	double (*seen)[4]; /* places and radii that the field was made of */
+	size_t nseen, seen_capacity;
+	struct tsim *sim; /* evaluation may fail */
 };
 
 static struct ts_spread_how how_of(const struct state *s, const struct tsim *sim)
@@ -100,7 +103,28 @@ static void limit(struct ts_instance *self, struct tsim *sim)
 	}
 }
 
-static enum ts_status pre_force(struct ts_instance *self, struct tsim *sim)
+/* Whether the particles are not those, where they were, of which the field was made: a bed that is held costs
+ * nothing. */
+static enum ts_status look(struct ts_instance *self, struct tsim *sim, bool *moved)
+{
+	struct state *s = self->state;
+	const struct ts_particles *p = sim->particles;
+
+	if (TS_GROW(s->seen, s->seen_capacity, p->n) != TS_OK)
+		return ts_nomem(&sim->error);
+	*moved = s->nseen != p->n;
+	s->nseen = p->n;
+	for (size_t i = 0; i < p->n; i++) {
+		const double now[4] = { p->x[i][0], p->x[i][1], p->x[i][2],
+					ts_in_group(p, i, self->group) ? p->radius[i] : -1 };
+
+		*moved = *moved || memcmp(now, s->seen[i], sizeof now) != 0;
+		memcpy(s->seen[i], now, sizeof now);
+	}
+	return TS_OK;
+}
+
+static enum ts_status make_field(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	struct context context = { s, sim };
@@ -115,13 +139,23 @@ static enum ts_status pre_force(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+static enum ts_status pre_force(struct ts_instance *self, struct tsim *sim)
+{
+	bool moved = true;
+
+	TS_TRY(look(self, sim, &moved));
+	return moved ? make_field(self, sim) : TS_OK;
+}
+
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 
 	TS_TRY(ts_flow_require_fluid(sim, "fix void_fraction", &self->where, &s->fluid));
 	TS_TRY(ts_fluid_want(s->fluid, sim, TS_FLUID_VOID));
-	return pre_force(self, sim);
+	s->sim = sim;
+	s->nseen = 0;
+	return make_field(self, sim);
 }
 
 static const struct ts_saved saved[] = {
@@ -134,17 +168,22 @@ static const struct ts_saved saved[] = {
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct state *s = self->state;
-	const struct ts_grid *grid = &s->fluid->grid;
+	const struct ts_fluid *fluid = ts_flow_fluid(sim);
+	const struct ts_grid *grid;
 	struct ts_exactsum empty = ts_exactsum_start(), all = ts_exactsum_start();
 
-	(void)sim;
+	if (!fluid || !fluid->empty)
+		return ts_fail(&s->sim->error, TS_STATE, &self->where,
+			       "fix void_fraction: the fluid is another one now, which has no void fraction before "
+			       "a run");
+	grid = &fluid->grid;
 	for (int k = 0; k < grid->n[2]; k++)
 		for (int j = 0; j < grid->n[1]; j++)
 			for (int i = 0; i < grid->n[0]; i++) {
 				double volume = ts_grid_volume(grid, i, j, k);
 
 				ts_exactsum_add(&all, volume);
-				ts_exactsum_add(&empty, s->fluid->empty[ts_at(grid, i, j, k)] * volume);
+				ts_exactsum_add(&empty, fluid->empty[ts_at(grid, i, j, k)] * volume);
 			}
 	out->data[0] = ts_exactsum_value(&empty) / ts_exactsum_value(&all);
 	out->data[1] = s->found;
@@ -171,7 +210,10 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 
 static void fini(struct ts_instance *self)
 {
-	ts_cell_order_release(&((struct state *)self->state)->order);
+	struct state *s = self->state;
+
+	ts_cell_order_release(&s->order);
+	ts_free(s->seen);
 }
 
 static const struct ts_arg args[] = {
