@@ -11,6 +11,7 @@ shell_tests = \
 	tests/crosscheck/heat.sh \
 	tests/crosscheck/insertion.sh \
 	tests/crosscheck/lammps.sh \
+	tests/crosscheck/lammps_examples.sh \
 	tests/crosscheck/lammps_granular.sh \
 	tests/crosscheck/lammps_regions.sh \
 	tests/crosscheck/lammps_walls.sh \

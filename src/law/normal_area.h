@@ -13,6 +13,8 @@
  * velocity f = 1; mass_velocity f = m; viscoelastic f = a m (N. V. Brilliantov et al., Phys. Rev. E 53 (1996) 5382);
  * tsuji   f = sqrt(m k_a), gamma_0 a polynomial of the restitution
  *         (Y. Tsuji, T. Tanaka, T. Ishida, Powder Technol. 71 (1992) 239)
+ * coeff_restitution  the same f, gamma_0 = 2 beta of hooke, sqrt(5) beta of hertz, beta = -ln e/sqrt(ln^2 e + pi^2): the
+ *         restitution is e (D. Antypov, J. A. Elliott, EPL 94 (2011) 50004)
  *
  * k_t as given, or times a for the laws of Mindlin. Friction of surfaces that stick is limited by F_e + 2 F_p, F_p the
  * force that parts them, 4 pi w R and 3 pi w R (C. Thornton, J. Phys. D 24 (1991) 1942). */
@@ -92,6 +94,7 @@ static inline double ts_damping_factor(const struct ts_granular_model *m, const 
 	case TS_DAMPING_VISCOELASTIC:
 		return f->area * t->m_eff;
 	case TS_DAMPING_TSUJI:
+	case TS_DAMPING_RESTITUTION:
 		return sqrt(t->m_eff * f->kn);
 	default:
 		return 1;

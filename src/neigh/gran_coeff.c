@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "core/arg.h"
+#include "law/lens.h"
 
 #include "base/banned.h"
 
@@ -14,7 +15,7 @@ enum { HOOKE, HERTZ, MATERIAL, DMT, JKR };
 		.range = range_, .help = help_)
 #define PREFACTOR                                                                                  \
 	NUMBER("d", prefactor, "", TS_NOT_NEGATIVE,                                                \
-	       "of the dashpot, see `damping`; with tsuji the restitution")
+	       "of the dashpot, see `damping`; with tsuji and coeff_restitution the restitution")
 #define ELASTIC                                                                                    \
 	NUMBER("E", stiffness, "pressure", TS_POSITIVE, "Young's modulus"), PREFACTOR,             \
 		TS_REAL("nu", struct ts_gran_coeff, poisson, .flags = TS_POSITIONAL, .unit = "",   \
@@ -42,7 +43,8 @@ static const struct ts_mode normals[] = {
 	[JKR] = { "jkr", "surfaces that stick, and pull beyond their touch", surface_rows },
 	{ .name = NULL },
 };
-static const char *const dampings[] = { "velocity", "mass_velocity", "viscoelastic", "tsuji", NULL };
+static const char *const dampings[] = { "velocity", "mass_velocity",	   "viscoelastic",
+					"tsuji",    "coeff_restitution", NULL };
 
 const struct ts_arg ts_gran_coeff_rows[] = {
 	TS_MODE("normal", struct ts_gran_coeff, normal, normals, .help = "normal law"),
@@ -55,6 +57,8 @@ const struct ts_arg ts_gran_coeff_rows[] = {
 			.help = "none | sds k gamma mu: friction of rolling"),
 	TS_SOME_KEYWORD("twisting", struct ts_gran_coeff, twisting, 0,
 			.help = "none | sds k gamma mu | marshall: friction of twisting"),
+	TS_SOME_KEYWORD("heat", struct ts_gran_coeff, heat, 0,
+			.help = "none: see fix heat/gran for conduction"),
 	TS_FLAG("limit_damping", struct ts_gran_coeff, limit_damping,
 		.help = "the normal force never pulls"),
 	TS_REAL("cutoff", struct ts_gran_coeff, cutoff, .flags = TS_OPTIONAL, .unit = "length",
@@ -178,6 +182,18 @@ static double tsuji(double e)
 	return sum;
 }
 
+/* gamma_0. */
+static double prefactor(const struct ts_gran_coeff *c)
+{
+	double l = log(c->prefactor);
+
+	if (c->damping == TS_DAMPING_TSUJI)
+		return tsuji(c->prefactor);
+	if (c->damping == TS_DAMPING_RESTITUTION)
+		return (c->normal == HOOKE ? 2 : sqrt(5)) * -l / sqrt(l * l + TS_PI * TS_PI);
+	return c->prefactor;
+}
+
 static void set_normal(struct ts_gran_coeff *c)
 {
 	static const int laws[] = { TS_NORMAL_AREA_HOOKE, TS_NORMAL_AREA_HERTZ,
@@ -190,7 +206,7 @@ static void set_normal(struct ts_gran_coeff *c)
 					       .no_tension = c->limit_damping };
 	c->law = (struct ts_granular_pair){
 		.kn = of_material(c) ? 4.0 / 3 * young(c, c) : c->stiffness,
-		.gamman = c->damping == TS_DAMPING_TSUJI ? tsuji(c->prefactor) : c->prefactor,
+		.gamman = prefactor(c),
 		.surface_energy = c->normal >= DMT ? c->surface_energy : 0,
 	};
 }
@@ -236,14 +252,34 @@ static enum ts_status set_turning(struct tsim *sim, struct ts_gran_coeff *c,
 	return TS_OK;
 }
 
+static enum ts_status refuse(struct tsim *sim, const struct ts_gran_coeff *c,
+			     const struct ts_place *where)
+{
+	bool restitution = c->damping == TS_DAMPING_RESTITUTION;
+
+	if ((c->limit_damping || restitution) && c->normal >= DMT)
+		return ts_fail(&sim->error, TS_SYNTAX, where,
+			       "granular: %s does not go with %s, which pulls",
+			       restitution ? "damping coeff_restitution" : "limit_damping",
+			       normals[c->normal].name);
+	if (restitution && !(c->prefactor > 0 && c->prefactor <= 1))
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "granular: the coefficient of restitution is %g, expected a number > 0 "
+			       "and <= 1",
+			       c->prefactor);
+	if (c->heat.n && !(c->heat.n == 1 && ts_streq(c->heat.word[0].text, "none")))
+		return ts_fail(&sim->error, TS_STATE, &c->heat.word[0].place,
+			       "granular: heat %s is known, but not built: fix heat/gran conducts heat "
+			       "through contacts",
+			       c->heat.word[0].text);
+	return TS_OK;
+}
+
 enum ts_status ts_gran_coeff_complete(struct tsim *sim, void *coeff, const struct ts_place *where)
 {
 	struct ts_gran_coeff *c = coeff;
 
-	if (c->limit_damping && c->normal >= DMT)
-		return ts_fail(&sim->error, TS_SYNTAX, where,
-			       "granular: limit_damping does not go with %s, which pulls",
-			       normals[c->normal].name);
+	TS_TRY(refuse(sim, c, where));
 	set_normal(c);
 	TS_TRY(set_tangential(sim, c, where));
 	TS_TRY(set_turning(sim, c, where));

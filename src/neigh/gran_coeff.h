@@ -14,7 +14,7 @@ struct ts_gran_coeff {
 	int normal, damping;
 	double stiffness, prefactor, poisson, surface_energy, cutoff;
 	bool limit_damping;
-	struct ts_words tangential, rolling, twisting;
+	struct ts_words tangential, rolling, twisting, heat;
 	bool stiffness_follows; /* k_t NULL: from the material */
 };
 extern const struct ts_arg ts_gran_coeff_rows[];
@@ -40,7 +40,8 @@ void ts_gran_coeff_legacy_wall(struct ts_gran_coeff *c);
 	"`damping velocity`: gamma_n = d; `mass_velocity`: d m; `viscoelastic` (the default): d a m; `tsuji`: d is a "  \
 	"coefficient of restitution e, gamma_n = (1.2728 - 4.2783 e + 11.087 e^2 - 22.348 e^3 + 27.467 e^4 - 18.022 "   \
 	"e^5 + 4.8218 e^6) sqrt(m k_a), k_a = k for hooke and k a else (equal spheres rebound with more: the "  \
-	"polynomial is for the mass of one of them). `limit_damping`: F_n >= 0.\n\n"            \
+	"polynomial is for the mass of one of them). `coeff_restitution` (of newer LAMMPS): the same with 2 beta of hooke or "  \
+	"sqrt(5) beta, beta = -ln e/sqrt(ln^2 e + pi^2): they rebound with e. `limit_damping`: F_n >= 0.\n\n"            \
 	"`tangential linear_nohistory x mu`: F_t = -min(x gamma_n, mu F_0/|v_t|) v_t, v_t the slip. `linear_history k_t "  \
 	"x mu`: a spring k_t along the slip since the first touch, which turns with the contact, and the dashpot x "  \
 	"gamma_n; |F_t| <= mu F_0, beyond which the spring is shortened. `mindlin`: the spring k_t a; k_t NULL is 8 G, "  \

@@ -34,6 +34,7 @@ enum ts_status ts_wall_init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_heat_read_area(sim, "fix wall/gran", w->area_words, &w->area));
 	if (w->store_force)
 		TS_TRY(add_column(self, sim));
+	w->contacts.want_reports |= w->list_contacts;
 	w->own_model = w->given || w->words.normal != TS_NORMAL_OFF;
 	if (!w->own_model)
 		return TS_OK;
@@ -349,6 +350,40 @@ enum ts_status ts_wall_eval_force(struct ts_instance *self, const struct tsim *s
 }
 
 const char *const ts_wall_force_names[] = { "fx", "fy", "fz" };
+
+enum ts_status ts_wall_eval_contacts(struct ts_instance *self, const struct tsim *sim,
+				     struct ts_table *out)
+{
+	const struct ts_wall *w = self->state;
+	const struct ts_particles *p = sim->particles;
+
+	TS_TRY(ts_table_resize(out, p->n, TS_WALL_CONTACT_COLUMNS));
+	if (p->n)
+		memset(out->data, 0, p->n * TS_WALL_CONTACT_COLUMNS * sizeof *out->data);
+	for (size_t k = 0; k < w->contacts.n; k++) {
+		const struct ts_wall_report *r = ts_wall_report(&w->contacts, k);
+		size_t i = (size_t)w->contacts.row[k];
+		double *to = out->data + i * TS_WALL_CONTACT_COLUMNS;
+
+		if (!r || i >= p->n)
+			continue;
+		to[0] = 1;
+		for (int d = 0; d < 3; d++) {
+			to[1 + d] = r->force[d];
+			to[4 + d] = r->point[d];
+		}
+		to[7] = p->radius[i];
+	}
+	return TS_OK;
+}
+
+bool ts_wall_gives(const struct ts_instance *self, const struct ts_value *value)
+{
+	return value->eval != ts_wall_eval_contacts ||
+	       ((const struct ts_wall *)self->state)->list_contacts;
+}
+
+const char *const ts_wall_contact_names[] = { "touches", "fx", "fy", "fz", "x", "y", "z", "radius" };
 
 struct ts_wall *ts_walls_next(const struct tsim *sim, size_t *k, const struct ts_instance **by)
 {

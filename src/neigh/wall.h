@@ -26,6 +26,7 @@ struct ts_wall {
 	int meshes;	 /* how many it is made of; 0: it is a plane or the like. Set in init */
 	struct ts_words area_words;
 	bool store_force, store_contacts[2];
+	bool list_contacts; /* of each particle, as an output */
 	size_t stored; /* column of the force on each particle, with store_force */
 
 	bool own_model;
@@ -47,6 +48,9 @@ struct ts_wall {
 	TS_HEAT_AREA_ARG(T, f.area_words),                                                         \
 		TS_BOOL("store_force", T, f.store_force, .fallback = "no",                         \
 			.help = "the force on each particle, f_force_ID[1] ... [3]"),              \
+		TS_FLAG("contacts", T, f.list_contacts,                                            \
+			.help = "the contact of each particle with the wall, f_ID[1] ... [8]: "    \
+				"touches, force, point, radius"),                                  \
 		TS_BOOL("store_force_contact", T, f.store_contacts[0], .fallback = "no",           \
 			.help = "no effect: LIGGGHTS keeps with it what its scripts cannot read; " \
 				"compute wall/gran/local gives the force at each contact"),        \
@@ -124,7 +128,20 @@ void ts_wall_fini(struct ts_instance *self);
 
 enum ts_status ts_wall_eval_force(struct ts_instance *self, const struct tsim *sim,
 				  struct ts_table *out);
-extern const char *const ts_wall_force_names[];
+enum ts_status ts_wall_eval_contacts(struct ts_instance *self, const struct tsim *sim,
+				     struct ts_table *out);
+/* For the slot of the styles: no contacts without the word. */
+bool ts_wall_gives(const struct ts_instance *self, const struct ts_value *value);
+extern const char *const ts_wall_force_names[], *const ts_wall_contact_names[];
+enum { TS_WALL_CONTACT_COLUMNS = 8 };
+#define TS_WALL_CONTACTS_VALUE                                                                     \
+	{                                                                                          \
+		"contacts", "",                                                                    \
+			"1 where a particle touches the wall, the force on it, the point of the "  \
+			"wall, its radius (0 where it does not; of several contacts the last)",    \
+			TS_PERATOM, TS_WALL_CONTACT_COLUMNS, ts_wall_contact_names,                \
+			ts_wall_eval_contacts                                                      \
+	}
 #define TS_WALL_FORCE_VALUE                                                                        \
 	{                                                                                          \
 		"force", "force", "total force on the wall", TS_VECTOR, 3, ts_wall_force_names,    \

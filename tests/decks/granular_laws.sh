@@ -26,6 +26,12 @@ variable a equal 1.2728-4.2783*0.61+11.087*0.61^2-22.348*0.61^3+27.467*0.61^4-18
 variable e equal exp(-PI/sqrt(5/v_a^2-1))
 print \"is e \$(abs((vx[2]-vx[1])/v_e-1)<1e-3) 1\""
 
+for law in 'hooke 1e6 0.61' 'hertz 1e8 0.61' 'hertz/material 1e8 0.61 0.3'; do
+	agree "restitution: $law" "$(pair "* * $law $smooth damping coeff_restitution heat none")
+run 12000
+print \"is e \$(abs((vx[2]-vx[1])/0.61-1)<2e-3) 1\""
+done
+
 # F = -k delta - d m v, a damped oscillator: e = exp(-pi d/2/sqrt(k/m - d^2/4))
 agree 'restitution of a spring with a dashpot' "$(pair "* * hooke 1e6 100 $smooth damping mass_velocity")
 variable m equal mass(all)/4
@@ -89,6 +95,9 @@ rejects "$(pair '* * hook 1e5 1 tangential linear_nohistory 1 0.5')" "did you me
 rejects "$(pair '* * hooke 1e5 1 tangential linear 1 0.5')" "tangential is 'linear'"
 rejects "$(pair '* * hooke 1e5 1 tangential linear_history 1 0.5')" 'mu is missing'
 rejects "$(pair "* * jkr 1e5 1 0.3 1 $smooth limit_damping")" 'does not go with jkr, which pulls'
+rejects "$(pair "* * dmt 1e5 1 0.3 1 $smooth damping coeff_restitution")" 'does not go with dmt, which pulls'
+rejects "$(pair "* * hooke 1e5 1.2 $smooth damping coeff_restitution")" 'the coefficient of restitution is 1.2'
+rejects "$(pair "* * hooke 1e5 1 $smooth heat area 1")" 'heat area is known, but not built'
 rejects "$(pair "* * hooke 1e5 1 $smooth twisting marshall")" 'linear_nohistory has none'
 rejects "$(pair "1 1 hooke 1e5 1 $smooth" "2 2 hertz 1e5 1 $smooth")
 run 1" 'types 1 and 2 have different laws, which cannot be mixed'

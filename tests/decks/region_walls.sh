@@ -50,6 +50,20 @@ run 0
 variable r equal 0.1/(1+0.1*($kappa))
 print \"is f \$(fx[1]) \$($sign*1e7*sqrt(v_r*0.01)*0.01)\""
 done
+# the list of contacts, as LAMMPS has it
+agree 'contacts' "$(at 0.91 0.2 'region w block -1 1 -1 1 -1 1 units box' "$hooke contacts")
+compute m all reduce sum f_w[1] f_w[2] f_w[5] f_w[7] f_w[8]
+thermo_style custom step c_m[1]
+run 0
+print \"is one \$(c_m[1]) 1\"
+print \"is fx \$(c_m[2]) \$(-1e5*0.01)\"
+print \"is x \$(c_m[3]) 1\"
+print \"is z \$(c_m[4]) 0.2\"
+print \"is r \$(c_m[5]) 0.1\""
+rejects "$(at 0.91 0.2 'region w block -1 1 -1 1 -1 1 units box' "$hooke")
+compute m all reduce sum f_w[1]
+run 0" 'f_w'
+
 # faces of one member inside of another are none
 for x in 0.11 -0.5; do
 	agree "union at $x" "$(at $x 0.09 'region a block -1 0.2 -1 1 0 1 units box' \

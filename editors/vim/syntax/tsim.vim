@@ -120,12 +120,13 @@ syn keyword tsimKeyword  heating_tangential_history computeElasticPotential
 syn keyword tsimKeyword  computeDissipatedEnergy disableNormalWhenBonded hooke/history
 syn keyword tsimKeyword  hertz/history granular limit_damping primitive n_meshes meshes
 syn keyword tsimKeyword  xplane yplane zplane xcylinder ycylinder zcylinder shear
-syn keyword tsimKeyword  store_force store_force_contact store_force_contact_stress
-syn keyword tsimKeyword  contacts viscosity ab2 rk2 rk3 backward substeps courant quick
-syn keyword tsimKeyword  cubista gamma form fv fd quadratic body_force generic
-syn keyword tsimKeyword  hertz/material dmt jkr mass_velocity viscoelastic tsuji rolling
-syn keyword tsimKeyword  twisting restitution tolerance unfinished preconditioner diagonal
-syn keyword tsimKeyword  direct multigrid relaxation side in out open center bounds angle0
+syn keyword tsimKeyword  store_force contacts store_force_contact
+syn keyword tsimKeyword  store_force_contact_stress viscosity ab2 rk2 rk3 backward substeps
+syn keyword tsimKeyword  courant quick cubista gamma form fv fd quadratic body_force
+syn keyword tsimKeyword  generic hertz/material dmt jkr mass_velocity viscoelastic tsuji
+syn keyword tsimKeyword  coeff_restitution rolling twisting heat restitution tolerance
+syn keyword tsimKeyword  unfinished preconditioner diagonal direct multigrid relaxation
+syn keyword tsimKeyword  side in out open center bounds angle0
 
 " numbers of the simulation and of particles
 syn keyword tsimName  id type radius diameter

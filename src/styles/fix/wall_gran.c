@@ -10,7 +10,7 @@
 
 struct wall {
 	struct ts_wall wall;
-	bool primitive_word, mesh_word, contacts_word;
+	bool primitive_word, mesh_word;
 	int64_t type, nmeshes;
 	struct ts_words meshes;
 	struct ts_wall_law law;
@@ -169,13 +169,12 @@ static const struct ts_arg args[] = {
 			.help = "mesh: IDs of their fixes; each has the material of its own type"),
 	TS_PRIMITIVE_WALL_ARGS(struct wall, primitive),
 	TS_WALL_ARGS(struct wall, wall),
-	TS_FLAG("contacts", struct wall, contacts_word,
-		.help = "no effect; see compute wall/gran/local"),
 	TS_ARGS_END,
 };
 
 static const struct ts_value values[] = {
 	TS_WALL_FORCE_VALUE,
+	TS_WALL_CONTACTS_VALUE,
 	{ .name = NULL },
 };
 
@@ -229,6 +228,7 @@ const struct ts_style ts_fix_wall_gran = {
 	.state_size = sizeof(struct wall),
 	.archive = archive,
 	.values = values,
+	.gives = ts_wall_gives,
 	.init = init,
 	.saved = saved,
 	.hook = { [TS_STAGE_CHECK] = check,

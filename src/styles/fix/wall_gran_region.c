@@ -10,7 +10,6 @@ struct wall {
 	struct ts_wall_law law;
 	struct ts_region_wall region;
 	int64_t type;
-	bool contacts_word;
 };
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -63,13 +62,12 @@ static const struct ts_arg args[] = {
 	       .help = "with `model` or the law of the pair style: particle type whose material the "
 		       "wall has"),
 	TS_WALL_ARGS(struct wall, wall),
-	TS_FLAG("contacts", struct wall, contacts_word,
-		.help = "no effect; see compute wall/gran/local"),
 	TS_ARGS_END,
 };
 
 static const struct ts_value values[] = {
 	TS_WALL_FORCE_VALUE,
+	TS_WALL_CONTACTS_VALUE,
 	{ .name = NULL },
 };
 
@@ -114,6 +112,7 @@ const struct ts_style ts_fix_wall_gran_region = {
 	.state_size = sizeof(struct wall),
 	.archive = archive,
 	.values = values,
+	.gives = ts_wall_gives,
 	.init = init,
 	.saved = saved,
 	.hook = { [TS_STAGE_POST_BUILD] = post_build, [TS_STAGE_POST_FORCE] = post_force },
