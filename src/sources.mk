@@ -652,6 +652,7 @@ library_sources = \
 	src/styles/fix/ave_euler.c \
 	src/styles/fix/ave_histo.c \
 	src/styles/fix/ave_histo_weight.c \
+	src/styles/fix/ave_period.c \
 	src/styles/fix/ave_spatial.c \
 	src/styles/fix/ave_time.c \
 	src/styles/fix/aveforce.c \

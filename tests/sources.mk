@@ -38,6 +38,7 @@ shell_tests = \
 	tests/crosscheck/words_lammps.sh \
 	tests/crosscheck_mode.sh \
 	tests/data_files.sh \
+	tests/decks/ave_period.sh \
 	tests/decks/averages.sh \
 	tests/decks/box.sh \
 	tests/decks/buoyancy.sh \
@@ -91,6 +92,7 @@ shell_tests = \
 	tests/drilling.sh \
 	tests/dry_run.sh \
 	tests/extremes.sh \
+	tests/flow_bodies.sh \
 	tests/flow_cases.sh \
 	tests/flow_restart.sh \
 	tests/full_disk.sh \

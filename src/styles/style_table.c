@@ -178,6 +178,7 @@ TS_STYLE(fix, ts_style, ts_fix_ave_correlate)
 TS_STYLE(fix, ts_style, ts_fix_ave_euler)
 TS_STYLE(fix, ts_style, ts_fix_ave_histo)
 TS_STYLE(fix, ts_style, ts_fix_ave_histo_weight)
+TS_STYLE(fix, ts_style, ts_fix_ave_period)
 TS_STYLE(fix, ts_style, ts_fix_ave_spatial)
 TS_STYLE(fix, ts_style, ts_fix_ave_time)
 TS_STYLE(fix, ts_style, ts_fix_aveforce)
@@ -448,6 +449,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_ave_euler,
 	&ts_fix_ave_histo,
 	&ts_fix_ave_histo_weight,
+	&ts_fix_ave_period,
 	&ts_fix_ave_spatial,
 	&ts_fix_ave_time,
 	&ts_fix_aveforce,

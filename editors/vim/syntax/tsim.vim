@@ -43,8 +43,8 @@ syn keyword tsimKeyword  none zlib lz4 flush pbc binary fileper nfile screen
 syn match tsimKeyword /\<log\>/ 
 syn keyword tsimKeyword  both xlo xhi ylo yhi zlo zhi periodic wall slip inlet outlet
 syn match tsimKeyword /\<velocity\>/ 
-syn keyword tsimKeyword  uniform geometric fine lo hi tanh faces type union subtract
-syn keyword tsimKeyword  intersect empty initialize
+syn keyword tsimKeyword  uniform geometric fine lo hi tanh around before inside faces type
+syn keyword tsimKeyword  union subtract intersect empty initialize
 syn match tsimKeyword /\<clear\>/ 
 syn keyword tsimKeyword  delete dynamic static
 syn match tsimKeyword /\<include\>/ 
@@ -77,7 +77,7 @@ syn keyword tsimKeyword  update_on_run_end adof cdof primitives reset coefficien
 syn keyword tsimKeyword  fluid_acceleration two_way energy sample running window overwrite
 syn keyword tsimKeyword  title1 title2 title3 auto upper lower auto/upper auto/lower full
 syn keyword tsimKeyword  prefactor nevery cell_size_relative parallel basevolume_region
-syn keyword tsimKeyword  scalar kind global beyond end extra dim level vmax
+syn keyword tsimKeyword  scalar kind global beyond end extra level dim vmax
 syn match tsimKeyword /\<legacy\>/ 
 syn keyword tsimKeyword  final delta erate trate volume wiggle xy xz yz v flip axes xyz
 syn keyword tsimKeyword  scheme explicit exact implicit cell void C1 C2 wob spring body
@@ -150,7 +150,8 @@ syn match tsimCommand /^\s*\%(atom_modify\|atom_style\|balance\|bond_coeff\|bond
 " styles, behind their command, name and group
 syn match tsimHead /^\s*fix\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_fix
 syn keyword tsim_fix contained adapt added_mass addforce ave/atom ave/chunk ave/correlate
-syn keyword tsim_fix contained ave/euler ave/histo ave/histo/weight ave/spatial ave/time aveforce
+syn keyword tsim_fix contained ave/euler ave/histo ave/histo/weight ave/period ave/spatial
+syn keyword tsim_fix contained ave/time aveforce
 syn match tsim_fix /\<balance\>/ contained
 syn keyword tsim_fix contained bond/breakage buoyancy check/timestep/gran controller deform drag
 syn keyword tsim_fix contained drag/beetstra drag/di_felice drag/ergun drag/gidaspow

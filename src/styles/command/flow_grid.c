@@ -8,13 +8,14 @@
 
 #include "base/banned.h"
 
-enum { UNIFORM, GEOMETRIC, TANH, FACES };
+enum { UNIFORM, GEOMETRIC, TANH, AROUND, FACES };
 enum { FINE_LOW, FINE_HIGH, FINE_BOTH };
 static const char *const fine_names[] = { "lo", "hi", "both", NULL };
 
 struct state {
 	int axis, mode, fine;
-	double ratio, strength;
+	double ratio, strength, lo, hi;
+	int64_t before, inside;
 	struct ts_words faces;
 };
 
@@ -70,6 +71,62 @@ static void make_tanh(const struct state *s, double *face, int n)
 	face[n] = 1;
 }
 
+/* The factor q for which h (q + q^2 + ... + q^n) = length, by bisection; NaN where there is none. */
+static double growth(double h, int64_t n, double length)
+{
+	double lo = 0.2, hi = 5;
+
+	if (n == 0)
+		return fabs(length) <= 1e-9 * h ? 1 : NAN;
+	for (int k = 0; k < 100; k++) {
+		double q = 0.5 * (lo + hi), width = h, sum = 0;
+
+		for (int64_t i = 0; i < n && sum <= length; i++)
+			sum += width *= q;
+		*(sum < length ? &lo : &hi) = q;
+	}
+	return lo > 0.21 && hi < 4.9 ? 0.5 * (lo + hi) : NAN;
+}
+
+/* `n` faces from face[0] on, steps of `way` (1 or -1) in memory and in space, the first wider than h by q. */
+static void grow(double *face, int64_t n, int way, double h, double q)
+{
+	for (int64_t i = 1; i <= n; i++)
+		face[way * i] = face[way * (i - 1)] + way * (h *= q);
+}
+
+/* Even cells from lo to hi; on both sides each wider than the one before it by the factor that fills the rest. */
+static enum ts_status make_around(struct tsim *sim, const struct state *s, const struct ts_grid *grid,
+				  double *face, const struct ts_place *where)
+{
+	int d = s->axis, n = grid->n[d];
+	double origin = grid->face[d][0], length = grid->face[d][n] - origin;
+	double lo = (s->lo - origin) / length, hi = (s->hi - origin) / length;
+	double h = (hi - lo) / (double)s->inside, below, above;
+	int64_t after = n - s->before - s->inside;
+
+	if (!(lo >= 0 && hi <= 1 && hi > lo) || after < 0)
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "flow_grid: %g to %g with %lld cells before and %lld inside do not fit into the "
+			       "%d cells from %g to %g",
+			       s->lo, s->hi, (long long)s->before, (long long)s->inside, n, origin,
+			       origin + length);
+	below = growth(h, s->before, lo);
+	above = growth(h, after, 1 - hi);
+	if (isnan(below) || isnan(above))
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "flow_grid: the %lld cells %s %g cannot fill the rest of the axis",
+			       (long long)(isnan(below) ? s->before : after),
+			       isnan(below) ? "before" : "after", isnan(below) ? s->lo : s->hi);
+	for (int64_t i = 0; i <= s->inside; i++)
+		face[s->before + i] = lo + (double)i * h;
+	grow(face + s->before, s->before, -1, h, below);
+	grow(face + s->before + s->inside, after, 1, h, above);
+	face[0] = 0;
+	face[n] = 1;
+	return TS_OK;
+}
+
 static enum ts_status read_faces(struct tsim *sim, const struct state *s, const struct ts_grid *grid,
 				 double *face, const struct ts_place *where)
 {
@@ -108,6 +165,8 @@ static enum ts_status make(struct tsim *sim, const struct state *s, const struct
 
 	if (s->mode == GEOMETRIC)
 		return make_geometric(sim, s, face, n, where);
+	if (s->mode == AROUND)
+		return make_around(sim, s, grid, face, where);
 	if (s->mode == TANH)
 		make_tanh(s, face, n);
 	return s->mode == FACES ? read_faces(sim, s, grid, face, where) : TS_OK;
@@ -154,6 +213,18 @@ static const struct ts_arg tanh_args[] = {
 	TS_ARGS_END,
 };
 
+static const struct ts_arg around_args[] = {
+	TS_REAL("lo", struct state, lo, .flags = TS_POSITIONAL, .unit = "length",
+		.help = "where the even cells begin"),
+	TS_REAL("hi", struct state, hi, .flags = TS_POSITIONAL, .unit = "length",
+		.help = "and end"),
+	TS_INT("before", struct state, before, .range = TS_NOT_NEGATIVE,
+	       .help = "number of cells before lo"),
+	TS_INT("inside", struct state, inside, .range = TS_POSITIVE,
+	       .help = "number of even cells; the others come after hi"),
+	TS_ARGS_END,
+};
+
 static const struct ts_arg faces_args[] = {
 	TS_REST("faces", struct state, faces, .help = "coordinates of all faces, one more than cells"),
 	TS_ARGS_END,
@@ -164,6 +235,9 @@ static const struct ts_mode modes[] = {
 	[GEOMETRIC] = { "geometric", "each cell wider than the one before by the same factor",
 			geometric_args },
 	[TANH] = { "tanh", "fine at both ends, smooth", tanh_args },
+	[AROUND] = { "around",
+		     "even between two places, as around a body; growing by a constant factor on both sides",
+		     around_args },
 	[FACES] = { "faces", "as listed", faces_args },
 	{ .name = NULL },
 };
@@ -184,6 +258,7 @@ const struct ts_command_style ts_command_flow_grid = {
 			  "Schemes are of second order where widths change smoothly: by a few per cent from cell "
 			  "to cell.",
 		   .example = "flow_grid y tanh 1.7\nflow_grid x geometric 4.0 fine hi\n"
+			      "flow_grid x around -1 2 before 40 inside 90\n"
 			      "flow_grid z faces 0 0.1 0.25 0.5 1.0",
 		   .args = args,
 		   .state_size = sizeof(struct state) },
