@@ -23,9 +23,12 @@ slopes() {
 	       key = $1; h = $2; error = $3 }' "$1"
 }
 
+# plot FILE [NAME=VALUE ...]: a chart, its variables set before
 plot() {
+	local file=$1
+	shift
 	if command -v gnuplot >/dev/null; then
-		gnuplot "$1"
+		gnuplot -e "$*" "$file"
 	else
 		echo "gnuplot is not installed: no plot, the numbers are in results"
 	fi

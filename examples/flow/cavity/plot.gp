@@ -1,26 +1,26 @@
-# Called by ./study: results/cavity.png, results/cost.png
+# Called by ./study: results/cavity.png, results/cost.png. N: cells a side of the profiles
 load '../style.gp'
 set terminal pngcairo size 1100,420 font 'Helvetica,10'
 set output 'results/cavity.png'
 set multiplot layout 1,3
-set title 'on the vertical middle line, 128^2 cells, quick'
+set title 'on the vertical middle line, '.N.'^2 cells, quick'
 set xlabel 'u/U'; set ylabel 'y'
 set key bottom right
 Re(k) = word("100 400 1000", k)
-plot for [k=1:3] 'results/quick.fv.'.Re(k).'.128.u' using 4:2 every ::1 with lines ls 9 notitle, \
-	for [k=1:3] 'results/quick.fv.'.Re(k).'.128.u' using 3:2 every 4::1 with points ls k title 'Re '.Re(k), \
+plot for [k=1:3] 'results/quick.fv.'.Re(k).'.'.N.'.u' using 4:2 every ::1 with lines ls 9 notitle, \
+	for [k=1:3] 'results/quick.fv.'.Re(k).'.'.N.'.u' using 3:2 every 4::1 with points ls k title 'Re '.Re(k), \
 	for [k=1:3] 'ghia1982.u' using k+1:1 with points lc rgb '#444444' pt 2 ps 0.6 notitle
 set title 'on the horizontal one (crosses: Ghia et al. 1982)'
 set xlabel 'x'; set ylabel 'v/U'
 set key top right
-plot for [k=1:3] 'results/quick.fv.'.Re(k).'.128.v' using 2:4 every ::1 with lines ls 9 notitle, \
-	for [k=1:3] 'results/quick.fv.'.Re(k).'.128.v' using 2:3 every 4::1 with points ls k notitle, \
+plot for [k=1:3] 'results/quick.fv.'.Re(k).'.'.N.'.v' using 2:4 every ::1 with lines ls 9 notitle, \
+	for [k=1:3] 'results/quick.fv.'.Re(k).'.'.N.'.v' using 2:3 every 4::1 with points ls k notitle, \
 	for [k=1:3] 'ghia1982.v' using 1:k+1 with points lc rgb '#444444' pt 2 ps 0.6 notitle
 set title 'largest error, Re = 1000'
 set logscale xy
 set xlabel 'cells a side'; set ylabel '% of the lid speed'
-set xrange [25:160]; set yrange [0.1:50]
-set xtics (32, 64, 128)
+set xrange [N/5.:N*1.25]; set yrange [0.1:50]
+set xtics (16, 32, 64, 128, 256)
 set key bottom left
 schemes = "donor.fv donor.fd central.fv central.fd quick.fv cubista.fv"
 at(key, re) = sprintf('< awk ''$1 == "%s" && $2 == %d'' results/schemes.txt', key, re)
@@ -42,7 +42,7 @@ set key bottom left
 set title 'schemes, Re = 1000, direct solver'
 plot for [k=1:6] at(word(schemes, k), 1000) using 5:(100*$4) with linespoints ls k title word(schemes, k)
 set title 'solvers of the pressure, quick'
-set yrange [0.5:10]
+set yrange [0.5:20]
 plot for [k=1:4] of(word("direct multigrid cg sor", k), 'results/solvers.txt') using 5:(100*$4) \
 	with linespoints ls k title word("direct multigrid cg sor", k)
 unset multiplot
