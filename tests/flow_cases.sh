@@ -50,6 +50,8 @@ results 'cavity' cavity -var N 16 -var longest 25 -var steady 0
 results 'cavity' cavity -var N 32 -var longest 25 -var steady 0 -var within 0.005
 order 'cavity' 1.8 cavity.100.16.central.fv.u cavity.100.32.central.fv.u
 
+results 'slider bearing' bearing -var N 8 -var aspect 12
+
 # the profiles beside the example are those of the data
 for Re in 100 400 1000; do
 	awk -F, -v re="$Re" '

@@ -100,6 +100,8 @@ struct ts_flow_part {
 	/* After all of these, `length` in all: `used` is the mean over them; f and k are still there. */
 	enum ts_status (*settle)(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
 				 double length);
+	/* What it carries along, at centres, ghosts written: f_ID in dumps and probes (flow/carried.h). */
+	const double *(*scalar)(struct ts_instance *self);
 };
 
 /* Writes ghosts of a velocity field, u or another; and its components across the boundary where these are

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "flow/carried.h"
 #include "flow/flow.h"
 #include "flow/measure.h"
 
@@ -201,7 +202,9 @@ void ts_flow_sample(const struct ts_flow_sampler *sampler, const struct ts_fluid
 	for (size_t k = 0; k < sampler->list.n; k++) {
 		int what = sampler->list.item[k];
 
-		if (what <= Z)
+		if (what == TS_FLOW_CARRIED)
+			out[k] = centred(fluid, sampler->carried[k], x, count);
+		else if (what <= Z)
 			out[k] = x[what];
 		else if (what == S)
 			out[k] = s;
@@ -243,11 +246,13 @@ enum ts_status ts_flow_sampler_init(struct ts_instance *self, struct tsim *sim)
 	ts_str_addf(&who, "compute %s", self->style->name);
 	status = ts_flow_require_fluid(sim, ts_str_text(&who), &self->where, &fluid);
 	if (status == TS_OK)
-		status = s->words.n ? ts_name_list_read(sim, ts_str_text(&who), &self->arena, s->words,
-							names, sizeof *names, &s->list)
+		status = s->words.n ? ts_flow_names_read(sim, ts_str_text(&who), &self->arena, s->words,
+							 names, sizeof *names, &s->list)
 				    : take_usual(self, sim);
 	ts_str_release(&who);
-	return status;
+	if (status == TS_OK && !s->carried)
+		s->carried = ts_arena_alloc(&self->arena, s->list.n, sizeof *s->carried);
+	return status == TS_OK && !s->carried ? ts_nomem(&sim->error) : status;
 }
 
 enum ts_status ts_flow_sampler_inside(struct ts_instance *self, struct tsim *sim, const double x[3],
@@ -272,6 +277,10 @@ enum ts_status ts_flow_sampler_begin(struct ts_instance *self, size_t rows, stru
 	struct ts_flow_sampler *s = self->state;
 
 	TS_TRY(ts_flow_require_fluid(s->sim, self->style->name, &self->where, fluid));
+	for (size_t k = 0; k < s->list.n; k++)
+		if (s->list.item[k] == TS_FLOW_CARRIED)
+			TS_TRY(ts_flow_carried(s->sim, self->style->name, &s->words.word[k],
+					       &s->carried[k]));
 	return ts_table_resize(out, rows, s->list.n);
 }
 

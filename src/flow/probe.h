@@ -14,13 +14,15 @@ struct ts_flow_sampler {
 	struct ts_words words; /* argument */
 	int interpolation;     /* argument */
 	struct ts_name_list list;
+	const double **carried; /* of each column that is a scalar of a fix, while a table is made */
 	struct tsim *sim;
 };
 extern const char *const ts_flow_interpolations[];
 #define TS_FLOW_SAMPLE_ARGS(T)                                                                     \
 	TS_SOME_KEYWORD("values", T, sampler.words, 0,                                             \
 			.help = "columns: x, y, z, s (distance from the first point), vx, vy, vz, "   \
-				"speed, p, void, wx, wy, wz (vorticity); without: vx vy vz p"),    \
+				"speed, p, void, wx, wy, wz (vorticity), f_ID (a scalar that a fix "    \
+				"carries with the fluid); without: vx vy vz p"),                   \
 		TS_ENUM("interpolation", T, sampler.interpolation, ts_flow_interpolations,         \
 			.fallback = "linear",                                                      \
 			.help = "through the nearest 2 or 4 values along each axis")

@@ -76,6 +76,30 @@ print "is steps $(flow_steps) 3"
 print "is step $(flow_dt) 0.005"
 print "is divergence $(flow_div) 0"'
 
+# T = 300 + 40 y + 12 z between walls that are held so, which conduction leaves as it is; a fluid at rest
+cat >warm <<'END'
+units si
+boundary p f f
+region box block 0 1 0 0.5 0 0.25 units box
+create_box 1 box
+flow_style projection cells 4 6 5 viscosity 0.1 density 2.385
+variable yy internal 0
+variable zz internal 0
+variable T equal 300+40*v_yy+12*v_zz
+fix T all flow/scalar conductivity 0.01 initial v_T set y yy set z zz
+END
+agree 'scalars of fixes' 'include warm
+compute spot all flow/probe 0.1 0.15 0.15 0.6 0.31 0.125 values f_T vx
+compute line all flow/line cells y 0.1 0.125 values y f_T interpolation cubic
+print "is spot $(c_spot[1][1]) $(300+40*0.15+12*0.15)"
+print "is spot $(c_spot[2][1]) $(300+40*0.31+12*0.125)"
+print "is line $(c_line[6][2]) $(300+40*5.5/12+12*0.125)"'
+rejects 'include warm
+compute p all flow/probe 0.1 0.2 0.2 values f_t' "f_"
+rejects 'include warm
+fix m all ave/time 1 1 1 c_thermo_temp
+compute p all flow/probe 0.1 0.2 0.2 values f_m' 'fix m (style ave/time) carries no scalar'
+
 cat >in.table <<'END'
 include steady
 compute line all flow/line cells z 0.1 0.25 values z vx
@@ -131,7 +155,11 @@ include duct
 flow_boundary yhi wall velocity 1 0 0.3
 dump i all flow/vtk 20 image*.vti
 dump r all flow/vtk 20 speed*.vtr vorticity velocity
-compute all all flow/plane x 0.375 values y z vx vy vz p wx wy wz
+variable yy internal 0
+variable zz internal 0
+variable T equal 300+40*v_yy+12*v_zz
+fix T all flow/scalar conductivity 0.01 initial v_T set y yy set z zz
+compute all all flow/plane x 0.375 values y z vx vy vz p wx wy wz f_T
 fix out all ave/time 20 1 20 c_all[*] mode vector file plane.txt format " %.17g"
 timestep 5e-3
 run 40
@@ -157,7 +185,7 @@ while rows:
     n = int(rows[0][1])
     frames.append([[float(x) for x in r[1:]] for r in rows[1:n + 1]])
     rows = rows[n + 1:]
-for name, reader, arrays in (("image", vtkXMLImageDataReader, ["velocity", "pressure", "vorticity"]),
+for name, reader, arrays in (("image", vtkXMLImageDataReader, ["velocity", "pressure", "vorticity", "f_T"]),
                              ("speed", vtkXMLRectilinearGridReader, ["vorticity", "velocity"])):
     sets = tree.parse(name + ".pvd").getroot().findall("./Collection/DataSet")
     assert [float(s.get("timestep")) for s in sets] == [0, 0.1, 0.2]
@@ -177,6 +205,7 @@ for name, reader, arrays in (("image", vtkXMLImageDataReader, ["velocity", "pres
                     near(data.GetArray("vorticity").GetComponent(cell, c), row[6 + c], "vorticity")
                 if name == "image":
                     near(data.GetArray("pressure").GetValue(cell), row[5], "pressure")
+                    near(data.GetArray("f_T").GetValue(cell), row[9], "f_T")
 END
 "$TSIM" -in in.files -log none >out 2>&1
 report 'writes files' $? out

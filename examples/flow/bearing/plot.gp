@@ -13,8 +13,8 @@ set title 'K = 2: load'
 set xlabel 'length by gap at the outlet'; set ylabel '% off Reynolds'' theory'
 set logscale xy
 set xtics (10, 20, 40)
-set xrange [8:50]; set yrange [0.05:5]
+set xrange [8:50]; set yrange [0.1:10]
 set key top right
-plot '< awk ''$1 == 2 && $2 == 12'' results/table.txt | sort -g -k3' using 3:(abs($4)) with linespoints ls 1 title '12 cells', \
-	100/x**2*1.3 with lines ls 9 title '(h/L)^2'
+plot '< awk ''$1 == 2 && $2 == 24'' results/table.txt | sort -g -k3' using 3:(abs($4)) with linespoints ls 1 title '24 cells', \
+	430/x**2 with lines ls 9 title '4.3 (h/L)^2'
 unset multiplot

@@ -22,16 +22,20 @@ set xlabel 'cells a side'; set ylabel '% of the lid speed'
 set xrange [N/5.:N*1.25]; set yrange [0.1:50]
 set xtics (16, 32, 64, 128, 256)
 set key bottom left
-schemes = "donor.fv donor.fd central.fv central.fd quick.fv cubista.fv"
+schemes = "donor.fv donor.fd central.fv central.fd quick.fv cubista.fv central.graded quick.graded"
 at(key, re) = sprintf('< awk ''$1 == "%s" && $2 == %d'' results/schemes.txt', key, re)
 set style line 6 lc rgb '#b03a2e' lw 1.8 pt 4 ps 0.9
+set style line 7 lc rgb '#328cc1' lw 1.8 dt 2 pt 8 ps 0.9
+set style line 8 lc rgb '#8a4f7d' lw 1.8 dt 2 pt 10 ps 0.9
 plot 40*(32/x)**2/4 with lines ls 9 title 'second order', \
-	for [k=1:6] at(word(schemes, k), 1000) using 3:(100*$4) with linespoints ls k title word(schemes, k)
+	for [k=1:8] at(word(schemes, k), 1000) using 3:(100*$4) with linespoints ls k title word(schemes, k)
 unset multiplot
 
 reset
 load '../style.gp'
 set style line 6 lc rgb '#b03a2e' lw 1.8 pt 4 ps 0.9
+set style line 7 lc rgb '#328cc1' lw 1.8 dt 2 pt 8 ps 0.9
+set style line 8 lc rgb '#8a4f7d' lw 1.8 dt 2 pt 10 ps 0.9
 set terminal pngcairo size 900,420 font 'Helvetica,10'
 set output 'results/cost.png'
 set multiplot layout 1,2
@@ -40,7 +44,7 @@ set xlabel 'seconds'; set ylabel 'largest error, % of the lid speed'
 set yrange [0.1:50]
 set key bottom left
 set title 'schemes, Re = 1000, direct solver'
-plot for [k=1:6] at(word(schemes, k), 1000) using 5:(100*$4) with linespoints ls k title word(schemes, k)
+plot for [k=1:8] at(word(schemes, k), 1000) using 5:(100*$4) with linespoints ls k title word(schemes, k)
 set title 'solvers of the pressure, quick'
 set yrange [0.5:20]
 plot for [k=1:4] of(word("direct multigrid cg sor", k), 'results/solvers.txt') using 5:(100*$4) \

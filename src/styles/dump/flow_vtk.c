@@ -1,5 +1,7 @@
 /* Dump flow/vtk: the fields of the fluid, cell by cell, for ParaView. */
-#include "core/name_list.h"
+#include <string.h>
+
+#include "flow/carried.h"
 #include "flow/flow.h"
 #include "flow/measure.h"
 #include "io/dump_vtk.h"
@@ -10,9 +12,9 @@ enum { VELOCITY, PRESSURE, VOID, VORTICITY, NFIELDS };
 
 struct state {
 	struct ts_dump_vtk vtk;
-	struct ts_words words;
-	struct ts_name_list list;
-	struct ts_vtk_array array[NFIELDS];
+	struct ts_words words, chosen; /* as given; all there are without words */
+	struct ts_name_list list;      /* of the chosen */
+	struct ts_vtk_array *array;    /* one for each, in the arena */
 };
 
 typedef void fill_fn(const struct ts_fluid *fluid, const int cell[3], double *out);
@@ -66,37 +68,61 @@ static enum ts_status check_name(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* Without words all there are. */
-static enum ts_status choose(struct ts_instance *self, struct tsim *sim)
+/* "f_ID" */
+static const char *name_of(struct ts_instance *self, const struct ts_instance *fix)
 {
-	struct state *s = self->state;
-	struct ts_fluid *fluid;
+	size_t n = strlen(fix->id) + 1;
+	char *name = ts_arena_alloc(&self->arena, n + 2, 1);
 
-	if (s->words.n)
-		return ts_name_list_read(sim, "dump flow/vtk", &self->arena, s->words, fields,
-					 sizeof *fields, &s->list);
-	TS_TRY(ts_flow_require_fluid(sim, "dump flow/vtk", &self->where, &fluid));
-	if (!s->list.item)
-		s->list.item = ts_arena_alloc(&self->arena, NFIELDS, sizeof *s->list.item);
-	if (!s->list.item)
+	if (name) {
+		memcpy(name, "f_", 2);
+		memcpy(name + 2, fix->id, n);
+	}
+	return name;
+}
+
+/* Without words: all fields there are, and all that fixes carry. */
+static enum ts_status take_all(struct ts_instance *self, struct tsim *sim, const struct ts_fluid *fluid)
+{
+	const struct ts_instance *fix;
+	size_t most = NFIELDS, n = 0, k = 0;
+	struct ts_word *word;
+
+	while (ts_flow_next_carrier(sim, &k))
+		most++;
+	word = ts_arena_alloc(&self->arena, most, sizeof *word);
+	if (!word)
 		return ts_nomem(&sim->error);
-	s->list.n = 0;
-	for (int k = 0; k < NFIELDS; k++)
-		if (k != VOID || fluid->empty)
-			s->list.item[s->list.n++] = k;
+	for (int field = 0; field < NFIELDS; field++)
+		if (field != VOID || fluid->empty)
+			word[n++].text = fields[field].name;
+	for (k = 0; (fix = ts_flow_next_carrier(sim, &k)); n++)
+		if (!(word[n].text = name_of(self, fix)))
+			return ts_nomem(&sim->error);
+	((struct state *)self->state)->chosen = (struct ts_words){ word, n };
 	return TS_OK;
 }
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
+	struct ts_fluid *fluid;
 
 	TS_TRY(check_name(self, sim));
-	TS_TRY(choose(self, sim));
-	if (s->list.n <= NFIELDS)
-		return TS_OK;
-	return ts_fail(&sim->error, TS_SYNTAX, &s->words.word[NFIELDS].place,
-		       "dump flow/vtk: a field is named twice");
+	TS_TRY(ts_flow_require_fluid(sim, "dump flow/vtk", &self->where, &fluid));
+	s->chosen = s->words;
+	if (!s->words.n)
+		TS_TRY(take_all(self, sim, fluid));
+	s->list.item = NULL; /* there may be more than before */
+	TS_TRY(ts_flow_names_read(sim, "dump flow/vtk", &self->arena, s->chosen, fields, sizeof *fields,
+				  &s->list));
+	s->array = ts_arena_alloc(&self->arena, s->list.n, sizeof *s->array);
+	return s->array ? TS_OK : ts_nomem(&sim->error);
+}
+
+static size_t components(int field)
+{
+	return field == TS_FLOW_CARRIED ? 1 : fields[field].components;
 }
 
 static size_t columns(const struct state *s)
@@ -104,38 +130,49 @@ static size_t columns(const struct state *s)
 	size_t n = 0;
 
 	for (size_t k = 0; k < s->list.n; k++)
-		n += fields[s->list.item[k]].components;
+		n += components(s->list.item[k]);
 	return n;
 }
 
-static void fill_field(const struct ts_fluid *fluid, const struct field *field, double *to)
+/* By the function, or of the field alone. */
+static void fill_cells(const struct ts_fluid *fluid, fill_fn *fill, const double *carried, size_t n,
+		       double *to)
 {
 	const struct ts_grid *grid = &fluid->grid;
 	int cell[3];
 
 	for (cell[2] = 0; cell[2] < grid->n[2]; cell[2]++)
 		for (cell[1] = 0; cell[1] < grid->n[1]; cell[1]++)
-			for (cell[0] = 0; cell[0] < grid->n[0]; cell[0]++, to += field->components)
-				field->fill(fluid, cell, to);
+			for (cell[0] = 0; cell[0] < grid->n[0]; cell[0]++, to += n)
+				if (fill)
+					fill(fluid, cell, to);
+				else
+					*to = carried[at(fluid, cell)];
 }
 
-static void fill(struct state *s, const struct ts_fluid *fluid)
+static enum ts_status fill(struct ts_instance *self, struct tsim *sim, const struct ts_fluid *fluid)
 {
+	struct state *s = self->state;
 	double *to = s->vtk.merged.data;
 
 	for (size_t k = 0; k < s->list.n; k++) {
-		const struct field *field = &fields[s->list.item[k]];
+		int field = s->list.item[k];
+		size_t n = components(field);
+		const double *carried = NULL;
 
-		s->array[k] = (struct ts_vtk_array){ field->name, to, field->components, false };
-		fill_field(fluid, field, to);
-		to += ts_grid_cells(&fluid->grid) * field->components;
+		if (field == TS_FLOW_CARRIED)
+			TS_TRY(ts_flow_carried(sim, "dump flow/vtk", &s->chosen.word[k], &carried));
+		s->array[k] = (struct ts_vtk_array){ s->chosen.word[k].text, to, n, false };
+		fill_cells(fluid, carried ? NULL : fields[field].fill, carried, n, to);
+		to += ts_grid_cells(&fluid->grid) * n;
 	}
+	return TS_OK;
 }
 
 static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
-	struct ts_vtk_grid grid = { .cell_data = s->array, .ncell_data = s->list.n };
+	struct ts_vtk_grid grid = { .ncell_data = s->list.n };
 	struct ts_fluid *fluid;
 	bool due;
 
@@ -145,7 +182,8 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_flow_require_fluid(sim, "dump flow/vtk", &self->where, &fluid));
 	if (ts_table_resize(&s->vtk.merged, ts_grid_cells(&fluid->grid), columns(s)) != TS_OK)
 		return ts_nomem(&sim->error);
-	fill(s, fluid);
+	TS_TRY(fill(self, sim, fluid));
+	grid.cell_data = s->array;
 	for (int d = 0; d < 3; d++) {
 		grid.face[d] = fluid->grid.face[d];
 		grid.n[d] = (size_t)fluid->grid.n[d];
@@ -174,7 +212,8 @@ static const struct ts_arg args[] = {
 		.help = "name of the frames, ending in .vti (uniform grids) or .vtr (any), with a `*` for the "
 			"step"),
 	TS_REST_OPTIONAL("fields", struct state, words,
-			 .help = "velocity, pressure, void, vorticity; without: all there are"),
+			 .help = "velocity, pressure, void, vorticity, f_ID (a scalar that a fix carries with "
+				 "the fluid); without: all there are"),
 	TS_ARGS_END,
 };
 
@@ -186,7 +225,7 @@ const struct ts_style ts_dump_flow_vtk = {
 	.kind = TS_KIND_DUMP,
 	.summary = "The fields of the fluid for ParaView",
 	.doc = "Values of the cells: velocity (in the middle of the cell: mean of its faces), pressure, void fraction, "
-	       "vorticity\ncurl u (mean of the edges of the cell). A .vti file is an image, three spacings instead "
+	       "vorticity\ncurl u (mean of the edges of the cell), what fix flow/scalar carries (f_ID). A .vti file is an image, three spacings instead "
 	       "of coordinates, for uniform\ngrids; .vtr has the faces of all axes. With a `*` in the name there is "
 	       "one file for each frame and a collection\nNAME.pvd with the times of all of them, which is what to "
 	       "open. Files and collection appear when they are complete.",

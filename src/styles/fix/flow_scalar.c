@@ -176,11 +176,20 @@ static enum ts_status make_fields(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+static const double *scalar(struct ts_instance *self)
+{
+	struct state *s = self->state;
+
+	ts_transport_fill(&s->transport, s->fluid, s->transport.value);
+	return s->transport.value;
+}
+
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 
 	TS_TRY(ts_flow_require_fluid(sim, "fix flow/scalar", &self->where, &s->fluid));
+	s->part.scalar = scalar;
 	s->part.carry = carry;
 	s->part.settle = settle;
 	s->sim = sim;
