@@ -96,6 +96,8 @@ library_sources = \
 	src/flow/added_mass.h \
 	src/flow/advance.c \
 	src/flow/boundary.c \
+	src/flow/carried.c \
+	src/flow/carried.h \
 	src/flow/cell_order.c \
 	src/flow/cell_order.h \
 	src/flow/conjugate.c \
