@@ -155,6 +155,106 @@ static void run_lid(int n, double dt, int steps, const char *words, double *out)
 	tsim_close(sim);
 }
 
+/* Vortices between planes of symmetry, on cells that become finer towards them. */
+static double graded_error(int n, const char *words)
+{
+	struct tsim *sim = deck_open("units si\nboundary f f p\ndimension 2\n"
+				     "region box block 0 1 0 1 -0.5 0.5 units box\ncreate_box 1 box\n");
+	struct ts_fluid *fluid;
+	double sum = 0;
+
+	deck(sim,
+	     "variable x internal 0\nvariable y internal 0\n"
+	     "variable u equal sin(PI*v_x)*cos(PI*v_y)\nvariable v equal -cos(PI*v_x)*sin(PI*v_y)\n"
+	     "flow_style projection cells %d %d 1 viscosity 0.02 density 1 %s\n"
+	     "flow_grid x tanh 1.1\nflow_grid y geometric 4 fine both\nflow_boundary all slip\n"
+	     "flow_set velocity v_u v_v 0 set x x set y y\ntimestep 0.002\nrun 100\n",
+	     n, n, words);
+	fluid = fluid_of(sim);
+	for (int j = 0; j < n; j++)
+		for (int i = 0; i < n; i++) {
+			double exact = sin(PI * fluid->grid.face[0][i]) *
+				       cos(PI * fluid->grid.centre[1][j]) * exp(-2 * PI * PI * 0.02 * 0.2);
+
+			sum += pow(fluid->u[0][ts_at(&fluid->grid, i, j, 0)] - exact, 2);
+		}
+	tsim_close(sim);
+	return sqrt(sum) / n;
+}
+
+START_TEST(order_on_graded_cells)
+{
+	static const char *const cases[] = { "time rk2 convection central", "time rk2",
+					     "time rk2 convection central form fd",
+					     "time ab2 viscous implicit" };
+	FILE *table = deck_table("Order in space, graded cells");
+
+	for (size_t k = 0; k < DECK_LENGTH(cases); k++) {
+		double step[3], error[3], order;
+
+		for (int m = 0; m < 3; m++) {
+			step[m] = 1.0 / (8 << m);
+			error[m] = graded_error(8 << m, cases[k]);
+		}
+		order = deck_order(step, error, 3);
+		if (table)
+			fprintf(table, "%s\t%g\t%g\t%g\t%.3f\n", cases[k], error[0], error[1], error[2],
+				order);
+		ck_assert_msg(order > 1.8, "%s: order %g, errors %g %g %g", cases[k], order, error[0],
+			      error[1], error[2]);
+	}
+}
+END_TEST
+
+/* ---- fields between their points */
+
+START_TEST(sampling)
+{
+	struct tsim *sim = deck_open(box[1], "f f p");
+	struct ts_fluid *fluid;
+	double u[3], gradient[3], value;
+	const double x[3] = { 1.385, 0.731, 0.217 };
+
+	deck(sim, "neighbor 0.001 bin\n"
+		  "flow_style projection cells 7 9 5 viscosity 0.05 density 1.7\n"
+		  "flow_grid y tanh 1.3\nflow_boundary yhi wall velocity 0.7 0 0.3\n"
+		  "flow_boundary xlo slip\ntimestep 0.005\nrun 7\n");
+	fluid = fluid_of(sim);
+	/* on walls what is given there, in them as beside them */
+	ts_fluid_velocity(fluid, (const double[]){ 0.9, 1, 0.2 }, u);
+	DECK_NEAR(u[0], 0.7, 1e-14);
+	DECK_NEAR(u[1], 0, 1e-14);
+	DECK_NEAR(u[2], 0.3, 1e-14);
+	ts_fluid_velocity(fluid, (const double[]){ 0.9, -3, 0.2 }, u);
+	DECK_NEAR(u[0] * u[0] + u[2] * u[2], 0, 1e-28);
+	ts_fluid_velocity(fluid, (const double[]){ 0, 0.5, 0.2 }, u);
+	DECK_NEAR(u[0], 0, 1e-14);
+	/* at its own points the field itself, periodic images alike */
+	value = fluid->u[2][ts_at(&fluid->grid, 4, 8, 3)];
+	ck_assert(value > 0.01);
+	for (int turn = -1; turn < 2; turn++) {
+		ts_fluid_velocity(fluid,
+				  (const double[]){ fluid->grid.centre[0][4], fluid->grid.centre[1][8],
+						    fluid->grid.face[2][3] + 0.5 * turn },
+				  u);
+		DECK_NEAR(u[2], value, 1e-14);
+	}
+	/* a field that is linear */
+	for (int k = -2; k < 7; k++)
+		for (int j = -2; j < 11; j++)
+			for (int i = -2; i < 9; i++)
+				fluid->p[ts_at(&fluid->grid, i, j, k)] =
+					1.3 + 2 * fluid->grid.centre[0][i] - 3 * fluid->grid.centre[1][j] +
+					5 * fluid->grid.centre[2][k];
+	value = ts_fluid_value(fluid, fluid->p, x, gradient);
+	DECK_NEAR(value, 1.3 + 2 * x[0] - 3 * x[1] + 5 * x[2], 1e-13);
+	DECK_NEAR(gradient[0], 2, 1e-12);
+	DECK_NEAR(gradient[1], -3, 1e-12);
+	DECK_NEAR(gradient[2], 5, 1e-12);
+	tsim_close(sim);
+}
+END_TEST
+
 typedef void scene_fn(int n, double dt, int steps, const char *words, double *out);
 enum { N = 12, FIRST = 25, FINE = 800 };
 
@@ -321,6 +421,8 @@ int main(void)
 	tcase_add_test(tcase, order_in_space);
 	tcase_add_test(tcase, order_in_time);
 	tcase_add_test(tcase, order_with_walls);
+	tcase_add_test(tcase, order_on_graded_cells);
+	tcase_add_test(tcase, sampling);
 	tcase_add_test(tcase, even_room);
 	tcase_add_test(tcase, uneven_room);
 	tcase_add_test(tcase, bed);

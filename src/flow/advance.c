@@ -212,13 +212,23 @@ enum ts_status ts_projection_advance(struct ts_instance *self, struct tsim *sim,
 }
 
 /* Into how many steps of the fluid this length is cut. */
-static int64_t substeps_now(const struct ts_projection *p, const struct tsim *sim, double length)
+static enum ts_status choose_substeps(struct ts_instance *self, struct tsim *sim, double length)
 {
 	static const double MOST = 1e6;
-	double limit = p->substeps ? 0 : fmin(ts_flow_limit(p), parts_limit(sim, &p->fluid));
-	double n = p->substeps ? (double)p->substeps : ceil(length / (p->courant * limit));
+	struct ts_projection *p = self->state;
+	double limit;
 
-	return n >= 1 ? (int64_t)fmin(n, MOST) : 1;
+	p->done = p->substeps;
+	if (p->substeps)
+		return TS_OK;
+	limit = p->courant * fmin(ts_flow_limit(p), parts_limit(sim, &p->fluid));
+	if (!(length <= MOST * limit))
+		return ts_fail(&sim->error, TS_PHYSICS, &self->where,
+			       "the fluid's stable step is %g, less than a millionth of the %g it is to make: "
+			       "time %s does not damp convection without viscosity; use time rk3",
+			       limit / p->courant, length, ts_time_names[p->time]);
+	p->done = length > limit ? (int64_t)ceil(length / limit) : 1;
+	return TS_OK;
 }
 
 /* Over a step of several stages what u counts in `used` shrinks by the factors of the later ones: what came
@@ -254,7 +264,7 @@ enum ts_status ts_projection_step(struct ts_instance *self, struct tsim *sim, do
 		ts_fluid_fill_velocity(&p->fluid, p->fluid.u);
 	}
 	p->filled = true;
-	p->done = substeps_now(p, sim, length);
+	TS_TRY(choose_substeps(self, sim, length));
 	for (int64_t k = 0; k < p->done; k++) {
 		p->now_at = k;
 		TS_TRY(ts_projection_advance(self, sim, length / (double)p->done, carry));

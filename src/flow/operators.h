@@ -30,9 +30,18 @@ struct ts_operators {
 enum ts_status ts_operators_make(struct ts_operators *operators, const struct ts_grid *grid);
 void ts_operators_release(struct ts_operators *operators);
 
-/* How phi is found; the table in convection.c. */
+/* How phi is found. */
 enum ts_convection { TS_CONVECTION_DONOR, TS_CONVECTION_CENTRAL, TS_CONVECTION_QUICK,
 		     TS_CONVECTION_CUBISTA, TS_NCONVECTION };
+struct ts_convection_scheme {
+	const char *name, *help;
+	int order;	/* of phi on uniform grids */
+	bool bounded;	/* phi never lies beyond its neighbours */
+	double decay;	/* of the shortest waves, per |u|/h: what it takes from the limit of the step; donor: times
+			 * gamma */
+	bool difference; /* known in the form of finite differences as well */
+};
+extern const struct ts_convection_scheme ts_convection_schemes[TS_NCONVECTION];
 enum ts_form { TS_FORM_VOLUME, TS_FORM_DIFFERENCE };
 extern const char *const ts_convection_names[], *const ts_form_names[];
 

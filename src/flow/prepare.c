@@ -36,6 +36,11 @@ static enum ts_status bounds(struct ts_instance *self, struct tsim *sim, double 
 		TS_TRY(ts_region_update(p->region, sim));
 		ts_region_bounds(p->region, lo, hi);
 	}
+	for (int d = 0; d < 3 && !p->region; d++)
+		if (box->face[d][0] > TS_FACE_FIXED || box->face[d][1] > TS_FACE_FIXED)
+			return ts_fail(&sim->error, TS_STATE, &self->where,
+				       "flow_style projection: the box follows the particles along %c, the grid "
+				       "cannot: use boundary p or f, or a region for the grid", "xyz"[d]);
 	for (int d = 0; d < 3; d++) { /* a region without end, as with INF, goes as far as the box */
 		lo[d] = fmax(lo[d], box->lo[d]);
 		hi[d] = fmin(hi[d], box->hi[d]);

@@ -97,6 +97,11 @@ static const struct scene scenes[] = {
 	{ "time euler convection central", 0.005, 0.71, 0.37, false, 0.97, 1.3 },
 	{ "time euler convection donor gamma 1", 0.001, 0.71, 0.37, false, 0.97, 1.1 },
 	{ "time euler convection donor gamma 0.5", 0.005, 0.71, 0.37, false, 0.97, 1.1 },
+	{ "time rk3 convection quick", 0.001, 0.71, 0.37, false, 0.97, 1.3 },
+	{ "time ab2 convection quick", 0, 0.71, 0.37, false, 0.97, 1.3 },
+	{ "time rk2 convection quick", 0, 0.71, 0.37, false, 0.97, 1.3 },
+	{ "time ab2 convection central", 0.003, 0.71, 0.37, false, 0.97, 1.3 },
+	{ "time rk2 convection central", 0.003, 0.71, 0.37, false, 0.97, 1.4 },
 	{ "time rk3 convection central", 0.001, 0.71, 0.37, false, 0.97, 1.1 },
 };
 

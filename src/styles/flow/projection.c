@@ -59,8 +59,7 @@ static enum ts_status read_words(struct ts_instance *self, struct tsim *sim)
 		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, p->substeps_word),
 			       "flow_style projection: substeps is a number from 1 on, or auto, not '%s'",
 			       p->substeps_word);
-	if (p->form == TS_FORM_DIFFERENCE && p->convection != TS_CONVECTION_DONOR &&
-	    p->convection != TS_CONVECTION_CENTRAL)
+	if (p->form == TS_FORM_DIFFERENCE && !ts_convection_schemes[p->convection].difference)
 		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, ts_convection_names[p->convection]),
 			       "flow_style projection: convection %s is for form fv; form fd has donor and "
 			       "central",
@@ -283,11 +282,34 @@ const struct ts_flow_style ts_flow_projection = {
 		   .kind = TS_KIND_FLOW,
 		   .family = TS_FAMILY_PROJECTION,
 		   .summary = "an incompressible fluid whose flow is solved for on a staggered grid",
-		   .doc = "du/dt + div(u u) = -grad p/rho + nu lap u + g, div u = 0, on a grid of cells that "
-			  "fills the box or the bounds of a region. Pressure lives in the centres of cells, "
-			  "velocities on their faces. Each step predicts a velocity without pressure and "
-			  "projects it onto the fields without divergence.",
-		   .example = "flow_style projection cells 64 64 1 viscosity 0.01 density 1.0",
+		   .doc =
+			   "du/dt + div(u u) = -grad p/rho + nu lap u + g, div u = 0, on a grid of cells that fills the "
+			   "box or the bounds of a region. Pressure lives in the centres of cells, velocities on their "
+			   "faces. Each step predicts a velocity without pressure and projects it onto the fields "
+			   "without divergence; who solves for the pressure says pressure_style. flow_grid grades the "
+			   "cells, flow_boundary says what is at the faces, flow_set with which velocity the fluid "
+			   "begins.\n\n"
+			   "Where fixes ask for it, the volume-averaged equations are solved: de/dt + div(e u) = 0 and "
+			   "e rho (du/dt + u grad u) = -e grad p + div(e mu grad u) + e rho g + f - k u, e the void "
+			   "fraction, f and k what particles put on the fluid; k u is taken at the new velocity.\n\n"
+			   "convection: donor takes gamma of the velocity on the side of a control volume from "
+			   "upstream and the rest from the mean; central, the mean; quick, a parabola; cubista is "
+			   "quick kept within its neighbours. All are of second order in space but donor, of first as "
+			   "far as gamma goes. form fd takes u grad u by finite differences in place of div(u u) by "
+			   "finite volumes, and does not conserve momentum. With wall quadratic the shear at walls is "
+			   "of second order: the parabola of a channel is exact.\n\n"
+			   "time: euler is of first order, ab2 and rk2 of second, rk3 of third; values at faces that "
+			   "change are linear in time within a step. viscous implicit (Crank-Nicolson) and backward "
+			   "are factored by axes and stable for any viscosity; of second and first order.\n\n"
+			   "Limits of the step: explicit viscosity dt <= 2/(nu sum 4/h^2) (ab2 half of it, rk3 1.26 of "
+			   "it), less upwind's own viscosity; Courant number sum |u| dt/h below 1 (ab2 0.7, rk3 1.73); "
+			   "and for euler dt <= 2 nu/u^2, without which waves grow slowly. A run beyond them is "
+			   "refused or warned, and stopped with the cause when the flow gets there. The fluid makes one "
+			   "step in each of the simulation, or one `every` N of them, or `substeps` in one.",
+		   .example =
+			   "flow_style projection cells 64 64 1 viscosity 0.01 density 1.0\n"
+			   "flow_style projection cells 80 10 10 viscosity 1.0e-3 density 1000 convection donor gamma "
+			   "0.5 time rk3 substeps auto body_force 0 0 -9.81",
 		   .cite = "A. J. Chorin, Math. Comp. 22 (1968) 745; F. H. Harlow & J. E. Welch, Phys. Fluids 8 "
 			   "(1965) 2182",
 		   .args = args,
