@@ -110,6 +110,34 @@ static const char more[] = "units si\n"
 			   "print \"${p} $(v_f*2:%.3g)\"\n"
 			   "write_restart more\n";
 
+/* A fluid and what acts between it and particles. */
+static const char fluid[] = "units si\n"
+			    "boundary f p f\n"
+			    "newton off\n"
+			    "communicate single vel yes\n"
+			    "region box block 0 1 0 1 0 1 units box\n"
+			    "create_box 1 box\n"
+			    "create_atoms 1 single 0.3 0.4 0.5\n"
+			    "create_atoms 1 single 0.6 0.4 0.5\n"
+			    "set group all diameter 0.1 density 1000\n"
+			    "fix k all property/global thermalConductivity peratomtype 1\n"
+			    "fix c all property/global thermalCapacity peratomtype 31\n"
+			    "fix heat all heat/gran initial_temperature 300\n"
+			    "flow_style projection cells 4 4 4 viscosity 0.01 density 10\n"
+			    "flow_boundary zhi wall velocity 0 1 0\n"
+			    "fix e all void_fraction method kernel\n"
+			    "fix d all drag/gidaspow scheme exact\n"
+			    "fix l all lift/saffman\n"
+			    "fix s all lift/magnus\n"
+			    "fix p all flow/pressure_gradient\n"
+			    "fix a all added_mass\n"
+			    "fix T all flow/scalar conductivity 1 initial 400 exchange ranz_marshall zhi value 500\n"
+			    "fix m all nve/sphere\n"
+			    "timestep 1e-3\n"
+			    "thermo_style custom step ke f_d[1] f_l[1] f_e[1] f_T[1]\n"
+			    "run 2\n"
+			    "write_restart fluid\n";
+
 /* True when the failure has not happened yet: the next allocations fails then. */
 static bool survived(void)
 {
@@ -161,7 +189,7 @@ static void each_allocation(const char *text)
 START_TEST(fails)
 {
 	ck_assert_int_eq(try(script, 0), TS_OK); /* leaves the restart file */
-	each_allocation(_i == 0 ? script : _i == 1 ? again : more);
+	each_allocation(_i == 0 ? script : _i == 1 ? again : _i == 2 ? more : fluid);
 }
 END_TEST
 
@@ -206,7 +234,7 @@ int main(void)
 
 	tcase_set_timeout(all, 120);
 	tcase_add_checked_fixture(all, enter, leave);
-	tcase_add_loop_test(all, fails, 0, 3);
+	tcase_add_loop_test(all, fails, 0, 4);
 	tcase_add_test(all, goes_on);
 	suite_add_tcase(suite, all);
 	return deck_main(suite);

@@ -269,6 +269,7 @@ START_TEST(momentum_is_kept)
 		{ "", "drag/schiller_naumann scheme implicit interpolation cell", 0.05, 2236, 238.5, 4 },
 		{ "time rk3", "drag/stokes scheme implicit", 0.002, 0.13, 1.31, 8 },
 		{ "", "drag/schiller_naumann scheme exact axes xz", 0.02, 0.13, 1.31, 7 },
+		{ "every 3", "drag/schiller_naumann scheme exact lagged yes", 0.01, 0.13, 1.31, 7 },
 		{ "substeps 3 time ab2", "drag/stokes scheme exact", 0.01, 0.13, 1.31, 7 },
 	};
 	double before[3], after[3], size = 2385 * 2000 * PI / 6 * pow(ways[_i].diameter, 3) * 0.5;
@@ -281,7 +282,7 @@ START_TEST(momentum_is_kept)
 				     "create_atoms 1 random 2000 2385 box\n"
 				     "set group all diameter %g density 2385\n"
 				     "flow_style projection cells %d 5 3 viscosity %g density %g %s\n"
-				     "pressure_style cg\n"
+				     "pressure_style %s\n"
 				     "velocity all create 1 2385\n"
 				     "velocity all set 0.5 -0.3 0.2 sum yes\n"
 				     "fix d all %s\n"
@@ -289,7 +290,8 @@ START_TEST(momentum_is_kept)
 				     "timestep 0.001\n"
 				     "run 0",
 				     ways[_i].diameter, ways[_i].cells, ways[_i].viscosity,
-				     ways[_i].density, ways[_i].fluid, ways[_i].drag);
+				     ways[_i].density, ways[_i].fluid,
+				     strstr(ways[_i].drag, "lagged") ? "direct" : "cg", ways[_i].drag);
 
 	deck(sim, "run 3");
 	momentum(sim, before);
@@ -342,7 +344,7 @@ int main(void)
 	tcase_add_test(c, divided_volumes);
 	tcase_add_loop_test(c, void_fraction_keeps_the_volume, 0, 3);
 	tcase_add_loop_test(c, fields_do_not_depend_on_order, 0, 2);
-	tcase_add_loop_test(c, momentum_is_kept, 0, 7);
+	tcase_add_loop_test(c, momentum_is_kept, 0, 8);
 	tcase_add_test(c, drop_does_not_depend_on_the_step);
 	suite_add_tcase(suite, c);
 	return deck_main(suite);

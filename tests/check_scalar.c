@@ -177,6 +177,39 @@ START_TEST(one_sphere_cools)
 }
 END_TEST
 
+/* Hot gas through a bed whose spheres keep their temperature: T - T_p dies by exp(-z a h/(rho c U)), a h the
+ * exchange by volume. */
+START_TEST(gas_through_a_bed)
+{
+	const double d = 0.001, u = 3.1, rho = 1.21, mu = 1.85e-5, k = 0.026, c = 1005;
+	const double by_volume = 1 / pow(0.0015, 3); /* spheres */
+	struct tsim *sim = deck_open("units si\nboundary p p f\nnewton off\ncommunicate single vel yes\n"
+				     "region box block 0 0.003 0 0.003 0 0.06 units box\n"
+				     "region bed block 0 0.003 0 0.003 0.015 0.045 units box\n"
+				     "create_box 1 box\nlattice sc 0.0015 origin 0.5 0.5 0.5\n"
+				     "create_atoms 1 region bed\nset group all diameter 0.001 density 2385\n"
+				     "group none empty\nfix hold all freeze\n"
+				     "fix k all property/global thermalConductivity peratomtype 0\n"
+				     "fix c all property/global thermalCapacity peratomtype 31\n"
+				     "fix heat none heat/gran initial_temperature 300\n"
+				     "flow_style projection cells 1 1 160 viscosity 1.85e-5 density 1.21\n"
+				     "flow_boundary zlo inlet velocity 0 0 3.1\nflow_boundary zhi outlet\n"
+				     "fix e all void_fraction method kernel reach 1.5\n"
+				     "fix d all drag/ergun scheme exact\n"
+				     "fix T all flow/scalar conductivity 0.026 capacity 1005 initial 300 zlo value 400 "
+				     "exchange ranz_marshall\n"
+				     "timestep 2e-5\nrun 2500");
+	double re = rho * u * d / mu, nu = 2 + 0.6 * sqrt(re) * cbrt(mu * c / k);
+	double rate = PI * d * nu * k * by_volume / (rho * c * u), here[2];
+	const struct ts_table *table = cells(sim);
+
+	for (int j = 0; j < 2; j++) /* well inside the bed */
+		here[j] = table->data[4 * (j ? 100 : 60) + 3] - 300;
+	DECK_NEAR(log(here[0] / here[1]) / (40 * 0.06 / 160), rate, 0.02 * rate);
+	tsim_close(sim);
+}
+END_TEST
+
 int main(void)
 {
 	Suite *suite = suite_create("scalar");
@@ -188,6 +221,7 @@ int main(void)
 	tcase_add_loop_test(c, heat_is_kept, 0, 3);
 	tcase_add_test(c, even_temperatures_stay);
 	tcase_add_test(c, one_sphere_cools);
+	tcase_add_test(c, gas_through_a_bed);
 	suite_add_tcase(suite, c);
 	return deck_main(suite);
 }

@@ -61,9 +61,10 @@ enum ts_status ts_drag_init(struct ts_instance *self, struct tsim *sim)
 	s->fluid = NULL;
 	if (ts_flow_style_of(s->flow)->fluid)
 		TS_TRY(ts_flow_require_fluid(sim, self->style->name, &self->where, &s->fluid));
-	s->part.settle = s->fluid && s->two_way ? settle : NULL;
-	if (s->part.settle)
-		TS_TRY(ts_fluid_want(s->fluid, sim, TS_FLUID_FORCE | TS_FLUID_EXCHANGE));
+	s->part.settle = s->fluid && s->two_way && !s->lagged ? settle : NULL;
+	if (s->fluid && s->two_way)
+		TS_TRY(ts_fluid_want(s->fluid, sim,
+				     s->lagged ? TS_FLUID_FORCE : TS_FLUID_FORCE | TS_FLUID_EXCHANGE));
 	s->added = ts_added_density(sim, self->group);
 	return check_numbers(self, sim);
 }
@@ -210,7 +211,8 @@ static void lay(void *context, size_t i)
 		ts_share_face(fluid, c, place, cell, (enum ts_interpolation)s->interpolation, &st);
 		s->note[i].held[c] = ts_share_react(&fluid->grid, &st, c, fluid->u[c],
 						      s->total.note[i][c], s->note[i].slope,
-						      fluid->force[c], fluid->exchange[c]);
+						      fluid->force[c],
+						      s->lagged ? NULL : fluid->exchange[c]);
 	}
 }
 
@@ -231,7 +233,7 @@ static enum ts_status make_room(struct ts_drag *s, struct tsim *sim)
 
 	TS_TRY(ts_tally_start(sim, &s->total));
 	s->noted = 0;
-	if (!s->part.settle)
+	if (!s->fluid || !s->two_way)
 		return TS_OK;
 	if (TS_GROW(s->note, s->capacity, n) != TS_OK)
 		return ts_nomem(&sim->error);
@@ -388,7 +390,7 @@ enum ts_status ts_drag_plan(struct ts_instance *self, struct tsim *sim,
 		if (p->imass[i] != 0)
 			least = fmin(least, mass / style_of(self)->coefficient(s, &slip));
 	}
-	if (s->part.settle)
+	if (s->fluid && s->two_way)
 		warn_of_cells(self, sim, largest);
 	if (isinf(least))
 		return TS_OK;

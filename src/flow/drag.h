@@ -29,7 +29,7 @@ struct ts_drag_note {
 struct ts_drag {
 	struct ts_flow_part part; /* first */
 	int axes, scheme, interpolation;
-	bool two_way;
+	bool two_way, lagged;
 	double fraction; /* void fraction given; NaN: of the fluid */
 	double c1, c2;	 /* of Ergun's equation */
 
@@ -59,6 +59,9 @@ extern const char *const ts_drag_axes[], *const ts_drag_schemes[];
 				"implicit"),                                                       \
 		TS_BOOL("two_way", struct ts_drag, two_way, .fallback = "yes",                     \
 			.help = "whether a fluid that is solved for feels the particles"),         \
+		TS_BOOL("lagged", struct ts_drag, lagged, .fallback = "no",                        \
+			.help = "whether the fluid gets the force as it is, not at its new velocity: "    \
+				"leaves any pressure solver, but bounds the step"),                \
 		TS_ENUM("interpolation", struct ts_drag, interpolation, ts_interpolation_names,   \
 			.fallback = "linear",                                                      \
 			.help = "of the fluid's fields to the particle: between points, or of "    \
@@ -81,7 +84,9 @@ extern const char *const ts_drag_axes[], *const ts_drag_schemes[];
 	"after the fixes that add forces. With velocity Verlet it is the half-step velocity that is\n" \
 	"exact. Particles that are frozen or belong to clumps get the explicit force.\n\n"            \
 	"Where the fluid is solved for (flow_style projection) it loses what the particles gain, to\n" \
-	"round-off, unless two_way is no, and takes part in the exchange implicitly: see\n"           \
+	"round-off, unless two_way is no, and takes part in the exchange implicitly; with `lagged yes` it\n" \
+	"gets the force as it is, which is cheaper where particles are few (direct pressure solvers need\n" \
+	"equal weights of all faces) and stable for h < 2 e rho/k, k the sum of F/(u - v) by volume. See\n" \
 	"doc/coupling.md."
 #define TS_DRAG_CROWD_DOC                                                                          \
 	"The void fraction is that of fix void_fraction, which must come before this fix, or the one\n" \

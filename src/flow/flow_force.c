@@ -32,7 +32,7 @@ enum ts_status ts_flow_force_init(struct ts_instance *self, struct tsim *sim)
 			       "%s needs a fluid with a density: give flow_style %s one", who,
 			       s->flow->style->name);
 	if (s->fluid && s->two_way && !style->internal)
-		return ts_fluid_want(s->fluid, sim, TS_FLUID_FORCE | TS_FLUID_EXCHANGE);
+		return ts_fluid_want(s->fluid, sim, TS_FLUID_FORCE);
 	return TS_OK;
 }
 
@@ -113,7 +113,7 @@ static void lay(void *data, size_t i)
 
 		ts_share_face(fluid, c, place, cell, TS_INTERPOLATE_LINEAR, &share);
 		ts_share_react(&fluid->grid, &share, c, fluid->u[c], context->force->total.note[i][c], 0,
-			       fluid->force[c], fluid->exchange[c]);
+			       fluid->force[c], NULL);
 	}
 }
 

@@ -140,7 +140,8 @@ double ts_share_react(const struct ts_grid *grid, const struct ts_share *s, int 
 		}
 		sum += weight * q[at];
 		source[at] += weight * (slope * q[at] - amount) / volume;
-		rate[at] += weight * slope / volume;
+		if (rate)
+			rate[at] += weight * slope / volume;
 	}
 	return sum;
 }

@@ -38,7 +38,7 @@ double ts_share_gradient(const struct ts_grid *grid, const struct ts_share *s, i
  * -1), dF/dq = slope: by weight w and control volume V
  *   source += w (slope q - F)/V,  rate += w slope/V,
  * so that source - rate q is the opposite of F now, and with another q later that of F + slope (sum of w q's
- * change). Returns the sum of w q. */
+ * change). Without `rate` the slope must be 0. Returns the sum of w q. */
 double ts_share_react(const struct ts_grid *grid, const struct ts_share *s, int c, const double *q,
 			double amount, double slope, double *source, double *rate);
 

@@ -80,10 +80,10 @@ syn keyword tsimKeyword  prefactor nevery cell_size_relative parallel basevolume
 syn keyword tsimKeyword  scalar kind global beyond end extra level dim vmax
 syn match tsimKeyword /\<legacy\>/ 
 syn keyword tsimKeyword  final delta erate trate volume wiggle xy xz yz v flip axes xyz
-syn keyword tsimKeyword  scheme explicit exact implicit cell void C1 C2 wob spring body
-syn keyword tsimKeyword  clearance conductivity capacity initial source convection vanleer
-syn keyword tsimKeyword  central donor exchange ranz_marshall chute spherical hard soft
-syn keyword tsimKeyword  continue message path initial_temperature contact_area
+syn keyword tsimKeyword  scheme explicit exact implicit lagged cell void C1 C2 wob spring
+syn keyword tsimKeyword  body clearance conductivity capacity initial source convection
+syn keyword tsimKeyword  vanleer central donor exchange ranz_marshall chute spherical hard
+syn keyword tsimKeyword  soft continue message path initial_temperature contact_area
 syn keyword tsimKeyword  area_correction store_contact_data euler centre iterations spheres
 syn keyword tsimKeyword  relax seed distributiontemplate maxattempt overlapcheck all_in
 syn keyword tsimKeyword  random_distribute uncorrelated orientation set_property verbose

@@ -246,8 +246,7 @@ static void lay(void *data, size_t i)
 		return;
 	ts_share_centre(s->fluid, place, cell, TS_INTERPOLATE_LINEAR, &share);
 	ts_share_react(&s->fluid->grid, &share, -1, s->transport.value,
-		       s->given[i] / (s->fluid->density * s->capacity), 0, s->transport.source,
-		       s->transport.rate);
+		       s->given[i] / (s->fluid->density * s->capacity), 0, s->transport.source, NULL);
 }
 
 static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
