@@ -101,7 +101,9 @@ const struct ts_pair_style ts_pair_granular = {
 			  "and J J are mixed, if their laws are the same: geometric means, but E* = 1/((1 - nu_I^2)/E_I + (1 - "
 			  "nu_J^2)/E_J). Slip is seen with the radii as arms, torques with the distances to the contact point, as "
 			  "in LAMMPS, with whose results (29 Sep 2021) it agrees to round-off but for two faults there: its limit "
-			  "of friction is undefined with dmt, and types that are mixed forget their laws.",
+			  "of friction is undefined with dmt, and types that are mixed forget their laws.\n\n"
+			  "An oblique impact never gains energy, but for hooke with mindlin or mindlin_rescale: at its beginning, "
+			  "where a is small, the dashpot leaves a long spring, which is worth more when a has grown.",
 		   .cite = "S. Luding, Granul. Matter 10 (2008) 235; J. S. Marshall, J. Comput. Phys. 228 (2009) 1541; C. "
 			   "Thornton, S. J. Cummins, P. W. Cleary, Powder Technol. 233 (2013) 30",
 		   .example = "pair_style granular\n"
