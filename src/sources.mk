@@ -118,6 +118,8 @@ library_sources = \
 	src/flow/ghosts.c \
 	src/flow/grid.c \
 	src/flow/grid.h \
+	src/flow/hypre.c \
+	src/flow/hypre.h \
 	src/flow/immersed.c \
 	src/flow/immersed.h \
 	src/flow/immersed_place.c \
@@ -741,6 +743,7 @@ library_sources = \
 	src/styles/pair/spring_dashpot.c \
 	src/styles/pressure/cg.c \
 	src/styles/pressure/direct.c \
+	src/styles/pressure/hypre.c \
 	src/styles/pressure/multigrid.c \
 	src/styles/pressure/sor.c \
 	src/styles/region/block.c \

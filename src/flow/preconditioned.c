@@ -46,6 +46,8 @@ double ts_preconditioned_cost(const struct ts_preconditioned *c, const struct ts
 
 	for (int d = 0; d < 3; d++)
 		longest = problem->grid->n[d] > longest ? problem->grid->n[d] : longest;
+	if (wanted == TS_PRECONDITION_HYPRE)
+		return 14 * 36e-9 * cells;
 	if (wanted == TS_PRECONDITION_MULTIGRID)
 		return 13 * 30e-9 * cells;
 	if (wanted == TS_PRECONDITION_DIAGONAL)
@@ -59,6 +61,8 @@ void ts_preconditioned_release(struct ts_preconditioned *c)
 	ts_conjugate_release(&c->conjugate);
 	ts_direct_release(&c->direct);
 	ts_multigrid_release(&c->multigrid);
+	ts_hypre_release(c->hypre);
+	c->hypre = NULL;
 }
 
 enum ts_status ts_preconditioned_prepare(struct ts_preconditioned *c, struct tsim *sim,
@@ -75,6 +79,8 @@ enum ts_status ts_preconditioned_prepare(struct ts_preconditioned *c, struct tsi
 		status = ts_direct_make(&c->direct, problem, s->threads);
 	if (status == TS_OK && ((any && problem->weight[0]) || c->wanted == TS_PRECONDITION_MULTIGRID))
 		status = ts_multigrid_make(&c->multigrid, s);
+	if (status == TS_OK && c->wanted == TS_PRECONDITION_HYPRE && !(c->hypre = ts_hypre_make(s)))
+		status = TS_NOMEM;
 	if (status != TS_OK)
 		return ts_nomem(&sim->error);
 	c->direct.origin = s->origin;
@@ -112,6 +118,14 @@ enum ts_status ts_preconditioned_solve(struct ts_preconditioned *c, struct ts_in
 			ts_multigrid_weigh(&c->multigrid);
 		precondition = ts_multigrid_cycle;
 		context = &c->multigrid;
+	}
+	if (kind == TS_PRECONDITION_HYPRE) {
+		if (it->changed && ts_hypre_weigh(c->hypre) != TS_OK)
+			return ts_fail(&sim->error, TS_STATE, &self->where,
+				       "hypre cannot make a multigrid for this grid: choose another "
+				       "pressure_style");
+		precondition = ts_hypre_cycle;
+		context = c->hypre;
 	}
 	*report = ts_conjugate_solve(&c->conjugate, &it->stencil, precondition, context, it->b, it->p, goal,
 				     (int)it->most);

@@ -4,6 +4,7 @@
 
 #include "flow/conjugate.h"
 #include "flow/direct.h"
+#include "flow/hypre.h"
 #include "flow/multigrid.h"
 #include "flow/pressure.h"
 
@@ -11,7 +12,8 @@ enum ts_preconditioner {
 	TS_PRECONDITION_AUTO, /* for each solve direct, or multigrid where weights differ too much */
 	TS_PRECONDITION_DIAGONAL,
 	TS_PRECONDITION_DIRECT, /* the problem without weights */
-	TS_PRECONDITION_MULTIGRID
+	TS_PRECONDITION_MULTIGRID,
+	TS_PRECONDITION_HYPRE /* pressure_style hypre alone */
 };
 extern const char *const ts_preconditioner_names[];
 
@@ -21,6 +23,7 @@ struct ts_preconditioned {
 	struct ts_conjugate conjugate;
 	struct ts_direct direct;
 	struct ts_multigrid multigrid;
+	struct ts_hypre *hypre;
 };
 
 /* Seconds of a solve with the best of them, roughly. */

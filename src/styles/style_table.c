@@ -266,6 +266,7 @@ TS_STYLE(pair, ts_pair_style, ts_pair_granular)
 TS_STYLE(pair, ts_pair_style, ts_pair_spring_dashpot)
 TS_STYLE(pressure, ts_pressure_style, ts_pressure_cg)
 TS_STYLE(pressure, ts_pressure_style, ts_pressure_direct)
+TS_STYLE(pressure, ts_pressure_style, ts_pressure_hypre)
 TS_STYLE(pressure, ts_pressure_style, ts_pressure_multigrid)
 TS_STYLE(pressure, ts_pressure_style, ts_pressure_sor)
 TS_STYLE(region, ts_region_style, ts_region_block)
@@ -537,6 +538,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_pair_spring_dashpot.style,
 	&ts_pressure_cg.style,
 	&ts_pressure_direct.style,
+	&ts_pressure_hypre.style,
 	&ts_pressure_multigrid.style,
 	&ts_pressure_sor.style,
 	&ts_region_block.style,

@@ -209,7 +209,7 @@ syn match tsimHead /^\s*flow_style\s\+/ contains=tsimCommand,tsimVariable nextgr
 syn keyword tsim_flow contained projection uniform
 hi def link tsim_flow Type
 syn match tsimHead /^\s*pressure_style\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_pressure
-syn keyword tsim_pressure contained cg direct multigrid sor
+syn keyword tsim_pressure contained cg direct hypre multigrid sor
 hi def link tsim_pressure Type
 
 hi def link tsimCommand Statement
