@@ -4,6 +4,7 @@
 
 #include "deck.h"
 
+#include "base/alloc.h"
 #include "core/sim.h"
 #include "flow/flow.h"
 #include "flow/fluid.h"
@@ -412,6 +413,51 @@ START_TEST(bed)
 }
 END_TEST
 
+/* ---- the k-th allocation fails, for all k: a clean error, and nothing stays behind */
+
+static int use_all(struct tsim *sim)
+{
+	struct ts_instance *flow;
+	int code;
+
+	code = tsim_string(sim,
+			   "units si\nboundary f f p\ndimension 2\n"
+			   "region box block 0 2 0 1 -0.5 0.5 units box\ncreate_box 1 box\n"
+			   "variable y internal 0\nvariable u equal v_y*(1-v_y)\n"
+			   "flow_style projection cells 4 3 1 viscosity 0.05 density 1.7 time ab2 viscous implicit\n"
+			   "flow_grid y tanh 1.1\n"
+			   "flow_boundary xlo inlet velocity v_u 0 0 set y y\nflow_boundary xhi outlet\n"
+			   "flow_set velocity v_u 0 0 set y y\ntimestep 0.01\nrun 1\n"
+			   "flow_style projection cells 4 3 1 viscosity 0.05 density 1.7 time rk3\n");
+	if (code)
+		return code;
+	flow = ts_sim_only(sim, TS_KIND_FLOW);
+	if (ts_fluid_want(ts_flow_style_of(flow)->fluid(flow), sim, TS_FLUID_VOID | TS_FLUID_EXCHANGE) != TS_OK)
+		return TSIM_NOMEM;
+	return tsim_string(sim, "run 1");
+}
+
+START_TEST(out_of_memory)
+{
+	long before = ts_alloc_balance();
+	int code = TSIM_NOMEM;
+	long k = 0;
+
+	while (code) {
+		struct tsim *sim;
+
+		ts_alloc_fail_at(++k);
+		sim = tsim_open();
+		code = sim ? use_all(sim) : TSIM_NOMEM;
+		ts_alloc_fail_at(0);
+		ck_assert_msg(code == 0 || code == TSIM_NOMEM, "allocation %ld: %s", k, tsim_error(sim));
+		tsim_close(sim);
+		ck_assert_int_eq(ts_alloc_balance(), before);
+	}
+	ck_assert_int_gt(k, 100);
+}
+END_TEST
+
 int main(void)
 {
 	Suite *suite = suite_create("flow");
@@ -426,6 +472,7 @@ int main(void)
 	tcase_add_test(tcase, even_room);
 	tcase_add_test(tcase, uneven_room);
 	tcase_add_test(tcase, bed);
+	tcase_add_test(tcase, out_of_memory);
 	suite_add_tcase(suite, tcase);
 	return deck_main(suite);
 }

@@ -4,15 +4,6 @@
 
 #include "base/banned.h"
 
-enum ts_status ts_fluid_make(struct ts_fluid *fluid)
-{
-	for (int d = 0; d < 3; d++)
-		if (!(fluid->u[d] = ts_grid_field(&fluid->grid)))
-			return TS_NOMEM;
-	fluid->p = ts_grid_field(&fluid->grid);
-	return fluid->p ? TS_OK : TS_NOMEM;
-}
-
 static void release_vector(double *field[3])
 {
 	for (int d = 0; d < 3; d++) {
@@ -55,6 +46,12 @@ static enum ts_status want_vector(const struct ts_grid *grid, double *field[3], 
 	for (int d = 0; d < 3; d++)
 		TS_TRY(want_field(grid, &field[d], value));
 	return TS_OK;
+}
+
+enum ts_status ts_fluid_make(struct ts_fluid *fluid)
+{
+	TS_TRY(want_vector(&fluid->grid, fluid->u, 0));
+	return want_field(&fluid->grid, &fluid->p, 0);
 }
 
 enum ts_status ts_fluid_want(struct ts_fluid *fluid, struct tsim *sim, unsigned fields)

@@ -95,20 +95,19 @@ static enum ts_status remake(struct ts_projection *p, const double *const face[3
 	struct ts_fluid *fluid = &p->fluid;
 	const int n[3] = { (int)p->cells[0], (int)p->cells[1], (int)p->cells[2] };
 
-	if (is_as(&fluid->grid, face, periodic))
+	if (is_as(&fluid->grid, face, periodic) && p->rhs)
 		return TS_OK;
 	p->pressure = NULL;
 	ts_operators_release(&p->operators);
 	ts_grid_release(&fluid->grid);
 	TS_TRY(ts_grid_make(&fluid->grid, n[2] == 1 ? 2 : 3, n, face, periodic));
 	TS_TRY(ts_operators_make(&p->operators, &fluid->grid));
-	if (fluid->p)
-		return TS_OK;
 	TS_TRY(ts_fluid_make(fluid));
 	for (int d = 0; d < 3; d++)
-		if (!(p->work[d] = ts_grid_field(&fluid->grid)))
+		if (!p->work[d] && !(p->work[d] = ts_grid_field(&fluid->grid)))
 			return TS_NOMEM;
-	p->rhs = ts_grid_field(&fluid->grid);
+	if (!p->rhs)
+		p->rhs = ts_grid_field(&fluid->grid);
 	return p->rhs ? TS_OK : TS_NOMEM;
 }
 
