@@ -45,6 +45,43 @@ fix d all drag/koch_hill void 1.3" 'void'
 rejects "$solved
 fix e all void_fraction reach 0" 'reach'
 
+# ---- without particles; where the fluid or the void fraction goes
+empty='units si
+boundary p p f
+newton off
+communicate single vel yes
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+flow_style projection cells 8 8 8 viscosity 1 density 1000
+fix e all void_fraction
+fix d all drag/wen_yu scheme exact
+fix l all lift/magnus
+fix s all lift/saffman
+fix a all added_mass
+fix p all flow/pressure_gradient
+fix T all flow/scalar initial 3 conductivity 1
+fix m all nve/sphere
+timestep 1e-4
+run 3'
+agree 'no particles' "$empty
+print 'is void \$(f_e[1]) 1'
+print 'is drag \$(f_d[1]) 0'
+print 'is heat \$(f_T[1]/3000) 1'"
+agree 'another grid' "$empty
+flow_style projection cells 4 4 4 viscosity 1 density 1000
+run 2
+print 'is void \$(f_e[1]) 1'
+print 'is heat \$(f_T[1]/3000) 1'"
+rejects "$empty
+flow_style projection cells 4 4 4 viscosity 1 density 1000
+print \"\$(f_e[1])\"" 'the fluid is another one now'
+rejects "$empty
+flow_style projection cells 4 4 4 viscosity 1 density 1000
+print \"\$(f_T[1])\"" 'the fluid is another one now'
+rejects "$empty
+unfix e
+run 1" 'needs the void fraction'
+
 # ---- limits: explicit drag is stable below 2 tau, tau = rho d^2/(18 mu); also where slip grows in the run
 rejects "$still
 fix d all drag/stokes
