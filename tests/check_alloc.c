@@ -138,6 +138,34 @@ static const char fluid[] = "units si\n"
 			    "run 2\n"
 			    "write_restart fluid\n";
 
+/* A body in a fluid, and what comes out of it. */
+static const char wet[] = "units si\n"
+			  "boundary f f f\n"
+			  "region box block 0 1 0 1 0 1 units box\n"
+			  "region rod cylinder z 0.5 0.5 0.2 INF INF units box\n"
+			  "create_box 1 box\n"
+			  "variable yy internal 0\n"
+			  "variable u equal v_yy*(1-v_yy)+step\n"
+			  "flow_style projection cells 4 4 4 viscosity 0.1 density 2 time ab2 body_force v_u 0 0\n"
+			  "flow_grid y tanh 1.2\n"
+			  "flow_boundary xlo inlet velocity v_u 0 0 set y yy\n"
+			  "flow_boundary xhi outlet\n"
+			  "flow_set velocity v_u 0 0 set y yy\n"
+			  "pressure_style multigrid\n"
+			  "fix T all flow/scalar conductivity 0.1 initial v_u set y yy xlo value v_u\n"
+			  "fix rod all immersed/boundary region rod\n"
+			  "compute probe all flow/probe 0.1 0.2 0.3 0.5 0.5 0.5 values vx f_T\n"
+			  "compute line all flow/line cells y 0.5 0.5\n"
+			  "compute plane all flow/plane x 0.5 values p wz\n"
+			  "compute flux all flow/flux x 0.5 region rod\n"
+			  "compute force all flow/force ylo\n"
+			  "fix mean all ave/time 1 1 2 c_plane[*] mode vector\n"
+			  "dump d all flow/vtk 1 wet*.vtr\n"
+			  "thermo_style custom step flow_ke c_probe[1] c_line[2][1] c_flux c_force[7]\n"
+			  "timestep 1e-4\n"
+			  "run 1\n"
+			  "write_restart wet\n";
+
 /* True when the failure has not happened yet: the next allocations fails then. */
 static bool survived(void)
 {
@@ -188,8 +216,10 @@ static void each_allocation(const char *text)
 
 START_TEST(fails)
 {
+	static const char *const texts[] = { script, again, more, fluid, wet };
+
 	ck_assert_int_eq(try(script, 0), TS_OK); /* leaves the restart file */
-	each_allocation(_i == 0 ? script : _i == 1 ? again : _i == 2 ? more : fluid);
+	each_allocation(texts[_i]);
 }
 END_TEST
 
@@ -234,7 +264,7 @@ int main(void)
 
 	tcase_set_timeout(all, 120);
 	tcase_add_checked_fixture(all, enter, leave);
-	tcase_add_loop_test(all, fails, 0, 4);
+	tcase_add_loop_test(all, fails, 0, 5);
 	tcase_add_test(all, goes_on);
 	suite_add_tcase(suite, all);
 	return deck_main(suite);

@@ -70,6 +70,9 @@ flow_style projection cells 80000 60000 50000 viscosity 1 density 2' 'out of mem
 rejects 'include box
 flow_style projection cells 8 6 5 viscosity -1 density 2' 'viscosity is -1, expected a number >= 0'
 rejects 'include box
+flow_style projection cells 8 6 5 viscosity 0 density 2 viscous implicit
+run 1' 'viscous implicit has no viscosity to work on'
+rejects 'include box
 flow_style projection cells 8 6 5 viscosity 1 density 0' 'density is 0, expected a number > 0'
 rejects 'include box
 flow_style projection cells 8 6 5 viscosity 1 density 2 region bix' "no region 'bix'; did you mean 'box'?"

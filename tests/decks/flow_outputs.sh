@@ -110,6 +110,27 @@ END
 "$TSIM" -in in.table -log none >out 2>&1 && [ "$(grep -vc '^#' line.txt)" = 12 ]
 report 'a line in a file, keywords in the log' $? out
 
+# two threads that share even short loops: the same bytes
+cat >in.threads <<'END'
+if "${threads} > 1" then "package omp ${threads} grain 1"
+include duct
+flow_boundary yhi wall velocity 1 0 0.3
+compute yhi all flow/force yhi
+compute flux all flow/flux x 0.385
+thermo 5
+thermo_style custom step flow_ke flow_div flow_cfl flow_res c_yhi[2] c_yhi[7] c_flux
+thermo_modify format float %.17g
+timestep 5e-3
+dump d all flow/vtk 20 ${threads}.*.vti
+run 20
+END
+for threads in 1 2; do
+	OMP_WAIT_POLICY=passive "$TSIM" -in in.threads -var threads $threads -log none >out.$threads 2>&1
+	rows out.$threads >rows.$threads
+done
+same 'two threads: the log' rows.1 rows.2
+same 'two threads: the fields' 1.20.vti 2.20.vti
+
 rejects 'include duct
 compute p all flow/probe 0.1 0.2' "flow/probe: 2 numbers, expected three for each point"
 rejects 'include duct
