@@ -13,12 +13,16 @@
  * of divergence, as those inside are: with all of it, their pressure would grow in each step. */
 static const double BAND_PRESSURE = 0.5;
 
-/* What the projection will take from u at a point of component c, as far as it is known: dt/rho dp/dx. */
-static double pressure_part(const struct ts_fluid *fluid, int c, size_t at, int index, double dt)
+/* What u at a point of component c has to have more than the velocity wanted, so that this share of the gradient
+ * of the pressure before, dt/rho dp/dx, which the projection will take from it again, is allowed for.
+ * Predictors that have that gradient in them already have too little of it, for shares below 1. */
+static double pressure_part(const struct ts_fluid *fluid, int c, size_t at, int index, double dt,
+			    double share)
 {
 	const struct ts_grid *grid = &fluid->grid;
 
-	return dt / fluid->density * (fluid->p[at] - fluid->p[at - (size_t)grid->stride[c]]) /
+	share = fluid->pressure_ahead ? 0 : share;
+	return share * dt / fluid->density * (fluid->p[at] - fluid->p[at - (size_t)grid->stride[c]]) /
 	       grid->gap[c][index];
 }
 
@@ -42,7 +46,8 @@ static double outer_velocity(const struct ts_fluid *fluid, int c, const struct t
 				}
 				if (w != 0)
 					sum += w * (fluid->u[c][at] -
-						    pressure_part(fluid, c, at, b->index + step[c], dt));
+						    pressure_part(fluid, c, at, b->index + step[c], dt,
+								  1));
 			}
 	return sum;
 }
@@ -59,8 +64,7 @@ static void force_inside(struct ts_immersed *ib, struct ts_fluid *fluid, int c, 
 			band++;
 		else
 			fluid->u[c][p->at] =
-				p->target +
-				(p->deep ? 0 : pressure_part(fluid, c, p->at, p->index, dt));
+				p->target + pressure_part(fluid, c, p->at, p->index, dt, p->deep ? 0 : 1);
 	}
 }
 
@@ -70,7 +74,7 @@ static void force_band(struct ts_immersed *ib, struct ts_fluid *fluid, int c, do
 		struct ts_immersed_band *b = &ib->band[k];
 		const struct ts_immersed_point *p = &ib->point[b->point];
 		double u = b->surface +
-			   BAND_PRESSURE * pressure_part(fluid, c, p->at, p->index, dt);
+			   pressure_part(fluid, c, p->at, p->index, dt, BAND_PRESSURE);
 
 		for (int m = 0; m < 2; m++)
 			u += b->out[m].count *

@@ -452,7 +452,8 @@ const struct ts_style ts_fix_immersed_boundary = {
 	       "The force is what the forcing gave to the fluid, with the opposite sign, and the rate of the momentum\n"
 	       "of the fluid inside,\n\n"
 	       "    F = -sum rho (u_forced - u) V/dt + d/dt int rho u dV,\n\n"
-	       "0 before the first step. A body that is nowhere thicker than two cells leaks, with a warning.",
+	       "0 before the first step. With `viscous implicit` velocities beside the body lag behind by an error of\n"
+	       "first order in the step: keep that near h^2/nu. A body nowhere thicker than two cells leaks, with a warning.",
 	.example = "region rod cylinder z 0 0 0.5 INF INF units box\n"
 		   "fix rod all immersed/boundary region rod\n"
 		   "fix spin all immersed/boundary region rod omega 0 0 2.385\n"
