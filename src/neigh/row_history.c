@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "neigh/row_loop.h"
+
 #include "base/banned.h"
 
 static int32_t opposite(int32_t winding)
@@ -79,14 +81,23 @@ static void copy_force(double to[3], const double from[3], bool swapped)
 		to[k] = swapped ? -from[k] : from[k];
 }
 
-enum ts_status ts_row_history_take(struct tsim *sim, const struct ts_rows *rows, bool forces,
-				   struct ts_row_history *h)
+static bool taken(const struct ts_rows *rows, size_t r, bool memories)
+{
+	bool is = rows->touching[r];
+
+	for (size_t c = 0; memories && !is && c < rows->history_width; c++)
+		is = rows->history[r * rows->history_width + c] != 0;
+	return is;
+}
+
+static enum ts_status take(struct tsim *sim, const struct ts_rows *rows, bool forces, bool memories,
+			   struct ts_row_history *h)
 {
 	size_t n = 0;
 
-	*h = (struct ts_row_history){ .width = rows->history_width };
+	*h = (struct ts_row_history){ .width = rows->history_width, .overlapping = memories };
 	for (size_t r = 0; (h->width || forces) && r < rows->n; r++)
-		n += rows->touching[r];
+		n += taken(rows, r, memories);
 	if (!n)
 		return TS_OK;
 	TS_TRY(allocate(sim, h, n, forces));
@@ -94,7 +105,7 @@ enum ts_status ts_row_history_take(struct tsim *sim, const struct ts_rows *rows,
 		bool swapped;
 		int32_t *slot;
 
-		if (!rows->touching[r])
+		if (!taken(rows, r, memories))
 			continue;
 		h->key[h->n] = key_of(rows, r, &swapped);
 		slot = find(h, &h->key[h->n]);
@@ -110,6 +121,18 @@ enum ts_status ts_row_history_take(struct tsim *sim, const struct ts_rows *rows,
 	return TS_OK;
 }
 
+enum ts_status ts_row_history_take(struct tsim *sim, const struct ts_rows *rows, bool forces,
+				   struct ts_row_history *h)
+{
+	return take(sim, rows, forces, false, h);
+}
+
+enum ts_status ts_row_history_take_memories(struct tsim *sim, const struct ts_rows *rows, bool forces,
+					    struct ts_row_history *h)
+{
+	return take(sim, rows, forces, true, h);
+}
+
 /* A pair that has come to a periodic face, or left it, has one row where it had two or two for one. */
 static int32_t find_either(const struct ts_row_history *h, struct ts_row_key key)
 {
@@ -119,14 +142,23 @@ static int32_t find_either(const struct ts_row_history *h, struct ts_row_key key
 	return slot ? slot : *find(h, &key);
 }
 
-void ts_row_history_give(const struct ts_row_history *h, struct ts_rows *rows)
+static bool overlap(const struct ts_particles *p, const struct ts_rows *rows, size_t r)
+{
+	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
+	double d[3], sum = p->radius[i] + p->radius[j];
+
+	return ts_row_distance2(p, i, j, d) < sum * sum;
+}
+
+void ts_row_history_give(const struct ts_row_history *h, const struct ts_particles *p,
+			 struct ts_rows *rows)
 {
 	for (size_t r = 0; h->n && r < rows->n; r++) {
 		bool swapped;
 		struct ts_row_key key = key_of(rows, r, &swapped);
 		int32_t slot = find_either(h, key);
 
-		if (!slot)
+		if (!slot || (h->overlapping && !overlap(p, rows, r)))
 			continue;
 		rows->touching[r] = 1;
 		if (h->width)

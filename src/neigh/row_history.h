@@ -14,14 +14,20 @@ struct ts_row_history {
 	double *value;	    /* width numbers each, as seen from the smaller tag */
 	double (*force)[3]; /* on the smaller tag; NULL: not kept */
 	int32_t *slot;	    /* open addressing: index of key + 1, 0 free */
+	bool overlapping;   /* only rows whose partners overlap now get it */
 };
 
 /* Copies out the history of the touching rows, and if asked their forces: a run that goes on with
  * the forces of the last step shows the contacts of that step. */
 enum ts_status ts_row_history_take(struct tsim *sim, const struct ts_rows *rows, bool forces,
 				   struct ts_row_history *h);
+/* As LIGGGHTS: of all rows that remember something, also those that have parted, for such as overlap when it is
+ * given. */
+enum ts_status ts_row_history_take_memories(struct tsim *sim, const struct ts_rows *rows, bool forces,
+					    struct ts_row_history *h);
 /* Gives it to the rows of the same partners. */
-void ts_row_history_give(const struct ts_row_history *h, struct ts_rows *rows);
+void ts_row_history_give(const struct ts_row_history *h, const struct ts_particles *p,
+			 struct ts_rows *rows);
 void ts_row_history_release(struct ts_row_history *h);
 /* Restart files. */
 enum ts_status ts_row_history_archive(struct ts_archive *archive, struct tsim *sim,

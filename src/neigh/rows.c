@@ -243,13 +243,16 @@ static enum ts_status build(struct tsim *sim, struct ts_rows *rows, const struct
 	TS_TRY(search_all(sim, s, found, shares));
 	for (int t = 0; t < shares; t++)
 		total += found[t].n;
-	TS_TRY(ts_row_history_take(sim, rows, sim->resuming, &old));
+	if (sim->legacy)
+		TS_TRY(ts_row_history_take_memories(sim, rows, sim->resuming, &old));
+	else
+		TS_TRY(ts_row_history_take(sim, rows, sim->resuming, &old));
 	status = reserve(rows, total);
 	if (status == TS_OK) {
 		rows->n = total;
 		rows->particles = s->p->n;
 		fill_rows(rows, s->p, found, shares);
-		ts_row_history_give(&old, rows);
+		ts_row_history_give(&old, s->p, rows);
 		status = ts_gather_index(&rows->gather, s->p->n, rows->n, row_end, partner_key,
 					 rows);
 	}
