@@ -28,6 +28,12 @@ static const struct ts_granular_pair stuff = {
 	.unloading = 3.1,
 	.adhesion = 0.31,
 	.plasticity = 0.0031,
+	.surface_energy = 0.53,
+	.roll_stiffness = 1.1e4,
+	.roll_damping = 0.31,
+	.twist_stiffness = 0.23,
+	.twist_damping = 1.7e-5,
+	.twist_friction = 0.0011,
 };
 
 /* Two spheres that overlap along an oblique line, or the first of them and a wall. */
@@ -55,6 +61,7 @@ static struct ts_granular_force contact(const struct ts_granular_model *m, struc
 {
 	struct ts_granular_force f;
 
+	ts_granular_arms(m, &t);
 	ts_touch_motion(&t, v, wi, wj);
 	ts_granular_contact(m, &stuff, &t, 1e-5, true, memory, &f);
 	return f;
@@ -86,15 +93,22 @@ START_TEST(hertz_and_hooke_at_rest)
 }
 END_TEST
 
-/* Every law: what acts on j is what acts on i when the partners change places, reversed. */
-START_TEST(partners_change_places)
+static struct ts_granular_model area_model(int i)
+{
+	return (struct ts_granular_model){ .normal = TS_NORMAL_AREA_HOOKE + i % 4,
+					   .tangential = TS_TANGENTIAL_LINEAR + i / 4 % 5,
+					   .rolling = i / 20 % 2 ? TS_ROLLING_SDS : TS_ROLLING_OFF,
+					   .twisting = i / 40 % 3,
+					   .damping = i % 3 ? TS_DAMPING_VISCOELASTIC : TS_DAMPING_TSUJI,
+					   .full_slip = true,
+					   .wide = i % 7 == 0 };
+}
+
+/* What acts on j is what acts on i when the partners change places, reversed. */
+static void change_places(struct ts_granular_model m)
 {
 	const double v[3] = { 0.31, -0.27, -0.83 }, back[3] = { -0.31, 0.27, 0.83 };
 	const double wi[3] = { 3.1, -2.3, 7.7 }, wj[3] = { -1.3, 4.1, -5.9 };
-	struct ts_granular_model m = { .normal = 1 + _i % (TS_NNORMAL - 1),
-				       .tangential = _i / 6 % TS_NTANGENTIAL,
-				       .rolling = _i / 24 % 5,
-				       .cohesion = _i / 120 % 3 };
 	double memory[2][TS_GRANULAR_MEMORY] = { { 0 } };
 	signed char sign[TS_GRANULAR_MEMORY + 1];
 	struct ts_touch t = touch(0.0123, 0.0231, 0.00037, false);
@@ -120,15 +134,47 @@ START_TEST(partners_change_places)
 			ck_assert_double_eq_tol(memory[0][k], sign[k] * memory[1][k], 1e-12);
 	}
 }
+
+START_TEST(partners_change_places)
+{
+	change_places((struct ts_granular_model){ .normal = 1 + _i % TS_NORMAL_HOOKE_HYSTERESIS,
+						  .tangential = _i / 6 % (TS_TANGENTIAL_SLIDER + 1),
+						  .rolling = _i / 24 % 5,
+						  .cohesion = _i / 120 % 3 });
+}
+END_TEST
+
+START_TEST(area_partners_change_places)
+{
+	change_places(area_model(_i));
+}
+END_TEST
+
+/* delta(a) and its inverse; the force where surfaces part is 3 pi w R, and nowhere do they pull more. */
+START_TEST(sticky_surfaces)
+{
+	struct ts_granular_model m = { .normal = TS_NORMAL_AREA_JKR };
+	double r = 0.0081, e = ts_jkr_modulus(&stuff), q = TS_PI * stuff.surface_energy / e;
+	double reach = ts_jkr_reach(&stuff, r), most = 3 * TS_PI * stuff.surface_energy * r;
+
+	for (int k = 0; k <= 40; k++) {
+		double delta = -reach + k * k * 2.385e-7, a = ts_jkr_radius(&stuff, r, delta);
+		struct ts_touch t = { .r_eff = r, .m_eff = 1, .overlap = delta };
+		struct ts_normal n;
+
+		ts_normal_force(&m, &stuff, &t, false, NULL, &n);
+		ck_assert_double_eq_tol(a * a / r - 2 * sqrt(q * a), delta, 1e-9 * (reach + fabs(delta)));
+		ck_assert_double_ge(n.force, -most * (1 + 1e-9));
+		if (k == 0)
+			close_to(n.force, -most, 1e-6);
+	}
+}
 END_TEST
 
 /* A very large, heavy partner at rest is a wall; of sjkr2 the wall has half. */
-START_TEST(wall_is_the_limit)
+static void approach_wall(struct ts_granular_model m)
 {
 	const double v[3] = { 0.31, -0.27, -0.83 }, w[3] = { 3.1, -2.3, 7.7 }, still[3] = { 0 };
-	struct ts_granular_model m = { .normal = 1 + _i % (TS_NNORMAL - 1),
-				       .tangential = _i / 6 % TS_NTANGENTIAL,
-				       .cohesion = _i / 24 % 2 };
 	double memory[2][TS_GRANULAR_MEMORY] = { { 0 } };
 	struct ts_touch pair = touch(0.0123, 1e5, 0.00037, false);
 	struct ts_touch wall = touch(0.0123, 0, 0.00037, true);
@@ -140,6 +186,19 @@ START_TEST(wall_is_the_limit)
 		ck_assert_double_eq_tol(a.force[k], b.force[k], 1e-5 * ts_norm(b.force));
 		ck_assert_double_eq_tol(a.turn[k], b.turn[k], 1e-5 * ts_norm(b.force));
 	}
+}
+
+START_TEST(wall_is_the_limit)
+{
+	approach_wall((struct ts_granular_model){ .normal = 1 + _i % TS_NORMAL_HOOKE_HYSTERESIS,
+						  .tangential = _i / 6 % (TS_TANGENTIAL_SLIDER + 1),
+						  .cohesion = _i / 24 % 2 });
+}
+END_TEST
+
+START_TEST(wall_is_the_limit_of_areas)
+{
+	approach_wall(area_model(_i));
 }
 END_TEST
 
@@ -227,7 +286,10 @@ int main(void)
 
 	tcase_add_test(c, hertz_and_hooke_at_rest);
 	tcase_add_loop_test(c, partners_change_places, 0, 360);
+	tcase_add_loop_test(c, area_partners_change_places, 0, 120);
 	tcase_add_loop_test(c, wall_is_the_limit, 0, 48);
+	tcase_add_loop_test(c, wall_is_the_limit_of_areas, 0, 120);
+	tcase_add_test(c, sticky_surfaces);
 	tcase_add_loop_test(c, restitution_is_kept, 0, 8);
 	tcase_add_test(c, hysteresis_loses_energy);
 	tcase_add_test(c, friction_is_limited);

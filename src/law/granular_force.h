@@ -69,11 +69,15 @@ static inline int ts_granular_met_at(const struct ts_granular_model *m)
 	return ts_granular_area_at(m) + (m->wide || ts_tangential_rescales(m));
 }
 
-/* What changes sign when i and j change places: the vectors. */
+/* What changes sign when i and j change places: slip, and torques of rolling. The way that sds has rolled,
+ * w x n, does not. */
 static inline void ts_granular_memory_signs(const struct ts_granular_model *m, signed char sign[])
 {
+	bool turns = !m->wide && m->rolling != TS_ROLLING_SDS;
+	int odd = turns ? ts_granular_depth_at(m) : ts_granular_rolling_at(m);
+
 	for (int k = 0; k <= ts_granular_met_at(m); k++)
-		sign[k] = k < ts_granular_depth_at(m) ? -1 : 1;
+		sign[k] = k < odd ? -1 : 1;
 }
 
 enum { TS_GRANULAR_MEMORY = 9 }; /* at most */
