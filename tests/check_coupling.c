@@ -305,6 +305,38 @@ START_TEST(momentum_is_kept)
 }
 END_TEST
 
+/* Evenly spread spheres and their fluid come to one velocity: the slip dies by exp(-(1 + M) t/tau), M the mass of
+ * the spheres by that of the fluid. The error falls with the step. */
+static double slip_error(const char *scheme, int steps)
+{
+	const double tau = 2385 * 0.05 * 0.05 / (18 * 2.236), load = 512 * 2385 * PI / 6 * pow(0.05, 3) / 238.5;
+	const double time = 0.1;
+	struct tsim *sim = deck_open("units si\nboundary p p p\nnewton off\ncommunicate single vel yes\n"
+				     "region box block 0 1 0 1 0 1 units box\ncreate_box 1 box\n"
+				     "lattice sc 0.125 origin 0.5 0.5 0.5\ncreate_atoms 1 box\n"
+				     "set group all diameter 0.05 density 2385\n"
+				     "flow_style projection cells 4 4 4 viscosity 2.236 density 238.5\n"
+				     "velocity all set 0.3 0 0\nfix d all drag/stokes scheme %s\nfix m all nve\n"
+				     "timestep %.17g\nrun %d",
+				     scheme, time / steps, steps);
+	double v[512], slip;
+
+	deck_column(sim, "vx", v, 512, 0);
+	slip = (v[0] - fluid_of(sim)->u[0][ts_at(&fluid_of(sim)->grid, 1, 1, 1)]) / 0.3;
+	DECK_NEAR(v[7], v[0], 1e-12);
+	tsim_close(sim);
+	return fabs(slip / exp(-(1 + load) * time / tau) - 1);
+}
+
+START_TEST(slip_dies_out)
+{
+	static const char *const schemes[] = { "explicit", "exact", "implicit", "exact lagged yes" };
+	double coarse = slip_error(schemes[_i], 20), fine = slip_error(schemes[_i], 80);
+
+	ck_assert_msg(fine < 0.03 && fine < 0.4 * coarse, "%s: %g, %g", schemes[_i], coarse, fine);
+}
+END_TEST
+
 /* The pressure drop of a bed that is held, by the step. */
 static double bed_drop(double step)
 {
@@ -345,6 +377,7 @@ int main(void)
 	tcase_add_loop_test(c, void_fraction_keeps_the_volume, 0, 3);
 	tcase_add_loop_test(c, fields_do_not_depend_on_order, 0, 2);
 	tcase_add_loop_test(c, momentum_is_kept, 0, 8);
+	tcase_add_loop_test(c, slip_dies_out, 0, 4);
 	tcase_add_test(c, drop_does_not_depend_on_the_step);
 	suite_add_tcase(suite, c);
 	return deck_main(suite);
