@@ -79,6 +79,7 @@ shell_tests = \
 	tests/decks/outflow.sh \
 	tests/decks/plane.sh \
 	tests/decks/pour.sh \
+	tests/decks/pressure.sh \
 	tests/decks/refusals.sh \
 	tests/decks/region_walls.sh \
 	tests/decks/regions.sh \
