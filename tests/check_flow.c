@@ -413,6 +413,27 @@ START_TEST(bed)
 }
 END_TEST
 
+/* What flows in by an uneven void fraction does not balance, though the velocities do. */
+START_TEST(uneven_inflow)
+{
+	struct tsim *sim = deck_open(box[0], "f f p");
+	struct ts_fluid *fluid;
+
+	deck(sim, "flow_style projection cells 8 6 1 viscosity 0.05 density 1.7\n"
+		  "flow_boundary xlo inlet velocity 0.31 0 0\nflow_boundary xhi inlet velocity 0.31 0 0\n"
+		  "timestep 0.01\nrun 2\n");
+	fluid = fluid_of(sim);
+	ck_assert_int_eq(ts_fluid_want(fluid, sim, TS_FLUID_VOID), TS_OK);
+	set_room(fluid, 0.6, 0);
+	deck(sim, "run 2");
+	for (int j = 0; j < 6; j++)
+		fluid->empty[ts_at(&fluid->grid, 7, j, 0)] = 0.5;
+	ck_assert(!deck_accepts(sim, "run 1"));
+	ck_assert_ptr_nonnull(strstr(tsim_error(sim), "incompressible"));
+	tsim_close(sim);
+}
+END_TEST
+
 /* ---- the k-th allocation fails, for all k: a clean error, and nothing stays behind */
 
 static int use_all(struct tsim *sim)
@@ -472,6 +493,7 @@ int main(void)
 	tcase_add_test(tcase, even_room);
 	tcase_add_test(tcase, uneven_room);
 	tcase_add_test(tcase, bed);
+	tcase_add_test(tcase, uneven_inflow);
 	tcase_add_test(tcase, out_of_memory);
 	suite_add_tcase(suite, tcase);
 	return deck_main(suite);

@@ -175,6 +175,8 @@ static enum ts_status evaluate(struct ts_projection *p, struct tsim *sim, int d,
 	struct ts_flow_given *now = &p->now[d][side];
 	bool set = condition->set[0] || condition->set[1] || condition->set[2];
 
+	if (condition->once && sim->running)
+		return TS_OK;
 	for (int c = 0; c < grid->dimensions; c++) {
 		bool over_face = set && condition->velocity[c].variable;
 

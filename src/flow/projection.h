@@ -21,6 +21,7 @@ extern const char *const ts_flow_face_names[]; /* of enum ts_flow_face */
 struct ts_flow_condition {
 	enum ts_flow_face kind;
 	bool said; /* else the default */
+	bool once; /* velocities are evaluated when a run begins, not in each step */
 	struct ts_number velocity[3];
 	const char *set[3]; /* internal variables that get coordinates, or NULL */
 	struct ts_place where;

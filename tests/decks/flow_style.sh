@@ -73,6 +73,18 @@ timestep 0.005
 run 20
 print \"steps \$(flow_steps>20) time \$(flow_time:%.3f)\"" 'steps 1 time 0.100'
 
+# ---- formulas of faces: in each step, or once in a run
+for update in step once; do
+	prints "$fluid
+variable u equal 0.1*step
+flow_boundary yhi wall velocity v_u 0 0 update $update
+timestep 0.001
+run 7
+run 3
+compute p all flow/probe 1.0 1.0 0
+print \"lid \$(c_p[1]:%.3f)\"" "lid $([ $update = step ] && echo 1.000 || echo 0.700)"
+done
+
 # ---- a part of the box: Poiseuille flow in it, between faces of its own
 prints "$box
 region part block 0.5 1.3 0.2 0.7 INF INF units box

@@ -43,13 +43,13 @@ syn keyword tsimKeyword  none zlib lz4 flush pbc binary fileper nfile screen
 syn match tsimKeyword /\<log\>/ 
 syn keyword tsimKeyword  both xlo xhi ylo yhi zlo zhi periodic wall slip inlet outlet
 syn match tsimKeyword /\<velocity\>/ 
-syn keyword tsimKeyword  uniform geometric fine lo hi tanh around before inside faces type
-syn keyword tsimKeyword  union subtract intersect empty initialize
+syn keyword tsimKeyword  update step once uniform geometric fine lo hi tanh around before
+syn keyword tsimKeyword  inside faces type union subtract intersect empty initialize
 syn match tsimKeyword /\<clear\>/ 
 syn keyword tsimKeyword  delete dynamic static
 syn match tsimKeyword /\<include\>/ 
 syn keyword tsimKeyword  molecule sc bcc fcc hcp diamond sq sq2 hex custom origin orient
-syn keyword tsimKeyword  spacing a1 a2 a3 file check binsize page one once cluster
+syn keyword tsimKeyword  spacing a1 a2 a3 file check binsize page one cluster
 syn keyword tsimKeyword  collection/type collection/interval exclude bin nsq omp grain
 syn keyword tsimKeyword  shift tail mix arithmetic sixthpower universe grid part numa add
 syn keyword tsimKeyword  offset nocoeff extra/atom/types extra/bond/types extra/angle/types

@@ -6,8 +6,11 @@
 enum { NFACES = 6 };
 static const char *const face_names[] = { "xlo", "xhi", "ylo", "yhi", "zlo", "zhi", "all", NULL };
 
+enum { EACH_STEP, ONCE };
+static const char *const updates[] = { "step", "once", NULL };
+
 struct state {
-	int face, kind;
+	int face, kind, update;
 	struct ts_words velocity, set;
 };
 
@@ -31,7 +34,7 @@ static enum ts_status refuse(struct tsim *sim, const struct state *s, const stru
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct state *s = state;
-	struct ts_flow_condition condition = { .kind = (enum ts_flow_face)s->kind, .said = true,
+	struct ts_flow_condition condition = { .kind = (enum ts_flow_face)s->kind, .said = true, .once = s->update == ONCE,
 					       .where = *where };
 	struct ts_projection *projection;
 	struct ts_instance *flow;
@@ -63,6 +66,9 @@ static const struct ts_arg args[] = {
 	TS_SOME_KEYWORD("set", struct state, set, TS_REPEAT,
 			.help = "x|y|z name: internal-style variable that gets the coordinate of each point "
 				"of the face before the velocity is evaluated; may be repeated"),
+	TS_ENUM("update", struct state, update, updates, .fallback = "step",
+		.help = "when velocities are evaluated: in each step, or once when a run begins, which is enough "
+			"for formulas of the place alone"),
 	TS_ARGS_END,
 };
 
@@ -77,7 +83,8 @@ const struct ts_command_style ts_command_flow_boundary = {
 			  "as in a plane of symmetry. inlet: the velocity is given. outlet: pressure zero, the "
 			  "velocity does not change along the normal; where fluid comes back in, it brings no "
 			  "momentum.\n\n"
-			  "Velocities may be equal-style variables, evaluated in each step. With `set y yy` the "
+			  "Velocities may be equal-style variables, evaluated in each step; with `update once` when a run "
+			  "begins. With `set y yy` the "
 			  "internal-style variable yy gets the coordinate of each point of the face before, for "
 			  "profiles.",
 		   .example = "flow_boundary yhi wall velocity 1 0 0\n"
