@@ -25,7 +25,9 @@ order() {
 }
 
 results 'channel' poiseuille -var N 5 -var within 0.03
-results 'channel' poiseuille -var N 10
+results 'channel' poiseuille -var N 10 -var out "$work/channel"
+[ "$(grep -vc '^#' channel)" = 101 ]
+report 'file of the channel' $? channel
 order 'profile of a channel' 1.9 plates.inlet.5.profile plates.inlet.10.profile
 # a parabola is exact in the scheme, whatever the grid
 results 'channel, pulled along' poiseuille -var N 4 -var drive force -var within 1e-6
@@ -48,9 +50,14 @@ order 'vortices' 1.9 taylor_green.16.velocity taylor_green.32.velocity
 
 results 'cavity' cavity -var N 16 -var longest 25 -var steady 0
 results 'cavity' cavity -var N 32 -var longest 25 -var steady 0 -var within 0.005
+results 'cavity, graded' cavity -var N 16 -var tanh 1.2 -var convection quick -var within 0.009 -var out "$work/cavity"
+[ "$(grep -vc '^#' cavity.u)" = 130 ] && [ -s cavity.pvd ] && ls cavity*.vtr >/dev/null
+report 'files of the cavity' $? out
 order 'cavity' 1.8 cavity.100.16.central.fv.u cavity.100.32.central.fv.u
 
-results 'slider bearing' bearing -var N 8 -var aspect 12
+results 'slider bearing' bearing -var N 8 -var aspect 12 -var out "$work/bearing"
+[ "$(grep -vc '^#' bearing)" = 49 ]
+report 'file of the bearing' $? bearing
 
 # the profiles beside the example are those of the data
 for Re in 100 400 1000; do

@@ -26,7 +26,7 @@ set style line 6 lc rgb '#b03a2e' lw 1.8 pt 4 ps 0.9
 set title '16 cells, t = 0.04: error of the time step'
 set xlabel 'step, in limits of explicit diffusion'; set ylabel ''
 set xtics (0.0625, 0.125, 0.25, 0.5)
-set xrange [0.05:0.6]; set yrange [1e-9:0.1]
+set xrange [0.05:0.6]; set yrange [1e-13:0.1]
 plot 0.003*x with lines ls 9 title 'orders 1, 2, 3', 0.001*x**2 with lines ls 9 notitle, \
 	0.0003*x**3 with lines ls 9 notitle, \
 	for [k=1:6] of(word(schemes, k), 'results/time.txt') using 2:3 with linespoints ls k title word(schemes, k)
