@@ -7,8 +7,6 @@
 
 #include "base/banned.h"
 
-const char *const ts_flow_face_names[] = { "periodic", "wall", "slip", "inlet", "outlet", NULL };
-
 /* ---- kinds */
 
 /* The ghost of a component along a wall: the parabola through the wall and two points inside, which makes

@@ -15,7 +15,6 @@
 #define TS_FAMILY_PROJECTION "projection"
 
 enum ts_wall_form { TS_WALL_QUADRATIC, TS_WALL_LINEAR };
-extern const char *const ts_flow_face_names[]; /* of enum ts_flow_face */
 
 /* flow_boundary, for one face. Strings belong to the instance. */
 struct ts_flow_condition {

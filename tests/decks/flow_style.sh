@@ -49,6 +49,8 @@ flow_grid x geometric 3 fine both" 'an even number of cells, not 15'
 rejects "$fluid
 flow_boundary ylo slip velocity 1 0 0" 'at slip faces no velocity is given'
 rejects "$fluid
+flow_boundary ylo periodic" "periodic"
+rejects "$fluid
 flow_boundary ylo inlet" 'an inlet needs a velocity'
 rejects "$fluid
 region far block 3 4 0 1 -0.5 0.5 units box

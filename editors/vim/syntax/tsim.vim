@@ -41,7 +41,7 @@ syn match tsimKeyword /\<label\>/
 syn keyword tsimKeyword  time maxfiles element scale image refresh header buffer compressor
 syn keyword tsimKeyword  none zlib lz4 flush pbc binary fileper nfile screen
 syn match tsimKeyword /\<log\>/ 
-syn keyword tsimKeyword  both xlo xhi ylo yhi zlo zhi periodic wall slip inlet outlet
+syn keyword tsimKeyword  both xlo xhi ylo yhi zlo zhi wall slip inlet outlet
 syn match tsimKeyword /\<velocity\>/ 
 syn keyword tsimKeyword  update step once uniform geometric fine lo hi tanh around before
 syn keyword tsimKeyword  inside faces type union subtract intersect empty initialize
@@ -71,9 +71,9 @@ syn keyword tsimKeyword  ii ij nofix modify noinit discard default mixed bound r
 syn keyword tsimKeyword  nchunk limit ids nfreq between cells values interpolation cubic
 syn keyword tsimKeyword  kspace tensor com average property xcm vcm fcm torque quat angmom
 syn keyword tsimKeyword  masstotal inertia clumptype id_multisphere ex_space ey_space
-syn keyword tsimKeyword  ez_space bond/type region_count tracer reset_marker radius min max
-syn keyword tsimKeyword  ave sumsq avesq sumabs aveabs minabs maxabs inputs peratom
-syn keyword tsimKeyword  update_on_run_end adof cdof primitives reset coefficient
+syn keyword tsimKeyword  ez_space bond/type region_count tracer periodic reset_marker
+syn keyword tsimKeyword  radius min max ave sumsq avesq sumabs aveabs minabs maxabs inputs
+syn keyword tsimKeyword  peratom update_on_run_end adof cdof primitives reset coefficient
 syn keyword tsimKeyword  fluid_acceleration two_way energy sample running window overwrite
 syn keyword tsimKeyword  title1 title2 title3 auto upper lower auto/upper auto/lower full
 syn keyword tsimKeyword  prefactor nevery cell_size_relative parallel basevolume_region

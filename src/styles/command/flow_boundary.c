@@ -9,20 +9,29 @@ static const char *const face_names[] = { "xlo", "xhi", "ylo", "yhi", "zlo", "zh
 enum { EACH_STEP, ONCE };
 static const char *const updates[] = { "step", "once", NULL };
 
+/* What can be chosen: a periodic face is one of the box. */
+static const char *const kinds[] = { "wall", "slip", "inlet", "outlet", NULL };
+_Static_assert(TS_FLOW_PERIODIC == 0 && TS_FLOW_OUTLET == 4, "kinds begin after the periodic one");
+
 struct state {
 	int face, kind, update;
 	struct ts_words velocity, set;
 };
 
+static enum ts_flow_face kind_of(const struct state *s)
+{
+	return (enum ts_flow_face)(s->kind + TS_FLOW_WALL);
+}
+
 static enum ts_status refuse(struct tsim *sim, const struct state *s, const struct ts_place *where)
 {
-	bool given = s->kind == TS_FLOW_WALL || s->kind == TS_FLOW_INLET;
+	bool given = kind_of(s) == TS_FLOW_WALL || kind_of(s) == TS_FLOW_INLET;
 
 	if (s->velocity.n && !given)
 		return ts_fail(&sim->error, TS_SYNTAX, &s->velocity.word[0].place,
 			       "flow_boundary: at %s faces no velocity is given; wall or inlet have one",
-			       ts_flow_face_names[s->kind]);
-	if (s->kind == TS_FLOW_INLET && !s->velocity.n)
+			       kinds[s->kind]);
+	if (kind_of(s) == TS_FLOW_INLET && !s->velocity.n)
 		return ts_fail(&sim->error, TS_SYNTAX, where,
 			       "flow_boundary: an inlet needs a velocity: velocity VX VY VZ");
 	if (s->set.n && !s->velocity.n)
@@ -34,7 +43,7 @@ static enum ts_status refuse(struct tsim *sim, const struct state *s, const stru
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct state *s = state;
-	struct ts_flow_condition condition = { .kind = (enum ts_flow_face)s->kind, .said = true, .once = s->update == ONCE,
+	struct ts_flow_condition condition = { .kind = kind_of(s), .said = true, .once = s->update == ONCE,
 					       .where = *where };
 	struct ts_projection *projection;
 	struct ts_instance *flow;
@@ -59,7 +68,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 static const struct ts_arg args[] = {
 	TS_ENUM("face", struct state, face, face_names, .flags = TS_POSITIONAL,
 		.help = "face of the grid; all: those that are not periodic"),
-	TS_ENUM("kind", struct state, kind, ts_flow_face_names, .flags = TS_POSITIONAL,
+	TS_ENUM("kind", struct state, kind, kinds, .flags = TS_POSITIONAL,
 		.help = "what is there"),
 	TS_SOME_KEYWORD("velocity", struct state, velocity, 0,
 			.help = "VX VY VZ of the wall or of the fluid that comes in: numbers or v_NAME"),
