@@ -43,7 +43,27 @@ report "order of the drag: $coarse $fine" $?
 for time in ab2 rk2 rk3; do
 	near "drag with time $time" "$(drag 16 "time $time")" "$coarse" 0.02
 done
+near 'drag with substeps' "$(drag 16 'substeps 3')" "$coarse" 0.02
 near 'drag with viscosity implicit, first order in the step' "$(drag 16 'viscous implicit')" "$coarse" 0.05
+
+# ---- spheres in a simple cubic array, an eighth of the volume: 4.292 times Stokes' drag (A. A. Zick & G. M.
+# Homsy, J. Fluid Mech. 115 (1982) 13)
+cat >in.spheres <<'END2'
+units si
+boundary p p p
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+variable D equal (0.75/PI)^(1/3)
+flow_style projection cells 16 16 16 viscosity 2.385 density 1 body_force 1 0 0
+region ball sphere 0.51 0.47 0.53 $(v_D/2) units box
+fix ball all immersed/boundary region ball
+compute flux all flow/flux x 0.5
+timestep $(0.15/16^2/2.385)
+run 260
+print "K $(f_ball[1]/3/PI/2.385/v_D/c_flux[3])"
+END2
+"$TSIM" -in in.spheres -log none >out 2>&1
+near 'spheres in an array, 10 cells across' "$(awk '$1 == "K" { print $2 }' out)" 4.292 0.05
 
 # ---- between a cylinder that turns and one at rest: the torque 4 pi mu omega r^2 R^2/(R^2 - r^2) on both
 cat >in.couette <<'END2'
@@ -176,6 +196,42 @@ for body in 'region sliding velocity 0.4 0 0' 'mesh surface'; do
 	rows out | awk '{ printf "%d %.5f %.5f\n", $1, $2, $3 }' >"rows.${body%% *}"
 done
 same 'a mesh and a region' rows.region rows.mesh
+
+# ---- a grain comes to rest on a block that the fluid flows around: seen from outside the region is a wall
+cat >in.wall <<'END2'
+units si
+atom_style granular
+newton off
+communicate single vel yes
+boundary p p f
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+neighbor 0.05 bin
+create_atoms 1 single 0.5 0.5 0.53
+set group all diameter 0.2 density 1000
+fix m1 all property/global youngsModulus peratomtype 5e6
+fix m2 all property/global poissonsRatio peratomtype 0.3
+fix m3 all property/global coefficientRestitution peratomtypepair 1 0.3
+fix m4 all property/global coefficientFriction peratomtypepair 1 0.3
+fix m5 all property/global characteristicVelocity scalar 2
+flow_style projection cells 10 10 10 viscosity 0.1 density 1
+flow_boundary zhi wall velocity 0.1 0 0
+pair_style gran model hooke tangential history
+pair_coeff * *
+region block block 0.2 0.8 0.2 0.8 0.05 0.4 units box
+region around block 0.2 0.8 0.2 0.8 0.05 0.4 side out units box
+fix body all immersed/boundary region block
+fix wall all wall/gran/region model hooke tangential history type 1 region around
+fix ball all immersed/boundary spheres
+fix g all gravity 9.81 vector 0 0 -1
+fix move all nve/sphere
+timestep 5e-4
+run 600
+print "REST $(abs(z[1]-0.5) < 0.002) $(abs(vz[1]) < 0.05) $(f_body[1] > 0)"
+END2
+"$TSIM" -in in.wall -log none >out 2>&1
+grep -q '^REST 1 1 1' out
+report 'a grain on a block' $? out
 
 # ---- restart, and threads: byte for byte
 cat >in.free <<'END2'
