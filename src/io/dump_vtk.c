@@ -7,17 +7,6 @@
 
 #include "base/banned.h"
 
-void ts_dump_vtk_warn_of_one_file(struct ts_instance *self, struct tsim *sim)
-{
-	const struct ts_dump_common *d = &((const struct ts_dump_vtk *)self->state)->common;
-
-	if (!strchr(d->file, '*') && !sim->running && !d->frames)
-		ts_warn(&sim->log, ts_instance_word(self, d->file),
-			"dump %s writes one file per frame: without a `*` for the step in '%s' each "
-			"frame replaces the one before",
-			self->style->name, d->file);
-}
-
 enum ts_status ts_dump_vtk_check_name(struct ts_instance *self, struct tsim *sim)
 {
 	const char *file = ((const struct ts_dump_vtk *)self->state)->common.file;
@@ -27,7 +16,6 @@ enum ts_status ts_dump_vtk_check_name(struct ts_instance *self, struct tsim *sim
 			       "dump %s: the name of the file must end in .vtk, .vtp, .vtu, .pvtp or "
 			       ".pvtu, found '%s'",
 			       self->style->name, file);
-	ts_dump_vtk_warn_of_one_file(self, sim);
 	return TS_OK;
 }
 
@@ -195,8 +183,14 @@ enum ts_status ts_dump_vtk_list(struct ts_instance *self, struct tsim *sim)
 	struct ts_dump_vtk *s = self->state;
 	struct ts_dump_common *d = &s->common;
 
-	if (!strchr(d->file, '*')) /* there is one frame, the last */
+	if (!strchr(d->file, '*')) { /* there is one frame, the last */
+		if (d->frames == 2)
+			ts_warn(&sim->log, ts_instance_word(self, d->file),
+				"dump %s writes one file per frame: without a `*` for the step in '%s' each "
+				"frame replaces the one before",
+				self->style->name, d->file);
 		return TS_OK;
+	}
 	TS_TRY(ts_vtk_series_add(sim, &s->series, sim->clock.step, ts_sim_time(sim)));
 	return ts_vtk_series_write(sim, &s->series, d->file, (int)d->pad, &self->where);
 }

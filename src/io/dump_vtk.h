@@ -26,11 +26,9 @@ struct ts_dump_vtk {
 	TS_DUMP_VTK_FILE_ARGS(T), TS_REST("columns", T, vtk.names, .help = (columns_help))
 #define TS_DUMP_VTK_SAVED(T) TS_SAVE_I64(T, vtk.common.last), TS_SAVE_I64(T, vtk.common.frames)
 
-/* Without a `*` in the name. */
-void ts_dump_vtk_warn_of_one_file(struct ts_instance *self, struct tsim *sim);
-/* The same, and refuses file names of an unknown type. */
+/* Refuses file names of an unknown type. */
 enum ts_status ts_dump_vtk_check_name(struct ts_instance *self, struct tsim *sim);
-/* All that, and finds the columns. */
+/* The same, and finds the columns. */
 enum ts_status ts_dump_vtk_init(struct ts_instance *self, struct tsim *sim, bool local);
 /* A frame of columns, if one is due. `place` fills `points`: one for each row, or of local rows two, the ends of a line.
  * Of particles three columns that are components of one vector (vx vy vz, c_ID[1] c_ID[2] c_ID[3]) become one
@@ -40,7 +38,8 @@ enum ts_status ts_dump_vtk_frame(struct ts_instance *self, struct tsim *sim, boo
 				 ts_dump_vtk_place_fn *place);
 /* The name of the frame of this step, into common.path. */
 enum ts_status ts_dump_vtk_path(struct ts_dump_common *d, struct tsim *sim);
-/* Enters the frame of this step in the collection, and writes that. */
+/* Enters the frame of this step in the collection, and writes that; without a `*` in the name there is none, and
+ * the second frame gets a warning. */
 enum ts_status ts_dump_vtk_list(struct ts_instance *self, struct tsim *sim);
 /* The two ends of a line: from a to the nearest periodic image of b. */
 void ts_dump_vtk_line(const struct tsim *sim, const double a[3], const double b[3], double to[6]);

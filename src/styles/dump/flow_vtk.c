@@ -64,7 +64,6 @@ static enum ts_status check_name(struct ts_instance *self, struct tsim *sim)
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, file),
 			       "dump flow/vtk: a .vti file holds uniform grids, this one is graded: use a "
 			       "name that ends in .vtr");
-	ts_dump_vtk_warn_of_one_file(self, sim);
 	return TS_OK;
 }
 
