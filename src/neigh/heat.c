@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "law/granular_limit.h"
 #include "neigh/pair.h"
 #include "particles/moments.h"
 #include "particles/property.h"
@@ -168,10 +169,7 @@ static double force_exponent(const struct tsim *sim)
 	const struct ts_instance *inst = ts_sim_only(sim, TS_KIND_PAIR);
 	const struct ts_pair *pair = inst ? inst->state : NULL;
 
-	return pair && (pair->model.normal == TS_NORMAL_HERTZ ||
-			pair->model.normal == TS_NORMAL_HERTZ_STIFFNESS)
-		       ? 1.5
-		       : 1;
+	return pair && ts_granular_stiffens(&pair->model) ? 1.5 : 1;
 }
 
 static enum ts_status pair_constants(struct ts_instance *self, struct tsim *sim, int a, int b)

@@ -263,7 +263,7 @@ static void conduct(const struct ts_wall *w, struct tsim *sim, size_t i,
 	const struct ts_heat *heat = ts_heat_of(sim);
 	double k, area;
 
-	if (!heat)
+	if (!heat || !(spot->distance < p->radius[i])) /* they may stick beyond their touch */
 		return;
 	k = w->conductivity[spot->type * (w->ntypes + 1) + p->type[i]];
 	area = ts_heat_area_at_wall(&w->area, spot->distance, p->radius[i]);
