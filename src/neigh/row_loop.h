@@ -171,7 +171,7 @@ static inline void ts_row_loop(struct tsim *sim, const struct ts_pair *pair, ts_
 {
 	struct ts_rows *rows = &sim->neigh->rows;
 	struct ts_row_task task = { sim->particles, rows, pair, sim->clock.dt, !sim->in_setup,
-				    sim->legacy };
+				    sim->legacy && !pair->mixes }; /* LAMMPS forgets at once */
 
 	ts_parallel(ts_team(sim, rows->n), rows->n, share, &task);
 	ts_gather_forces(sim, &rows->gather, (const double(*)[3])rows->force);
