@@ -55,6 +55,7 @@ struct ts_pressure_style {
 	/* Seconds a solve will cost, roughly, for the choice of the default and -explain. Here and in `suits`
 	 * self may be NULL: with the arguments' defaults. */
 	double (*cost)(const struct ts_instance *self, const struct ts_poisson *problem);
+	int fields; /* that it keeps, about, in numbers of the cells */
 };
 
 static inline const struct ts_pressure_style *ts_pressure_style_of(const struct ts_instance *inst)

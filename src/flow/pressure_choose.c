@@ -70,4 +70,5 @@ void ts_pressure_explain(const struct tsim *sim, const struct ts_poisson *proble
 		       chosen ? "chosen by the script" : weights ? "the cheapest here, where void fractions vary" :
 								   "the cheapest here",
 		       style->cost(chosen, &now));
+	report->bytes += 8.0 * style->fields * (double)ts_grid_cells(problem->grid);
 }

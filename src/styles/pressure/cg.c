@@ -66,4 +66,5 @@ const struct ts_pressure_style ts_pressure_cg = {
 	.prepare = prepare,
 	.solve = solve,
 	.cost = cost,
+	.fields = 13,
 };

@@ -72,4 +72,5 @@ const struct ts_pressure_style ts_pressure_direct = {
 	.prepare = prepare,
 	.solve = solve,
 	.cost = cost,
+	.fields = 1,
 };

@@ -83,4 +83,5 @@ const struct ts_pressure_style ts_pressure_hypre = {
 	.prepare = prepare,
 	.solve = solve,
 	.cost = cost,
+	.fields = 25,
 };

@@ -65,4 +65,5 @@ const struct ts_pressure_style ts_pressure_multigrid = {
 	.prepare = prepare,
 	.solve = solve,
 	.cost = cost,
+	.fields = 12,
 };

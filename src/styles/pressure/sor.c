@@ -102,4 +102,5 @@ const struct ts_pressure_style ts_pressure_sor = {
 	.prepare = prepare,
 	.solve = solve,
 	.cost = cost,
+	.fields = 7,
 };
