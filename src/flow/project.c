@@ -188,6 +188,7 @@ enum ts_status ts_projection_start(struct ts_instance *self, struct tsim *sim)
 	enum ts_status status;
 	bool ahead;
 
+	ts_fluid_fill_velocity(fluid, fluid->u);
 	/* Any time step gives the same velocity; this one makes numbers of the size of 1. */
 	ahead = fluid->pressure_ahead;
 	fluid->pressure_ahead = false;
@@ -195,6 +196,9 @@ enum ts_status ts_projection_start(struct ts_instance *self, struct tsim *sim)
 	fluid->pressure_ahead = ahead;
 	TS_TRY(status);
 	memset(fluid->p, 0, grid->size * sizeof *fluid->p);
+	if (p->increment)
+		memset(p->increment, 0, grid->size * sizeof *p->increment);
+	p->history_dt = 0;
 	p->fluid.steps = 0;
 	p->fluid.time = ts_sim_time(sim);
 	return TS_OK;

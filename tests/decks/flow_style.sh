@@ -87,6 +87,17 @@ compute p all flow/probe 1.0 1.0 0
 print \"lid \$(c_p[1]:%.3f)\"" "lid $([ $update = step ] && echo 1.000 || echo 0.700)"
 done
 
+# ---- the field set anew: nothing of the flow before is left
+prints "$fluid time ab2 viscous implicit
+flow_boundary yhi wall velocity 1 0 0
+flow_set velocity 0.3 0.2 0
+timestep 0.01
+run 7
+variable first equal \$(flow_ke)
+flow_set velocity 0.3 0.2 0
+run 7
+print \"same \$(abs(flow_ke-v_first)<1e-14)\"" 'same 1'
+
 # ---- a part of the box: Poiseuille flow in it, between faces of its own
 prints "$box
 region part block 0.5 1.3 0.2 0.7 INF INF units box
