@@ -132,6 +132,7 @@ TS_STYLE(compute, ts_style, ts_compute_leave)
 TS_STYLE(compute, ts_style, ts_compute_msd)
 TS_STYLE(compute, ts_style, ts_compute_msd_chunk)
 TS_STYLE(compute, ts_style, ts_compute_multisphere)
+TS_STYLE(compute, ts_style, ts_compute_multisphere_single)
 TS_STYLE(compute, ts_style, ts_compute_nbond_atom)
 TS_STYLE(compute, ts_style, ts_compute_neighbor_atom)
 TS_STYLE(compute, ts_style, ts_compute_nparticles_tracer_region)
@@ -404,6 +405,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_compute_msd,
 	&ts_compute_msd_chunk,
 	&ts_compute_multisphere,
+	&ts_compute_multisphere_single,
 	&ts_compute_nbond_atom,
 	&ts_compute_neighbor_atom,
 	&ts_compute_nparticles_tracer_region,

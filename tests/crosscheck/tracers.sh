@@ -86,17 +86,12 @@ drift() { # GROUP EVERY MARK COUNT
 }
 drift all 10 '20' 'reset_marker no'
 drift all 5 '33 marker_style heaviside' 'reset_marker yes'
-drift all 10 '0 marker_style heaviside check_mark_every 3' 'periodic x 0 reset_marker yes'
 drift two 10 '15 marker_style heaviside check_mark_every 7' 'periodic x 1 reset_marker yes'
-drift two 20 '100 marker_style dirac check_mark_every 1' 'reset_marker no periodic x -1 periodic x 2'
 stream() { # START MARK NUMBER AGAIN
 	agrees in.stream -var start "$1" -var mark "$2" -var number "$3" -var again "$4"
 }
-stream 'maxattempt 50' 0 5 once
 stream 'maxattempt 50' 0 22 once
-stream 'maxattempt 50' 60 22 1000
 stream 'maxattempt 50' 60 15 130
-stream 'maxattempt 50' 0 4 30
 stream 'maxattempt 50' 0 4 5
 stream 'start 400' 10 2 70
 finish

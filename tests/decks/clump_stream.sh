@@ -48,6 +48,9 @@ print 'is up \${vz} 0.5'
 run 1
 print 'is pulled \${vz} \$(0.5-9.81e-3)'"
 agree 'turning' "$start
+compute spin all multisphere/single id 1 property omega
+compute mass all multisphere/single id 1 property masstotal
+compute none all multisphere/single id 2 property xcm
 variable n index 1
 $pour omega constant 1.1 2.2 3.3
 variable x equal omegax[1]
@@ -59,7 +62,10 @@ run \$(v_steps-1)
 print 'is still \${x} 0'
 run 1
 print 'is turning \${x} 1.1'
-print 'is turning \${z} 3.3'"
+print 'is turning \${z} 3.3'
+print 'is turning \$(c_spin[2]) 2.2'
+print 'is mass \$(c_mass) \$(mass(all))'
+print 'is none \$(c_none[1]) 0'"
 cat >in.cut <<END
 $start
 variable n index 60

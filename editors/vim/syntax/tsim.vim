@@ -182,11 +182,12 @@ syn keyword tsim_compute contained coord/atom count/type displace/atom erotate/m
 syn keyword tsim_compute contained erotate/sphere erotate erotate/sphere/atom flow/flux flow/force
 syn keyword tsim_compute contained flow/line flow/plane flow/probe fragment/atom group/group gyration
 syn keyword tsim_compute contained gyration/chunk inertia/chunk ke ke/atom ke/multisphere leave msd
-syn keyword tsim_compute contained msd/chunk multisphere rigid nbond/atom neighbor/atom
-syn keyword tsim_compute contained nparticles/tracer/region omega/chunk pair/gran/local pair/local pe
-syn keyword tsim_compute contained pe/atom pressure property/atom property/chunk property/local rdf
-syn keyword tsim_compute contained reduce reduce/chunk reduce/region slice stress/atom temp
-syn keyword tsim_compute contained temp/chunk temp/com torque/chunk vacf vcm/chunk wall/gran/local
+syn keyword tsim_compute contained msd/chunk multisphere rigid multisphere/single nbond/atom
+syn keyword tsim_compute contained neighbor/atom nparticles/tracer/region omega/chunk pair/gran/local
+syn keyword tsim_compute contained pair/local pe pe/atom pressure property/atom property/chunk
+syn keyword tsim_compute contained property/local rdf reduce reduce/chunk reduce/region slice
+syn keyword tsim_compute contained stress/atom temp temp/chunk temp/com torque/chunk vacf vcm/chunk
+syn keyword tsim_compute contained wall/gran/local
 hi def link tsim_compute Type
 syn match tsimHead /^\s*region\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_region
 syn keyword tsim_region contained block cone cylinder ellipsoid intersect mesh/hex mesh/tet plane

@@ -9,6 +9,7 @@
 
 struct state {
 	int property;
+	int64_t id; /* of the one body */
 };
 
 /* The numbers of a body start at `offset`; or `make` writes them. */
@@ -64,6 +65,14 @@ static void make_ez(const struct ts_rigid *r, size_t b, double *out)
 static const struct property properties[] = { PROPERTY_LIST(FIELD_ROW, MADE_ROW) };
 static const char *const names[] = { PROPERTY_LIST(FIELD_NAME, MADE_NAME) NULL };
 
+static void copy(const struct property *property, const struct ts_rigid *r, size_t b, double *to)
+{
+	if (property->make)
+		property->make(r, b, to);
+	else
+		memcpy(to, (const char *)&r->body[b] + property->offset, property->columns * sizeof *to);
+}
+
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct state *s = self->state;
@@ -71,15 +80,8 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	const struct ts_rigid *r = sim->rigid;
 
 	TS_TRY(ts_table_resize(out, r->n, property->columns));
-	for (size_t b = 0; b < r->n; b++) {
-		double *row = out->data + b * property->columns;
-
-		if (property->make)
-			property->make(r, b, row);
-		else
-			memcpy(row, (const char *)&r->body[b] + property->offset,
-			       property->columns * sizeof *row);
-	}
+	for (size_t b = 0; b < r->n; b++)
+		copy(property, r, b, out->data + b * property->columns);
 	return TS_OK;
 }
 
@@ -107,4 +109,56 @@ const struct ts_style ts_compute_multisphere = {
 	.args = args,
 	.state_size = sizeof(struct state),
 	.values = values,
+};
+
+/* ---- of one body ---- */
+
+/* Its numbers are 0 while it is not there. */
+static enum ts_status eval_one(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	const struct state *s = self->state;
+	const struct property *property = &properties[s->property];
+	const struct ts_rigid *r = sim->rigid;
+
+	TS_TRY(ts_table_resize(out, property->columns, 1));
+	memset(out->data, 0, property->columns * sizeof *out->data);
+	for (size_t b = 0; b < r->n; b++)
+		if (r->id[b] == s->id)
+			copy(property, r, b, out->data);
+	return TS_OK;
+}
+
+static bool gives(const struct ts_instance *self, const struct ts_value *value)
+{
+	const struct state *s = self->state;
+
+	return (properties[s->property].columns == 1) == (value->shape == TS_SCALAR);
+}
+
+static const struct ts_value values_of_one[] = {
+	{ "number", "", "the property, where it is one number", TS_SCALAR, 1, NULL, eval_one },
+	{ "numbers", "", "the property, where it is several", TS_VECTOR, 0, NULL, eval_one },
+	{ .name = NULL },
+};
+
+static const struct ts_arg args_of_one[] = {
+	TS_INT("id", struct state, id, .range = TS_POSITIVE, .help = "number of the body, from 1"),
+	TS_ENUM("property", struct state, property, names, .help = "as of compute multisphere"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(compute, ts_style, ts_compute_multisphere_single)
+const struct ts_style ts_compute_multisphere_single = {
+	.name = "multisphere/single",
+	.kind = TS_KIND_COMPUTE,
+	.summary = "A property of one rigid body",
+	.doc = "c_ID, or c_ID[1], c_ID[2] ... where the property is several numbers; 0 while there is no body of\n"
+	       "this number. (LIGGGHTS 3.8 gives the first body, whatever the number.) The group is without\n"
+	       "effect.",
+	.example = "compute centre all multisphere/single id 1 property xcm\n"
+		   "thermo_style custom step c_centre[3]",
+	.args = args_of_one,
+	.state_size = sizeof(struct state),
+	.values = values_of_one,
+	.gives = gives,
 };
