@@ -126,8 +126,11 @@ static inline __attribute__((always_inline)) void predict_row(const struct row *
 	const struct ts_operators *o = p->operators;
 	const struct ts_line *line = c == 0 ? &o->staggered[0] : &o->centred[0];
 	const struct at_point y = { AT(c == 1 ? &o->staggered[1] : &o->centred[1], row->j) };
-	const struct at_point z = { AT(c == 2 ? &o->staggered[2] : &o->centred[2],
-				       dimensions == 3 ? row->k : 0) };
+	/* In two dimensions there are no lines along z: any point stands for one that is not used. */
+	const struct ts_line *line_z = dimensions < 3 ? &o->centred[1]
+				       : c == 2	      ? &o->staggered[2]
+						      : &o->centred[2];
+	const struct at_point z = { AT(line_z, dimensions < 3 ? 0 : row->k) };
 	const struct direction along_x = direction(row, 0, c, dimensions, packed);
 	const struct direction along_y = direction(row, 1, c, dimensions, packed);
 	const struct direction along_z = direction(row, 2, c, dimensions, packed);
