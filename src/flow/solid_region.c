@@ -70,6 +70,19 @@ static void home_of(const struct region *s, double home[3])
 		memcpy(home, s->given->motion.centre, sizeof s->given->motion.centre);
 }
 
+/* Whether its shape hangs on variables, or that of a region of which it is made. */
+static bool varies(const struct tsim *sim, const struct ts_instance *region)
+{
+	for (size_t k = 0; k < region->words.n; k++) {
+		const char *word = region->words.word[k].text;
+		const struct ts_instance *member = ts_sim_find(sim, TS_KIND_REGION, word);
+
+		if (strncmp(word, "v_", 2) == 0 || (member && member != region && varies(sim, member)))
+			return true;
+	}
+	return false;
+}
+
 static enum ts_status update(struct ts_solid *solid, struct tsim *sim)
 {
 	struct region *s = (struct region *)solid;
@@ -83,7 +96,7 @@ static enum ts_status update(struct ts_solid *solid, struct tsim *sim)
 	now = stand_of(r, ts_sim_time(sim));
 	home_of(s, home);
 	place(r, &now, home, m->centre);
-	solid->moved = s->before->seen == 0 || style->update ||
+	solid->moved = s->before->seen == 0 || (style->update && varies(sim, s->instance)) ||
 		       memcmp(&now, s->before, offsetof(struct ts_solid_stand, time)) != 0;
 	memset(m->velocity, 0, sizeof m->velocity);
 	memset(m->omega, 0, sizeof m->omega);
