@@ -102,6 +102,49 @@ static struct rates look_at_row(const struct ts_fluid *fluid, const struct weak 
 	return most;
 }
 
+/* A fluid at rest beside a wall that moves along itself, or an inlet, soon has its velocity. */
+static struct rates look_at_given(const struct ts_fluid *fluid, const struct weak *weak, int d,
+				  enum ts_side side)
+{
+	const struct ts_grid *grid = &fluid->grid;
+	const struct ts_flow_given *given = &fluid->given[d][side];
+	const int a = d == 0, b = d == 2 ? 1 : 2;
+	struct rates most = { 0 };
+
+	for (int ib = 0; ib < grid->n[b]; ib++)
+		for (int ia = 0; ia < grid->n[a]; ia++) {
+			size_t at = ts_flow_plane_at(grid, d, ia, ib);
+			double u[3] = { 0 }, h[3] = { INFINITY, INFINITY, INFINITY }, turn = 0;
+
+			h[d] = grid->width[d][side == TS_LOW ? 0 : grid->n[d] - 1];
+			h[a] = grid->width[a][ia];
+			h[b] = b < grid->dimensions ? grid->width[b][ib] : INFINITY;
+			for (int e = 0; e < grid->dimensions; e++) {
+				u[e] = fabs(given->plane[e] ? given->plane[e][at] : given->constant[e]);
+				turn += u[e] / h[e];
+			}
+			most.turn = fmax(most.turn, turn);
+			most.growth = fmax(most.growth, growth_rate(weak, u, h, turn));
+		}
+	return most;
+}
+
+static struct rates look_at_faces(const struct ts_fluid *fluid, const struct weak *weak)
+{
+	struct rates most = { 0 };
+
+	for (int d = 0; d < fluid->grid.dimensions; d++)
+		for (enum ts_side side = TS_LOW; side <= TS_HIGH; side++) {
+			struct rates face = { 0 };
+
+			if (fluid->face[d][side] == TS_FLOW_WALL || fluid->face[d][side] == TS_FLOW_INLET)
+				face = look_at_given(fluid, weak, d, side);
+			most.turn = fmax(most.turn, face.turn);
+			most.growth = fmax(most.growth, face.growth);
+		}
+	return most;
+}
+
 static struct weak weak_of(const struct ts_projection *p)
 {
 	static const double FOURTH = 1.185 / 8, QUICK_AB2 = 0.58, QUICK_RK2 = 0.79;
@@ -141,8 +184,9 @@ struct ts_flow_limits ts_flow_limits(const struct ts_projection *p)
 	const struct ts_grid *grid = &fluid->grid;
 	const struct ts_time_scheme *scheme = &ts_time_schemes[p->time];
 	const struct weak weak = weak_of(p);
+	const struct rates faces = look_at_faces(fluid, &weak);
 	long rows = (long)grid->n[1] * grid->n[2];
-	double turn = 0, growth = 0, numbers = 0;
+	double turn = faces.turn, growth = faces.growth, numbers = 0;
 
 #pragma omp parallel for num_threads(p->poisson.threads) schedule(static) reduction(max : turn, growth)
 	for (long line = 0; line < rows; line++) {

@@ -125,5 +125,11 @@ rejects 'include box
 flow_style projection cells 8 6 5 viscosity 0.0001 density 2
 flow_boundary yhi wall velocity 1 0 0
 timestep 0.5
+run 500' "stability limit 0.125 of the fluid's Courant number"
+rejects 'include box
+variable faster equal time
+flow_style projection cells 8 6 5 viscosity 0.0001 density 2
+flow_boundary yhi wall velocity v_faster 0 0
+timestep 0.1
 run 500' 'the fluid left the region of stable steps at time'
 finish

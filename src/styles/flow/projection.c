@@ -202,7 +202,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	if (p->viscous != TS_VISCOUS_EXPLICIT && p->fluid.empty)
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, viscous_names[p->viscous]),
 			       "flow_style projection: viscous %s does not know the room between particles "
-			       "(fix void/fraction): use viscous explicit, with substeps auto if it limits the step",
+			       "(fix void_fraction): use viscous explicit, with substeps auto if it limits the step",
 			       viscous_names[p->viscous]);
 	ts_report_line(report, "fluid", "%d x %d x %d cells, convection %s (%s), time %s", grid->n[0],
 		       grid->n[1], grid->n[2], ts_convection_names[p->convection], ts_form_names[p->form],
