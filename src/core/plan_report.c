@@ -17,6 +17,8 @@ enum ts_status ts_report_limit(struct ts_plan_report *report, double dt, bool fa
 	struct ts_limit *limit;
 	va_list args;
 
+	if (isinf(dt)) /* no limit */
+		return TS_OK;
 	TS_TRY(TS_GROW(report->limit, report->limit_capacity, report->nlimits + 1));
 	limit = &report->limit[report->nlimits++];
 	limit->dt = dt;
