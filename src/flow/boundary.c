@@ -292,16 +292,24 @@ static double flow_out(const struct ts_fluid *fluid, int d, enum ts_side side, d
 	return side == TS_LOW ? -sum : sum;
 }
 
-/* Where the script says that something flows through the boundary. */
-static const struct ts_place *place_of_flow(const struct ts_instance *self)
+/* Where the script says what flows through the boundary: the face, of those it names, with most of the net flow. */
+static const struct ts_place *place_of_flow(const struct ts_instance *self, double net)
 {
 	const struct ts_projection *p = self->state;
+	const struct ts_grid *grid = &p->fluid.grid;
+	const struct ts_place *place = &self->where;
+	double most = 0, size = 0;
 
-	for (int d = 0; d < 3; d++)
-		for (int side = 0; side < 2; side++)
-			if (p->condition[d][side].said && p->condition[d][side].kind == TS_FLOW_INLET)
-				return &p->condition[d][side].where;
-	return &self->where;
+	for (int d = 0; d < grid->dimensions; d++)
+		for (int side = 0; side < 2 && !grid->periodic[d]; side++) {
+			double part = flow_out(&p->fluid, d, (enum ts_side)side, &size) * (net < 0 ? -1 : 1);
+
+			if (p->condition[d][side].said && part > most) {
+				most = part;
+				place = &p->condition[d][side].where;
+			}
+		}
+	return place;
 }
 
 enum ts_status ts_projection_balance(struct ts_instance *self, struct tsim *sim, double *mean)
@@ -318,7 +326,7 @@ enum ts_status ts_projection_balance(struct ts_instance *self, struct tsim *sim,
 		for (int side = 0; side < 2 && !grid->periodic[d]; side++)
 			net += flow_out(&p->fluid, d, (enum ts_side)side, &size);
 	if (fabs(net) > UNEVEN * size)
-		return ts_fail(&sim->error, TS_PHYSICS, place_of_flow(self),
+		return ts_fail(&sim->error, TS_PHYSICS, place_of_flow(self, net),
 			       "the fluid cannot %s: through all faces together it flows %s at %g per "
 			       "time, and it is incompressible; make a face an outlet (flow_boundary "
 			       "xhi outlet) or let the velocities given balance",

@@ -111,6 +111,20 @@ static enum ts_status remake(struct ts_projection *p, const double *const face[3
 	return p->rhs ? TS_OK : TS_NOMEM;
 }
 
+/* The fields that every projection has: velocity, its predictor, pressure, right-hand side. */
+static enum ts_status no_room(struct ts_instance *self, struct tsim *sim)
+{
+	enum { FIELDS = 8 };
+	const struct ts_projection *p = self->state;
+	double cells = (double)p->cells[0] * (double)p->cells[1] * (double)p->cells[2];
+
+	return ts_fail(&sim->error, TS_NOMEM, &p->cell_words.word[0].place,
+		       "flow_style projection: out of memory: %lld x %lld x %lld cells need %.3g GB for the "
+		       "fluid's fields alone; take fewer",
+		       (long long)p->cells[0], (long long)p->cells[1], (long long)p->cells[2],
+		       FIELDS * sizeof(double) * cells / 1e9);
+}
+
 static enum ts_status make_grid(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_projection *p = self->state;
@@ -139,7 +153,7 @@ static enum ts_status make_grid(struct ts_instance *self, struct tsim *sim)
 	if (status == TS_OK)
 		status = remake(p, (const double *const *)face, periodic);
 	ts_arena_release(&arena);
-	return status == TS_NOMEM ? ts_nomem(&sim->error) : status;
+	return status == TS_NOMEM ? no_room(self, sim) : status;
 }
 
 enum ts_status ts_projection_prepare(struct ts_instance *self, struct tsim *sim)

@@ -54,6 +54,7 @@ struct ts_projection {
 	double history_dt;  /* how long that was; 0: there is none */
 	double *increment;  /* change of the pressure, where viscosity is implicit */
 	double theta;	    /* how far it is: 1/2 or 1 */
+	bool told_walls;    /* that walls hold a fluid without viscosity */
 	bool filled;	    /* ghosts of u are those of the faces as they are */
 	double *rhs;
 	double *weight[3];    /* of faces in the projection, where particles take part in it */

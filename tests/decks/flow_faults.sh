@@ -42,6 +42,16 @@ create_box 1 box
 flow_style projection cells 8 6 5 viscosity 0.1 density 2
 flow_boundary xlo outlet
 run 1' 'flow_boundary xlo: the box is periodic there'
+# the line that says so: not another face, nor flow_style
+rejects 'include fluid
+flow_boundary xlo inlet velocity 0 0 0
+flow_boundary ylo wall velocity 0 1 0
+flow_boundary xhi inlet velocity 0 1 0
+run 1' ':3:1: error: the fluid cannot leave'
+rejects 'include fluid
+flow_boundary xlo inlet velocity -1 0 0
+flow_boundary xhi inlet velocity -3 0 0
+run 1' ':3:1: error: the fluid cannot leave'
 # what flows in flows out again
 prints 'include fluid
 flow_boundary xlo inlet velocity 1 0 0
@@ -66,18 +76,45 @@ flow_style projection cells 8 0 5 viscosity 1 density 2' 'cells: NY is 0'
 rejects 'include box
 flow_style projection cells 8 6.5 5 viscosity 1 density 2' "cells: NY is '6.5'"
 rejects 'include box
-flow_style projection cells 80000 60000 50000 viscosity 1 density 2' 'out of memory'
+flow_style projection cells 80000 60000 50000 viscosity 1 density 2' \
+	':2:29: error: flow_style projection: out of memory: 80000 x 60000 x 50000 cells need 1.54e+07 GB'
 rejects 'include box
 flow_style projection cells 8 6 5 viscosity -1 density 2' 'viscosity is -1, expected a number >= 0'
 rejects 'include box
 flow_style projection cells 8 6 5 viscosity 0 density 2 viscous implicit
 run 1' 'viscous implicit has no viscosity to work on'
 rejects 'include box
+flow_style projection cells 8 6 5 viscosity 0 density 2 viscous backward
+run 1' 'viscous backward has no viscosity to work on: it is 0; use viscous explicit'
+rejects 'include box
 flow_style projection cells 8 6 5 viscosity 1 density 0' 'density is 0, expected a number > 0'
 rejects 'include box
 flow_style projection cells 8 6 5 viscosity 1 density 2 region bix' "no region 'bix'; did you mean 'box'?"
 rejects 'include fluid
 flow_set velocity nan 0 0' "x is 'nan'"
+
+# walls hold a fluid without viscosity: that is said, once; slip is not wrong
+warns() { # COUNT SCRIPT
+	printf '%s\n' "$2" >in.script
+	"$TSIM" -in in.script -log none >out 2>&1 </dev/null && [ "$(grep -c 'viscosity 0 does not stick' out)" = "$1" ]
+	report "$2" $? out
+}
+inviscid='include box
+flow_style projection cells 8 6 5 viscosity 0 density 2
+timestep 1e-4'
+warns 1 "$inviscid
+run 1
+run 1"
+warns 0 "$inviscid
+flow_boundary all slip
+run 1"
+warns 1 "$inviscid
+flow_boundary all slip
+region ball sphere 0.5 0.25 0.125 0.07
+fix body all immersed/boundary region ball
+run 1"
+warns 0 'include fluid
+run 1'
 
 # variables
 rejects 'include fluid

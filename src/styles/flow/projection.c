@@ -36,7 +36,9 @@ static enum ts_status check_viscous(struct ts_instance *self, struct tsim *sim)
 			       ts_time_names[p->time]);
 	if (!(p->viscosity > 0))
 		return ts_fail(&sim->error, TS_RANGE, where,
-			       "flow_style projection: viscous %s has no viscosity to work on: it is 0", viscous);
+			       "flow_style projection: viscous %s has no viscosity to work on: it is 0; use "
+			       "viscous explicit, which then has no limit of its own",
+			       viscous);
 	p->theta = p->viscous == TS_VISCOUS_BACKWARD ? 1 : 0.5;
 	p->fluid.pressure_ahead = true;
 	return TS_OK;
@@ -187,6 +189,34 @@ static struct ts_fluid *fluid(const struct ts_instance *self)
 	return &((struct ts_projection *)self->state)->fluid;
 }
 
+/* Whether a wall or a body sets the velocity along its surface. */
+static bool sticks(const struct ts_projection *p, const struct tsim *sim)
+{
+	const struct ts_instance *inst;
+
+	for (int d = 0; d < p->fluid.grid.dimensions; d++)
+		for (int side = 0; side < 2; side++)
+			if (p->fluid.face[d][side] == TS_FLOW_WALL)
+				return true;
+	for (size_t k = 0; (inst = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));)
+		if (((const struct ts_flow_part *)inst->state)->force)
+			return true;
+	return false;
+}
+
+/* Without viscosity nothing balances the shear at a wall: the layer beside it is as thick as the cells. */
+static void warn_of_walls(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_projection *p = self->state;
+
+	if (p->viscosity > 0 || p->told_walls || !sticks(p, sim))
+		return;
+	p->told_walls = true;
+	ts_warn(&sim->log, ts_instance_word(self, "viscosity"),
+		"flow_style projection: a fluid with viscosity 0 does not stick to walls and bodies, but they "
+		"set its velocity; use flow_boundary FACE slip, or a viscosity");
+}
+
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct ts_projection *p = self->state;
@@ -204,6 +234,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 			       "flow_style projection: viscous %s does not know the room between particles "
 			       "(fix void_fraction): use viscous explicit, with substeps auto if it limits the step",
 			       viscous_names[p->viscous]);
+	warn_of_walls(self, sim);
 	ts_report_line(report, "fluid", "%d x %d x %d cells, convection %s (%s), time %s", grid->n[0],
 		       grid->n[1], grid->n[2], ts_convection_names[p->convection], ts_form_names[p->form],
 		       ts_time_names[p->time]);
