@@ -96,6 +96,7 @@ shell_tests = \
 	tests/flow_bodies.sh \
 	tests/flow_cases.sh \
 	tests/flow_restart.sh \
+	tests/flow_threads.sh \
 	tests/full_disk.sh \
 	tests/fuzz/fuzz.sh \
 	tests/grammar.sh \

@@ -63,7 +63,16 @@ struct ts_fluid {
 	int iterations;    /* of the pressure solver in the last projection */
 	bool pressure_ahead; /* predictors have the old pressure in them, and projections find its change */
 	double body_force[3]; /* acceleration of all fluid, now (body_force of the style) */
+	int threads, grain; /* of the simulation; 0: one thread */
 };
+
+/* How many threads are worth it for a loop of n rounds; as ts_team. */
+static inline int ts_fluid_team(const struct ts_fluid *fluid, size_t n)
+{
+	size_t most = fluid->grain > 0 ? n / (size_t)fluid->grain : 1;
+
+	return fluid->threads < 1 || most < 1 ? 1 : most < (size_t)fluid->threads ? (int)most : fluid->threads;
+}
 
 enum ts_fluid_field { TS_FLUID_FORCE = 1, TS_FLUID_EXCHANGE = 2, TS_FLUID_VOID = 4 };
 

@@ -1,6 +1,8 @@
 /* Ghost cells: what the boundary conditions make of the fields outside of the grid. */
 #include "flow/fluid.h"
 
+#include "base/parallel.h"
+
 #include "base/banned.h"
 
 /* A line of values across a face: inner[0] is the first one inside, inner[step] the next, inner[-step] the
@@ -50,21 +52,42 @@ static struct plane plane_across(const struct ts_grid *grid, int d)
 	return plane;
 }
 
+/* Rows [from, to) of the plane, lines along its axis a: a line across d reads and writes nothing of the others but what
+ * stays as it is, so that rows can be shared among threads. */
+static struct plane rows_across(const struct ts_grid *grid, int d, size_t from, size_t to)
+{
+	struct plane plane = plane_across(grid, d);
+
+	plane.to[plane.b] = plane.from[plane.b] + (int)to;
+	plane.from[plane.b] += (int)from;
+	return plane;
+}
+
+/* Calls `share` for the rows of the plane across d, in which each line takes `rounds`. */
+static void share_rows(const struct ts_fluid *fluid, int d, int rounds, ts_share_fn *share, void *task)
+{
+	struct plane plane = plane_across(&fluid->grid, d);
+	size_t rows = (size_t)(plane.to[plane.b] - plane.from[plane.b]);
+	size_t lines = rows * (size_t)(plane.to[plane.a] - plane.from[plane.a]);
+	int team = ts_fluid_team(fluid, lines * (size_t)rounds);
+
+	ts_parallel(rows < (size_t)team ? (int)rows : team, rows, share, task);
+}
+
 static inline ptrdiff_t plane_offset(const struct ts_grid *grid, const struct plane *plane, int ia,
 				     int ib)
 {
 	return (ptrdiff_t)grid->origin + ia * grid->stride[plane->a] + ib * grid->stride[plane->b];
 }
 
-static void wrap(const struct ts_grid *grid, double *field, int d)
+static void wrap(const struct ts_grid *grid, double *field, const struct plane *plane)
 {
-	struct plane plane = plane_across(grid, d);
+	int d = plane->d, n = grid->n[d], g = grid->ghosts[d];
 	ptrdiff_t s = grid->stride[d];
-	int n = grid->n[d], g = grid->ghosts[d];
 
-	for (int ib = plane.from[plane.b]; ib < plane.to[plane.b]; ib++)
-		for (int ia = plane.from[plane.a]; ia < plane.to[plane.a]; ia++) {
-			double *at = field + plane_offset(grid, &plane, ia, ib);
+	for (int ib = plane->from[plane->b]; ib < plane->to[plane->b]; ib++)
+		for (int ia = plane->from[plane->a]; ia < plane->to[plane->a]; ia++) {
+			double *at = field + plane_offset(grid, plane, ia, ib);
 
 			for (int k = 1; k <= g; k++) {
 				at[-k * s] = at[(((-k) % n + n) % n) * s];
@@ -82,17 +105,18 @@ static double given_at(const struct ts_flow_given *given, const struct ts_grid *
 
 /* ---- the component across the face */
 
-static void fill_across(const struct ts_fluid *fluid, double *u, int d, enum ts_side side, bool keep)
+static void fill_across(const struct ts_fluid *fluid, double *u, const struct plane *plane, enum ts_side side,
+			bool keep)
 {
 	const struct ts_grid *grid = &fluid->grid;
-	struct plane plane = plane_across(grid, d);
+	int d = plane->d;
 	ptrdiff_t s = side == TS_LOW ? grid->stride[d] : -grid->stride[d];
 	ptrdiff_t face = side == TS_LOW ? 0 : grid->n[d] * grid->stride[d];
 	enum ts_flow_face kind = fluid->face[d][side];
 
-	for (int ib = plane.from[plane.b]; ib < plane.to[plane.b]; ib++)
-		for (int ia = plane.from[plane.a]; ia < plane.to[plane.a]; ia++) {
-			double *at = u + plane_offset(grid, &plane, ia, ib) + face;
+	for (int ib = plane->from[plane->b]; ib < plane->to[plane->b]; ib++)
+		for (int ia = plane->from[plane->a]; ia < plane->to[plane->a]; ia++) {
+			double *at = u + plane_offset(grid, plane, ia, ib) + face;
 			double out = at[0] * (double)(side == TS_LOW ? -1 : 1);
 
 			if (kind == TS_FLOW_SLIP && !keep)
@@ -116,21 +140,21 @@ static double leaves(const struct ts_grid *grid, const double *across, ptrdiff_t
 	return (side == TS_LOW ? -u : u) > 0;
 }
 
-static void fill_along(const struct ts_fluid *fluid, double *const u[3], int c, int d,
-		       enum ts_side side)
+static void fill_along(const struct ts_fluid *fluid, double *const u[3], int c,
+		       const struct plane *plane, enum ts_side side)
 {
 	const struct ts_grid *grid = &fluid->grid;
-	struct plane plane = plane_across(grid, d);
+	int d = plane->d;
 	ptrdiff_t s = side == TS_LOW ? grid->stride[d] : -grid->stride[d];
 	ptrdiff_t first = side == TS_LOW ? 0 : (grid->n[d] - 1) * grid->stride[d];
 	ptrdiff_t face = side == TS_LOW ? 0 : grid->n[d] * grid->stride[d];
 	enum ts_flow_face kind = fluid->face[d][side];
 	enum rule rule = kind == TS_FLOW_SLIP ? RULE_EVEN : kind == TS_FLOW_OUTLET ? RULE_OUT : RULE_MIRROR;
 
-	for (int ib = plane.from[plane.b]; ib < plane.to[plane.b]; ib++)
-		for (int ia = plane.from[plane.a]; ia < plane.to[plane.a]; ia++) {
-			ptrdiff_t at = plane_offset(grid, &plane, ia, ib);
-			bool lowest = (c == plane.a ? ia : ib) == plane.from[c];
+	for (int ib = plane->from[plane->b]; ib < plane->to[plane->b]; ib++)
+		for (int ia = plane->from[plane->a]; ia < plane->to[plane->a]; ia++) {
+			ptrdiff_t at = plane_offset(grid, plane, ia, ib);
+			bool lowest = (c == plane->a ? ia : ib) == -grid->ghosts[c];
 			double given = 0;
 
 			if (rule == RULE_MIRROR)
@@ -141,26 +165,42 @@ static void fill_along(const struct ts_fluid *fluid, double *const u[3], int c, 
 		}
 }
 
+struct velocity_task {
+	const struct ts_fluid *fluid;
+	double *const *u;
+	int d;
+	bool keep;
+};
+
+/* Components across first: whether fluid leaves decides about those along. */
+static void velocity_rows(void *context, size_t from, size_t to)
+{
+	const struct velocity_task *task = context;
+	const struct ts_grid *grid = &task->fluid->grid;
+	struct plane plane = rows_across(grid, task->d, from, to);
+
+	for (int turn = 0; turn < grid->dimensions; turn++) {
+		int c = (task->d + turn) % grid->dimensions;
+
+		if (grid->periodic[task->d]) {
+			wrap(grid, task->u[c], &plane);
+			continue;
+		}
+		for (int side = 0; side < 2; side++)
+			if (turn == 0)
+				fill_across(task->fluid, task->u[c], &plane, (enum ts_side)side, task->keep);
+			else
+				fill_along(task->fluid, task->u, c, &plane, (enum ts_side)side);
+	}
+}
+
+/* Axis by axis, each with the ghosts of those before it, so that edges and corners are filled as well. */
 static void fill_velocity(const struct ts_fluid *fluid, double *const u[3], bool keep)
 {
-	const struct ts_grid *grid = &fluid->grid;
+	struct velocity_task task = { .fluid = fluid, .u = u, .keep = keep };
 
-	/* Components across first: whether fluid leaves decides about those along. Axis by axis, each with
-	 * the ghosts of those before it, so that edges and corners are filled as well. */
-	for (int d = 0; d < grid->dimensions; d++)
-		for (int turn = 0; turn < grid->dimensions; turn++) {
-			int c = (d + turn) % grid->dimensions;
-
-			if (grid->periodic[d]) {
-				wrap(grid, u[c], d);
-				continue;
-			}
-			for (int side = 0; side < 2; side++)
-				if (c == d)
-					fill_across(fluid, u[c], d, (enum ts_side)side, keep);
-				else
-					fill_along(fluid, u, c, d, (enum ts_side)side);
-		}
+	for (task.d = 0; task.d < fluid->grid.dimensions; task.d++)
+		share_rows(fluid, task.d, 2 * fluid->grid.dimensions, velocity_rows, &task);
 }
 
 void ts_fluid_fill_velocity(const struct ts_fluid *fluid, double *const u[3])
@@ -175,31 +215,46 @@ void ts_fluid_fill_ghosts(const struct ts_fluid *fluid, double *const u[3])
 
 /* ---- what lives in centres */
 
-static void fill_side(const struct ts_grid *grid, double *field, int d, enum ts_side side,
-		      enum rule rule)
+static void fill_side(const struct ts_grid *grid, double *field, const struct plane *plane,
+		      enum ts_side side, enum rule rule)
 {
-	struct plane plane = plane_across(grid, d);
+	int d = plane->d;
 	ptrdiff_t s = side == TS_LOW ? grid->stride[d] : -grid->stride[d];
 	ptrdiff_t first = side == TS_LOW ? 0 : (grid->n[d] - 1) * grid->stride[d];
 
-	for (int ib = plane.from[plane.b]; ib < plane.to[plane.b]; ib++)
-		for (int ia = plane.from[plane.a]; ia < plane.to[plane.a]; ia++)
-			fill_line(rule, field + plane_offset(grid, &plane, ia, ib) + first, s, 0, NULL);
+	for (int ib = plane->from[plane->b]; ib < plane->to[plane->b]; ib++)
+		for (int ia = plane->from[plane->a]; ia < plane->to[plane->a]; ia++)
+			fill_line(rule, field + plane_offset(grid, plane, ia, ib) + first, s, 0, NULL);
+}
+
+struct centred_task {
+	const struct ts_fluid *fluid;
+	double *field;
+	int d;
+	enum rule at_outlet;
+};
+
+static void centred_rows(void *context, size_t from, size_t to)
+{
+	const struct centred_task *task = context;
+	const struct ts_grid *grid = &task->fluid->grid;
+	struct plane plane = rows_across(grid, task->d, from, to);
+
+	if (grid->periodic[task->d]) {
+		wrap(grid, task->field, &plane);
+		return;
+	}
+	for (int side = 0; side < 2; side++)
+		fill_side(grid, task->field, &plane, (enum ts_side)side,
+			  task->fluid->face[task->d][side] == TS_FLOW_OUTLET ? task->at_outlet : RULE_EVEN);
 }
 
 static void fill_centred(const struct ts_fluid *fluid, double *field, enum rule at_outlet)
 {
-	const struct ts_grid *grid = &fluid->grid;
+	struct centred_task task = { .fluid = fluid, .field = field, .at_outlet = at_outlet };
 
-	for (int d = 0; d < grid->dimensions; d++) {
-		if (grid->periodic[d]) {
-			wrap(grid, field, d);
-			continue;
-		}
-		for (int side = 0; side < 2; side++)
-			fill_side(grid, field, d, (enum ts_side)side,
-				  fluid->face[d][side] == TS_FLOW_OUTLET ? at_outlet : RULE_EVEN);
-	}
+	for (task.d = 0; task.d < fluid->grid.dimensions; task.d++)
+		share_rows(fluid, task.d, 2, centred_rows, &task);
 }
 
 void ts_fluid_fill_centred(const struct ts_fluid *fluid, double *field)
@@ -214,7 +269,9 @@ void ts_fluid_fill_pressure(const struct ts_fluid *fluid, double *p)
 
 void ts_fluid_fill_periodic(const struct ts_fluid *fluid, double *field)
 {
-	for (int d = 0; d < fluid->grid.dimensions; d++)
-		if (fluid->grid.periodic[d])
-			wrap(&fluid->grid, field, d);
+	struct centred_task task = { .fluid = fluid, .field = field };
+
+	for (task.d = 0; task.d < fluid->grid.dimensions; task.d++)
+		if (fluid->grid.periodic[task.d])
+			share_rows(fluid, task.d, 2, centred_rows, &task);
 }

@@ -6,12 +6,16 @@
 #include "math/vec3.h"
 
 #include "base/alloc.h"
-#include "base/banned.h"
+#include "base/parallel.h"
 
+#include "base/banned.h"
 
 /* How much of the pressure before the velocities beside the surface get in advance. They are not exactly free
  * of divergence, as those inside are: with all of it, their pressure would grow in each step. */
 static const double BAND_PRESSURE = 0.5;
+
+/* What a point of the band takes of a thread's time, in simple rounds. */
+enum { BAND_ROUNDS = 8 };
 
 /* What u at a point of component c has to have more than the velocity wanted, so that this share of the gradient
  * of the pressure before, dt/rho dp/dx, which the projection will take from it again, is allowed for.
@@ -54,36 +58,42 @@ static double outer_velocity(const struct ts_fluid *fluid, int c, const struct t
 
 static void force_inside(struct ts_immersed *ib, struct ts_fluid *fluid, int c, double dt)
 {
-	size_t band = ib->band_first[c];
-
+#pragma omp parallel for num_threads(ts_fluid_team(fluid, ib->first[c + 1] - ib->first[c])) schedule(static)
 	for (size_t k = ib->first[c]; k < ib->first[c + 1]; k++) {
 		struct ts_immersed_point *p = &ib->point[k];
 
 		p->before = fluid->u[c][p->at];
-		if (band < ib->band_first[c + 1] && ib->band[band].point == k)
-			band++;
-		else
+		if (!p->outside)
 			fluid->u[c][p->at] =
 				p->target + pressure_part(fluid, c, p->at, p->index, dt, p->deep ? 0 : 1);
 	}
 }
 
+static double band_velocity(const struct ts_immersed *ib, const struct ts_fluid *fluid, int c, double dt,
+			    const struct ts_immersed_band *b)
+{
+	const struct ts_immersed_point *p = &ib->point[b->point];
+	double u = b->surface + pressure_part(fluid, c, p->at, p->index, dt, BAND_PRESSURE);
+
+	for (int m = 0; m < 2; m++)
+		u += b->out[m].count * (outer_velocity(fluid, c, &b->out[m], dt) - b->surface);
+	return p->before + b->weight * (u - p->before);
+}
+
+/* All from the velocities before: a band may lie among the points of another. */
 static void force_band(struct ts_immersed *ib, struct ts_fluid *fluid, int c, double dt)
 {
-	for (size_t k = ib->band_first[c]; k < ib->band_first[c + 1]; k++) {
-		struct ts_immersed_band *b = &ib->band[k];
-		const struct ts_immersed_point *p = &ib->point[b->point];
-		double u = b->surface +
-			   pressure_part(fluid, c, p->at, p->index, dt, BAND_PRESSURE);
+	size_t first = ib->band_first[c], end = ib->band_first[c + 1];
 
-		for (int m = 0; m < 2; m++)
-			u += b->out[m].count *
-			     (outer_velocity(fluid, c, &b->out[m], dt) - b->surface);
-
-		b->next = p->before + b->weight * (u - p->before);
+#pragma omp parallel num_threads(ts_fluid_team(fluid, BAND_ROUNDS * (end - first)))
+	{
+#pragma omp for schedule(static)
+		for (size_t k = first; k < end; k++)
+			ib->band[k].next = band_velocity(ib, fluid, c, dt, &ib->band[k]);
+#pragma omp for schedule(static)
+		for (size_t k = first; k < end; k++)
+			fluid->u[c][ib->point[ib->band[k].point].at] = ib->band[k].next;
 	}
-	for (size_t k = ib->band_first[c]; k < ib->band_first[c + 1]; k++)
-		fluid->u[c][ib->point[ib->band[k].point].at] = ib->band[k].next;
 }
 
 /* Impulse of the forcing at one point and its moment, to the part. */
@@ -97,6 +107,45 @@ static void add_up(struct ts_immersed *ib, const struct ts_fluid *fluid, int c, 
 	sum[c] += impulse;
 	sum[3 + a] += p->arm[b] * impulse;
 	sum[3 + b] -= p->arm[a] * impulse;
+}
+
+/* The first point of component c whose part is not below this one: points are in the order of their parts. */
+static size_t first_of(const struct ts_immersed *ib, int c, size_t part)
+{
+	size_t low = ib->first[c], high = ib->first[c + 1];
+
+	while (low < high) {
+		size_t middle = low + (high - low) / 2;
+
+		if ((size_t)ib->point[middle].part < part)
+			low = middle + 1;
+		else
+			high = middle;
+	}
+	return low;
+}
+
+/* Sums of parts go to threads, each part as a whole, so that its sum has one order. */
+struct part_task {
+	struct ts_immersed *ib;
+	const struct ts_fluid *fluid;
+};
+
+static void share_parts(struct ts_immersed *ib, const struct ts_fluid *fluid, size_t parts,
+			ts_share_fn *share, void *task)
+{
+	int team = ts_fluid_team(fluid, ib->npoints);
+
+	ts_parallel(parts < (size_t)team ? (int)parts : team, parts, share, task);
+}
+
+static void add_up_parts(void *context, size_t from, size_t to)
+{
+	const struct part_task *task = context;
+
+	for (int c = 0; c < task->fluid->grid.dimensions; c++)
+		for (size_t k = first_of(task->ib, c, from), end = first_of(task->ib, c, to); k < end; k++)
+			add_up(task->ib, task->fluid, c, k);
 }
 
 void ts_immersed_begin(struct ts_immersed *ib, size_t parts)
@@ -141,9 +190,7 @@ void ts_immersed_force(struct ts_immersed *ib, struct ts_fluid *fluid, size_t pa
 		for (int c = 0; c < dimensions; c++)
 			force_band(ib, fluid, c, dt);
 	}
-	for (int c = 0; c < dimensions; c++)
-		for (size_t k = ib->first[c]; k < ib->first[c + 1]; k++)
-			add_up(ib, fluid, c, k);
+	share_parts(ib, fluid, parts, add_up_parts, &(struct part_task){ ib, fluid });
 }
 
 /* Means over the fluid inside one part, of one component. */
@@ -151,10 +198,10 @@ struct mean {
 	double volume, u, x[3], xu[3];
 };
 
-static void mean_of(const struct ts_immersed *ib, const struct ts_fluid *fluid, int c,
+static void mean_of(const struct ts_immersed *ib, const struct ts_fluid *fluid, int c, size_t from, size_t to,
 		    struct mean *mean)
 {
-	for (size_t k = ib->first[c]; k < ib->first[c + 1]; k++) {
+	for (size_t k = first_of(ib, c, from), end = first_of(ib, c, to); k < end; k++) {
 		const struct ts_immersed_point *p = &ib->point[k];
 		struct mean *m = &mean[p->part];
 		double volume = p->solid * p->volume, u = fluid->u[c][p->at];
@@ -182,23 +229,39 @@ static void take_mean(struct ts_immersed_sums *s, int c, const struct mean *m, i
 	s->spin[b] -= m->xu[a] / v - m->x[a] / v * (m->u / v);
 }
 
+struct mean_task {
+	struct ts_immersed *ib;
+	const struct ts_fluid *fluid;
+	struct mean *mean;
+};
+
+static void mean_parts(void *context, size_t from, size_t to)
+{
+	const struct mean_task *task = context;
+	const int dimensions = task->fluid->grid.dimensions;
+
+	for (size_t k = from; k < to; k++) {
+		struct ts_immersed_sums *s = &task->ib->sums[k];
+
+		s->volume = 0;
+		memset(s->velocity, 0, sizeof s->velocity);
+		memset(s->spin, 0, sizeof s->spin);
+	}
+	for (int c = 0; c < dimensions; c++) {
+		memset(task->mean + from, 0, (to - from) * sizeof *task->mean);
+		mean_of(task->ib, task->fluid, c, from, to, task->mean);
+		for (size_t k = from; k < to; k++)
+			take_mean(&task->ib->sums[k], c, &task->mean[k], dimensions);
+	}
+}
+
 enum ts_status ts_immersed_inside(struct ts_immersed *ib, const struct ts_fluid *fluid, size_t parts)
 {
 	struct mean *mean = ts_alloc(parts, sizeof *mean);
 
 	if (!mean)
 		return TS_NOMEM;
-	for (size_t k = 0; k < parts; k++) {
-		ib->sums[k].volume = 0;
-		memset(ib->sums[k].velocity, 0, sizeof ib->sums[k].velocity);
-		memset(ib->sums[k].spin, 0, sizeof ib->sums[k].spin);
-	}
-	for (int c = 0; c < fluid->grid.dimensions; c++) {
-		memset(mean, 0, parts * sizeof *mean);
-		mean_of(ib, fluid, c, mean);
-		for (size_t k = 0; k < parts; k++)
-			take_mean(&ib->sums[k], c, &mean[k], fluid->grid.dimensions);
-	}
+	share_parts(ib, fluid, parts, mean_parts, &(struct mean_task){ ib, fluid, mean });
 	ts_free(mean);
 	return TS_OK;
 }
@@ -207,17 +270,13 @@ double ts_immersed_slip(const struct ts_immersed *ib, const struct ts_fluid *flu
 {
 	double most = 0;
 
-	for (int c = 0; c < fluid->grid.dimensions; c++) {
-		size_t band = ib->band_first[c];
-
+	for (int c = 0; c < fluid->grid.dimensions; c++)
+#pragma omp parallel for num_threads(ts_fluid_team(fluid, ib->npoints / 3)) schedule(static) reduction(max : most)
 		for (size_t k = ib->first[c]; k < ib->first[c + 1]; k++) {
 			const struct ts_immersed_point *p = &ib->point[k];
 
-			if (band < ib->band_first[c + 1] && ib->band[band].point == k)
-				band++;
-			else if (!p->deep)
+			if (!p->outside && !p->deep)
 				most = fmax(most, fabs(fluid->u[c][p->at] - p->target));
 		}
-	}
 	return most;
 }

@@ -39,6 +39,7 @@ struct ts_immersed_point {
 	double target; /* velocity it is to have, without pressure gradient */
 	double before; /* the forcing */
 	bool deep;     /* far from the surface */
+	bool outside;  /* in the fluid: there is a band for it */
 };
 
 /* A place in the fluid: where it lies among the points of the component. */

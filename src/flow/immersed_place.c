@@ -215,6 +215,7 @@ static enum ts_status add_band(struct search *s, const double x[3], const struct
 	TS_TRY(TS_GROW(ib->band, ib->band_capacity, ib->nbands + 1));
 	b = &ib->band[ib->nbands++];
 	*b = (struct ts_immersed_band){ .point = ib->npoints - 1 };
+	s->last->outside = true;
 	b->weight = fmin(1, fmax(0, FADING * (1 - d / e->reach)));
 	b->surface = spot->v[s->component];
 	look_out(s, x, spot->n, l, &b->out[0]);

@@ -164,6 +164,8 @@ enum ts_status ts_projection_prepare(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(make_grid(self, sim));
 	fluid->density = p->density;
 	fluid->viscosity = p->viscosity;
+	fluid->threads = sim->threads;
+	fluid->grain = sim->grain;
 	p->poisson.threads = ts_team(sim, ts_grid_cells(&fluid->grid));
 	TS_TRY(ts_projection_faces(self, sim));
 	TS_TRY(ts_projection_boundary(self, sim));

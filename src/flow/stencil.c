@@ -10,6 +10,9 @@
 
 enum { LANES = 8 }; /* sums in rows have so many parts, whatever the processor does at once */
 
+/* Rows whose ghosts take as long to copy as it takes to wake a thread. */
+enum { GHOST_ROWS = 512 };
+
 /* An odd period needs a third colour, for its last cell. */
 static void set_colours(struct ts_stencil *s)
 {
@@ -190,24 +193,37 @@ void ts_stencil_by_volume(const struct ts_stencil *s, const double *r, double *o
 	}
 }
 
+static void copy_row(const struct ts_stencil *s, double *p, size_t to, size_t from)
+{
+	memcpy(p + to, p + from, (size_t)s->n[0] * sizeof *p);
+}
+
+/* Ghosts read cells only, so that the axes do not wait for one another. */
 void ts_stencil_ghosts(const struct ts_stencil *s, double *p)
 {
-	int rows = ts_stencil_rows(s);
-	size_t row_bytes = (size_t)s->n[0] * sizeof *p;
+	int rows = ts_stencil_rows(s), team = 1 + rows / GHOST_ROWS;
 
-	for (int row = 0; s->periodic[0] && row < rows; row++) {
-		double *first = p + ts_stencil_row(s, row);
+	if (!s->periodic[0] && !s->periodic[1] && !s->periodic[2])
+		return;
+#pragma omp parallel num_threads(team < s->threads ? team : s->threads)
+	{
+#pragma omp for schedule(static) nowait
+		for (int row = 0; row < (s->periodic[0] ? rows : 0); row++) {
+			double *first = p + ts_stencil_row(s, row);
 
-		first[-1] = first[s->n[0] - 1];
-		first[s->n[0]] = first[0];
-	}
-	for (int k = 0; s->periodic[1] && k < s->n[2]; k++) {
-		memcpy(p + ts_stencil_at(s, 0, -1, k), p + ts_stencil_at(s, 0, s->n[1] - 1, k), row_bytes);
-		memcpy(p + ts_stencil_at(s, 0, s->n[1], k), p + ts_stencil_at(s, 0, 0, k), row_bytes);
-	}
-	for (int j = 0; s->periodic[2] && j < s->n[1]; j++) {
-		memcpy(p + ts_stencil_at(s, 0, j, -1), p + ts_stencil_at(s, 0, j, s->n[2] - 1), row_bytes);
-		memcpy(p + ts_stencil_at(s, 0, j, s->n[2]), p + ts_stencil_at(s, 0, j, 0), row_bytes);
+			first[-1] = first[s->n[0] - 1];
+			first[s->n[0]] = first[0];
+		}
+#pragma omp for schedule(static) nowait
+		for (int k = 0; k < (s->periodic[1] ? s->n[2] : 0); k++) {
+			copy_row(s, p, ts_stencil_at(s, 0, -1, k), ts_stencil_at(s, 0, s->n[1] - 1, k));
+			copy_row(s, p, ts_stencil_at(s, 0, s->n[1], k), ts_stencil_at(s, 0, 0, k));
+		}
+#pragma omp for schedule(static) nowait
+		for (int j = 0; j < (s->periodic[2] ? s->n[1] : 0); j++) {
+			copy_row(s, p, ts_stencil_at(s, 0, j, -1), ts_stencil_at(s, 0, j, s->n[2] - 1));
+			copy_row(s, p, ts_stencil_at(s, 0, j, s->n[2]), ts_stencil_at(s, 0, j, 0));
+		}
 	}
 }
 
