@@ -189,6 +189,8 @@ library_sources = \
 	src/geom/mesh_touch.h \
 	src/geom/mesh_tree.c \
 	src/geom/mesh_tree.h \
+	src/geom/mesh_volume.c \
+	src/geom/mesh_volume.h \
 	src/geom/motion.h \
 	src/geom/pairs.c \
 	src/geom/pairs.h \
@@ -700,6 +702,7 @@ library_sources = \
 	src/styles/fix/momentum.c \
 	src/styles/fix/move.c \
 	src/styles/fix/move_mesh.c \
+	src/styles/fix/move_mesh_free.c \
 	src/styles/fix/multisphere.c \
 	src/styles/fix/nve.c \
 	src/styles/fix/nve_euler.c \

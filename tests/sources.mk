@@ -57,6 +57,7 @@ shell_tests = \
 	tests/decks/flow_faults.sh \
 	tests/decks/flow_outputs.sh \
 	tests/decks/flow_style.sh \
+	tests/decks/free_mesh.sh \
 	tests/decks/gran_numbers.sh \
 	tests/decks/granular_laws.sh \
 	tests/decks/groups.sh \

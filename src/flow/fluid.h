@@ -111,6 +111,8 @@ struct ts_flow_part {
 				 double length);
 	/* What it carries along, at centres, ghosts written: f_ID in dumps and probes (flow/carried.h). */
 	const double *(*scalar)(struct ts_instance *self);
+	/* Adds the force of the last step on the mesh of that fix, and the torque about the mesh's anchor. */
+	void (*load)(const struct ts_instance *self, const char *mesh, double load[2][3]);
 };
 
 /* Writes ghosts of a velocity field, u or another; and its components across the boundary where these are

@@ -183,6 +183,24 @@ enum ts_status ts_mesh_mover_move(struct ts_instance *self, struct tsim *sim,
 	return TS_OK;
 }
 
+enum ts_status ts_mesh_mover_drift(struct ts_instance *self, struct tsim *sim, const double drift[3],
+				   const double spin[3])
+{
+	const struct ts_mesh_mover *mover = self->state;
+	struct ts_mesh_surface *s;
+	size_t k;
+
+	TS_TRY(mesh_of(self, sim, &s));
+	k = find(s, mover->serial);
+	if (k == s->nmotions)
+		return TS_OK;
+	ts_scale(1, drift, s->motion[k].drift);
+	ts_scale(1, spin, s->motion[k].spin);
+	for (k = 0; k < s->nmotions; k++)
+		add_velocity(s, k);
+	return TS_OK;
+}
+
 enum ts_status ts_mesh_surface_carry(struct tsim *sim, struct ts_mesh_surface *s,
 				     const struct ts_motion *motion)
 {

@@ -22,6 +22,10 @@ enum ts_status ts_mesh_mover_check(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_mesh_mover_move(struct ts_instance *self, struct tsim *sim,
 				  const struct ts_mesh_motion *m);
 
+/* Later in the step: its velocity has changed, not its place. */
+enum ts_status ts_mesh_mover_drift(struct ts_instance *self, struct tsim *sim, const double drift[3],
+				   const double spin[3]);
+
 /* A mesh that moves by itself, without movers: this is its motion from where it was at first. */
 enum ts_status ts_mesh_surface_carry(struct tsim *sim, struct ts_mesh_surface *surface,
 				     const struct ts_motion *motion);

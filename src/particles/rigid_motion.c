@@ -99,13 +99,19 @@ static void gather(struct tsim *sim)
 	}
 }
 
-static void kick(struct ts_body *b, double h)
+void ts_body_kick(struct ts_body *b, double h)
 {
 	for (int k = 0; k < 3; k++) {
 		b->v[k] += h * b->force[k] / b->mass;
 		b->spin[k] += h * b->torque[k];
 	}
 	ts_rigid_omega(b->q, b->inertia, b->spin, b->omega);
+}
+
+void ts_body_move(struct ts_body *b, double dt)
+{
+	ts_axpy(dt, b->v, b->x);
+	ts_rigid_turn(b->inertia, b->spin, b->omega, dt, b->q);
 }
 
 enum ts_status ts_rigid_initial(struct ts_instance *self, struct tsim *sim)
@@ -119,10 +125,8 @@ enum ts_status ts_rigid_initial(struct ts_instance *self, struct tsim *sim)
 	for (size_t k = 0; k < r->n; k++) {
 		struct ts_body *b = &r->body[k];
 
-		kick(b, 0.5 * dt);
-		ts_axpy(dt, b->v, b->x);
-		/* velocities are those of the middle of the step, as with single spheres */
-		ts_rigid_turn(b->inertia, b->spin, b->omega, dt, b->q);
+		ts_body_kick(b, 0.5 * dt);
+		ts_body_move(b, dt);
 	}
 	place_all(sim);
 	return TS_OK;
@@ -147,7 +151,7 @@ enum ts_status ts_rigid_final(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_rigid_list(sim));
 	gather(sim);
 	for (size_t b = 0; b < r->n; b++)
-		kick(&r->body[b], 0.5 * sim->clock.dt);
+		ts_body_kick(&r->body[b], 0.5 * sim->clock.dt);
 	set_velocities(sim);
 	return TS_OK;
 }

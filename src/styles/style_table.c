@@ -223,6 +223,7 @@ TS_STYLE(fix, ts_style, ts_fix_mesh_surface_stress_servo)
 TS_STYLE(fix, ts_style, ts_fix_momentum)
 TS_STYLE(fix, ts_style, ts_fix_move)
 TS_STYLE(fix, ts_style, ts_fix_move_mesh)
+TS_STYLE(fix, ts_style, ts_fix_move_mesh_free)
 TS_STYLE(fix, ts_style, ts_fix_multisphere)
 TS_STYLE(fix, ts_style, ts_fix_nve)
 TS_STYLE(fix, ts_style, ts_fix_nve_euler)
@@ -496,6 +497,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_momentum,
 	&ts_fix_move,
 	&ts_fix_move_mesh,
+	&ts_fix_move_mesh_free,
 	&ts_fix_multisphere,
 	&ts_fix_nve,
 	&ts_fix_nve_euler,

@@ -84,8 +84,8 @@ syn keyword tsimKeyword  scheme explicit exact implicit lagged cell void C1 C2 w
 syn keyword tsimKeyword  body clearance conductivity capacity initial source convection
 syn keyword tsimKeyword  vanleer central donor exchange ranz_marshall chute spherical hard
 syn keyword tsimKeyword  soft continue message path initial_temperature contact_area
-syn keyword tsimKeyword  area_correction store_contact_data euler centre iterations spheres
-syn keyword tsimKeyword  relax seed distributiontemplate maxattempt overlapcheck all_in
+syn keyword tsimKeyword  area_correction store_contact_data euler centre iterations relax
+syn keyword tsimKeyword  spheres seed distributiontemplate maxattempt overlapcheck all_in
 syn keyword tsimKeyword  random_distribute uncorrelated orientation set_property verbose
 syn keyword tsimKeyword  compress_tags insert_every ntry_mc
 syn keyword tsimKeyword  check_dist_from_subdomain_border warn_region particles_in_region
@@ -103,8 +103,8 @@ syn keyword tsimKeyword  amplitude riggle viblin order phase vibrot linear/super
 syn keyword tsimKeyword  linear/variable/superposable rotate/superposable
 syn keyword tsimKeyword  rotate/variable/superposable wiggle/superposable
 syn keyword tsimKeyword  riggle/superposable viblin/superposable vibrot/superposable
-syn keyword tsimKeyword  allow_group_and_set allow_heatsource by_dimension sphere disc
-syn keyword tsimKeyword  atom_type volume_limit relative nspheres ntry inertia_tensor
+syn keyword tsimKeyword  gravity allow_group_and_set allow_heatsource by_dimension sphere
+syn keyword tsimKeyword  disc atom_type volume_limit relative nspheres ntry inertia_tensor
 syn keyword tsimKeyword  use_volume use_density fflag tflag diam dens vol rate
 syn match tsimKeyword /\<next\>/ 
 syn keyword tsimKeyword  molfrac rigid shake title ghost writedata add_region
@@ -161,9 +161,9 @@ syn keyword tsim_fix contained freeze gravity halt heat/gran heat/gran/conductio
 syn keyword tsim_fix contained immersed/boundary insert/pack insert/rate/region insert/stream
 syn keyword tsim_fix contained langevin lift/magnus lift/saffman lineforce massflow/mesh
 syn keyword tsim_fix contained mesh/surface mesh/surface/planar mesh/surface/stress
-syn keyword tsim_fix contained mesh/surface/stress/servo momentum move move/mesh multisphere nve
-syn keyword tsim_fix contained nve/euler nve/limit nve/noforce nve/sphere nve/symplectic
-syn keyword tsim_fix contained particledistribution/discrete
+syn keyword tsim_fix contained mesh/surface/stress/servo momentum move move/mesh move/mesh/free
+syn keyword tsim_fix contained multisphere nve nve/euler nve/limit nve/noforce nve/sphere
+syn keyword tsim_fix contained nve/symplectic particledistribution/discrete
 syn keyword tsim_fix contained particledistribution/discrete/massbased
 syn keyword tsim_fix contained particledistribution/discrete/numberbased
 syn keyword tsim_fix contained particletemplate/multiplespheres particletemplate/multisphere

@@ -42,6 +42,7 @@ struct state {
 	bool placed, told;
 	bool begun; /* a step of the fluid, in substeps */
 	struct record own; /* saved: of a region or a mesh */
+	double lever[3];   /* saved: from the mesh's anchor to where the torque is taken about */
 	size_t column;	   /* records of spheres */
 	double slip;	   /* saved */
 };
@@ -63,6 +64,7 @@ static enum ts_status carry(struct ts_instance *self, struct tsim *sim, struct t
 static double limit(const struct ts_instance *self, const struct ts_fluid *fluid);
 static enum ts_status settle(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
 			     double length);
+static void load(const struct ts_instance *self, const char *mesh, double out[2][3]);
 
 /* ---- before a run */
 
@@ -133,7 +135,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	TS_TRY(ts_flow_require_fluid(sim, "fix immersed/boundary", &self->where, &fluid));
 	s->part = (struct ts_flow_part){ .force = force, .carry = carry, .limit = limit,
-					.settle = settle };
+					.settle = settle, .load = load };
 	TS_TRY(read_motion(self, sim));
 	ts_solid_free(s->solid);
 	s->solid = NULL;
@@ -254,15 +256,30 @@ static enum ts_status settle(struct ts_instance *self, struct tsim *sim, struct 
 			     double length)
 {
 	struct state *s = self->state;
-	double share = s->body == SPHERES ? s->share : 1;
+	double share = s->body == REGION ? 1 : s->share;
 
 	if (ts_immersed_inside(&s->immersed, fluid, s->solid->parts) != TS_OK)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < s->solid->parts; k++)
 		take(&s->immersed.sums[k], fluid->density, share, length, record_of(s, sim, k));
+	if (s->body == MESH)
+		ts_sub(s->solid->motion->centre, ts_mesh_surface_find(sim, s->mesh)->anchor, s->lever);
 	s->slip = ts_immersed_slip(&s->immersed, fluid);
 	s->begun = false;
 	return TS_OK;
+}
+
+static void load(const struct ts_instance *self, const char *mesh, double out[2][3])
+{
+	const struct state *s = self->state;
+	double torque[3];
+
+	if (s->body != MESH || !ts_streq(s->mesh, mesh))
+		return;
+	ts_cross(s->lever, s->own.force, torque);
+	ts_add(torque, s->own.torque, torque);
+	ts_add(out[0], s->own.force, out[0]);
+	ts_add(out[1], torque, out[1]);
 }
 
 /* No part of a solid may skip a layer of cells in one step. */
@@ -374,6 +391,11 @@ static void fini(struct ts_instance *self)
 	       .lo = 1, .hi = 100,                                                                 \
 	       .help = "how often the values beside the surface, which hang on each other, are "   \
 		       "found anew in a step")
+#define RELAX                                                                                      \
+	TS_REAL("relax", struct state, share, .fallback = "1", .range = TS_WITHIN, .lo = 1e-3,     \
+		.hi = 1,                                                                           \
+		.help = "how much of the force of a step replaces that of the step before; less "  \
+			"than 1 for bodies that move freely and are lighter than the fluid")
 static const struct ts_arg region_args[] = {
 	TS_REGION("region", struct state, region, .flags = TS_POSITIONAL, .help = "the solid"),
 	GIVEN_ROWS,
@@ -384,14 +406,12 @@ static const struct ts_arg mesh_args[] = {
 	TS_WORD("mesh", struct state, mesh, .flags = TS_POSITIONAL,
 		.help = "ID of the fix mesh/surface or its kin; a closed surface, normals outwards"),
 	GIVEN_ROWS,
+	RELAX,
 	ITERATIONS,
 	TS_ARGS_END,
 };
 static const struct ts_arg sphere_args[] = {
-	TS_REAL("relax", struct state, share, .fallback = "1", .range = TS_WITHIN, .lo = 1e-3,
-		.hi = 1,
-		.help = "how much of the force of a step replaces that of the step before; less than "
-			"1 for particles lighter than the fluid"),
+	RELAX,
 	ITERATIONS,
 	TS_ARGS_END,
 };
@@ -421,6 +441,7 @@ static const struct ts_value values[] = {
 
 static const struct ts_saved saved[] = {
 	TS_SAVE_F64(struct state, own),
+	TS_SAVE_F64(struct state, lever),
 	TS_SAVE_F64(struct state, stand),
 	TS_SAVE_F64(struct state, slip),
 	TS_SAVED_ROWS_END,
@@ -444,7 +465,7 @@ const struct ts_style ts_fix_immersed_boundary = {
 	       "with no velocity but what `velocity` and `omega` say. Lengths along which a body goes through the\n"
 	       "whole box end at INF, not at EDGE.\n"
 	       "`mesh`: a closed surface of fix mesh/surface; it is where it is, and moves as its corners do. Particles\n"
-	       "feel the same mesh by fix wall/gran mesh.\n"
+	       "feel the same mesh by fix wall/gran mesh; fix move/mesh/free lets it go where the fluid takes it.\n"
 	       "`spheres`: each particle of the group is a body (in two dimensions a disc), large against the\n"
 	       "grid. The force on it is added in the next step, so its integrator, contacts, fix rigid and\n"
 	       "multisphere go on as ever. Weight and buoyancy are those of the script: the pressure here is\n"
