@@ -66,6 +66,11 @@ struct ts_immersed_sums {
 	double velocity[3], spin[3]; /* mean of u, and of (x - X) x u about the mean place X */
 };
 
+/* Of a point that a thread has found before it is known whose it is. */
+struct ts_immersed_note {
+	double distance, thickness, rate;
+};
+
 struct ts_immersed {
 	struct ts_immersed_point *point; /* of component 0, 1, 2: from first[c] to first[c + 1] */
 	struct ts_immersed_band *band;
@@ -79,6 +84,11 @@ struct ts_immersed {
 	double thickness; /* twice the largest distance from the surface inside, in cells */
 	double rate;	  /* largest velocity of a solid by spacing: cells per time */
 	double first_dt;  /* of the first stage of this substep; 0: it has not begun */
+	struct ts_immersed *chunk; /* scratch of threads: what each has found, */
+	size_t chunks, chunk_capacity;
+	struct ts_immersed_note *note; /* and notes of its points */
+	size_t note_capacity;
+	enum ts_status status;
 };
 
 void ts_immersed_release(struct ts_immersed *ib);

@@ -7,8 +7,9 @@
 #include "math/vec3.h"
 
 #include "base/alloc.h"
-#include "base/banned.h"
+#include "base/parallel.h"
 
+#include "base/banned.h"
 
 /* Values set beside the surface count fully up to 1 - 1/FADING of the distance where they end. With less the
  * force on bodies that move is a little smoother, but the error of a surface of steps comes back, of first
@@ -25,6 +26,7 @@ struct search {
 	size_t part;
 	double lo[3], hi[3]; /* around the part */
 	int from[3], to[3];  /* indices, of periodic axes beyond the grid as well */
+	bool shared; /* among threads: whose a point is will be known later */
 	struct ts_immersed_point *last;
 };
 
@@ -107,7 +109,7 @@ static bool nearest_yet(struct search *s, size_t at, double distance)
 {
 	struct ts_immersed *ib = s->ib;
 
-	if (s->solid->parts < 2)
+	if (s->solid->parts < 2 || s->shared)
 		return true;
 	if (ib->owner[at] && !(distance < ib->distance[at]))
 		return false;
@@ -126,6 +128,10 @@ static enum ts_status add_point(struct search *s, const int i[3], const double x
 	if (!nearest_yet(s, at, distance))
 		return TS_OK;
 	TS_TRY(TS_GROW(ib->point, ib->point_capacity, ib->npoints + 1));
+	if (s->shared) {
+		TS_TRY(TS_GROW(ib->note, ib->note_capacity, ib->npoints + 1));
+		ib->note[ib->npoints] = (struct ts_immersed_note){ .distance = distance };
+	}
 	p = s->last = &ib->point[ib->npoints++];
 	*p = (struct ts_immersed_point){ .at = at, .part = (int32_t)s->part, .solid = 1 };
 	p->index = i[s->component];
@@ -143,7 +149,19 @@ static void set_target(struct search *s, const int i[3], double velocity)
 	double h = width(s, s->component, i[s->component]);
 
 	s->last->target = velocity;
-	s->ib->rate = fmax(s->ib->rate, fabs(velocity) / h);
+	if (s->shared)
+		s->ib->note[s->ib->npoints - 1].rate = fabs(velocity) / h;
+	else
+		s->ib->rate = fmax(s->ib->rate, fabs(velocity) / h);
+}
+
+/* At the point that was added last. */
+static void see_thickness(struct search *s, double thickness)
+{
+	if (s->shared)
+		s->ib->note[s->ib->npoints - 1].thickness = thickness;
+	else
+		s->ib->thickness = fmax(s->ib->thickness, thickness);
 }
 
 /* How far one can go from x along n and stay in the grid. */
@@ -234,7 +252,7 @@ static enum ts_status describe(struct search *s, const int i[3], const double x[
 
 	p->solid = fmin(1, fmax(0, 0.5 - spot->distance / e.across));
 	set_target(s, i, spot->v[s->component]);
-	s->ib->thickness = fmax(s->ib->thickness, -2 * spot->distance / e.across);
+	see_thickness(s, -2 * spot->distance / e.across);
 	return spot->distance > 0 ? add_band(s, x, spot, &e) : TS_OK;
 }
 
@@ -274,7 +292,7 @@ static enum ts_status search_row(struct search *s, int j, int k)
 			ts_solid_velocity(&s->solid->motion[s->part], x, v);
 			set_target(s, index, v[s->component]);
 			s->last->deep = true;
-			s->ib->thickness = fmax(s->ib->thickness, 2);
+			see_thickness(s, 2);
 		}
 	}
 	return TS_OK;
@@ -303,18 +321,112 @@ static void settle(struct ts_immersed *ib, size_t first, size_t first_band)
 	ib->nbands = bands;
 }
 
-static enum ts_status place_component(struct search *s)
+/* Takes up part k; the number of its rows. */
+static size_t begin_part(struct search *s, size_t part)
+{
+	s->part = part;
+	s->solid->kind->bounds(s->solid, part, s->lo, s->hi);
+	ranges(s);
+	if (s->from[0] >= s->to[0] || s->from[1] >= s->to[1] || s->from[2] >= s->to[2])
+		return 0;
+	return (size_t)(s->to[1] - s->from[1]) * (size_t)(s->to[2] - s->from[2]);
+}
+
+/* Of the rows of all parts, one part after the other, those from `from` to `to`. */
+static enum ts_status search_rows(struct search *s, size_t from, size_t to)
+{
+	size_t first = 0, rows;
+
+	for (size_t part = 0; part < s->solid->parts && first < to; part++, first += rows) {
+		size_t begin, end, height;
+
+		rows = begin_part(s, part);
+		begin = from > first ? from - first : 0;
+		end = to - first < rows ? to - first : rows;
+		height = (size_t)(s->to[1] - s->from[1]);
+		for (size_t row = begin; row < end; row++)
+			TS_TRY(search_row(s, s->from[1] + (int)(row % height), s->from[2] + (int)(row / height)));
+	}
+	return TS_OK;
+}
+
+/* ---- among threads: each looks at rows of its own, then what they found is put together in their order */
+
+struct search_task {
+	const struct search *search;
+	size_t rows;
+};
+
+static void search_chunks(void *context, size_t from, size_t to)
+{
+	const struct search_task *task = context;
+	struct search s = *task->search;
+	size_t chunks = s.ib->chunks;
+
+	for (size_t k = from; k < to; k++) {
+		s.ib = &task->search->ib->chunk[k];
+		s.shared = true;
+		s.ib->npoints = s.ib->nbands = 0;
+		s.ib->status = search_rows(&s, task->rows * k / chunks, task->rows * (k + 1) / chunks);
+	}
+}
+
+static enum ts_status put_together(struct search *s, const struct ts_immersed *chunk)
 {
 	struct ts_immersed *ib = s->ib;
-	size_t first = ib->npoints, first_band = ib->nbands;
+	size_t band = 0;
 
-	for (s->part = 0; s->part < s->solid->parts; s->part++) {
-		s->solid->kind->bounds(s->solid, s->part, s->lo, s->hi);
-		ranges(s);
-		for (int k = s->from[2]; k < s->to[2]; k++)
-			for (int j = s->from[1]; j < s->to[1]; j++)
-				TS_TRY(search_row(s, j, k));
+	TS_TRY(chunk->status);
+	TS_TRY(TS_GROW(ib->point, ib->point_capacity, ib->npoints + chunk->npoints));
+	TS_TRY(TS_GROW(ib->band, ib->band_capacity, ib->nbands + chunk->nbands));
+	for (size_t k = 0; k < chunk->npoints; k++) {
+		const struct ts_immersed_point *p = &chunk->point[k];
+		const struct ts_immersed_note *note = &chunk->note[k];
+		const struct ts_immersed_band *b = p->outside ? &chunk->band[band++] : NULL;
+
+		s->part = (size_t)p->part;
+		if (!nearest_yet(s, p->at, note->distance))
+			continue;
+		if (b) {
+			ib->band[ib->nbands] = *b;
+			ib->band[ib->nbands++].point = ib->npoints;
+		}
+		ib->point[ib->npoints++] = *p;
+		ib->rate = fmax(ib->rate, note->rate);
+		ib->thickness = fmax(ib->thickness, note->thickness);
 	}
+	return TS_OK;
+}
+
+static enum ts_status search_shared(struct search *s, size_t rows, int team)
+{
+	struct ts_immersed *ib = s->ib;
+	struct search_task task = { s, rows };
+
+	TS_TRY(TS_GROW(ib->chunk, ib->chunk_capacity, (size_t)team));
+	ib->chunks = (size_t)team;
+	ts_parallel(team, ib->chunks, search_chunks, &task);
+	for (size_t k = 0; k < ib->chunks; k++)
+		TS_TRY(put_together(s, &ib->chunk[k]));
+	return TS_OK;
+}
+
+static enum ts_status place_component(struct search *s)
+{
+	enum { ROUNDS = 8 }; /* of a simple loop, for a look */
+	struct ts_immersed *ib = s->ib;
+	size_t first = ib->npoints, first_band = ib->nbands, rows = 0, looks = 0;
+	int team;
+
+	for (size_t part = 0; part < s->solid->parts; part++) {
+		size_t more = begin_part(s, part);
+
+		rows += more;
+		looks += more * (size_t)(s->to[0] - s->from[0]);
+	}
+	team = s->solid->kind->alone ? 1 : ts_fluid_team(s->fluid, ROUNDS * looks);
+	team = rows < (size_t)team ? (int)rows : team;
+	TS_TRY(team > 1 ? search_shared(s, rows, team) : search_rows(s, 0, rows));
 	if (s->solid->parts > 1)
 		settle(ib, first, first_band);
 	return TS_OK;
@@ -354,6 +466,10 @@ enum ts_status ts_immersed_place(struct ts_immersed *ib, struct ts_solid *solid,
 
 void ts_immersed_release(struct ts_immersed *ib)
 {
+	for (size_t k = 0; k < ib->chunk_capacity; k++)
+		ts_immersed_release(&ib->chunk[k]);
+	ts_free(ib->chunk);
+	ts_free(ib->note);
 	ts_free(ib->point);
 	ts_free(ib->band);
 	ts_free(ib->distance);

@@ -28,6 +28,7 @@ struct ts_solid_kind {
 			       enum ts_solid_side *side, struct ts_solid_spot *spot);
 	bool (*inside)(const struct ts_solid *solid, size_t part, const double x[3]);
 	void (*release)(struct ts_solid *solid);
+	bool alone; /* `look` has scratch: for one thread at a time */
 };
 
 /* A rigid motion at one time. */

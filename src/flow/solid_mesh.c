@@ -140,7 +140,7 @@ static void release(struct ts_solid *solid)
 	ts_free(s->near.item);
 }
 
-static const struct ts_solid_kind kind = { update, bounds, look, inside, release };
+static const struct ts_solid_kind kind = { update, bounds, look, inside, release, .alone = true };
 
 struct ts_solid *ts_solid_of_mesh(struct ts_mesh_surface *surface, int dimensions,
 				  const struct ts_solid_given *given)

@@ -159,7 +159,7 @@ static bool inside(const struct ts_solid *solid, size_t part, const double x[3])
 	return ts_region_depth(((const struct region *)solid)->instance, x) > 0;
 }
 
-static const struct ts_solid_kind kind = { update, bounds, look, inside, NULL };
+static const struct ts_solid_kind kind = { update, bounds, look, inside, NULL, false };
 
 struct ts_solid *ts_solid_of_region(struct ts_instance *instance, int dimensions,
 				    const struct ts_solid_given *given,

@@ -93,7 +93,7 @@ static void release(struct ts_solid *solid)
 	ts_free(((struct spheres *)solid)->row);
 }
 
-static const struct ts_solid_kind kind = { update, bounds, look, inside, release };
+static const struct ts_solid_kind kind = { update, bounds, look, inside, release, false };
 
 struct ts_solid *ts_solid_of_spheres(int group, int dimensions)
 {
