@@ -225,20 +225,24 @@ START_TEST(faces)
 }
 END_TEST
 
-/* A particle is lost in the very step in which it passes the face. */
+/* A particle is lost in the very step in which it passes the face; with `lost ignore`, at the next rebuild. */
 START_TEST(lost_at_once)
 {
+	static const char *const modes[] = { "warn", "ignore" };
 	struct tsim *sim = deck_open("units si\nboundary f f f\n"
 				     "region box block 0 1 0 1 0 1 units box\n"
 				     "create_box 1 box\n"
 				     "create_atoms 1 single 0.5 0.5 0.9 units box\n"
 				     "set group all diameter 0.1 density 1000\n"
 				     "set atom 1 vz 2.385\nneighbor 0.5 bin\n"
-				     "fix move all nve\nthermo_modify lost ignore\ntimestep 1e-3");
+				     "fix move all nve\ntimestep 1e-3");
 
+	deck(sim, "thermo_modify lost %s", modes[_i]);
 	deck(sim, "run 41"); /* 0.9 + 41 * 0.002385 = 0.9978 */
 	ck_assert_uint_eq(tsim_count(sim), 1);
 	deck(sim, "run 1");
+	ck_assert_uint_eq(tsim_count(sim), (unsigned)_i);
+	deck(sim, "run 80"); /* half the skin is 0.25, 105 steps */
 	ck_assert_uint_eq(tsim_count(sim), 0);
 	tsim_close(sim);
 }
@@ -255,7 +259,7 @@ int main(void)
 	tcase_add_test(all, groups);
 	tcase_add_test(all, wrapping);
 	tcase_add_loop_test(all, faces, 0, 4);
-	tcase_add_test(all, lost_at_once);
+	tcase_add_loop_test(all, lost_at_once, 0, 2);
 	suite_add_tcase(suite, all);
 	return deck_main(suite);
 }
