@@ -168,6 +168,7 @@ unit_tests = \
 	tests/check_variables \
 	tests/check_wear \
 	tests/stability/check_contacts \
+	tests/stability/check_drag_lag \
 	tests/stability/check_flow_limits \
 	tests/stability/check_limits \
 	tests/stability/check_relaxation
@@ -340,6 +341,10 @@ tests_check_wear_LDADD = $(tests_ldadd)
 tests_stability_check_contacts_SOURCES = tests/stability/check_contacts.c $(tests_common)
 tests_stability_check_contacts_CFLAGS = $(tests_cflags)
 tests_stability_check_contacts_LDADD = $(tests_ldadd)
+
+tests_stability_check_drag_lag_SOURCES = tests/stability/check_drag_lag.c $(tests_common)
+tests_stability_check_drag_lag_CFLAGS = $(tests_cflags)
+tests_stability_check_drag_lag_LDADD = $(tests_ldadd)
 
 tests_stability_check_flow_limits_SOURCES = tests/stability/check_flow_limits.c $(tests_common)
 tests_stability_check_flow_limits_CFLAGS = $(tests_cflags)

@@ -370,6 +370,76 @@ static void warn_of_cells(const struct ts_instance *self, struct tsim *sim, doub
 			self->style->name, least, diameter);
 }
 
+/* k at the faces across c: the sum of the coefficients by volume. */
+static void sum_coefficients(const struct ts_instance *self, const struct tsim *sim, int c, double *k)
+{
+	const struct ts_drag *s = self->state;
+	const struct ts_fluid *fluid = s->fluid;
+	const struct ts_particles *p = sim->particles;
+
+	memset(k, 0, fluid->grid.size * sizeof *k);
+	for (size_t i = 0; i < p->n; i++) {
+		struct ts_slip slip = { .density = fluid->density, .viscosity = fluid->viscosity };
+		struct ts_share st;
+		double w[3], place[3];
+		int cell[3];
+
+		if (!ts_in_group(p, i, self->group) || !sample(self, p, i, &slip, w) ||
+		    !ts_fluid_place(fluid, p->x[i], place, cell))
+			continue;
+		ts_share_face(fluid, c, place, cell, (enum ts_interpolation)s->interpolation, &st);
+		ts_share_react(&fluid->grid, &st, c, fluid->u[c], -style_of(self)->coefficient(s, &slip), 0, k,
+			       NULL);
+	}
+}
+
+/* The fluid gets the force as it is, du/dt = -k (u - v)/(e rho): the largest k/(e rho). Weights sum to 1, so no mode
+ * of the velocities relaxes faster. */
+static enum ts_status lagged_rate(const struct ts_instance *self, struct tsim *sim, double *rate)
+{
+	const struct ts_drag *s = self->state;
+	const struct ts_fluid *fluid = s->fluid;
+	double *k = ts_grid_field(&fluid->grid);
+
+	if (!k)
+		return ts_nomem(&sim->error);
+	for (int c = 0; c < fluid->grid.dimensions; c++) {
+		size_t stride = (size_t)fluid->grid.stride[c];
+
+		if (!(axes_bits[s->axes] >> c & 1))
+			continue;
+		sum_coefficients(self, sim, c, k);
+		for (size_t at = stride; at < fluid->grid.size; at++) {
+			double e = fluid->empty ? 0.5 * (fluid->empty[at] + fluid->empty[at - stride]) : 1;
+
+			if (k[at] > 0)
+				*rate = fmax(*rate, k[at] / (e * fluid->density));
+		}
+	}
+	ts_grid_field_free(k);
+	return TS_OK;
+}
+
+/* Explicit drag makes the velocity of the particle relax as well: the slip decays at no more than both rates. The fluid
+ * takes its steps with the force of `every` steps before. */
+static enum ts_status limit_lagged(struct ts_instance *self, struct tsim *sim, double relaxation,
+				   struct ts_plan_report *report)
+{
+	const struct ts_drag *s = self->state;
+	const struct ts_projection *p = s->flow->state;
+	double rate = 0;
+
+	if (!s->fluid || !s->two_way || !s->lagged || !(s->fluid->viscosity > 0))
+		return TS_OK;
+	TS_TRY(lagged_rate(self, sim, &rate));
+	rate *= (double)p->every;
+	if (s->scheme == EXPLICIT)
+		rate += 1 / relaxation;
+	return ts_report_limit(report, rate > 0 ? 2 / rate : INFINITY, false, &self->where,
+			       "what lagged fix %s gives to the fluid, 2 e rho/k (lagged no has no such limit)",
+			       self->style->name);
+}
+
 enum ts_status ts_drag_plan(struct ts_instance *self, struct tsim *sim,
 			    struct ts_plan_report *report)
 {
@@ -392,6 +462,7 @@ enum ts_status ts_drag_plan(struct ts_instance *self, struct tsim *sim,
 	}
 	if (s->fluid && s->two_way)
 		warn_of_cells(self, sim, largest);
+	TS_TRY(limit_lagged(self, sim, least, report));
 	if (isinf(least))
 		return TS_OK;
 	ts_report_line(report, "drag", "%s along %s, least relaxation time %g", self->style->name,

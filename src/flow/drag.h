@@ -86,7 +86,8 @@ extern const char *const ts_drag_axes[], *const ts_drag_schemes[];
 	"Where the fluid is solved for (flow_style projection) it loses what the particles gain, to\n" \
 	"round-off, unless two_way is no, and takes part in the exchange implicitly; with `lagged yes` it\n" \
 	"gets the force as it is, which is cheaper where particles are few (direct pressure solvers need\n" \
-	"equal weights of all faces) and stable for h < 2 e rho/k, k the sum of F/(u - v) by volume. See\n" \
+	"equal weights of all faces) and stable for h < 2 e rho/k, k the sum of F/(u - v) by volume; with\n" \
+	"scheme explicit for h (k/(e rho) + 1/tau) < 2. The plan of a run warns of larger steps. See\n" \
 	"doc/coupling.md."
 #define TS_DRAG_CROWD_DOC                                                                          \
 	"The void fraction is that of fix void_fraction, which must come before this fix, or the one\n" \
