@@ -92,6 +92,8 @@ void ts_fluid_release(struct ts_fluid *fluid);
 /* Makes optional fields, in the init of who needs them. */
 enum ts_status ts_fluid_want(struct ts_fluid *fluid, struct tsim *sim, unsigned fields);
 
+struct ts_mesh_surface;
+
 /* Who takes part in a step of the fluid: state of a fix begins with this and its family is TS_FAMILY_FLOW_PART.
  * Called in script order; NULL: nothing to do. */
 #define TS_FAMILY_FLOW_PART "flow part"
@@ -111,8 +113,9 @@ struct ts_flow_part {
 				 double length);
 	/* What it carries along, at centres, ghosts written: f_ID in dumps and probes (flow/carried.h). */
 	const double *(*scalar)(struct ts_instance *self);
-	/* Adds the force of the last step on the mesh of that fix, and the torque about the mesh's anchor. */
-	void (*load)(const struct ts_instance *self, const char *mesh, double load[2][3]);
+	/* Adds the force of the last step on the mesh, and the torque about the mesh's anchor. */
+	void (*load)(const struct ts_instance *self, const struct ts_mesh_surface *mesh,
+		     double load[2][3]);
 };
 
 /* Writes ghosts of a velocity field, u or another; and its components across the boundary where these are

@@ -204,6 +204,39 @@ done >sunk
 paste -s -d ' ' sunk | awk '{ d = $5 / $2 - 1; f = $6 / $3 - 1; exit !($2 < -0.02 && d^2 < 0.03^2 && f^2 < 0.03^2) }'
 report 'a mesh sinks as a sphere' $? sunk
 
+# ---- wherever its image is, and its reference point
+cuboid 0.207 0.153 0.2511 >slab.stl
+cat >in.images <<'END'
+units si
+atom_style granular
+newton off
+communicate single vel yes
+boundary p p p
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+neighbor 0.05 bin
+create_atoms 1 single 0.41 0.53 0.85 units box
+set group all diameter 0.22 density 2385
+fix m1 all property/global youngsModulus peratomtype 5e6
+fix m2 all property/global poissonsRatio peratomtype 0.45
+fix m3 all property/global coefficientRestitution peratomtypepair 1 0.5
+pair_style gran model hertz
+pair_coeff * *
+flow_style projection cells 12 12 12 viscosity 0.05 density 1 body_force 1 0.3 0
+fix s all mesh/surface/stress file slab.stl type 1 move $(0.5+v_far) 0.5 $(0.5-v_far) reference_point ${far} 0 -1
+fix w all wall/gran model hertz mesh n_meshes 1 meshes s
+fix b all immersed/boundary mesh s
+fix free all move/mesh/free mesh s density 3 omega 0.2 0.7 1
+timestep 2e-4
+run 20
+print "AT $(f_free[1]-v_far:%.8f) $(f_free[2]:%.8f) $(f_free[3]+v_far:%.8f) $(f_free[7]:%.7f) $(f_free[8]:%.7f) $(f_free[9]:%.7f) $(f_b[1]:%.7f) $(f_s[3]:%.6f)"
+END
+for far in 0 1 3; do
+	"$TSIM" -in in.images -log none -var far $far >out 2>&1
+	grep '^AT' out >"at.$far"
+	same "image $far" at.0 "at.$far"
+done
+
 # ---- cut by a run or by a restart file: byte for byte
 cut() { # NAME LINES OF RUNS
 	{ echo 'variable out index deck'; sed '/^run/d' "$top_srcdir/tests/decks/in.free_mesh"; printf "$2"; } >"in.$1"

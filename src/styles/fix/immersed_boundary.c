@@ -42,7 +42,8 @@ struct state {
 	bool placed, told;
 	bool begun; /* a step of the fluid, in substeps */
 	struct record own; /* saved: of a region or a mesh */
-	double lever[3];   /* saved: from the mesh's anchor to where the torque is taken about */
+	const struct ts_mesh_surface *surface; /* of a mesh */
+	double lever[3]; /* saved: of what its torque is about, from the mean of its corners */
 	size_t column;	   /* records of spheres */
 	double slip;	   /* saved */
 };
@@ -64,7 +65,7 @@ static enum ts_status carry(struct ts_instance *self, struct tsim *sim, struct t
 static double limit(const struct ts_instance *self, const struct ts_fluid *fluid);
 static enum ts_status settle(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
 			     double length);
-static void load(const struct ts_instance *self, const char *mesh, double out[2][3]);
+static void load(const struct ts_instance *self, const struct ts_mesh_surface *mesh, double out[2][3]);
 
 /* ---- before a run */
 
@@ -113,6 +114,7 @@ static enum ts_status make_mesh(struct ts_instance *self, struct tsim *sim, int 
 			       "has an edge that it does not share with exactly one other",
 			       s->mesh, t + 1, surface->mesh.centre[t][0],
 			       surface->mesh.centre[t][1], surface->mesh.centre[t][2]);
+	s->surface = surface;
 	s->solid = ts_solid_of_mesh(surface, dimensions, &s->given);
 	return s->solid ? TS_OK : ts_nomem(&sim->error);
 }
@@ -252,6 +254,13 @@ static void take(const struct ts_immersed_sums *sums, double density, double sha
 	r->known = 1;
 }
 
+static void mean_of_corners(const struct ts_mesh *mesh, double mean[3])
+{
+	mean[0] = mean[1] = mean[2] = 0;
+	for (size_t c = 0; c < 3 * mesh->n; c++)
+		ts_axpy(1 / (3 * (double)mesh->n), mesh->x[c / 3][c % 3], mean);
+}
+
 static enum ts_status settle(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
 			     double length)
 {
@@ -262,21 +271,28 @@ static enum ts_status settle(struct ts_instance *self, struct tsim *sim, struct 
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < s->solid->parts; k++)
 		take(&s->immersed.sums[k], fluid->density, share, length, record_of(s, sim, k));
-	if (s->body == MESH)
-		ts_sub(s->solid->motion->centre, ts_mesh_surface_find(sim, s->mesh)->anchor, s->lever);
+	if (s->body == MESH) {
+		mean_of_corners(&s->surface->mesh, s->lever);
+		ts_sub(s->solid->motion->centre, s->lever, s->lever);
+	}
 	s->slip = ts_immersed_slip(&s->immersed, fluid);
 	s->begun = false;
 	return TS_OK;
 }
 
-static void load(const struct ts_instance *self, const char *mesh, double out[2][3])
+/* The mesh has moved on since, and takes the torque along by the mean of its corners: a place near it, so that a
+ * turn since then hardly matters, where the anchor may be far away. */
+static void load(const struct ts_instance *self, const struct ts_mesh_surface *mesh, double out[2][3])
 {
 	const struct state *s = self->state;
-	double torque[3];
+	double arm[3], torque[3];
 
-	if (s->body != MESH || !ts_streq(s->mesh, mesh))
+	if (s->body != MESH || s->surface != mesh)
 		return;
-	ts_cross(s->lever, s->own.force, torque);
+	mean_of_corners(&mesh->mesh, arm);
+	ts_add(arm, s->lever, arm);
+	ts_sub(arm, mesh->anchor, arm);
+	ts_cross(arm, s->own.force, torque);
 	ts_add(torque, s->own.torque, torque);
 	ts_add(out[0], s->own.force, out[0]);
 	ts_add(out[1], torque, out[1]);

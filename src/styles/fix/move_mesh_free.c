@@ -160,7 +160,7 @@ static enum ts_status act(struct ts_instance *self, struct tsim *sim)
 		const struct ts_flow_part *part = inst->state;
 
 		if (part->load)
-			part->load(inst, s->mover.mesh, load);
+			part->load(inst, surface, load);
 	}
 	memcpy(b->force, load[0], sizeof b->force);
 	ts_sub(surface->anchor, b->x, arm);
@@ -263,9 +263,9 @@ static const struct ts_arg args[] = {
 	TS_REAL("mass", struct state, mass, .flags = TS_OPTIONAL | TS_STATEFUL, .range = TS_POSITIVE,
 		.unit = "mass", .help = "instead of density: spread evenly through it"),
 	TS_VEC3("velocity", struct state, velocity, .fallback = "0 0 0", .unit = "velocity",
-		.help = "of the centre of mass at first"),
+		.help = "of the centre of mass when the fix is made"),
 	TS_VEC3("omega", struct state, omega, .fallback = "0 0 0", .unit = "radian/time",
-		.help = "angular velocity at first"),
+		.help = "angular velocity then"),
 	TS_BOOL("gravity", struct state, falls, .fallback = "yes",
 		.help = "whether each fix gravity, of any group, acts on it"),
 	TS_ARGS_END,
