@@ -8,6 +8,7 @@ export OMP_WAIT_POLICY=passive # there may be fewer cores than threads
 # threads WHAT SCRIPT: with 1, 2 and 3 threads, every loop shared, the same numbers
 threads() {
 	printf 'package omp ${threads} grain 1\nunits si\n%s\nwrite_restart t${threads}.restart\n' "$2" >in.threads
+	rm -f ./*.restart
 	for t in 1 2 3; do
 		"$TSIM" -in in.threads -log "log.$t" -screen none -var threads $t 2>err
 		report "$1, $t threads" $? err
@@ -48,6 +49,31 @@ timestep 0.01
 thermo_style custom step f_body[1] f_body[2] f_body[6]
 thermo 1
 run 5'
+
+awk 'BEGIN { # an octahedron
+	print "solid o"
+	for (k = 0; k < 8; k++) {
+		a = k % 2 ? 1 : -1; b = int(k / 2) % 2 ? 1 : -1; c = int(k / 4) ? 1 : -1
+		print "facet normal 0 0 0\nouter loop"
+		print "vertex", 0.31 * a, 0, 0
+		y = "vertex 0 " 0.31 * b " 0"; z = "vertex 0 0 " 0.31 * c
+		print (a * b * c > 0 ? y "\n" z : z "\n" y)
+		print "endloop\nendfacet"
+	}
+	print "endsolid o"
+}' >octahedron.stl
+threads 'mesh that turns' 'atom_style granular
+boundary p p p
+region box block -0.5 0.5 -0.5 0.5 -0.5 0.5 units box
+create_box 1 box
+fix octahedron all mesh/surface file octahedron.stl type 1
+fix turn all move/mesh mesh octahedron rotate origin 0 0 0 axis 0 0 1 period 0.5
+flow_style projection cells 14 13 12 viscosity 0.02 density 1
+fix body all immersed/boundary mesh octahedron
+timestep 0.01
+thermo_style custom step f_body[1] f_body[2] f_body[6]
+thermo 1
+run 4'
 
 # spheres whose points meet: which of them owns a point
 threads 'spheres' 'atom_style granular

@@ -23,7 +23,7 @@ struct search {
 	const struct ts_fluid *fluid;
 	const struct ts_grid *grid;
 	int component;
-	size_t part;
+	size_t worker, part;
 	double lo[3], hi[3]; /* around the part */
 	int from[3], to[3];  /* indices, of periodic axes beyond the grid as well */
 	bool shared; /* among threads: whose a point is will be known later */
@@ -273,7 +273,7 @@ static enum ts_status search_row(struct search *s, int j, int k)
 				reach += width(s, d, index[d]) * width(s, d, index[d]);
 		}
 		reach = 1.001 * sqrt(reach);
-		TS_TRY(s->solid->kind->look(s->solid, s->part, x, reach, &side, &spot));
+		TS_TRY(s->solid->kind->look(s->solid, s->worker, s->part, x, reach, &side, &spot));
 		if (side == TS_SOLID_NEAR) {
 			where = spot.distance > 0 ? OUT : IN;
 			TS_TRY(add_point(s, index, x, spot.distance));
@@ -366,6 +366,7 @@ static void search_chunks(void *context, size_t from, size_t to)
 	for (size_t k = from; k < to; k++) {
 		s.ib = &task->search->ib->chunk[k];
 		s.shared = true;
+		s.worker = k;
 		s.ib->npoints = s.ib->nbands = 0;
 		s.ib->status = search_rows(&s, task->rows * k / chunks, task->rows * (k + 1) / chunks);
 	}
@@ -403,6 +404,8 @@ static enum ts_status search_shared(struct search *s, size_t rows, int team)
 	struct ts_immersed *ib = s->ib;
 	struct search_task task = { s, rows };
 
+	if (s->solid->kind->team)
+		TS_TRY(s->solid->kind->team(s->solid, (size_t)team));
 	TS_TRY(TS_GROW(ib->chunk, ib->chunk_capacity, (size_t)team));
 	ib->chunks = (size_t)team;
 	ts_parallel(team, ib->chunks, search_chunks, &task);
@@ -424,7 +427,7 @@ static enum ts_status place_component(struct search *s)
 		rows += more;
 		looks += more * (size_t)(s->to[0] - s->from[0]);
 	}
-	team = s->solid->kind->alone ? 1 : ts_fluid_team(s->fluid, ROUNDS * looks);
+	team = ts_fluid_team(s->fluid, ROUNDS * looks);
 	team = rows < (size_t)team ? (int)rows : team;
 	TS_TRY(team > 1 ? search_shared(s, rows, team) : search_rows(s, 0, rows));
 	if (s->solid->parts > 1)

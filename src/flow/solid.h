@@ -23,12 +23,13 @@ struct ts_solid_kind {
 	/* Where it is now; sets `moved` if that has changed since the last time. */
 	enum ts_status (*update)(struct ts_solid *solid, struct tsim *sim);
 	void (*bounds)(const struct ts_solid *solid, size_t part, double lo[3], double hi[3]);
-	/* TS_SOLID_FAR: the surface is farther than `reach`, and nothing is said - not even on which side. */
-	enum ts_status (*look)(struct ts_solid *solid, size_t part, const double x[3], double reach,
-			       enum ts_solid_side *side, struct ts_solid_spot *spot);
+	/* TS_SOLID_FAR: the surface is farther than `reach`, and nothing is said - not even on which side.
+	 * Workers look side by side, each with its own number from 0. */
+	enum ts_status (*look)(struct ts_solid *solid, size_t worker, size_t part, const double x[3],
+			       double reach, enum ts_solid_side *side, struct ts_solid_spot *spot);
 	bool (*inside)(const struct ts_solid *solid, size_t part, const double x[3]);
 	void (*release)(struct ts_solid *solid);
-	bool alone; /* `look` has scratch: for one thread at a time */
+	enum ts_status (*team)(struct ts_solid *solid, size_t workers); /* so many will look; NULL: any may */
 };
 
 /* A rigid motion at one time. */

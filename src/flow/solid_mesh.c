@@ -14,7 +14,8 @@ struct closed {
 	struct ts_solid solid; /* first */
 	struct ts_mesh_surface *surface;
 	struct ts_mesh_tree tree;
-	struct ts_mesh_list near; /* scratch */
+	struct ts_mesh_list *near; /* scratch of each worker */
+	size_t workers;
 	const struct ts_solid_given *given;
 	uint64_t moves; /* of the surface, when the tree was built */
 	double lo[3], hi[3];
@@ -106,15 +107,22 @@ static void bounds(const struct ts_solid *solid, size_t part, double lo[3], doub
 	memcpy(hi, s->hi, sizeof s->hi);
 }
 
-static enum ts_status look(struct ts_solid *solid, size_t part, const double x[3], double reach,
-			   enum ts_solid_side *side, struct ts_solid_spot *spot)
+static enum ts_status team(struct ts_solid *solid, size_t workers)
+{
+	struct closed *s = (struct closed *)solid;
+
+	return TS_GROW(s->near, s->workers, workers);
+}
+
+static enum ts_status look(struct ts_solid *solid, size_t worker, size_t part, const double x[3],
+			   double reach, enum ts_solid_side *side, struct ts_solid_spot *spot)
 {
 	struct closed *s = (struct closed *)solid;
 	struct ts_mesh_distance d;
 	bool near;
 
 	(void)part;
-	TS_TRY(ts_mesh_signed_distance(&s->surface->mesh, &s->tree, x, reach, &s->near, &near, &d));
+	TS_TRY(ts_mesh_signed_distance(&s->surface->mesh, &s->tree, x, reach, &s->near[worker], &near, &d));
 	*side = near ? TS_SOLID_NEAR : TS_SOLID_FAR;
 	if (!near)
 		return TS_OK;
@@ -137,10 +145,12 @@ static void release(struct ts_solid *solid)
 	struct closed *s = (struct closed *)solid;
 
 	ts_mesh_tree_release(&s->tree);
-	ts_free(s->near.item);
+	for (size_t k = 0; k < s->workers; k++)
+		ts_free(s->near[k].item);
+	ts_free(s->near);
 }
 
-static const struct ts_solid_kind kind = { update, bounds, look, inside, release, .alone = true };
+static const struct ts_solid_kind kind = { update, bounds, look, inside, release, team };
 
 struct ts_solid *ts_solid_of_mesh(struct ts_mesh_surface *surface, int dimensions,
 				  const struct ts_solid_given *given)
@@ -152,8 +162,9 @@ struct ts_solid *ts_solid_of_mesh(struct ts_mesh_surface *surface, int dimension
 	s->solid = (struct ts_solid){ .kind = &kind, .parts = 1, .dimensions = dimensions };
 	s->surface = surface;
 	s->given = given;
-	if (TS_GROW(s->solid.motion, s->solid.motion_capacity, 1) == TS_OK)
+	if (TS_GROW(s->solid.motion, s->solid.motion_capacity, 1) == TS_OK && team(&s->solid, 1) == TS_OK)
 		return &s->solid;
+	ts_free(s->solid.motion);
 	ts_free(s);
 	return NULL;
 }

@@ -138,11 +138,12 @@ static void normal(const struct region *s, const double x[3], double reach, doub
 	ts_scale(1 / length, n, n);
 }
 
-static enum ts_status look(struct ts_solid *solid, size_t part, const double x[3], double reach,
-			   enum ts_solid_side *side, struct ts_solid_spot *spot)
+static enum ts_status look(struct ts_solid *solid, size_t worker, size_t part, const double x[3],
+			   double reach, enum ts_solid_side *side, struct ts_solid_spot *spot)
 {
 	const struct region *s = (const struct region *)solid;
 
+	(void)worker;
 	(void)part;
 	spot->distance = -ts_region_depth(s->instance, x);
 	*side = fabs(spot->distance) > reach ? TS_SOLID_FAR : TS_SOLID_NEAR;
@@ -159,7 +160,7 @@ static bool inside(const struct ts_solid *solid, size_t part, const double x[3])
 	return ts_region_depth(((const struct region *)solid)->instance, x) > 0;
 }
 
-static const struct ts_solid_kind kind = { update, bounds, look, inside, NULL, false };
+static const struct ts_solid_kind kind = { update, bounds, look, inside, NULL, NULL };
 
 struct ts_solid *ts_solid_of_region(struct ts_instance *instance, int dimensions,
 				    const struct ts_solid_given *given,

@@ -64,12 +64,13 @@ static double arm_of(const struct ts_solid *solid, size_t part, const double x[3
 	return ts_norm(arm);
 }
 
-static enum ts_status look(struct ts_solid *solid, size_t part, const double x[3], double reach,
-			   enum ts_solid_side *side, struct ts_solid_spot *spot)
+static enum ts_status look(struct ts_solid *solid, size_t worker, size_t part, const double x[3],
+			   double reach, enum ts_solid_side *side, struct ts_solid_spot *spot)
 {
 	const struct spheres *s = (const struct spheres *)solid;
 	double length = arm_of(solid, part, x, spot->n);
 
+	(void)worker;
 	spot->distance = length - s->particles->radius[s->row[part]];
 	*side = fabs(spot->distance) > reach ? TS_SOLID_FAR : TS_SOLID_NEAR;
 	if (length > 0)
@@ -93,7 +94,7 @@ static void release(struct ts_solid *solid)
 	ts_free(((struct spheres *)solid)->row);
 }
 
-static const struct ts_solid_kind kind = { update, bounds, look, inside, release, false };
+static const struct ts_solid_kind kind = { update, bounds, look, inside, release, NULL };
 
 struct ts_solid *ts_solid_of_spheres(int group, int dimensions)
 {
