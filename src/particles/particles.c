@@ -60,7 +60,7 @@ static void fini(struct ts_instance *self)
 static enum ts_status archive_groups(struct ts_particles *p, struct ts_archive *a)
 {
 	for (int g = 1; g < TS_MAX_GROUPS; g++) {
-		char name[16];
+		char name[24];
 		const char *text = p->group[g] ? p->group[g] : "";
 
 		snprintf(name, sizeof name, "group%d", g);
