@@ -124,8 +124,7 @@ static void fill_across(const struct ts_fluid *fluid, double *u, const struct pl
 			else if (kind != TS_FLOW_OUTLET && !keep)
 				at[0] = given_at(&fluid->given[d][side], grid, d, d, ia, ib);
 			at[-s] = kind != TS_FLOW_OUTLET ? 2 * at[0] - at[s] : out > 0 ? at[0] : 0;
-			if (side == TS_LOW) /* above the upper face there is one layer */
-				at[-2 * s] = 2 * at[-s] - at[0];
+			at[-2 * s] = kind != TS_FLOW_OUTLET ? 2 * at[-s] - at[0] : at[-s];
 		}
 }
 

@@ -71,10 +71,11 @@ enum ts_status ts_grid_make(struct ts_grid *grid, int dimensions, const int n[3]
 		total += NARRAYS * lengths[d];
 	}
 	grid->stride[0] = 1;
-	/* Rows of a multiple of 8 doubles begin on lines of the cache. */
-	grid->stride[1] = (n[0] + 2 * grid->ghosts[0] + 7) / 8 * 8;
-	grid->stride[2] = grid->stride[1] * (n[1] + 2 * grid->ghosts[1]);
-	grid->size = (size_t)(grid->stride[2] * (n[2] + 2 * grid->ghosts[2]));
+	/* One layer more than the cells have, for the faces beyond the upper boundary. Rows of a multiple of 8
+	 * doubles begin on lines of the cache. */
+	grid->stride[1] = (n[0] + 2 * grid->ghosts[0] + 1 + 7) / 8 * 8;
+	grid->stride[2] = grid->stride[1] * (n[1] + 2 * grid->ghosts[1] + 1);
+	grid->size = (size_t)(grid->stride[2] * (n[2] + 2 * grid->ghosts[2] + (dimensions == 3)));
 	grid->origin = (size_t)(grid->ghosts[0] + grid->ghosts[1] * grid->stride[1] +
 				grid->ghosts[2] * grid->stride[2]);
 	grid->memory = ts_alloc(total, sizeof *grid->memory);

@@ -3,7 +3,8 @@
  * Fields are arrays of doubles of grid.size, ghost cells included; cell (i,j,k), 0 <= i < n[0] ..., is at
  * ts_at(grid, i, j, k). Pressure, void fraction and scalars live in the centres of cells, velocity component
  * d on their lower faces across axis d: u[0] of cell (i,j,k) is at (face[0][i], centre[1][j], centre[2][k]).
- * The faces of the upper boundary are the lower faces of the first ghost cells: i = n[0]. */
+ * The faces of the upper boundary are the lower faces of the first ghost cells, i = n[0]; beyond them fields have two
+ * layers of faces, as below the lower boundary. */
 #ifndef TS_FLOW_GRID_H
 #define TS_FLOW_GRID_H
 
