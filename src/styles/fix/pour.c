@@ -462,7 +462,7 @@ static enum ts_status pre_exchange(struct ts_instance *self, struct tsim *sim)
 {
 	struct pour *s = self->state;
 	size_t from;
-	double g;
+	double g = 0;
 
 	if (!s->base.due)
 		return TS_OK;
