@@ -166,7 +166,7 @@ static bool serves(const char *line, const struct ts_poisson *poisson)
 	snprintf(name, sizeof name, "%.*s", (int)strcspn(line, " "), line);
 	style = ts_style_find(TS_KIND_PRESSURE, name);
 	ck_assert_ptr_nonnull(style);
-	return ((const struct ts_pressure_style *)style)->suits(NULL, poisson, &why);
+	return ts_pressure_suits((const struct ts_pressure_style *)style, poisson, &why);
 }
 
 static struct ts_poisson_report solve(struct tsim *sim, struct ts_instance *inst, struct problem *q)

@@ -42,9 +42,8 @@ struct ts_poisson_report {
  * ts_pressure_choose. */
 struct ts_pressure_style {
 	struct ts_style style;
-	/* Whether it can solve this; else *why says why not ("weights vary"). */
-	bool (*suits)(const struct ts_instance *self, const struct ts_poisson *problem,
-		      const char **why);
+	/* Whether it can solve this; else *why says why not ("weights vary"). NULL: it can solve all. */
+	bool (*suits)(const struct ts_poisson *problem, const char **why);
 	/* New grid or conditions: takes memory, makes plans. `problem` stays valid until the next prepare. */
 	enum ts_status (*prepare)(struct ts_instance *self, struct tsim *sim,
 				  const struct ts_poisson *problem);
@@ -52,8 +51,8 @@ struct ts_pressure_style {
 	 * written. Bitwise the same for any number of threads. */
 	enum ts_status (*solve)(struct ts_instance *self, struct tsim *sim, const double *rhs,
 				double *p, struct ts_poisson_report *report);
-	/* Seconds a solve will cost, roughly, for the choice of the default and -explain. Here and in `suits`
-	 * self may be NULL: with the arguments' defaults. */
+	/* Seconds a solve will cost, roughly, for the choice of the default and -explain. self may be NULL: with
+	 * the arguments' defaults. */
 	double (*cost)(const struct ts_instance *self, const struct ts_poisson *problem);
 	int fields; /* that it keeps, about, in numbers of the cells */
 };
@@ -61,6 +60,12 @@ struct ts_pressure_style {
 static inline const struct ts_pressure_style *ts_pressure_style_of(const struct ts_instance *inst)
 {
 	return (const struct ts_pressure_style *)inst->style;
+}
+
+static inline bool ts_pressure_suits(const struct ts_pressure_style *style, const struct ts_poisson *problem,
+				     const char **why)
+{
+	return !style->suits || style->suits(problem, why);
 }
 
 /* The live pressure style, or the default for this problem (made on the first call; rules in its doc and in

@@ -55,8 +55,10 @@ double ts_preconditioned_cost(const struct ts_preconditioned *c, const struct ts
 	return (problem->weight[0] ? 11 : 2) * (ts_direct_cost(problem) + 9e-9 * cells);
 }
 
-void ts_preconditioned_release(struct ts_preconditioned *c)
+void ts_preconditioned_fini(struct ts_instance *self)
 {
+	struct ts_preconditioned *c = self->state;
+
 	ts_iteration_release(&c->iteration);
 	ts_conjugate_release(&c->conjugate);
 	ts_direct_release(&c->direct);
@@ -65,14 +67,15 @@ void ts_preconditioned_release(struct ts_preconditioned *c)
 	c->hypre = NULL;
 }
 
-enum ts_status ts_preconditioned_prepare(struct ts_preconditioned *c, struct tsim *sim,
+enum ts_status ts_preconditioned_prepare(struct ts_instance *self, struct tsim *sim,
 					 const struct ts_poisson *problem)
 {
+	struct ts_preconditioned *c = self->state;
 	const struct ts_stencil *s = &c->iteration.stencil;
 	bool any = c->wanted == TS_PRECONDITION_AUTO;
 	enum ts_status status;
 
-	ts_preconditioned_release(c);
+	ts_preconditioned_fini(self);
 	TS_TRY(ts_iteration_prepare(&c->iteration, sim, problem));
 	status = ts_conjugate_make(&c->conjugate, s);
 	if (status == TS_OK && (any || c->wanted == TS_PRECONDITION_DIRECT))
@@ -97,10 +100,10 @@ static void without_weights(void *context, const double *r, double *z)
 	ts_direct_solve(&c->direct, z, z);
 }
 
-enum ts_status ts_preconditioned_solve(struct ts_preconditioned *c, struct ts_instance *self,
-				       struct tsim *sim, const double *rhs, double *p,
-				       struct ts_poisson_report *report)
+enum ts_status ts_preconditioned_solve(struct ts_instance *self, struct tsim *sim, const double *rhs,
+				       double *p, struct ts_poisson_report *report)
 {
+	struct ts_preconditioned *c = self->state;
 	struct ts_iteration *it = &c->iteration;
 	ts_precondition_fn *precondition = NULL;
 	void *context = c;

@@ -28,11 +28,11 @@ struct ts_preconditioned {
 
 /* Seconds of a solve with the best of them, roughly. */
 double ts_preconditioned_cost(const struct ts_preconditioned *c, const struct ts_poisson *problem);
-enum ts_status ts_preconditioned_prepare(struct ts_preconditioned *c, struct tsim *sim,
+/* Slots of styles whose state it is. */
+enum ts_status ts_preconditioned_prepare(struct ts_instance *self, struct tsim *sim,
 					 const struct ts_poisson *problem);
-void ts_preconditioned_release(struct ts_preconditioned *c);
-enum ts_status ts_preconditioned_solve(struct ts_preconditioned *c, struct ts_instance *self,
-				       struct tsim *sim, const double *rhs, double *p,
-				       struct ts_poisson_report *report);
+enum ts_status ts_preconditioned_solve(struct ts_instance *self, struct tsim *sim, const double *rhs,
+				       double *p, struct ts_poisson_report *report);
+void ts_preconditioned_fini(struct ts_instance *self);
 
 #endif

@@ -16,7 +16,7 @@ static const struct ts_pressure_style *cheapest(const struct ts_poisson *problem
 	for (const struct ts_style *const *s = ts_style_table; *s; s++) {
 		const struct ts_pressure_style *style = (const struct ts_pressure_style *)*s;
 
-		if ((*s)->kind == TS_KIND_PRESSURE && style->suits(NULL, problem, &why) &&
+		if ((*s)->kind == TS_KIND_PRESSURE && ts_pressure_suits(style, problem, &why) &&
 		    (!best || style->cost(NULL, problem) < best->cost(NULL, problem)))
 			best = style;
 	}
@@ -37,7 +37,7 @@ enum ts_status ts_pressure_choose(struct tsim *sim, const struct ts_poisson *pro
 			TS_TRY(ts_sim_destroy(sim, TS_KIND_PRESSURE, &automatic));
 		*out = chosen;
 		style = ts_pressure_style_of(chosen);
-		if (!style->suits(chosen, problem, &why))
+		if (!ts_pressure_suits(style, problem, &why))
 			return ts_fail(&sim->error, TS_STATE, &chosen->where,
 				       "pressure_style %s cannot be used here: %s", style->style.name,
 				       why);

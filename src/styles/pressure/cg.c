@@ -4,31 +4,6 @@
 
 #include "base/banned.h"
 
-static void fini(struct ts_instance *self)
-{
-	ts_preconditioned_release(self->state);
-}
-
-static bool suits(const struct ts_instance *self, const struct ts_poisson *problem, const char **why)
-{
-	(void)self;
-	(void)problem;
-	(void)why;
-	return true;
-}
-
-static enum ts_status prepare(struct ts_instance *self, struct tsim *sim,
-			      const struct ts_poisson *problem)
-{
-	return ts_preconditioned_prepare(self->state, sim, problem);
-}
-
-static enum ts_status solve(struct ts_instance *self, struct tsim *sim, const double *rhs, double *p,
-			    struct ts_poisson_report *report)
-{
-	return ts_preconditioned_solve(self->state, self, sim, rhs, p, report);
-}
-
 static double cost(const struct ts_instance *self, const struct ts_poisson *problem)
 {
 	return ts_preconditioned_cost(self ? self->state : NULL, problem);
@@ -61,10 +36,9 @@ const struct ts_pressure_style ts_pressure_cg = {
 		   .cite = "M. R. Hestenes and E. Stiefel, J. Res. Nat. Bur. Stand. 49 (1952) 409",
 		   .args = args,
 		   .state_size = sizeof(struct ts_preconditioned),
-		   .fini = fini },
-	.suits = suits,
-	.prepare = prepare,
-	.solve = solve,
+		   .fini = ts_preconditioned_fini },
+	.prepare = ts_preconditioned_prepare,
+	.solve = ts_preconditioned_solve,
 	.cost = cost,
 	.fields = 13,
 };

@@ -16,9 +16,8 @@ static void fini(struct ts_instance *self)
 	ts_direct_release(&((struct direct *)self->state)->solver);
 }
 
-static bool suits(const struct ts_instance *self, const struct ts_poisson *problem, const char **why)
+static bool suits(const struct ts_poisson *problem, const char **why)
 {
-	(void)self;
 	*why = "it solves only where the void fraction is 1 everywhere";
 	return !problem->weight[0];
 }

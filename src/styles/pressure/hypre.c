@@ -13,14 +13,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static void fini(struct ts_instance *self)
+static bool suits(const struct ts_poisson *problem, const char **why)
 {
-	ts_preconditioned_release(self->state);
-}
-
-static bool suits(const struct ts_instance *self, const struct ts_poisson *problem, const char **why)
-{
-	(void)self;
 	if (!ts_hypre_here()) {
 		*why = "this tsim was built without hypre";
 		return false;
@@ -38,16 +32,8 @@ static bool suits(const struct ts_instance *self, const struct ts_poisson *probl
 static enum ts_status prepare(struct ts_instance *self, struct tsim *sim,
 			      const struct ts_poisson *problem)
 {
-	struct ts_preconditioned *c = self->state;
-
-	c->wanted = TS_PRECONDITION_HYPRE;
-	return ts_preconditioned_prepare(c, sim, problem);
-}
-
-static enum ts_status solve(struct ts_instance *self, struct tsim *sim, const double *rhs, double *p,
-			    struct ts_poisson_report *report)
-{
-	return ts_preconditioned_solve(self->state, self, sim, rhs, p, report);
+	((struct ts_preconditioned *)self->state)->wanted = TS_PRECONDITION_HYPRE;
+	return ts_preconditioned_prepare(self, sim, problem);
 }
 
 static double cost(const struct ts_instance *self, const struct ts_poisson *problem)
@@ -78,10 +64,10 @@ const struct ts_pressure_style ts_pressure_hypre = {
 		   .args = args,
 		   .state_size = sizeof(struct ts_preconditioned),
 		   .init = init,
-		   .fini = fini },
+		   .fini = ts_preconditioned_fini },
 	.suits = suits,
 	.prepare = prepare,
-	.solve = solve,
+	.solve = ts_preconditioned_solve,
 	.cost = cost,
 	.fields = 25,
 };

@@ -4,32 +4,11 @@
 
 #include "base/banned.h"
 
-static void fini(struct ts_instance *self)
-{
-	ts_preconditioned_release(self->state);
-}
-
-static bool suits(const struct ts_instance *self, const struct ts_poisson *problem, const char **why)
-{
-	(void)self;
-	(void)problem;
-	(void)why;
-	return true;
-}
-
 static enum ts_status prepare(struct ts_instance *self, struct tsim *sim,
 			      const struct ts_poisson *problem)
 {
-	struct ts_preconditioned *c = self->state;
-
-	c->wanted = TS_PRECONDITION_MULTIGRID;
-	return ts_preconditioned_prepare(c, sim, problem);
-}
-
-static enum ts_status solve(struct ts_instance *self, struct tsim *sim, const double *rhs, double *p,
-			    struct ts_poisson_report *report)
-{
-	return ts_preconditioned_solve(self->state, self, sim, rhs, p, report);
+	((struct ts_preconditioned *)self->state)->wanted = TS_PRECONDITION_MULTIGRID;
+	return ts_preconditioned_prepare(self, sim, problem);
 }
 
 static double cost(const struct ts_instance *self, const struct ts_poisson *problem)
@@ -60,10 +39,9 @@ const struct ts_pressure_style ts_pressure_multigrid = {
 		   .cite = "A. Brandt, Math. Comp. 31 (1977) 333",
 		   .args = args,
 		   .state_size = sizeof(struct ts_preconditioned),
-		   .fini = fini },
-	.suits = suits,
+		   .fini = ts_preconditioned_fini },
 	.prepare = prepare,
-	.solve = solve,
+	.solve = ts_preconditioned_solve,
 	.cost = cost,
 	.fields = 12,
 };

@@ -35,14 +35,6 @@ static void fini(struct ts_instance *self)
 	s->spare = NULL;
 }
 
-static bool suits(const struct ts_instance *self, const struct ts_poisson *problem, const char **why)
-{
-	(void)self;
-	(void)problem;
-	(void)why;
-	return true;
-}
-
 static enum ts_status prepare(struct ts_instance *self, struct tsim *sim,
 			      const struct ts_poisson *problem)
 {
@@ -98,7 +90,6 @@ const struct ts_pressure_style ts_pressure_sor = {
 		   .state_size = sizeof(struct sor),
 		   .init = init,
 		   .fini = fini },
-	.suits = suits,
 	.prepare = prepare,
 	.solve = solve,
 	.cost = cost,
