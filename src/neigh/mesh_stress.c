@@ -39,22 +39,27 @@ enum ts_status ts_mesh_stress_init(struct ts_instance *self, struct tsim *sim,
 	return s->load && s->normal && s->shear && s->wear ? TS_OK : ts_nomem(&sim->error);
 }
 
-void ts_mesh_stress_release(struct ts_mesh_stress *s)
+void ts_mesh_stress_fini(struct ts_instance *self)
 {
-	ts_free(s->load);
-	ts_free(s->normal);
-	ts_free(s->shear);
-	ts_free(s->wear);
-	ts_free(s->k);
+	struct ts_mesh_stress *s = surface_of(self)->stress;
+
+	if (s) { /* else init has not come so far */
+		ts_free(s->load);
+		ts_free(s->normal);
+		ts_free(s->shear);
+		ts_free(s->wear);
+		ts_free(s->k);
+	}
+	ts_mesh_surface_fini(self);
 }
 
-enum ts_status ts_mesh_stress_archive(struct ts_archive *a, struct tsim *sim,
-				      const struct ts_mesh_surface *surface)
+enum ts_status ts_mesh_stress_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
+	const struct ts_mesh_surface *surface = surface_of(self);
 	struct ts_mesh_stress *s = surface->stress;
 	size_t n = surface->mesh.n;
 
-	(void)sim;
+	TS_TRY(ts_mesh_surface_archive(self, sim, a));
 	TS_TRY(ts_archive_fixed(a, "load", TS_SAVED_F64, s->load, 3 * n));
 	TS_TRY(ts_archive_fixed(a, "sum", TS_SAVED_F64, s->sum, 6));
 	TS_TRY(ts_archive_fixed(a, "total", TS_SAVED_F64, s->total, 6));
@@ -78,7 +83,7 @@ enum ts_status ts_mesh_stress_eval(struct ts_instance *self, const struct tsim *
 }
 
 /* For the types that particles have. */
-enum ts_status ts_mesh_stress_constants(struct ts_instance *self, struct tsim *sim)
+static enum ts_status find_constants(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_mesh_surface *surface = surface_of(self);
 	struct ts_mesh_stress *s = surface->stress;
@@ -98,6 +103,12 @@ enum ts_status ts_mesh_stress_constants(struct ts_instance *self, struct tsim *s
 		TS_TRY(ts_property_value(sim, "k_finnie", (int)surface->type, t, "wear finnie",
 					 ts_instance_word(self, "wear"), &s->k[t]));
 	return TS_OK;
+}
+
+enum ts_status ts_mesh_stress_post_build(struct ts_instance *self, struct tsim *sim)
+{
+	TS_TRY(ts_mesh_surface_post_build(self, sim));
+	return find_constants(self, sim);
 }
 
 enum ts_status ts_mesh_stress_clear(struct ts_instance *self, struct tsim *sim)

@@ -53,12 +53,13 @@ enum ts_status ts_mesh_stress_eval(struct ts_instance *self, const struct tsim *
 /* In init, when the mesh is there: gives it the stress. */
 enum ts_status ts_mesh_stress_init(struct ts_instance *self, struct tsim *sim,
 				   struct ts_mesh_surface *surface, struct ts_mesh_stress *stress);
-void ts_mesh_stress_release(struct ts_mesh_stress *stress);
-enum ts_status ts_mesh_stress_archive(struct ts_archive *archive, struct tsim *sim,
-				      const struct ts_mesh_surface *surface);
 
-/* Slots: POST_BUILD (constants of wear), PRE_FORCE, FINAL_INTEGRATE. */
-enum ts_status ts_mesh_stress_constants(struct ts_instance *self, struct tsim *sim);
+/* Slots of such a fix, for its surface as well: archive, fini, POST_BUILD; and for the stress alone: PRE_FORCE,
+ * FINAL_INTEGRATE. */
+enum ts_status ts_mesh_stress_archive(struct ts_instance *self, struct tsim *sim,
+				      struct ts_archive *archive);
+void ts_mesh_stress_fini(struct ts_instance *self);
+enum ts_status ts_mesh_stress_post_build(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_mesh_stress_clear(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_mesh_stress_settle(struct ts_instance *self, struct tsim *sim);
 

@@ -18,24 +18,6 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return ts_mesh_stress_init(self, sim, &s->surface, &s->stress);
 }
 
-static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive)
-{
-	TS_TRY(ts_mesh_surface_archive(self, sim, archive));
-	return ts_mesh_stress_archive(archive, sim, self->state);
-}
-
-static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
-{
-	TS_TRY(ts_mesh_surface_post_build(self, sim));
-	return ts_mesh_stress_constants(self, sim);
-}
-
-static void fini(struct ts_instance *self)
-{
-	ts_mesh_stress_release(&((struct state *)self->state)->stress);
-	ts_mesh_surface_fini(self);
-}
-
 static const struct ts_arg args[] = {
 	TS_MESH_ARGS(struct state, words, surface),
 	TS_MESH_STRESS_ARGS(struct state, stress),
@@ -70,13 +52,13 @@ const struct ts_style ts_fix_mesh_surface_stress = {
 	.args = args,
 	.family = TS_FAMILY_MESH,
 	.state_size = sizeof(struct state),
-	.archive = archive,
+	.archive = ts_mesh_stress_archive,
 	.fingerprint = ts_mesh_surface_fingerprint,
 	.values = values,
 	.init = init,
-	.hook = { [TS_STAGE_POST_BUILD] = post_build,
+	.hook = { [TS_STAGE_POST_BUILD] = ts_mesh_stress_post_build,
 		  [TS_STAGE_PRE_FORCE] = ts_mesh_stress_clear,
 		  [TS_STAGE_FINAL_INTEGRATE] = ts_mesh_stress_settle },
 	.plan = ts_mesh_surface_plan,
-	.fini = fini,
+	.fini = ts_mesh_stress_fini,
 };

@@ -263,24 +263,6 @@ static enum ts_status modify(struct ts_instance *self, struct tsim *sim, struct 
 
 /* ---- the style ---- */
 
-static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive)
-{
-	TS_TRY(ts_mesh_surface_archive(self, sim, archive));
-	return ts_mesh_stress_archive(archive, sim, self->state);
-}
-
-static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
-{
-	TS_TRY(ts_mesh_surface_post_build(self, sim));
-	return ts_mesh_stress_constants(self, sim);
-}
-
-static void fini(struct ts_instance *self)
-{
-	ts_mesh_stress_release(&((struct state *)self->state)->stress);
-	ts_mesh_surface_fini(self);
-}
-
 static const struct ts_arg args[] = {
 	TS_MESH_ARGS(struct state, words, surface),
 	TS_MESH_STRESS_ARGS(struct state, stress),
@@ -346,15 +328,15 @@ const struct ts_style ts_fix_mesh_surface_stress_servo = {
 	.family = TS_FAMILY_MESH,
 	.state_size = sizeof(struct state),
 	.saved = saved,
-	.archive = archive,
+	.archive = ts_mesh_stress_archive,
 	.fingerprint = ts_mesh_surface_fingerprint,
 	.values = values,
 	.init = init,
 	.modify = modify,
 	.plan = plan,
 	.hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,
-		  [TS_STAGE_POST_BUILD] = post_build,
+		  [TS_STAGE_POST_BUILD] = ts_mesh_stress_post_build,
 		  [TS_STAGE_PRE_FORCE] = ts_mesh_stress_clear,
 		  [TS_STAGE_FINAL_INTEGRATE] = final_integrate },
-	.fini = fini,
+	.fini = ts_mesh_stress_fini,
 };
