@@ -24,24 +24,34 @@ static enum ts_status unknown(struct tsim *sim, const char *what, const struct t
 		       word->text, ts_suggest_text(&suggest));
 }
 
+enum ts_status ts_name_list_room(struct tsim *sim, struct ts_arena *arena, size_t n,
+				 struct ts_name_list *out)
+{
+	if (!out->item)
+		out->item = ts_arena_alloc(arena, n ? n : 1, sizeof *out->item);
+	out->n = 0;
+	return out->item ? TS_OK : ts_nomem(&sim->error);
+}
+
+enum ts_status ts_name_list_find(struct tsim *sim, const char *what, const struct ts_word *word,
+				 const void *table, size_t stride, int *index)
+{
+	const char *name;
+
+	for (int k = 0; (name = name_at(table, stride, k)); k++)
+		if (ts_streq(name, word->text)) {
+			*index = k;
+			return TS_OK;
+		}
+	return unknown(sim, what, word, table, stride);
+}
+
 enum ts_status ts_name_list_read(struct tsim *sim, const char *what, struct ts_arena *arena,
 				 struct ts_words words, const void *table, size_t stride,
 				 struct ts_name_list *out)
 {
-	if (!out->item)
-		out->item = ts_arena_alloc(arena, words.n ? words.n : 1, sizeof *out->item);
-	if (!out->item)
-		return ts_nomem(&sim->error);
-	for (out->n = 0; out->n < words.n; out->n++) {
-		const struct ts_word *word = &words.word[out->n];
-		const char *name;
-		int k = 0;
-
-		while ((name = name_at(table, stride, k)) && !ts_streq(name, word->text))
-			k++;
-		if (!name)
-			return unknown(sim, what, word, table, stride);
-		out->item[out->n] = k;
-	}
+	TS_TRY(ts_name_list_room(sim, arena, words.n, out));
+	for (; out->n < words.n; out->n++)
+		TS_TRY(ts_name_list_find(sim, what, &words.word[out->n], table, stride, &out->item[out->n]));
 	return TS_OK;
 }

@@ -14,5 +14,10 @@ struct ts_name_list {
 enum ts_status ts_name_list_read(struct tsim *sim, const char *what, struct ts_arena *arena,
 				 struct ts_words words, const void *table, size_t stride,
 				 struct ts_name_list *out);
+/* Its parts, for lists in which other words may stand as well: room for so many, and which name a word is. */
+enum ts_status ts_name_list_room(struct tsim *sim, struct ts_arena *arena, size_t n,
+				 struct ts_name_list *out);
+enum ts_status ts_name_list_find(struct tsim *sim, const char *what, const struct ts_word *word,
+				 const void *table, size_t stride, int *index);
 
 #endif

@@ -36,22 +36,17 @@ enum ts_status ts_flow_names_read(struct tsim *sim, const char *what, struct ts_
 				  struct ts_words words, const void *table, size_t stride,
 				  struct ts_name_list *out)
 {
-	if (!out->item)
-		out->item = ts_arena_alloc(arena, words.n ? words.n : 1, sizeof *out->item);
-	if (!out->item)
-		return ts_nomem(&sim->error);
-	for (out->n = 0; out->n < words.n; out->n++) {
+	TS_TRY(ts_name_list_room(sim, arena, words.n, out));
+	for (; out->n < words.n; out->n++) {
 		const struct ts_word *word = &words.word[out->n];
-		struct ts_name_list one = { .item = out->item + out->n };
 		const double *field;
 
-		if (!is_fix(word)) {
-			TS_TRY(ts_name_list_read(sim, what, arena, (struct ts_words){ word, 1 }, table, stride,
-						 &one));
-			continue;
+		if (is_fix(word)) {
+			TS_TRY(ts_flow_carried(sim, what, word, &field));
+			out->item[out->n] = TS_FLOW_CARRIED;
+		} else {
+			TS_TRY(ts_name_list_find(sim, what, word, table, stride, &out->item[out->n]));
 		}
-		TS_TRY(ts_flow_carried(sim, what, word, &field));
-		*one.item = TS_FLOW_CARRIED;
 	}
 	return TS_OK;
 }
