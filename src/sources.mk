@@ -46,6 +46,8 @@ library_sources = \
 	src/core/energy.c \
 	src/core/energy.h \
 	src/core/group.h \
+	src/core/guard.c \
+	src/core/guard.h \
 	src/core/help.c \
 	src/core/help.h \
 	src/core/host.h \

@@ -121,6 +121,7 @@ shell_tests = \
 	tests/settings.sh \
 	tests/signal.sh \
 	tests/special_bonds.sh \
+	tests/stability/guard.sh \
 	tests/stability/refusal.sh \
 	tests/styles_current.sh \
 	tests/symbols.sh \

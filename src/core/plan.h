@@ -42,6 +42,7 @@ enum ts_status ts_plan_stopped(struct tsim *sim);
 struct ts_limit {
 	double dt;           /* the largest stable step */
 	bool fatal;          /* beyond it the run is refused; else only warned */
+	uint64_t cause;      /* the same for the same sort of limit of the same line */
 	char text[160];      /* "contact of types 1-1: 2/omega0, k* = ..., m* = ..." */
 	struct ts_place where;
 };
@@ -54,6 +55,7 @@ struct ts_output {
 struct ts_plan_report {
 	struct ts_limit *limit;
 	size_t nlimits, limit_capacity;
+	bool limits_only;      /* while running: nothing but limits is asked for */
 	struct ts_str lines;   /* "  particles    3100 ..." */
 	struct ts_str left_out; /* "  rotation     no live style needs it" */
 	double bytes;          /* memory */
@@ -73,6 +75,10 @@ void ts_report_line(struct ts_plan_report *report, const char *name, const char 
 void ts_report_left_out(struct ts_plan_report *report, const char *name, const char *format, ...)
 	__attribute__((format(printf, 3, 4)));
 void ts_report_release(struct ts_plan_report *report);
+/* Asks every live instance, but for outputs if only limits are wanted. */
+enum ts_status ts_report_collect(struct ts_plan_report *report, struct tsim *sim);
+/* The smallest limit of this sort; NULL: there is none. */
+const struct ts_limit *ts_report_binding(const struct ts_plan_report *report, bool fatal);
 
 /* Asks every live instance, checks dt against the limits (refusal or warning), and prints the report
  * when sim->explain. */

@@ -7,9 +7,21 @@
 #include <stdarg.h>
 #include <stdio.h>
 
+#include "base/hash.h"
+#include "core/guard.h"
 #include "core/price.h"
 
 #include "base/banned.h"
+
+static uint64_t cause_of(const struct ts_place *where, const char *format)
+{
+	struct ts_hash hash = ts_hash_start();
+
+	ts_hash_text(&hash, where->file ? where->file : "");
+	ts_hash_add(&hash, &where->line, sizeof where->line);
+	ts_hash_text(&hash, format);
+	return ts_hash_value(&hash);
+}
 
 enum ts_status ts_report_limit(struct ts_plan_report *report, double dt, bool fatal,
 			       const struct ts_place *where, const char *format, ...)
@@ -24,6 +36,7 @@ enum ts_status ts_report_limit(struct ts_plan_report *report, double dt, bool fa
 	limit->dt = dt;
 	limit->fatal = fatal;
 	limit->where = *where;
+	limit->cause = cause_of(where, format);
 	va_start(args, format);
 	vsnprintf(limit->text, sizeof limit->text, format, args);
 	va_end(args);
@@ -47,6 +60,8 @@ enum ts_status ts_report_output(struct ts_plan_report *report, const char *name,
 {
 	struct ts_output *output;
 
+	if (report->limits_only)
+		return TS_OK;
 	TS_TRY(TS_GROW(report->output, report->output_capacity, report->noutputs + 1));
 	output = &report->output[report->noutputs++];
 	snprintf(output->name, sizeof output->name, "%s", name);
@@ -59,6 +74,8 @@ void ts_report_line(struct ts_plan_report *report, const char *name, const char 
 {
 	va_list args;
 
+	if (report->limits_only)
+		return;
 	va_start(args, format);
 	add_line(&report->lines, name, format, args);
 	va_end(args);
@@ -68,6 +85,8 @@ void ts_report_left_out(struct ts_plan_report *report, const char *name, const c
 {
 	va_list args;
 
+	if (report->limits_only)
+		return;
 	va_start(args, format);
 	add_line(&report->left_out, name, format, args);
 	va_end(args);
@@ -82,11 +101,13 @@ void ts_report_release(struct ts_plan_report *report)
 	*report = (struct ts_plan_report){ 0 };
 }
 
-static enum ts_status collect(struct ts_plan_report *report, struct tsim *sim)
+enum ts_status ts_report_collect(struct ts_plan_report *report, struct tsim *sim)
 {
 	for (int kind = 0; kind < TS_NKIND; kind++) {
 		const struct ts_instances *list = &sim->instances[kind];
 
+		if (report->limits_only && (kind == TS_KIND_COMPUTE || kind == TS_KIND_DUMP))
+			continue;
 		for (size_t k = 0; k < list->n; k++)
 			if (list->item[k]->style->plan)
 				TS_TRY(ts_pardon(sim, list->item[k]->style->plan(list->item[k], sim,
@@ -95,7 +116,7 @@ static enum ts_status collect(struct ts_plan_report *report, struct tsim *sim)
 	return TS_OK;
 }
 
-static const struct ts_limit *binding_limit(const struct ts_plan_report *report, bool fatal)
+const struct ts_limit *ts_report_binding(const struct ts_plan_report *report, bool fatal)
 {
 	const struct ts_limit *least = NULL;
 
@@ -103,27 +124,6 @@ static const struct ts_limit *binding_limit(const struct ts_plan_report *report,
 		if (report->limit[k].fatal == fatal && (!least || report->limit[k].dt < least->dt))
 			least = &report->limit[k];
 	return least;
-}
-
-static enum ts_status judge(const struct ts_plan_report *report, struct tsim *sim)
-{
-	const struct ts_limit *hard = binding_limit(report, true);
-	const struct ts_limit *soft = binding_limit(report, false);
-	double dt = sim->clock.dt;
-
-	if (hard && !(dt < hard->dt) && sim->unsafe)
-		ts_warn(&sim->log, &hard->where,
-			"the time step %g is beyond the stability limit %g of %s", dt, hard->dt,
-			hard->text);
-	else if (hard && !(dt < hard->dt))
-		return ts_fail(&sim->error, TS_PHYSICS, &hard->where,
-			       "the time step %g is beyond the stability limit %g of %s; "
-			       "use `timestep` with less than that, a tenth or less for accuracy",
-			       dt, hard->dt, hard->text);
-	if (soft && !(dt < soft->dt))
-		ts_warn(&sim->log, &soft->where, "the time step %g is larger than %g, the limit of %s",
-			dt, soft->dt, soft->text);
-	return TS_OK;
 }
 
 static void print_stages(const struct ts_plan *plan, struct tsim *sim)
@@ -227,7 +227,7 @@ static enum ts_status print_price(struct ts_plan *plan, struct tsim *sim, int64_
 static void print_report(const struct ts_plan *plan, const struct ts_plan_report *report,
 			 struct tsim *sim, int64_t steps)
 {
-	const struct ts_limit *hard = binding_limit(report, true);
+	const struct ts_limit *hard = ts_report_binding(report, true);
 
 	ts_log(&sim->log, "\nPlan of a run of %" PRId64 " steps of %g (time %g to %g)\n", steps,
 	       sim->clock.dt, ts_sim_time(sim),
@@ -247,12 +247,12 @@ static void print_report(const struct ts_plan *plan, const struct ts_plan_report
 enum ts_status ts_plan_review(struct ts_plan *plan, struct tsim *sim, int64_t steps)
 {
 	struct ts_plan_report report = { 0 };
-	enum ts_status status = collect(&report, sim);
+	enum ts_status status = ts_report_collect(&report, sim);
 
 	if (status == TS_OK && sim->explain)
 		print_report(plan, &report, sim, steps);
 	if (status == TS_OK)
-		status = judge(&report, sim);
+		status = ts_guard_judge(sim, &report);
 	if (status == TS_OK && sim->explain && !sim->log.quiet)
 		status = print_price(plan, sim, steps);
 	ts_report_release(&report);

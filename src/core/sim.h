@@ -20,6 +20,7 @@ struct ts_bonds;
 struct ts_rigid;
 struct ts_thermo;
 struct ts_library;
+struct ts_guard;
 
 enum ts_units { TS_UNITS_LJ, TS_UNITS_SI, TS_UNITS_CGS, TS_UNITS_MICRO };
 
@@ -122,6 +123,7 @@ struct tsim {
 	struct ts_bonds *bonds;
 	struct ts_rigid *rigid;
 	struct ts_thermo *thermo;
+	struct ts_guard *guard;
 
 	struct ts_pending *pending; /* state from a restart file for styles not yet defined again */
 

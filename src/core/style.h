@@ -98,7 +98,8 @@ struct ts_style {
 	/* The words of fix_modify or compute_modify that are its own: reads the first ones, says how many. */
 	enum ts_status (*modify)(struct ts_instance *self, struct tsim *sim, struct ts_words words,
 				 size_t *used);
-	/* Appends limits of the time step and other lines to the plan; see core/plan.h. */
+	/* Appends limits of the time step and other lines to the plan; see core/plan.h. Also asked while the run
+	 * goes on, after any step: must not change anything then. */
 	enum ts_status (*plan)(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *);
 	void (*fini)(struct ts_instance *self);
 };

@@ -460,7 +460,7 @@ enum ts_status ts_drag_plan(struct ts_instance *self, struct tsim *sim,
 		if (p->imass[i] != 0)
 			least = fmin(least, mass / style_of(self)->coefficient(s, &slip));
 	}
-	if (s->fluid && s->two_way)
+	if (s->fluid && s->two_way && !report->limits_only)
 		warn_of_cells(self, sim, largest);
 	TS_TRY(limit_lagged(self, sim, least, report));
 	if (isinf(least))

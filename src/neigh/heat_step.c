@@ -48,7 +48,7 @@ enum ts_status ts_heat_plan(struct ts_instance *self, struct tsim *sim,
 	struct ts_heat *h = self->state;
 	double limit;
 
-	if (h->scheme == TS_HEAT_EXACT)
+	if (h->scheme == TS_HEAT_EXACT || report->limits_only) /* it looks itself: examine below */
 		return TS_OK;
 	ts_heat_find(self, sim);
 	limit = limit_of(self, sim);

@@ -140,7 +140,8 @@ syn keyword tsimName  cpuremain timeremain cu atoms ke erotate pe etotal epair e
 syn keyword tsimName  emol ebond enthalpy ecouple econserve ecoul elong etail eangle
 syn keyword tsimName  edihed eimp angles dihedrals impropers temp fmax fnorm vol lx ly
 syn keyword tsimName  lz xlo xhi ylo yhi zlo zhi xy xz yz xlat ylat zlat cella cellb
-syn keyword tsimName  cellc cellalpha cellbeta cellgamma PI yes no true false on off
+syn keyword tsimName  cellc cellalpha cellbeta cellgamma stable_fraction PI yes no true
+syn keyword tsimName  false on off
 
 syn match tsimFunction /\<\%(sqrt\|exp\|ln\|log\|abs\|sign\|sin\|cos\|tan\|asin\|acos\|atan\|atan2\|ceil\|floor\|round\|ternary\|random\|normal\|ramp\|vdisplace\|swiggle\|cwiggle\|stagger\|logfreq\|logfreq2\|logfreq3\|stride\|stride2\|sum\|ave\|min\|max\|trap\|slope\|stderr\|sort\|rsort\|next\|is_file\|is_os\|is_defined\|is_active\|is_available\|extract_setting\|volume\|count\|mass\|ke\|gyration\|xcm\|vcm\|fcm\|angmom\|torque\|inertia\|omega\|bound\|property\|gmask\|rmask\|grmask\)\ze(/
 

@@ -201,6 +201,8 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 	struct state *s = self->state;
 	struct ts_fluid *fluid;
 
+	if (report->limits_only)
+		return TS_OK;
 	TS_TRY(ts_flow_require_fluid(sim, "fix immersed/boundary", &self->where, &fluid));
 	TS_TRY(place(self, sim, fluid));
 	tell(self, sim);

@@ -217,16 +217,13 @@ static void warn_of_walls(struct ts_instance *self, struct tsim *sim)
 		"set its velocity; use flow_boundary FACE slip, or a viscosity");
 }
 
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
+static enum ts_status describe(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct ts_projection *p = self->state;
 	const struct ts_grid *grid = &p->fluid.grid;
 	const struct ts_time_scheme *scheme = &ts_time_schemes[p->time];
-	struct ts_flow_limits limits = ts_flow_limits(p);
 	double fields = 8 + (scheme->stages > 1) * 3 + scheme->history * 3;
 	double mean;
-	/* steps of the simulation to one of the fluid */
-	double steps = (double)p->every / (double)(p->substeps ? p->substeps : 1);
 
 	TS_TRY(ts_projection_balance(self, sim, &mean));
 	if (p->viscous != TS_VISCOUS_EXPLICIT && p->fluid.empty)
@@ -240,11 +237,25 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 		       ts_time_names[p->time]);
 	ts_pressure_explain(sim, &p->poisson, p->fluid.empty || p->fluid.exchange[0], report);
 	report->bytes += 8 * fields * (double)grid->size;
-	if (!p->substeps) {
+	if (!p->substeps)
 		ts_report_line(report, "fluid's steps", "as its limits want, %g of the stable one, which is %g",
 			       p->courant, ts_flow_limit(p));
+	return TS_OK;
+}
+
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
+{
+	const struct ts_projection *p = self->state;
+	const struct ts_time_scheme *scheme = &ts_time_schemes[p->time];
+	struct ts_flow_limits limits;
+	/* steps of the simulation to one of the fluid */
+	double steps = (double)p->every / (double)(p->substeps ? p->substeps : 1);
+
+	if (!report->limits_only)
+		TS_TRY(describe(self, sim, report));
+	if (!p->substeps)
 		return TS_OK;
-	}
+	limits = ts_flow_limits(p);
 	TS_TRY(ts_report_limit(report, limits.viscous / steps, true, &self->where,
 			       "the fluid's viscosity and convection (time %s), or use substeps auto",
 			       scheme->name));
