@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/clones.h"
 #include "base/parallel.h"
 #include "core/plan.h"
 #include "core/settings.h"
@@ -104,28 +105,29 @@ static bool runs_away(const struct ts_particles *p, size_t i, double dt2)
 }
 
 /* Counts particles beyond a limit; written without branches, as it runs every step. */
+TS_CLONES
 static long check_share(void *context, size_t from, size_t to)
 {
-	const struct limits limits = *(const struct limits *)context;
-	const struct ts_particles p = *limits.p;
-	long beyond = 0;
+	const struct limits l = *(const struct limits *)context;
+	const struct ts_particles *p = l.p;
+	const double *restrict x = p->x[0], *restrict hold = p->xhold[0], *restrict v = p->v[0];
+	const double *restrict radius = p->radius;
+	int64_t beyond = 0;
 
+#pragma omp simd reduction(+ : beyond)
 	for (size_t i = from; i < to; i++) {
-		const double *x = p.x[i];
-		double d2 = 0, v2 = 0;
-		bool outside = false;
+		double a = x[3 * i], b = x[3 * i + 1], c = x[3 * i + 2];
+		double da = a - hold[3 * i], db = b - hold[3 * i + 1], dc = c - hold[3 * i + 2];
+		double va = v[3 * i], vb = v[3 * i + 1], vc = v[3 * i + 2];
+		double d2 = da * da + db * db + dc * dc, v2 = va * va + vb * vb + vc * vc;
+		/* written so that what is no number is not within */
+		int64_t within = (d2 <= l.moved2) & (v2 * l.dt2 <= radius[i] * radius[i]) &
+				 (a >= l.lo[0]) & (a <= l.hi[0]) & (b >= l.lo[1]) &
+				 (b <= l.hi[1]) & (c >= l.lo[2]) & (c <= l.hi[2]);
 
-		for (int k = 0; k < 3; k++) {
-			double d = x[k] - p.xhold[i][k];
-
-			d2 += d * d;
-			v2 += p.v[i][k] * p.v[i][k];
-			outside |= (x[k] < limits.lo[k]) | (x[k] > limits.hi[k]);
-		}
-		beyond += outside | !(d2 <= limits.moved2) |
-			  !(v2 * limits.dt2 <= p.radius[i] * p.radius[i]);
+		beyond += 1 - within;
 	}
-	return beyond;
+	return (long)beyond;
 }
 
 static enum ts_status check(struct ts_instance *self, struct tsim *sim)

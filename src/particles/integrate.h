@@ -4,11 +4,14 @@
 
 #include "core/sim.h"
 
-/* v += kick f/m */
-void ts_integrate_kick(struct tsim *sim, int group, double kick);
-/* v += kick f/m, then x += drift v */
-void ts_integrate_kick_drift(struct tsim *sim, int group, double kick, double drift);
-/* x += drift v, then v += kick f/m */
-void ts_integrate_drift_kick(struct tsim *sim, int group, double drift, double kick);
+/* One pass over the particles; what is 0 is not done. In this order: */
+struct ts_integration {
+	double early;	/* x += early v */
+	double kick;	/* v += kick f/m */
+	double turn;	/* omega += turn T/I, for spheres or discs as ts_inertia_factor says; nobody turns where
+			 * nothing makes torques */
+	double drift;	/* x += drift v */
+};
+void ts_integrate(struct tsim *sim, int group, const struct ts_integration *step);
 
 #endif

@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "base/clones.h"
+#include "base/parallel.h"
 #include "math/vec3.h"
 #include "particles/gravity.h"
 #include "particles/moments.h"
@@ -69,20 +71,52 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+struct task {
+	const struct ts_particles *p;
+	const double *a;
+	int group;
+};
+
+/* Members of rigid bodies are accelerated with their body. */
+static void add_to_some(void *context, size_t from, size_t to)
+{
+	const struct task *t = context;
+	const struct ts_particles *p = t->p;
+
+	for (size_t i = from; i < to; i++)
+		if (ts_in_group(p, i, t->group) && !ts_rigid_member(p, i))
+			for (int k = 0; k < 3; k++)
+				p->f[i][k] += p->mass[i] * t->a[k];
+}
+
+TS_CLONES
+static void add_to_all(void *context, size_t from, size_t to)
+{
+	const struct task *t = context;
+	const double ax = t->a[0], ay = t->a[1], az = t->a[2];
+	const double *restrict mass = t->p->mass;
+	double *restrict f = t->p->f[0];
+
+#pragma omp simd
+	for (size_t i = from; i < to; i++) {
+		f[3 * i] += mass[i] * ax;
+		f[3 * i + 1] += mass[i] * ay;
+		f[3 * i + 2] += mass[i] * az;
+	}
+}
+
 static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 {
 	const struct gravity *g = self->state;
 	struct ts_particles *p = sim->particles;
 	double magnitude, a[3];
+	struct task task = { p, a, self->group };
 
 	TS_TRY(ts_number_now(sim, &g->base.magnitude, &self->where, &magnitude));
 	for (int k = 0; k < 3; k++)
 		a[k] = magnitude * g->base.direction[k];
-#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
-	for (size_t i = 0; i < p->n; i++)
-		if (ts_in_group(p, i, self->group) && !ts_rigid_member(p, i))
-			for (int k = 0; k < 3; k++)
-				p->f[i][k] += p->mass[i] * a[k];
+	ts_parallel(ts_team(sim, p->n), p->n,
+		    self->group == 0 && !p->body ? add_to_all : add_to_some, &task);
 	return ts_rigid_accelerate(sim, self->group, a);
 }
 

@@ -4,13 +4,15 @@
 
 static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *sim)
 {
-	ts_integrate_kick_drift(sim, self->group, 0.5 * sim->clock.dt, sim->clock.dt);
+	double dt = sim->clock.dt;
+
+	ts_integrate(sim, self->group, &(struct ts_integration){ .kick = 0.5 * dt, .drift = dt });
 	return TS_OK;
 }
 
 static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim)
 {
-	ts_integrate_kick(sim, self->group, 0.5 * sim->clock.dt);
+	ts_integrate(sim, self->group, &(struct ts_integration){ .kick = 0.5 * sim->clock.dt });
 	return TS_OK;
 }
 

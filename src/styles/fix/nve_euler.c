@@ -4,7 +4,9 @@
 
 static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *sim)
 {
-	ts_integrate_drift_kick(sim, self->group, sim->clock.dt, sim->clock.dt);
+	double dt = sim->clock.dt;
+
+	ts_integrate(sim, self->group, &(struct ts_integration){ .early = dt, .kick = dt });
 	return TS_OK;
 }
 

@@ -1,4 +1,5 @@
-#include "particles/body.h"
+#include "particles/integrate.h"
+#include "particles/particles.h"
 
 #include "base/banned.h"
 
@@ -8,42 +9,20 @@ struct nve_sphere {
 	bool warned;
 };
 
-static void kick(const struct ts_instance *self, struct tsim *sim)
-{
-	struct ts_particles *p = sim->particles;
-	double h = 0.5 * sim->clock.dt, inertia = ts_inertia_factor(sim);
-
-#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
-	for (size_t i = 0; i < p->n; i++) {
-		double s = h / p->mass[i], r = p->radius[i];
-		double w = s / (inertia * r * r);
-
-		if (!ts_in_group(p, i, self->group))
-			continue;
-		for (int k = 0; k < 3; k++)
-			p->v[i][k] += s * p->f[i][k];
-		for (int k = 0; p->omega && p->torque && k < 3; k++)
-			p->omega[i][k] += w * p->torque[i][k];
-	}
-}
-
 static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *sim)
 {
-	struct ts_particles *p = sim->particles;
 	double dt = sim->clock.dt;
 
-	kick(self, sim);
-#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
-	for (size_t i = 0; i < p->n; i++)
-		if (ts_in_group(p, i, self->group))
-			for (int k = 0; k < 3; k++)
-				p->x[i][k] += dt * p->v[i][k];
+	ts_integrate(sim, self->group,
+		     &(struct ts_integration){ .kick = 0.5 * dt, .turn = 0.5 * dt, .drift = dt });
 	return TS_OK;
 }
 
 static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim)
 {
-	kick(self, sim);
+	double h = 0.5 * sim->clock.dt;
+
+	ts_integrate(sim, self->group, &(struct ts_integration){ .kick = h, .turn = h });
 	return TS_OK;
 }
 
