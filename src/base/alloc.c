@@ -4,10 +4,11 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 
 #include "base/banned.h"
 
-enum { CACHE_LINE = 64 };
+enum { CACHE_LINE = 64, LARGE_PAGE = 2 << 20, LARGE = 3 << 20 };
 
 static atomic_long live_blocks;
 static atomic_long fail_countdown;
@@ -17,6 +18,17 @@ static int must_fail(void)
 	if (atomic_load_explicit(&fail_countdown, memory_order_relaxed) <= 0)
 		return 0;
 	return atomic_fetch_sub(&fail_countdown, 1) == 1;
+}
+
+/* Columns are looked at all over the place: the processor then need not look up so many pages. */
+static void ask_for_large_pages(void *p, size_t bytes)
+{
+#ifdef MADV_HUGEPAGE
+	if (p && bytes >= LARGE)
+		(void)madvise(p, bytes, MADV_HUGEPAGE);
+#else
+	(void)p, (void)bytes;
+#endif
 }
 
 /* Blocks carry no header: a cache-line aligned block from aligned_alloc may be freed as any other. */
@@ -29,8 +41,9 @@ static void *allocate(size_t n, size_t size, size_t alignment)
 		return NULL;
 	bytes = n && size ? n * size : 1;
 	if (alignment) {
-		bytes = (bytes + alignment - 1) / alignment * alignment;
-		p = aligned_alloc(alignment, bytes);
+		if (posix_memalign(&p, bytes >= LARGE ? LARGE_PAGE : alignment, bytes) != 0)
+			p = NULL;
+		ask_for_large_pages(p, bytes);
 		if (p)
 			memset(p, 0, bytes);
 	} else {

@@ -68,6 +68,24 @@ struct ts_granular_model {
 	bool wide; /* memory has room for all laws, as contacts of other types may have others */
 };
 
+/* The models that most scenes have: loops are compiled for them. */
+static const struct ts_granular_model ts_granular_hertz_history = { .normal = TS_NORMAL_HERTZ,
+								    .tangential = TS_TANGENTIAL_HISTORY };
+static const struct ts_granular_model ts_granular_hooke_history = { .normal = TS_NORMAL_HOOKE,
+								    .tangential = TS_TANGENTIAL_HISTORY };
+
+/* Member by member: between them there may be anything. */
+static inline bool ts_granular_same_model(const struct ts_granular_model *a, const struct ts_granular_model *b)
+{
+	return a->normal == b->normal && a->tangential == b->tangential && a->rolling == b->rolling &&
+	       a->cohesion == b->cohesion && a->twisting == b->twisting && a->damping == b->damping &&
+	       a->no_tension == b->no_tension && a->no_tangential_damping == b->no_tangential_damping &&
+	       a->absolute_damping == b->absolute_damping &&
+	       a->tangential_stiffness_2_7 == b->tangential_stiffness_2_7 && a->viscous == b->viscous &&
+	       a->reduce == b->reduce && a->torsion == b->torsion && a->plane == b->plane &&
+	       a->full_arms == b->full_arms && a->full_slip == b->full_slip && a->wide == b->wide;
+}
+
 /* Constants of a pair of materials; each law uses its own few. */
 struct ts_granular_pair {
 	double young, shear;	       /* Y*, G* */

@@ -25,18 +25,21 @@ static inline void ts_cross(const double a[3], const double b[3], double out[3])
 
 static inline void ts_add(const double a[3], const double b[3], double out[3])
 {
+#pragma GCC unroll 3
 	for (int d = 0; d < 3; d++)
 		out[d] = a[d] + b[d];
 }
 
 static inline void ts_sub(const double a[3], const double b[3], double out[3])
 {
+#pragma GCC unroll 3
 	for (int d = 0; d < 3; d++)
 		out[d] = a[d] - b[d];
 }
 
 static inline void ts_scale(double s, const double a[3], double out[3])
 {
+#pragma GCC unroll 3
 	for (int d = 0; d < 3; d++)
 		out[d] = s * a[d];
 }
@@ -44,6 +47,7 @@ static inline void ts_scale(double s, const double a[3], double out[3])
 /* y += s x */
 static inline void ts_axpy(double s, const double x[3], double y[3])
 {
+#pragma GCC unroll 3
 	for (int d = 0; d < 3; d++)
 		y[d] += s * x[d];
 }

@@ -218,17 +218,33 @@ static void push(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw, s
 	ts_wall_push(w, sim, k, &spot);
 }
 
-void ts_mesh_wall_push(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw)
-{
-	struct ts_wall_contacts *c = &w->contacts;
+struct task {
+	struct tsim *sim;
+	struct ts_wall *w;
+	struct ts_mesh_wall *mw;
+};
 
-	for (size_t from = 0, to; from < c->n; from = to) {
-		for (to = from; to < c->n && c->row[to] == c->row[from]; to++)
-			mw->near[to].done = false;
+static void push_share(void *context, size_t from, size_t end)
+{
+	const struct task *t = context;
+	struct ts_wall_contacts *c = &t->w->contacts;
+
+	for (size_t to; from < end; from = to) {
+		ts_wall_look_ahead(c, t->sim->particles, from, end);
+		for (to = from; to < end && c->row[to] == c->row[from]; to++)
+			t->mw->near[to].done = false;
 		for (size_t k = from; k < to; k++)
-			push(sim, w, mw, from, to, k);
+			push(t->sim, t->w, t->mw, from, to, k);
 		for (size_t k = from; k < to; k++)
-			if (!mw->near[k].done)
+			if (!t->mw->near[k].done)
 				ts_wall_contact_part(c, k);
 	}
+}
+
+void ts_mesh_wall_push(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw)
+{
+	struct task task = { sim, w, mw };
+
+	ts_wall_contacts_parallel(sim, &w->contacts, push_share, &task);
+	ts_wall_finish(w);
 }

@@ -205,13 +205,13 @@ static void surface_velocity(const struct ts_primitive_wall *w, const struct tsi
 		v[w->shear_dim] += w->shear;
 }
 
-static double distance(const struct ts_primitive_wall *w, int element, double moved, const double x[3],
-		       double n[3])
+/* Where element k stands when it has moved so far. */
+static struct ts_primitive moved_by(const struct ts_primitive_wall *w, int k, double moved)
 {
-	struct ts_primitive primitive = w->primitive[element];
+	struct ts_primitive primitive = w->primitive[k];
 
 	primitive.position += moved;
-	return ts_primitive_distance(&primitive, x, n);
+	return primitive;
 }
 
 /* Of the surface, seen from x: as in LAMMPS the mean of both directions. LIGGGHTS takes cylinders as flat. */
@@ -239,15 +239,18 @@ enum ts_status ts_primitive_wall_list(struct ts_instance *self, struct tsim *sim
 				      struct ts_primitive_wall *w)
 {
 	const struct ts_particles *p = sim->particles;
+	struct ts_primitive at[MOST];
 	double n[3];
 
 	if (!sim->resuming)
 		w->held = displacement(w, sim);
+	for (int k = 0; k < w->n; k++)
+		at[k] = moved_by(w, k, w->held);
 	for (size_t i = 0; i < p->n; i++) {
 		if (!ts_wall_meets(self, sim, i, !isnan(w->temperature)))
 			continue;
 		for (int k = 0; k < w->n; k++)
-			if (distance(w, k, w->held, p->xhold[i], n) <
+			if (ts_primitive_distance(&at[k], p->xhold[i], n) <
 			    p->radius[i] + sim->neigh->built_skin +
 				    ts_wall_reach(wall, p->radius[i]))
 				TS_TRY(ts_wall_contacts_add(sim, &wall->contacts, i, k));
@@ -255,27 +258,49 @@ enum ts_status ts_primitive_wall_list(struct ts_instance *self, struct tsim *sim
 	return TS_OK;
 }
 
+struct push {
+	struct tsim *sim;
+	struct ts_wall *wall;
+	const struct ts_primitive_wall *w;
+	struct ts_primitive at[MOST];
+	int type;
+};
+
+static void push_share(void *context, size_t from, size_t to)
+{
+	const struct push *t = context;
+	const struct ts_primitive_wall *w = t->w;
+	const struct ts_particles *p = t->sim->particles;
+	struct ts_wall_contacts *c = &t->wall->contacts;
+	struct ts_wall_spot spot = { .type = t->type,
+				     .warm = !isnan(w->temperature),
+				     .temperature = w->temperature };
+
+	for (size_t k = from; k < to; k++) {
+		const double *x = p->x[c->row[k]];
+
+		ts_wall_look_ahead(c, p, k, to);
+		spot.distance = ts_primitive_distance(&t->at[c->key[k][1]], x, spot.n);
+		spot.curvature = curvature(w, spot.n, x);
+		if (!ts_wall_touches(t->wall, t->sim, k, &spot)) {
+			ts_wall_contact_part(c, k);
+			continue;
+		}
+		surface_velocity(w, t->sim, x, spot.velocity);
+		ts_wall_push(t->wall, t->sim, k, &spot);
+	}
+}
+
 void ts_primitive_wall_push(struct tsim *sim, struct ts_wall *wall, const struct ts_primitive_wall *w,
 			    int type)
 {
-	const struct ts_particles *p = sim->particles;
-	struct ts_wall_spot spot = { .type = type,
-				     .warm = !isnan(w->temperature),
-				     .temperature = w->temperature };
+	struct push push = { sim, wall, w, { { 0 } }, type };
 	double moved = displacement(w, sim);
 
-	for (size_t k = 0; k < wall->contacts.n; k++) {
-		size_t i = (size_t)wall->contacts.row[k];
-
-		spot.distance = distance(w, wall->contacts.key[k][1], moved, p->x[i], spot.n);
-		spot.curvature = curvature(w, spot.n, p->x[i]);
-		if (!ts_wall_touches(wall, sim, k, &spot)) {
-			ts_wall_contact_part(&wall->contacts, k);
-			continue;
-		}
-		surface_velocity(w, sim, p->x[i], spot.velocity);
-		ts_wall_push(wall, sim, k, &spot);
-	}
+	for (int k = 0; k < w->n; k++)
+		push.at[k] = moved_by(w, k, moved);
+	ts_wall_contacts_parallel(sim, &wall->contacts, push_share, &push);
+	ts_wall_finish(wall);
 }
 
 void ts_primitive_wall_plan(struct ts_instance *self, struct tsim *sim,

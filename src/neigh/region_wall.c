@@ -148,6 +148,7 @@ enum ts_status ts_region_wall_push(struct tsim *sim, struct ts_wall *wall, struc
 			n = ts_region_spots(w->region, sim->particles->x[c->row[k]], w->spot);
 		push_face(sim, wall, w, k, spot_of(w, n, face), type);
 	}
+	ts_wall_finish(wall);
 	return TS_OK;
 }
 

@@ -104,10 +104,23 @@ static enum ts_status make_law(struct ts_instance *self, struct tsim *sim, int w
 	return TS_OK;
 }
 
+static ts_wall_push_fn push_hertz_history, push_hooke_history, push_any;
+
+static ts_wall_push_fn *push_of(const struct ts_granular_model *model)
+{
+	if (ts_granular_same_model(model, &ts_granular_hertz_history))
+		return push_hertz_history;
+	if (ts_granular_same_model(model, &ts_granular_hooke_history))
+		return push_hooke_history;
+	return push_any;
+}
+
 enum ts_status ts_wall_make_law(struct ts_instance *self, struct tsim *sim, int type)
 {
+	struct ts_wall *w = self->state;
 	int most = ts_largest_type(sim);
 
+	w->push = push_of(model_of(w, sim));
 	TS_TRY(reserve(self, sim, type));
 	for (int t = 1; t <= most; t++)
 		TS_TRY(make_law(self, sim, type, t));
@@ -137,13 +150,15 @@ static double effective_radius(double radius, double curvature)
 }
 
 /* The wall is the limit of an infinitely heavy partner. */
-static void touch(const struct ts_granular_model *model, const struct ts_particles *p, size_t i,
-		  const struct ts_wall_spot *spot, struct ts_touch *t)
+static inline __attribute__((always_inline)) void
+touch(const struct ts_granular_model *model, const struct ts_particles *p, size_t i,
+      const struct ts_wall_spot *spot, struct ts_touch *t)
 {
 	static const double at_rest[3] = { 0 };
 	double v[3];
 
 	*t = (struct ts_touch){ .wall = true, .distance = spot->distance };
+#pragma GCC unroll 3
 	for (int k = 0; k < 3; k++)
 		t->n[k] = spot->n[k];
 	t->radius[0] = p->radius[i];
@@ -200,9 +215,20 @@ void ts_wall_start(struct ts_wall *w, struct tsim *sim)
 		memset(p->column[w->stored].data, 0, p->n * 3 * sizeof(double));
 }
 
-static void force(struct ts_wall *w, struct tsim *sim, size_t k, const struct ts_wall_spot *spot)
+void ts_wall_finish(struct ts_wall *w)
 {
-	const struct ts_granular_model *model = model_of(w, sim);
+	for (size_t k = 0; k < w->contacts.n; k++)
+		ts_sub(w->force, w->contacts.force[k], w->force);
+}
+
+/* The laws are part of the function, so that with a constant model the compiler keeps only what it has. */
+#define FLATTEN __attribute__((flatten))
+
+/* The force is noted; the sum over all contacts, in their order, is ts_wall_finish's. */
+static inline __attribute__((always_inline)) void
+push(const struct ts_wall *w, struct tsim *sim, size_t k, const struct ts_wall_spot *spot,
+     const struct ts_granular_model *model)
+{
 	struct ts_particles *p = sim->particles;
 	size_t i = (size_t)w->contacts.row[k];
 	struct ts_granular_force f;
@@ -212,13 +238,33 @@ static void force(struct ts_wall *w, struct tsim *sim, size_t k, const struct ts
 	ts_granular_contact(model, law_of(w, sim, spot->type, p->type[i]), &t, sim->clock.dt,
 			    !sim->in_setup, ts_wall_memory(&w->contacts, k), &f);
 	ts_add(p->f[i], f.force, p->f[i]);
-	ts_sub(w->force, f.force, w->force);
+#pragma GCC unroll 3
+	for (int d = 0; d < 3; d++)
+		w->contacts.force[k][d] = f.force[d];
 	for (int d = 0; d < 3 && ts_granular_turns(model); d++)
 		p->torque[i][d] += t.arm[0] * f.turn[d] + f.roll[d];
 	for (size_t d = 0; d < 3 && w->store_force; d++)
 		((double *)p->column[w->stored].data)[3 * i + d] += f.force[d];
 	if (w->contacts.report)
 		report(&w->contacts.report[k], p, i, spot, &t, &f);
+}
+
+FLATTEN static void push_hertz_history(const struct ts_wall *w, struct tsim *sim, size_t k,
+				       const struct ts_wall_spot *spot)
+{
+	push(w, sim, k, spot, &ts_granular_hertz_history);
+}
+
+FLATTEN static void push_hooke_history(const struct ts_wall *w, struct tsim *sim, size_t k,
+				       const struct ts_wall_spot *spot)
+{
+	push(w, sim, k, spot, &ts_granular_hooke_history);
+}
+
+static void push_any(const struct ts_wall *w, struct tsim *sim, size_t k,
+		     const struct ts_wall_spot *spot)
+{
+	push(w, sim, k, spot, model_of(w, sim));
 }
 
 size_t ts_wall_history(const struct ts_wall *w, const struct tsim *sim)
@@ -270,12 +316,14 @@ static void conduct(const struct ts_wall *w, struct tsim *sim, size_t i,
 	ts_heat_from_wall(heat, sim, i, ts_heat_conductance(k, area), spot->temperature);
 }
 
-void ts_wall_push(struct ts_wall *w, struct tsim *sim, size_t k, const struct ts_wall_spot *spot)
+void ts_wall_push(const struct ts_wall *w, struct tsim *sim, size_t k, const struct ts_wall_spot *spot)
 {
 	size_t i = (size_t)w->contacts.row[k];
 
 	if (sim->particles->imass[i] > 0 || spot->sums)
-		force(w, sim, k, spot);
+		w->push(w, sim, k, spot);
+	else
+		ts_wall_contact_rest(&w->contacts, k);
 	if (spot->warm)
 		conduct(w, sim, i, spot);
 }

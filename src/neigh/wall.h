@@ -4,7 +4,9 @@
  *   POST_BUILD  ts_wall_rebuild_start, ts_wall_contacts_add for each particle and element (a plane,
  *               a triangle) that may touch before the next rebuild, ts_wall_rebuild_finish
  *   POST_FORCE  ts_wall_start, then for each contact k where it touches ts_wall_push, where not
- *               ts_wall_contact_part
+ *               ts_wall_contact_part; ts_wall_finish
+ *
+ * Contacts of different particles may be pushed side by side: ts_wall_contacts_parallel.
  *
  * Who wants to know each contact - its force, place, overlap - asks for reports:
  * ts_walls_want_reports in its init, then reads them by ts_walls_next and ts_wall_report
@@ -17,6 +19,11 @@
 #include "neigh/materials.h"
 #include "neigh/pair.h"
 #include "neigh/wall_contacts.h"
+
+struct ts_wall;
+struct ts_wall_spot;
+typedef void ts_wall_push_fn(const struct ts_wall *w, struct tsim *sim, size_t k,
+			     const struct ts_wall_spot *spot);
 
 /* First member of the state of every wall with contact laws; its style is of TS_FAMILY_WALL. */
 struct ts_wall {
@@ -33,6 +40,7 @@ struct ts_wall {
 	bool given;	 /* its constants are the same for all types */
 	struct ts_granular_pair numbers; /* these */
 	struct ts_granular_model model; /* the own one */
+	ts_wall_push_fn *push;		/* compiled for the model, or for any */
 	struct ts_granular_pair *law;	/* of the own model: type of the wall * (ntypes + 1) + type
 					 * of the particle */
 	bool warm; /* some of it has a temperature; set in init */
@@ -82,8 +90,28 @@ static inline bool ts_wall_meets(const struct ts_instance *self, const struct ts
 	       (sim->particles->imass[i] > 0 || (warm && ts_heat_of(sim)));
 }
 
+/* Particles at a wall are scattered in memory: a loop over contacts up to `end` that is at k asks for what
+ * it will need soon. */
+enum { TS_WALL_AHEAD = 6 };
+static inline void ts_wall_look_ahead(const struct ts_wall_contacts *c, const struct ts_particles *p,
+				      size_t k, size_t end)
+{
+	size_t i = (size_t)c->row[k + TS_WALL_AHEAD < end ? k + TS_WALL_AHEAD : k];
+
+	__builtin_prefetch(p->x[i]);
+	__builtin_prefetch(p->v[i]);
+	__builtin_prefetch(p->f[i]);
+	__builtin_prefetch(p->radius + i);
+	if (p->omega)
+		__builtin_prefetch(p->omega[i]);
+	if (p->torque)
+		__builtin_prefetch(p->torque[i]);
+}
+
 /* Forces and what is stored of them are 0. */
 void ts_wall_start(struct ts_wall *w, struct tsim *sim);
+/* Adds up the force on the wall, in the order of contacts. */
+void ts_wall_finish(struct ts_wall *w);
 
 /* Checks that the law exists for particles of the group and a wall of this type, and reports the
  * largest step that contacts allow. */
@@ -108,7 +136,7 @@ double ts_wall_reach(const struct ts_wall *w, double radius);
 bool ts_wall_touches(const struct ts_wall *w, const struct tsim *sim, size_t k,
 		     const struct ts_wall_spot *spot);
 /* The contact k touches at the spot: force and torque on the particle, force on the wall. */
-void ts_wall_push(struct ts_wall *w, struct tsim *sim, size_t k, const struct ts_wall_spot *spot);
+void ts_wall_push(const struct ts_wall *w, struct tsim *sim, size_t k, const struct ts_wall_spot *spot);
 
 /* How many numbers its laws remember of a contact: the first ones of ts_wall_memory. */
 size_t ts_wall_history(const struct ts_wall *w, const struct tsim *sim);

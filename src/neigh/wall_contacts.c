@@ -22,6 +22,7 @@ enum ts_status ts_wall_contacts_add(struct tsim *sim, struct ts_wall_contacts *c
 	if (TS_GROW(c->row, c->row_capacity, n) != TS_OK ||
 	    TS_GROW(c->key, c->key_capacity, n) != TS_OK ||
 	    TS_GROW(c->memory, c->memory_capacity, n * c->width) != TS_OK ||
+	    TS_GROW(c->force, c->force_capacity, n) != TS_OK ||
 	    (c->want_reports && TS_GROW(c->report, c->report_capacity, n) != TS_OK))
 		return ts_nomem(&sim->error);
 	c->row[c->n] = (int32_t)i;
@@ -29,6 +30,7 @@ enum ts_status ts_wall_contacts_add(struct tsim *sim, struct ts_wall_contacts *c
 	c->key[c->n][1] = element;
 	for (size_t k = 0; k < c->width; k++)
 		c->memory[c->n * c->width + k] = 0;
+	ts_wall_contact_rest(c, c->n);
 	if (c->want_reports)
 		c->report[c->n] = (struct ts_wall_report){ 0 };
 	c->n++;
@@ -107,10 +109,41 @@ enum ts_status ts_wall_contacts_finish(struct tsim *sim, struct ts_wall_contacts
 
 void ts_wall_contact_part(struct ts_wall_contacts *c, size_t k)
 {
+	ts_wall_contact_rest(c, k);
 	if (c->width)
 		memset(ts_wall_memory(c, k), 0, c->width * sizeof *c->memory);
 	if (c->report && c->report[k].touching > 0)
 		c->report[k] = (struct ts_wall_report){ 0 };
+}
+
+struct split {
+	const struct ts_wall_contacts *c;
+	ts_share_fn *share;
+	void *context;
+};
+
+/* Where the contacts of the next particle begin. */
+static size_t begin(const struct ts_wall_contacts *c, size_t k)
+{
+	while (k > 0 && k < c->n && c->row[k] == c->row[k - 1])
+		k++;
+	return k;
+}
+
+static void whole_particles(void *context, size_t from, size_t to)
+{
+	const struct split *split = context;
+
+	split->share(split->context, begin(split->c, from), begin(split->c, to));
+}
+
+void ts_wall_contacts_parallel(const struct tsim *sim, const struct ts_wall_contacts *c,
+			       ts_share_fn *share, void *context)
+{
+	struct split split = { c, share, context };
+
+	/* a contact is worth several particles of other loops */
+	ts_parallel(ts_team(sim, 4 * c->n), c->n, whole_particles, &split);
 }
 
 /* Reports are there only if somebody wanted them. */
@@ -144,7 +177,8 @@ enum ts_status ts_wall_contacts_archive(struct ts_archive *archive, struct tsim 
 		c->width = (size_t)size[1];
 		if (TS_GROW(c->row, c->row_capacity, c->n) != TS_OK ||
 		    TS_GROW(c->key, c->key_capacity, c->n) != TS_OK ||
-		    TS_GROW(c->memory, c->memory_capacity, c->n * c->width) != TS_OK)
+		    TS_GROW(c->memory, c->memory_capacity, c->n * c->width) != TS_OK ||
+		    TS_GROW(c->force, c->force_capacity, c->n) != TS_OK)
 			return ts_nomem(&sim->error);
 	}
 	TS_TRY(ts_archive_fixed(archive, "contact_keys", TS_SAVED_I32, c->key, 2 * c->n));
@@ -158,6 +192,7 @@ void ts_wall_contacts_release(struct ts_wall_contacts *c)
 	ts_free(c->row);
 	ts_free(c->key);
 	ts_free(c->memory);
+	ts_free(c->force);
 	ts_free(c->report);
 	*c = (struct ts_wall_contacts){ .want_reports = c->want_reports };
 }

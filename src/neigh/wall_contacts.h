@@ -3,6 +3,7 @@
 #ifndef TS_NEIGH_WALL_CONTACTS_H
 #define TS_NEIGH_WALL_CONTACTS_H
 
+#include "base/parallel.h"
 #include "core/sim.h"
 
 /* What a contact did in the last force computation; all zero where they do not touch. Seen from the
@@ -23,10 +24,11 @@ struct ts_wall_contacts {
 	int32_t *row;	   /* of the particle */
 	int32_t (*key)[2]; /* identity of the particle, number of the element */
 	double *memory;	   /* width numbers each; zero where they do not touch */
+	double (*force)[3]; /* on the particle, in this step */
 	size_t width;
 	bool want_reports;
 	struct ts_wall_report *report; /* one each, if somebody wants them; else NULL */
-	size_t row_capacity, key_capacity, memory_capacity, report_capacity;
+	size_t row_capacity, key_capacity, memory_capacity, force_capacity, report_capacity;
 };
 
 /* A rebuild: start, add those that may touch before the next one, finish. What is near again keeps
@@ -55,6 +57,16 @@ static inline double *ts_wall_memory(const struct ts_wall_contacts *c, size_t k)
 
 /* The contact k has ended. */
 void ts_wall_contact_part(struct ts_wall_contacts *c, size_t k);
+/* It exerts no force in this step. */
+static inline void ts_wall_contact_rest(const struct ts_wall_contacts *c, size_t k)
+{
+	for (int d = 0; d < 3; d++)
+		c->force[k][d] = 0;
+}
+
+/* Calls the share for ranges of contacts side by side; those of a particle come together, and in order. */
+void ts_wall_contacts_parallel(const struct tsim *sim, const struct ts_wall_contacts *c,
+			       ts_share_fn *share, void *context);
 
 enum ts_status ts_wall_contacts_archive(struct ts_archive *archive, struct tsim *sim,
 					struct ts_wall_contacts *c);
