@@ -242,7 +242,7 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 		return TS_OK;
 	TS_TRY(ts_rows_build(sim, &nb->rows, nb->built_skin + reach, ts_neigh_excluded(sim)));
 	if (nb->saved.n && nb->saved.width == nb->rows.history_width)
-		ts_row_history_give(&nb->saved, sim->particles, &nb->rows);
+		TS_TRY(ts_row_history_give(sim, &nb->saved, &nb->rows));
 	ts_row_history_release(&nb->saved);
 	return TS_OK;
 }

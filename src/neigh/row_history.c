@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "neigh/row_loop.h"
+#include "particles/identity.h"
 
 #include "base/banned.h"
 
@@ -31,28 +32,6 @@ static struct ts_row_key key_of(const struct ts_rows *rows, size_t r, bool *swap
 	return (struct ts_row_key){ { a, b }, there };
 }
 
-static bool same(const struct ts_row_key *a, const struct ts_row_key *b)
-{
-	return a->tag[0] == b->tag[0] && a->tag[1] == b->tag[1] && a->winding == b->winding;
-}
-
-static size_t hash(const struct ts_row_key *k)
-{
-	uint64_t h = (uint64_t)(uint32_t)k->tag[0] << 32 | (uint32_t)k->tag[1];
-
-	h = (h ^ (uint32_t)k->winding) * 0x9fb21c651e98df25u;
-	return (size_t)(h ^ (h >> 29));
-}
-
-static int32_t *find(const struct ts_row_history *h, const struct ts_row_key *key)
-{
-	size_t k = hash(key) & (h->slots - 1);
-
-	while (h->slot[k] && !same(&h->key[h->slot[k] - 1], key))
-		k = (k + 1) & (h->slots - 1);
-	return &h->slot[k];
-}
-
 static void copy_signed(double *to, const double *from, size_t width, const signed char *sign,
 			bool swapped)
 {
@@ -62,13 +41,10 @@ static void copy_signed(double *to, const double *from, size_t width, const sign
 
 static enum ts_status allocate(struct tsim *sim, struct ts_row_history *h, size_t n, bool forces)
 {
-	for (h->slots = 16; h->slots < 2 * n; h->slots *= 2)
-		;
 	h->key = ts_alloc(n, sizeof *h->key);
 	h->value = ts_alloc(n * h->width, sizeof *h->value);
-	h->slot = ts_alloc(h->slots, sizeof *h->slot);
 	h->force = forces ? ts_alloc(n, sizeof *h->force) : NULL;
-	if (!h->key || !h->value || !h->slot || (forces && !h->force)) {
+	if (!h->key || !h->value || (forces && !h->force)) {
 		ts_row_history_release(h);
 		return ts_nomem(&sim->error);
 	}
@@ -103,20 +79,16 @@ static enum ts_status take(struct tsim *sim, const struct ts_rows *rows, bool fo
 	TS_TRY(allocate(sim, h, n, forces));
 	for (size_t r = 0; r < rows->n; r++) {
 		bool swapped;
-		int32_t *slot;
 
 		if (!taken(rows, r, memories))
 			continue;
 		h->key[h->n] = key_of(rows, r, &swapped);
-		slot = find(h, &h->key[h->n]);
-		if (*slot)
-			continue;
 		if (forces)
 			copy_force(h->force[h->n], rows->force[r], swapped);
 		if (h->width)
 			copy_signed(h->value + h->n * h->width, rows->history + r * h->width,
 				    h->width, rows->history_sign, swapped);
-		*slot = (int32_t)++h->n;
+		h->n++;
 	}
 	return TS_OK;
 }
@@ -133,15 +105,6 @@ enum ts_status ts_row_history_take_memories(struct tsim *sim, const struct ts_ro
 	return take(sim, rows, forces, true, h);
 }
 
-/* A pair that has come to a periodic face, or left it, has one row where it had two or two for one. */
-static int32_t find_either(const struct ts_row_history *h, struct ts_row_key key)
-{
-	int32_t slot = *find(h, &key);
-
-	key.winding ^= OTHER_SIDE;
-	return slot ? slot : *find(h, &key);
-}
-
 static bool overlap(const struct ts_particles *p, const struct ts_rows *rows, size_t r)
 {
 	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
@@ -150,31 +113,101 @@ static bool overlap(const struct ts_particles *p, const struct ts_rows *rows, si
 	return ts_row_distance2(p, i, j, d) < sum * sum;
 }
 
-void ts_row_history_give(const struct ts_row_history *h, const struct ts_particles *p,
-			 struct ts_rows *rows)
+/* What is remembered, by particles: chains of those whose smaller tag a particle has. Its memory is
+ * near that of its neighbours, as the particles are. */
+struct giving {
+	const struct ts_row_history *h;
+	const struct ts_particles *p;
+	struct ts_rows *rows;
+	int32_t *first; /* of each particle: index of key + 1, 0 none */
+	int32_t *next;	/* of each key, alike */
+};
+
+static enum ts_status make_chains(struct tsim *sim, struct giving *g)
 {
-	for (size_t r = 0; h->n && r < rows->n; r++) {
+	struct ts_identities map;
+
+	TS_TRY(ts_identities(sim, false, &map));
+	g->first = ts_alloc(g->p->n, sizeof *g->first);
+	g->next = ts_alloc(g->h->n, sizeof *g->next);
+	if (!g->first || !g->next)
+		return ts_nomem(&sim->error);
+	for (size_t k = g->h->n; k-- > 0;) {
+		int32_t at = ts_row_of(&map, g->h->key[k].tag[0]);
+
+		if (at < 0) /* it has left */
+			continue;
+		g->next[k] = g->first[at];
+		g->first[at] = (int32_t)k + 1;
+	}
+	return TS_OK;
+}
+
+/* Index + 1 of the key, 0 if it is not there. A pair that has come to a periodic face, or left it, has one
+ * row where it had two or two for one. */
+static int32_t find_either(const struct giving *g, const struct ts_row_key *key, size_t smaller)
+{
+	int32_t other = 0;
+
+	for (int32_t k = g->first[smaller]; k; k = g->next[k - 1]) {
+		const struct ts_row_key *there = &g->h->key[k - 1];
+
+		if (there->tag[1] != key->tag[1])
+			continue;
+		if (there->winding == key->winding)
+			return k;
+		if (there->winding == (key->winding ^ OTHER_SIDE))
+			other = k;
+	}
+	return other;
+}
+
+static void give_share(void *context, size_t from, size_t to)
+{
+	const struct giving *g = context;
+	const struct ts_row_history *h = g->h;
+	const struct ts_particles *p = g->p;
+	struct ts_rows *rows = g->rows;
+
+	for (size_t r = from; r < to; r++) {
 		bool swapped;
 		struct ts_row_key key = key_of(rows, r, &swapped);
-		int32_t slot = find_either(h, key);
+		size_t j = (size_t)(swapped ? rows->j[r] : rows->i[r]);
+		int32_t k = find_either(g, &key,
+					j < p->n ? j : (size_t)p->ghost_owner[j - p->n]);
 
-		if (!slot || (h->overlapping && !overlap(p, rows, r)))
+		if (!k || (h->overlapping && !overlap(p, rows, r)))
 			continue;
 		rows->touching[r] = 1;
 		if (h->width)
 			copy_signed(rows->history + r * h->width,
-				    h->value + (size_t)(slot - 1) * h->width, h->width,
+				    h->value + (size_t)(k - 1) * h->width, h->width,
 				    rows->history_sign, swapped);
 		if (h->force)
-			copy_force(rows->force[r], h->force[slot - 1], swapped);
+			copy_force(rows->force[r], h->force[k - 1], swapped);
 	}
+}
+
+enum ts_status ts_row_history_give(struct tsim *sim, const struct ts_row_history *h,
+				   struct ts_rows *rows)
+{
+	struct giving g = { .h = h, .p = sim->particles, .rows = rows };
+	enum ts_status status;
+
+	if (!h->n || !rows->n)
+		return TS_OK;
+	status = make_chains(sim, &g);
+	if (status == TS_OK)
+		ts_parallel(ts_team(sim, rows->n), rows->n, give_share, &g);
+	ts_free(g.first);
+	ts_free(g.next);
+	return status;
 }
 
 void ts_row_history_release(struct ts_row_history *h)
 {
 	ts_free(h->key);
 	ts_free(h->value);
-	ts_free(h->slot);
 	ts_free(h->force);
 	*h = (struct ts_row_history){ 0 };
 }
@@ -215,8 +248,5 @@ enum ts_status ts_row_history_archive(struct ts_archive *archive, struct tsim *s
 	}
 	TS_TRY(ts_archive_fixed(archive, "history_keys", TS_SAVED_I32, h->key, 3 * h->n));
 	TS_TRY(ts_archive_fixed(archive, "history", TS_SAVED_F64, h->value, h->n * h->width));
-	TS_TRY(ts_archive_fixed(archive, "forces", TS_SAVED_F64, h->force, 3 * h->n));
-	for (size_t k = 0; !ts_archive_writing(archive) && k < h->n; k++)
-		*find(h, &h->key[k]) = (int32_t)k + 1;
-	return TS_OK;
+	return ts_archive_fixed(archive, "forces", TS_SAVED_F64, h->force, 3 * h->n);
 }

@@ -6,14 +6,13 @@
 #include "neigh/rows.h"
 
 struct ts_row_history {
-	size_t n, width, slots;
+	size_t n, width;
 	struct ts_row_key {
 		int32_t tag[2];	 /* smaller first */
 		int32_t winding; /* of the larger, seen from the smaller, and which row */
 	} * key;
 	double *value;	    /* width numbers each, as seen from the smaller tag */
 	double (*force)[3]; /* on the smaller tag; NULL: not kept */
-	int32_t *slot;	    /* open addressing: index of key + 1, 0 free */
 	bool overlapping;   /* only rows whose partners overlap now get it */
 };
 
@@ -26,8 +25,8 @@ enum ts_status ts_row_history_take(struct tsim *sim, const struct ts_rows *rows,
 enum ts_status ts_row_history_take_memories(struct tsim *sim, const struct ts_rows *rows, bool forces,
 					    struct ts_row_history *h);
 /* Gives it to the rows of the same partners. */
-void ts_row_history_give(const struct ts_row_history *h, const struct ts_particles *p,
-			 struct ts_rows *rows);
+enum ts_status ts_row_history_give(struct tsim *sim, const struct ts_row_history *h,
+				   struct ts_rows *rows);
 void ts_row_history_release(struct ts_row_history *h);
 /* Restart files. */
 enum ts_status ts_row_history_archive(struct ts_archive *archive, struct tsim *sim,

@@ -252,10 +252,11 @@ static enum ts_status build(struct tsim *sim, struct ts_rows *rows, const struct
 		rows->n = total;
 		rows->particles = s->p->n;
 		fill_rows(rows, s->p, found, shares);
-		ts_row_history_give(&old, s->p, rows);
+		status = ts_row_history_give(sim, &old, rows);
+	}
+	if (status == TS_OK)
 		status = ts_gather_index(&rows->gather, s->p->n, rows->n, row_end, partner_key,
 					 rows);
-	}
 	ts_row_history_release(&old);
 	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
 }
