@@ -26,6 +26,7 @@ shell_tests = \
 	tests/crosscheck/mesh_stress.sh \
 	tests/crosscheck/meshes.sh \
 	tests/crosscheck/pour.sh \
+	tests/crosscheck/race.sh \
 	tests/crosscheck/refusals.sh \
 	tests/crosscheck/rigid.sh \
 	tests/crosscheck/scripts.sh \
@@ -112,6 +113,7 @@ shell_tests = \
 	tests/meshes.sh \
 	tests/price.sh \
 	tests/python.sh \
+	tests/race.sh \
 	tests/rerun.sh \
 	tests/restart.sh \
 	tests/restart_changes.sh \

@@ -1,0 +1,110 @@
+# shellcheck shell=bash disable=SC2034,SC2154
+# For bench/race and bench/profile: how scenes are prepared, run, and compared. Sourced in an empty folder, with
+# $tsim, $bench and $size (tiny, quick or full) set.
+export OMP_WAIT_POLICY=${OMP_WAIT_POLICY:-passive} # a thread that waits leaves the processor to others
+all_scenes='packing filling chute drum bonded bidisperse hot'
+scenes=$bench/scenes
+
+# pick TINY QUICK FULL: the one for this size
+pick() { case $size in tiny) echo "$1" ;; quick) echo "$2" ;; *) echo "$3" ;; esac; }
+
+# data TYPES XLO XHI YLO YHI ZLO ZHI: `id type diameter x y z [vx vy vz wx wy wz]` on standard input, and bonds where
+# there is a file of them, become start.data
+data() {
+	cat >state
+	{
+		printf 'spheres\n\n%d atoms\n%d atom types\n' "$(wc -l <state)" "$1"
+		[ ! -s bonds ] || printf '%d bonds\n1 bond types\n12 extra bond per atom\n' "$(wc -l <bonds)"
+		printf '\n%s %s xlo xhi\n%s %s ylo yhi\n%s %s zlo zhi\n\nAtoms\n\n' "${@:2}"
+		if [ -s bonds ]; then # the columns of atom_style hybrid sphere bond
+			awk '{ print $1, $2, $4, $5, $6, $3, 1, 1 }' state
+		else
+			awk '{ print $1, $2, $3, 1, $4, $5, $6 }' state
+		fi
+		awk 'NF > 6 { if (!n++) print "\nVelocities\n"; print $1, $7, $8, $9, $10, $11, $12 }' state
+		[ ! -s bonds ] || { printf '\nBonds\n\n' && cat bonds; }
+	} >start.data
+}
+
+# rows of a dump
+spheres() { awk 'NR > 9' "$1"; }
+
+# packed WIDE LAYERS STEPS [CELL]: packed.dump, spheres of diameter 1 at rest in a box; with CELL one of diameter 10
+# in each cube of this side
+packed() {
+	awk -v n="$1" -v layers="$2" -v cell="${4:-0}" 'function put(d, x, y, z) { print ++id, 1, d, x, y, z }
+	BEGIN {
+		srand(7)
+		for (x = cell / 2; cell && x < n; x += cell) for (y = cell / 2; y < n; y += cell)
+			for (z = cell / 2; z < layers; z += cell) put(10, x, y, z)
+		for (k = 0; 1.08 * k + 0.6 < layers; k++) for (j = 0; j < int(n / 1.0); j++) for (i = 0; i < int(n / 1.0); i++) {
+			x = 0.5 + 0.98 * i * (n - 1.02) / (0.98 * (int(n) - 1)) + 0.02 * rand()
+			y = 0.5 + 0.98 * j * (n - 1.02) / (0.98 * (int(n) - 1)) + 0.02 * rand()
+			z = 0.6 + 1.08 * k + 0.05 * rand()
+			if (cell) {
+				a = x % cell - cell / 2; b = y % cell - cell / 2; c = z % cell - cell / 2
+				if (a * a + b * b + c * c < 5.5 * 5.5) continue
+			}
+			put(1, x, y, z)
+		}
+	}' | data 1 -0.5 "$1.5" -0.5 "$1.5" -0.5 "$(($2 + 10))"
+	by_tsim "$scenes/common/pack" -var wide "$1" -var steps "$3" -var skin 0.25
+}
+
+# by_tsim SCRIPT WORDS...: a run that prepares
+by_tsim() {
+	"$tsim" -in "$1" -var scenes "$scenes" "${@:2}" -threads 2 -log prepare.log -screen none >output 2>&1 ||
+		{ tail -n 5 output; exit 1; }
+}
+
+# mirrored IMAGES WIDE: packed.dump and its mirror images, IMAGES by IMAGES
+mirrored() {
+	spheres packed.dump | awk -v n="$1" -v w="$2" '{
+		for (a = 0; a < n; a++) for (b = 0; b < n; b++)
+			printf "%d %d %s %.12g %.12g %s\n", ++id, $2, $3, a % 2 ? (a + 1) * w - $4 : a * w + $4,
+				b % 2 ? (b + 1) * w - $5 : b * w + $5, $6
+	}'
+}
+
+# of_scene NAME: what its file says (see bench/scenes/*/scene), and its start in this folder
+of_scene() {
+	dialects='liggghts lammps' why='' period='0 0 0' near=1e-9 far=1e-6 energy=1e-6 column='' words=()
+	scene=$1
+	rm -f bonds ./*.dump ./*.usage ./*.log ./*.loop
+	# shellcheck source=/dev/null
+	. "$scenes/$scene/scene"
+	prepare
+}
+
+# go WAY: a run of `warm` steps, and one of `steps` more; WAY is program.threads.dialect. What they took goes to
+# WAY.warm.usage and WAY.all.usage, lines of seconds of processor time, seconds of the loop of steps, kilobytes.
+go() {
+	local program threads dialect how count form n command columns="id x y z vx vy vz $column"
+	IFS=. read -r program threads dialect <<<"$1"
+	form='format float %.15g'
+	case $program in
+	tsim)
+		command=("$tsim" -threads "$threads")
+		[ "$dialect" = liggghts ] && command+=(-legacy) # its contacts that end, and runs that begin
+		;;
+	liggghts)
+		command=(liggghts) count=$(wc -w <<<"$columns")
+		form="format \"%d$(for ((n = 1; n < count; n++)); do printf ' %%.15g'; done)\""
+		;;
+	lammps) command=(lmp) ;;
+	esac
+	for how in warm all; do
+		n=$([ $how = all ] && echo $((warm + steps)) || echo "$warm")
+		TIMEFORMAT='%3U %3S'
+		{ time command time -f %M -o memory "${command[@]}" -in "$scenes/$scene/in" -log "$1.$how.log" \
+			-var scenes "$scenes" -var program "$program" -var dialect "$dialect" -var steps "$n" \
+			-var after nothing -var out "$1.$how.dump" -var columns "$columns" -var form "$form" "${words[@]}" >output 2>&1; } 2>seconds ||
+			{ echo "$scene: $1:"; tail -n 5 output; return 1; }
+		echo "$(awk '{ print $1 + $2 }' seconds)" "$(loop_time "$1.$how.log")" "$(tail -n 1 memory)" >>"$1.$how.usage"
+	done
+}
+
+loop_time() { sed -n 's/^Loop time of \([^ ]*\).*/\1/p' "$1" | tail -n 1; }
+
+# Seconds of processor time of a way: the least, and by how much the second least was more, in parts.
+least() { sort -g "$1" | awk '{ t[NR] = $1 } END { print t[1] }'; }
