@@ -276,8 +276,10 @@ library_sources = \
 	src/law/granular_force.h \
 	src/law/granular_limit.h \
 	src/law/heat.h \
+	src/law/impact.h \
 	src/law/lens.h \
 	src/law/lift.h \
+	src/law/located.h \
 	src/law/normal.h \
 	src/law/normal_area.h \
 	src/law/rolling.h \
@@ -341,6 +343,8 @@ library_sources = \
 	src/neigh/heat_step.c \
 	src/neigh/limits.c \
 	src/neigh/limits.h \
+	src/neigh/located.c \
+	src/neigh/located.h \
 	src/neigh/material_words.c \
 	src/neigh/materials.c \
 	src/neigh/materials.h \

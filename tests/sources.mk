@@ -71,6 +71,7 @@ shell_tests = \
 	tests/decks/insertion.sh \
 	tests/decks/last_words.sh \
 	tests/decks/legacy.sh \
+	tests/decks/located.sh \
 	tests/decks/massflow.sh \
 	tests/decks/materials.sh \
 	tests/decks/mesh_dumps.sh \
@@ -135,6 +136,7 @@ unit_tests = \
 	tests/accuracy/check_breakage \
 	tests/accuracy/check_heat \
 	tests/accuracy/check_invariance \
+	tests/accuracy/check_located \
 	tests/accuracy/check_momentum \
 	tests/accuracy/check_oscillator \
 	tests/accuracy/check_restitution \
@@ -197,6 +199,10 @@ tests_accuracy_check_heat_LDADD = $(tests_ldadd)
 tests_accuracy_check_invariance_SOURCES = tests/accuracy/check_invariance.c $(tests_common)
 tests_accuracy_check_invariance_CFLAGS = $(tests_cflags)
 tests_accuracy_check_invariance_LDADD = $(tests_ldadd)
+
+tests_accuracy_check_located_SOURCES = tests/accuracy/check_located.c $(tests_common)
+tests_accuracy_check_located_CFLAGS = $(tests_cflags)
+tests_accuracy_check_located_LDADD = $(tests_ldadd)
 
 tests_accuracy_check_momentum_SOURCES = tests/accuracy/check_momentum.c $(tests_common)
 tests_accuracy_check_momentum_CFLAGS = $(tests_cflags)

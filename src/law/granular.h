@@ -65,6 +65,7 @@ struct ts_granular_model {
 	bool plane;   /* two dimensions: discs roll */
 	bool full_arms; /* the arms of torque are the radii, not those less delta/2 */
 	bool full_slip; /* the arms of slip alone are */
+	bool located; /* begin and end of contacts are found within the step: law/located.h */
 	bool wide; /* memory has room for all laws, as contacts of other types may have others */
 };
 
@@ -83,7 +84,8 @@ static inline bool ts_granular_same_model(const struct ts_granular_model *a, con
 	       a->absolute_damping == b->absolute_damping &&
 	       a->tangential_stiffness_2_7 == b->tangential_stiffness_2_7 && a->viscous == b->viscous &&
 	       a->reduce == b->reduce && a->torsion == b->torsion && a->plane == b->plane &&
-	       a->full_arms == b->full_arms && a->full_slip == b->full_slip && a->wide == b->wide;
+	       a->full_arms == b->full_arms && a->full_slip == b->full_slip && a->located == b->located &&
+	       a->wide == b->wide;
 }
 
 /* Constants of a pair of materials; each law uses its own few. */

@@ -4,6 +4,7 @@
 #define TS_LAW_GRANULAR_FORCE_H
 
 #include "law/cohesion.h"
+#include "law/located.h"
 #include "law/rolling.h"
 #include "law/tangential.h"
 #include "law/twisting.h"
@@ -69,6 +70,18 @@ static inline int ts_granular_met_at(const struct ts_granular_model *m)
 	return ts_granular_area_at(m) + (m->wide || ts_tangential_rescales(m));
 }
 
+/* What contacts that are located remember: law/located.h. */
+static inline int ts_granular_located_at(const struct ts_granular_model *m)
+{
+	return ts_granular_met_at(m) + (m->wide || ts_normal_sticks(m));
+}
+
+enum { TS_GRANULAR_MEMORY = 9 + TS_LOCATED_MEMORY }; /* at most */
+static inline int ts_granular_memory(const struct ts_granular_model *m)
+{
+	return ts_granular_located_at(m) + (m->located ? TS_LOCATED_MEMORY : 0);
+}
+
 /* What changes sign when i and j change places: slip, and torques of rolling. The way that sds has rolled,
  * w x n, does not. */
 static inline void ts_granular_memory_signs(const struct ts_granular_model *m, signed char sign[])
@@ -76,14 +89,10 @@ static inline void ts_granular_memory_signs(const struct ts_granular_model *m, s
 	bool turns = !m->wide && m->rolling != TS_ROLLING_SDS;
 	int odd = turns ? ts_granular_depth_at(m) : ts_granular_rolling_at(m);
 
-	for (int k = 0; k <= ts_granular_met_at(m); k++)
+	for (int k = 0; k < TS_GRANULAR_MEMORY; k++)
 		sign[k] = k < odd ? -1 : 1;
-}
-
-enum { TS_GRANULAR_MEMORY = 9 }; /* at most */
-static inline int ts_granular_memory(const struct ts_granular_model *m)
-{
-	return ts_granular_met_at(m) + (m->wide || ts_normal_sticks(m));
+	for (int k = 0; k < 3 && m->located; k++)
+		sign[ts_granular_located_at(m) + TS_LOCATED_SLIP + k] = -1;
 }
 
 /* The distance at which a contact ends, less the sum of the radii: > 0 for surfaces that stick and have met. */
@@ -96,6 +105,20 @@ static inline double ts_granular_beyond(const struct ts_granular_model *m,
 	return ts_jkr_reach(c, r_eff);
 }
 
+/* The normal force and the slip, as of the time of the positions, of a contact that is located. */
+static inline void ts_granular_locate(const struct ts_granular_model *m, const struct ts_touch *t,
+				      double dt, bool advance, double *memory, struct ts_normal *n,
+				      struct ts_touch *now)
+{
+	double *own = memory + ts_granular_located_at(m), stage = own[TS_LOCATED_STAGE];
+	struct ts_located l = ts_located_force(m, t, dt, advance, own, n);
+
+	*now = *t;
+	if (m->tangential != TS_TANGENTIAL_OFF)
+		ts_located_slip(&l, stage, ts_tangential_remembers(m), advance ? dt : 0, own, memory,
+				now);
+}
+
 /* `dt`: the time step; `advance`: false in the set-up of a run, when memory stands still. */
 static inline __attribute__((always_inline)) void
 ts_granular_contact(const struct ts_granular_model *m, const struct ts_granular_pair *c,
@@ -103,9 +126,14 @@ ts_granular_contact(const struct ts_granular_model *m, const struct ts_granular_
 		    struct ts_granular_force *out)
 {
 	struct ts_normal n;
+	struct ts_touch now;
 	double tangential[3], roll[3], pull, twist;
 
 	ts_normal_force(m, c, t, advance, memory + ts_granular_depth_at(m), &n);
+	if (m->located) {
+		ts_granular_locate(m, t, dt, advance, memory, &n, &now);
+		t = &now;
+	}
 	pull = ts_cohesion_force(m, c, t);
 	out->normal = n.force + pull;
 	if (m->reduce)

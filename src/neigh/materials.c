@@ -31,6 +31,7 @@ struct ts_granular_model ts_granular_model_of(const struct tsim *sim,
 		.viscous = w->viscous,
 		.reduce = w->reduce,
 		.torsion = w->torsion,
+		.located = w->located,
 		.plane = sim->dimension == 2,
 	};
 }

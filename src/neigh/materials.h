@@ -10,7 +10,7 @@
 struct ts_granular_words {
 	int normal, tangential, rolling, cohesion, surface;
 	bool limit_force, tangential_damping, absolute_damping, kt_to_kn, viscous, reduce, torsion;
-	bool heating[2], potential, dissipated, unbonded;
+	bool heating[2], potential, dissipated, unbonded, located;
 };
 extern const char *const ts_normal_names[],
 	*const ts_tangential_names[], *const ts_rolling_names[], *const ts_cohesion_names[],
@@ -49,7 +49,10 @@ extern const char *const ts_normal_names[],
 		TS_BOOL("computeDissipatedEnergy", T, f.dissipated, .fallback = "off",             \
 			.help = "no effect"),                                                      \
 		TS_BOOL("disableNormalWhenBonded", T, f.unbonded, .fallback = "off",               \
-			.help = "no effect; see special_bonds")
+			.help = "no effect; see special_bonds"),                                   \
+		TS_BOOL("located", T, f.located, .fallback = "no",                                 \
+			.help = "where within a step contacts begin and end, and what the dashpot "  \
+				"does meanwhile, is accounted for")
 
 /* Checks their order, and that keywords fit the models. `who` for messages: "pair gran". */
 enum ts_status ts_granular_words_check(struct tsim *sim, const struct ts_instance *self,

@@ -6,6 +6,7 @@
 
 #include "core/plan.h"
 #include "neigh/limits.h"
+#include "neigh/located.h"
 #include "particles/template.h"
 
 #include "base/banned.h"
@@ -272,6 +273,9 @@ enum ts_status ts_pair_plan(struct ts_instance *self, struct tsim *sim,
 	struct ts_lightest *lightest = ts_lightest(sim, 0);
 	double *overlap = deepest_overlaps(sim, pair), speed = 2 * ts_fastest(sim, 0);
 	enum ts_status status = lightest && overlap ? TS_OK : ts_nomem(&sim->error);
+
+	if (status == TS_OK)
+		status = ts_located_check(sim, &pair->model, ts_instance_word(self, "located"));
 
 	for (int a = 1; status == TS_OK && a <= pair->ntypes; a++)
 		for (int b = a; status == TS_OK && b <= pair->ntypes; b++)

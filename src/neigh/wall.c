@@ -6,6 +6,7 @@
 
 #include "core/plan.h"
 #include "neigh/limits.h"
+#include "neigh/located.h"
 #include "particles/rigid.h"
 #include "particles/template.h"
 
@@ -370,6 +371,7 @@ enum ts_status ts_wall_plan(struct ts_instance *self, struct tsim *sim, int type
 	char what[64];
 
 	TS_TRY(setup_check(self, sim, type));
+	TS_TRY(ts_located_check(sim, model_of(w, sim), ts_instance_word(self, "located")));
 	lightest = ts_lightest(sim, self->group);
 	if (!lightest)
 		return ts_nomem(&sim->error);

@@ -117,10 +117,10 @@ syn keyword tsimKeyword  cdt epsd epsd2 epsd3 cohesion sjkr sjkr2 surface limitF
 syn keyword tsimKeyword  tangential_damping absolute_damping ktToKnUser viscous
 syn keyword tsimKeyword  tangential_reduce torsionTorque heating_normal_hertz
 syn keyword tsimKeyword  heating_tangential_history computeElasticPotential
-syn keyword tsimKeyword  computeDissipatedEnergy disableNormalWhenBonded hooke/history
-syn keyword tsimKeyword  hertz/history granular limit_damping primitive n_meshes meshes
-syn keyword tsimKeyword  xplane yplane zplane xcylinder ycylinder zcylinder shear
-syn keyword tsimKeyword  store_force contacts store_force_contact
+syn keyword tsimKeyword  computeDissipatedEnergy disableNormalWhenBonded located
+syn keyword tsimKeyword  hooke/history hertz/history granular limit_damping primitive
+syn keyword tsimKeyword  n_meshes meshes xplane yplane zplane xcylinder ycylinder zcylinder
+syn keyword tsimKeyword  shear store_force contacts store_force_contact
 syn keyword tsimKeyword  store_force_contact_stress viscosity ab2 rk2 rk3 backward substeps
 syn keyword tsimKeyword  courant quick cubista gamma form fv fd quadratic body_force
 syn keyword tsimKeyword  generic hertz/material dmt jkr mass_velocity viscoelastic tsuji

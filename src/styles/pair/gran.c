@@ -37,7 +37,7 @@ static bool same_model(const struct ts_granular_model *a, const struct ts_granul
 	       a->no_tangential_damping == b->no_tangential_damping &&
 	       a->absolute_damping == b->absolute_damping &&
 	       a->tangential_stiffness_2_7 == b->tangential_stiffness_2_7 &&
-	       a->viscous == b->viscous && a->reduce == b->reduce && a->torsion == b->torsion;
+	       a->viscous == b->viscous && a->located == b->located && a->reduce == b->reduce && a->torsion == b->torsion;
 }
 
 static ts_share_fn *share_of(const struct gran *g)
@@ -192,6 +192,11 @@ static const char gran_doc[] =
 	"models stiffens with the overlap, and slip stored early comes back stiffer. Where nothing else "
 	"dissipates (e = 1) that is up to some thousandths of the energy (hertz; hertz/stiffness more, "
 	"as kt/kn is).\n\n"
+	"`located yes`: contacts begin and end where they do within the step, and the dashpot sees the velocity "
+	"at the time of the positions; see pair_style spring/dashpot. With spring, hooke, hertz and their "
+	"stiffness variants. The tangential dashpot and slip spring are corrected alike; where the law itself jumps - "
+	"`history` drops its dashpot where slip begins - first order stays. Walls that have the law of the pair style "
+	"follow it, walls with a model of their own have the same word. LIGGGHTS has nothing like it.\n\n"
 	"Formulae, order and defaults are those of LIGGGHTS 3.8, and results agree with it to "
 	"round-off as "
 	"long as a pair that parts has met a rebuild of neighbours before it meets again: LIGGGHTS "

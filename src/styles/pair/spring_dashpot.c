@@ -8,7 +8,7 @@
 
 struct spring_dashpot {
 	struct ts_pair pair;
-	bool generic;
+	bool generic, located;
 };
 
 static enum ts_status complete(struct tsim *sim, void *coeff, const struct ts_place *where)
@@ -33,9 +33,18 @@ static void specialised(void *task, size_t from, size_t to)
 	ts_row_share(task, from, to, &spring);
 }
 
+static const struct ts_granular_model located_spring = { .normal = TS_NORMAL_SPRING, .located = true };
+
+static void specialised_located(void *task, size_t from, size_t to)
+{
+	ts_row_share(task, from, to, &located_spring);
+}
+
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
-	((struct spring_dashpot *)self->state)->pair.model = spring;
+	struct spring_dashpot *s = self->state;
+
+	s->pair.model = s->located ? located_spring : spring;
 	return ts_pair_init(self, sim);
 }
 
@@ -43,13 +52,19 @@ static enum ts_status force(struct ts_instance *self, struct tsim *sim)
 {
 	const struct spring_dashpot *s = self->state;
 
-	ts_row_loop(sim, &s->pair, s->generic ? ts_row_share_generic : specialised);
+	ts_row_loop(sim, &s->pair,
+		    s->generic	 ? ts_row_share_generic
+		    : s->located ? specialised_located
+				 : specialised);
 	return TS_OK;
 }
 
 static const struct ts_arg args[] = {
 	TS_FLAG("generic", struct spring_dashpot, generic,
 		.help = "the loop for any contact law, to compare with the specialised one"),
+	TS_BOOL("located", struct spring_dashpot, located, .fallback = "no",
+		.help = "where within a step contacts begin and end, and what the dashpot does "
+			"meanwhile, is accounted for"),
 	TS_ARGS_END,
 };
 
@@ -81,8 +96,21 @@ const struct ts_pair_style ts_pair_spring_dashpot = {
 			  "such as those in potentials/. A contact lasts pi/sqrt(omega0^2 - gamma^2), "
 			  "omega0^2 = k/m*, gamma = beta/(2 m*); velocity Verlet is stable for steps "
 			  "below 2 (sqrt(omega0^2 + gamma^2) - gamma)/omega0^2, and a run beyond that "
-			  "is refused. There are no tangential forces and no rotation.",
+			  "is refused. There are no tangential forces and no rotation.\n\n"
+			  "`located yes`: velocity Verlet knows neither where within a step a contact "
+			  "begins and ends nor the velocity at its end, which costs an order where "
+			  "there is a dashpot. Here the force of a step is that which moves the pair to where "
+			  "the exact motion is: within the contact in closed form, F = phi k delta + psi beta "
+			  "u + (1 - phi) m* g with u the velocity half a step back, phi = |1 - exp(-lambda "
+			  "h)|^2/(omega0 h)^2, psi = (1 - exp(-2 gamma h))/(2 gamma h), lambda = gamma + i "
+			  "sqrt(omega0^2 - gamma^2), and g what else accelerates the pair; at its begin and "
+			  "end by integrating the motion over the part of the step in contact. A single "
+			  "collision is then exact to some 1e-8 with 50 steps, and contacts among others are of "
+			  "second order; at rest, and without a dashpot, nothing changes. Each contact remembers "
+			  "six numbers more. Not with fix nve/euler, nor with `legacy yes`. Output of forces "
+			  "shows those means over a step.",
 		   .example = "pair_style spring/dashpot\n"
+			      "pair_style spring/dashpot located yes\n"
 			      "pair_coeff * * stiffness 2.0e5 restitution 0.5\n"
 			      "pair_coeff 1 2 file sandstone.spring",
 		   .cite = "P. A. Cundall, O. D. L. Strack, Geotechnique 29 (1979) 47",

@@ -1,0 +1,103 @@
+#!/bin/bash
+# Contacts that are located within the step: in a bed errors fall, and threads and restart files change nothing.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+
+cat >in.bed <<END
+include $top_srcdir/tests/decks/in.located
+dump d all custom 1 \${out}.dump id x y z vx vy vz omegax
+dump_modify d sort id format "%d %.17g %.17g %.17g %.17g %.17g %.17g %.17g"
+run 0 post no
+END
+bed() { # NAME LAW LOCATED STEPS: until 0.004 s
+	"$TSIM" -in in.bed -log none -screen none -var out "$1" -var law "$2" -var located "$3" \
+		-var steps "$4" -var h "$(awk "BEGIN { printf \"%.17g\", 0.004 / $4 }")" 2>err
+	report "$1" $? err
+}
+# error NAME: of the velocities beside those of `fine`, relative, root of mean squares
+error() {
+	paste -d' ' <(sed -n '/ITEM: ATOMS/,$p' "$1.dump" | tail -n +2) \
+		<(sed -n '/ITEM: ATOMS/,$p' fine.dump | tail -n +2) | awk '{
+		for (k = 5; k <= 7; k++) { s += ($k - $(k + 8))^2; r += $(k + 8)^2 } }
+		END { printf "%.3g", sqrt(s / r) }'
+}
+# gains LAW STEPS FACTOR: located, errors are smaller by that factor at least
+gains() {
+	local plain located
+
+	bed fine "$1" yes 6400
+	bed plain "$1" no "$2"
+	bed located "$1" yes "$2"
+	plain=$(error plain)
+	located=$(error located)
+	echo "$1, $2 steps: $plain, located $located"
+	awk "BEGIN { exit !($plain > 1e-3 && $plain > $3 * $located) }"
+	report "$1: $plain, located $located: less gain than $3" $?
+}
+gains 'hooke' 200 12
+gains 'hertz' 200 8
+gains 'hooke tangential no_history' 200 10
+gains 'hertz tangential history tangential_damping off' 200 3
+# the law of friction with a dashpot jumps where slip begins: not worse
+gains 'hertz tangential history' 200 0.9
+
+# threads
+cat >in.threads <<END
+package omp \${threads} grain 1
+variable law index "hertz tangential history rolling_friction cdt"
+include $top_srcdir/tests/decks/in.located
+write_restart \${out}.restart
+END
+export OMP_WAIT_POLICY=passive
+for t in 1 2 4; do
+	"$TSIM" -in in.threads -log none -screen none -var threads $t -var out t$t 2>err
+	report "$t threads" $? err
+done
+same '2 threads' t1.restart t2.restart
+same '4 threads' t1.restart t4.restart
+
+# cut by a restart file; contacts begin and end all the time
+"$TSIM" -in in.threads -log none -screen none -var threads 1 -var steps 37 -var out half 2>err
+report 'first part' $? err
+"$TSIM" -in in.threads -log none -screen none -var threads 1 -var steps 63 -var from half.restart \
+	-var out whole 2>err
+report 'second part' $? err
+same 'run 100 = run 37, restart, run 63' t1.restart whole.restart
+sed 's/^run.*/run 37\nrun 63/' "$top_srcdir/tests/decks/in.located" >in.cut
+sed "s|include.*|include in.cut|" in.threads >in.cut_threads
+"$TSIM" -in in.cut_threads -log none -screen none -var threads 1 -var out cut 2>err
+report 'two runs' $? err
+same 'run 100 = run 37, run 63' t1.restart cut.restart
+
+# refusals
+law='units si
+newton off
+atom_style sphere
+boundary f f f
+region b block -1 1 -1 1 -1 1 units box
+create_box 1 b
+create_atoms 1 single 0 0 0
+set group all diameter 0.0123 density 2385
+timestep 1e-6
+'
+rejects "${law}pair_style spring/dashpot located yes
+pair_coeff * * stiffness 1000 restitution 0.5
+fix m all nve/euler
+run 1" 'fix nve/euler takes forces where they were a step ago'
+rejects "${law}legacy yes
+pair_style spring/dashpot located yes
+pair_coeff * * stiffness 1000 restitution 0.5
+fix m all nve
+run 1" 'located yes: `legacy yes` asks for'
+rejects "${law}fix 1 all property/global youngsModulus peratomtype 5e6
+fix 2 all property/global poissonsRatio peratomtype 0.3
+fix 3 all property/global characteristicVelocity scalar 1
+fix 4 all property/global coefficientRestitution peratomtypepair 1 0.5
+fix 5 all property/global coefficientMaxElasticStiffness peratomtypepair 1 2
+fix 6 all property/global coefficientAdhesionStiffness peratomtypepair 1 0
+fix 7 all property/global coefficientPlasticityDepth peratomtypepair 1 0.1
+fix m all nve
+pair_style gran model hooke/hysteresis located yes
+pair_coeff * *
+run 1" 'located yes: the normal law must be'
+finish
