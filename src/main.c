@@ -7,6 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "advise/advise.h"
 #include "base/clock.h"
 #include "core/price.h"
 #include "core/sim.h"
@@ -209,6 +210,23 @@ static int crosscheck(struct tsim *sim, const struct ts_setup *setup, const char
 	return ts_program_print(&text) ? EXIT_FAILURE : verdict;
 }
 
+static int advise(struct tsim *sim, const struct ts_setup *setup)
+{
+	struct ts_advise_input input = { setup->input, words_of(&setup->advise),
+					 words_of(&setup->variables) };
+	struct ts_str text = { 0 }, trouble = { 0 };
+	int status;
+
+	sim->log.screen = stdout;
+	sim->log.progress = isatty(STDOUT_FILENO);
+	status = ts_advise(sim, &input, &text, &trouble);
+	if (sim->error.status)
+		fputs(tsim_error(sim), stderr);
+	fputs(ts_str_text(&trouble), stderr);
+	ts_str_release(&trouble);
+	return ts_program_print(&text) ? EXIT_FAILURE : status;
+}
+
 static int act(struct tsim *sim, struct ts_setup *setup, int argc, char **argv)
 {
 	int status = ts_program_options(sim, setup, argc, argv);
@@ -225,6 +243,8 @@ static int act(struct tsim *sim, struct ts_setup *setup, int argc, char **argv)
 		return ts_program_grammar(setup->grammar);
 	if (setup->doc)
 		return ts_program_manual(setup->doc);
+	if (setup->advised)
+		return advise(sim, setup);
 	if (setup->crosscheck.n)
 		return crosscheck(sim, setup, argv[0]);
 	return run(sim, setup);

@@ -16,7 +16,8 @@ allowed() {
 	flow) echo base math geom core particles law flow ;;
 	io) echo base math geom core particles io ;;
 	crosscheck) echo base math core io crosscheck ;;
-	program) echo base core crosscheck script program tsim.h ;;
+	advise) echo base math core io neigh particles script crosscheck advise ;;
+	program) echo base core crosscheck advise script program tsim.h ;;
 	library) echo base math geom core particles script library tsim.h ;;
 	styles) echo base math law geom core particles neigh flow io ;;
 	esac

@@ -39,6 +39,14 @@ struct ts_bill {
 	double tried;		     /* seconds spent on trials */
 };
 
+/* Looks at run commands (-advise): told before one of them how far it goes, which it may shorten, and after it;
+ * an error ends the script. */
+struct ts_run_watch {
+	enum ts_status (*before)(struct ts_run_watch *self, struct tsim *sim,
+				 const struct ts_place *where, int64_t *last);
+	enum ts_status (*after)(struct ts_run_watch *self, struct tsim *sim);
+};
+
 /* Live instances of one kind, in script order. */
 struct ts_instances {
 	struct ts_instance **item;
@@ -128,6 +136,7 @@ struct tsim {
 	struct ts_pending *pending; /* state from a restart file for styles not yet defined again */
 
 	struct ts_instance *outside; /* acts last in its stages: the program around the library */
+	struct ts_run_watch *run_watch; /* or NULL */
 	struct ts_library *library;  /* what the C library keeps; NULL without it */
 
 	double timeout; /* ts_clock() when runs are to end (timer timeout); 0: never */

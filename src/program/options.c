@@ -20,6 +20,7 @@ enum option_id {
 	OPT_CHECK,
 	OPT_SIGNAL,
 	OPT_EXPLAIN,
+	OPT_ADVISE,
 	OPT_CROSSCHECK,
 	OPT_HELP,
 	OPT_DOC,
@@ -43,6 +44,8 @@ static const struct {
 	[OPT_CHECK] = { "check", "", "run nothing: tell all errors and what the script would do", 0 },
 	[OPT_SIGNAL] = { "restart-on-signal", "FILE|none", "where an interrupted run saves its state", 1 },
 	[OPT_EXPLAIN] = { "explain", "", "run nothing: print the plan of each run", 0 },
+	[OPT_ADVISE] = { "advise", "[SECONDS] [WORDS]",
+			 "try settings on the scene: what each costs and changes", 0 },
 	[OPT_CROSSCHECK] = { "crosscheck", "PROGRAM [WORDS]",
 			     "run the script with liggghts or lammps too and compare all outputs", 1 },
 	[OPT_HELP] = { "help", "[KIND] [NAME]", "manual page, e.g. -help fix gravity, -help ave/time", 0 },
@@ -165,6 +168,9 @@ static int apply(struct tsim *sim, struct ts_setup *setup, enum option_id id, ch
 	case OPT_CHECK:
 		setup->check = true;
 		return ts_script_check(sim->host_data) == TS_OK ? 0 : TS_EXIT_USAGE;
+	case OPT_ADVISE:
+		setup->advised = true;
+		return add_words(&setup->advise, NULL, value, n);
 	case OPT_CROSSCHECK:
 		return add_words(&setup->crosscheck, NULL, value, n);
 	case OPT_HELP:
@@ -223,7 +229,8 @@ int ts_program_options(struct tsim *sim, struct ts_setup *setup, int argc, char 
 			id++;
 		if (id == NOPTIONS)
 			return unknown_option(text);
-		variadic = id == OPT_VAR || id == OPT_HELP || id == OPT_CROSSCHECK;
+		variadic = id == OPT_VAR || id == OPT_HELP || id == OPT_ADVISE ||
+			   id == OPT_CROSSCHECK;
 		while (k + n < argc && !is_option(argv[k + n]) &&
 		       (variadic || n < options[id].least))
 			n++;

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "advise/advise.h"
 #include "core/help.h"
 #include "crosscheck/crosscheck.h"
 #include "program/program.h"
@@ -25,6 +26,9 @@ static void print_usage(void)
 
 	puts("usage: tsim [options] -in FILE\n\noptions");
 	ts_program_list_options();
+	puts("\nafter -advise");
+	ts_advise_help(&text);
+	ts_program_print(&text);
 	puts("\nafter -crosscheck liggghts or -crosscheck lammps");
 	ts_crosscheck_help(&text);
 	ts_program_print(&text);

@@ -17,10 +17,10 @@ struct ts_word_list {
 /* What the command line says. */
 struct ts_setup {
 	const char *input, *log, *screen, *doc, *grammar;
-	bool help, version, log_given, check, explain;
+	bool help, version, log_given, check, explain, advised;
 	const char *help_kind, *help_style;
 	FILE *screen_file; /* of -screen, to be closed */
-	struct ts_word_list crosscheck, variables, own; /* the last two: for the programs that it runs */
+	struct ts_word_list crosscheck, advise, variables, own; /* the last two: for the programs that it runs */
 };
 
 /* Reads the options into the setup and, those that are settings of it, into the simulation. */

@@ -131,6 +131,8 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 			       "run: start must not be after the present step %" PRId64
 			       ", stop not before the last %" PRId64,
 			       sim->clock.step, last);
+	if (sim->run_watch)
+		TS_TRY(sim->run_watch->before(sim->run_watch, sim, where, &last));
 	sim->clock.goal = last;
 	sim->clock.ramp_first = r->start >= 0 ? r->start : sim->clock.step;
 	sim->clock.ramp_last = r->stop >= 0 ? r->stop : last;
@@ -139,8 +141,10 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 		return TS_OK;
 	}
 	if (!r->pieces.n)
-		return run_once(sim, last - sim->clock.step, r);
-	return run_pieces(sim, last, r);
+		TS_TRY(run_once(sim, last - sim->clock.step, r));
+	else
+		TS_TRY(run_pieces(sim, last, r));
+	return sim->run_watch ? sim->run_watch->after(sim->run_watch, sim) : TS_OK;
 }
 
 static const struct ts_arg args[] = {

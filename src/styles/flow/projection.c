@@ -53,6 +53,15 @@ static enum ts_status read_words(struct ts_instance *self, struct tsim *sim)
 	if (p->body_words.n)
 		TS_TRY(ts_flow_read_vector(sim, "flow_style projection: body_force", p->body_words,
 					   &self->where, &self->arena, p->body_force));
+	p->read = true;
+	return TS_OK;
+}
+
+/* What follows from the arguments as they are now. */
+static enum ts_status derive(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_projection *p = self->state;
+
 	if (p->convection < 0)
 		p->convection = p->form == TS_FORM_DIFFERENCE ? TS_CONVECTION_DONOR : TS_CONVECTION_QUICK;
 	p->substeps = 0;
@@ -66,9 +75,7 @@ static enum ts_status read_words(struct ts_instance *self, struct tsim *sim)
 			       "flow_style projection: convection %s is for form fv; form fd has donor and "
 			       "central",
 			       ts_convection_names[p->convection]);
-	TS_TRY(check_viscous(self, sim));
-	p->read = true;
-	return TS_OK;
+	return check_viscous(self, sim);
 }
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -78,6 +85,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	if (!is_run)
 		TS_TRY(read_words(self, sim));
+	TS_TRY(derive(self, sim));
 	TS_TRY(ts_projection_prepare(self, sim));
 	if (is_run)
 		TS_TRY(ts_projection_solver(self, sim, 0));
