@@ -276,6 +276,7 @@ library_sources = \
 	src/io/vtk_xml.h \
 	src/law/buoyancy.h \
 	src/law/cohesion.h \
+	src/law/contact_parts.h \
 	src/law/drag.h \
 	src/law/energy.h \
 	src/law/granular.h \
@@ -347,6 +348,11 @@ library_sources = \
 	src/neigh/heat.h \
 	src/neigh/heat_contacts.c \
 	src/neigh/heat_step.c \
+	src/neigh/ledger.c \
+	src/neigh/ledger.h \
+	src/neigh/ledger_kick.c \
+	src/neigh/ledger_parts.c \
+	src/neigh/ledger_values.c \
 	src/neigh/limits.c \
 	src/neigh/limits.h \
 	src/neigh/located.c \
@@ -690,6 +696,7 @@ library_sources = \
 	src/styles/fix/drag_stokes.c \
 	src/styles/fix/drag_wen_yu.c \
 	src/styles/fix/drill_bit.c \
+	src/styles/fix/energy_ledger.c \
 	src/styles/fix/enforce2d.c \
 	src/styles/fix/evaporate.c \
 	src/styles/fix/flow_pressure_gradient.c \

@@ -55,6 +55,7 @@ shell_tests = \
 	tests/decks/dump_words.sh \
 	tests/decks/dumps.sh \
 	tests/decks/energy.sh \
+	tests/decks/energy_ledger.sh \
 	tests/decks/euler.sh \
 	tests/decks/fixes.sh \
 	tests/decks/flow_faults.sh \

@@ -30,17 +30,54 @@ uint64_t ts_plan_site(const struct ts_instance *inst, int stage)
 	return ts_hash_value(&hash) | 1;
 }
 
+static enum ts_status add_action(struct ts_plan *plan, struct tsim *sim, struct ts_instance *inst,
+				 int stage, ts_hook_fn *hook)
+{
+	if (TS_GROW(plan->actions[stage], plan->capacity[stage], plan->n[stage] + 1) != TS_OK)
+		return ts_nomem(&sim->error);
+	plan->actions[stage][plan->n[stage]++] = (struct ts_action){
+		hook, inst, ts_plan_site(inst, stage), hook == inst->style->watch
+	};
+	return TS_OK;
+}
+
 static enum ts_status add_actions(struct ts_plan *plan, struct tsim *sim, struct ts_instance *inst)
 {
 	for (int stage = 0; stage < TS_NSTAGE; stage++) {
-		if (!inst->style->hook[stage])
-			continue;
-		if (TS_GROW(plan->actions[stage], plan->capacity[stage], plan->n[stage] + 1) != TS_OK)
-			return ts_nomem(&sim->error);
-		plan->actions[stage][plan->n[stage]++] = (struct ts_action){
-			inst->style->hook[stage], inst, ts_plan_site(inst, stage)
-		};
+		if (inst->style->hook[stage])
+			TS_TRY(add_action(plan, sim, inst, stage, inst->style->hook[stage]));
 	}
+	return TS_OK;
+}
+
+/* The stage with looks of this one at its beginning and after each action of others. */
+static enum ts_status watch_stage(struct ts_plan *plan, struct tsim *sim, struct ts_instance *inst,
+				  int stage)
+{
+	struct ts_action *before = plan->actions[stage];
+	size_t n = plan->n[stage];
+	enum ts_status status;
+
+	plan->actions[stage] = NULL;
+	plan->n[stage] = plan->capacity[stage] = 0;
+	status = n ? add_action(plan, sim, inst, stage, inst->style->watch) : TS_OK;
+	for (size_t k = 0; k < n && status == TS_OK; k++) {
+		status = add_action(plan, sim, before[k].self, stage, before[k].hook);
+		if (status == TS_OK && !before[k].watches && before[k].self != inst)
+			status = add_action(plan, sim, inst, stage, inst->style->watch);
+	}
+	ts_free(before);
+	return status;
+}
+
+static enum ts_status add_watchers(struct ts_plan *plan, struct tsim *sim)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+
+	for (size_t k = 0; k < fixes->n; k++)
+		for (int stage = TS_STAGE_INITIAL_INTEGRATE;
+		     fixes->item[k]->style->watch && stage <= TS_STAGE_END_OF_STEP; stage++)
+			TS_TRY(watch_stage(plan, sim, fixes->item[k], stage));
 	return TS_OK;
 }
 
@@ -77,7 +114,9 @@ enum ts_status ts_plan_compile(struct ts_plan *plan, struct tsim *sim)
 			TS_TRY(add_actions(plan, sim, list->item[i]));
 		}
 	}
-	return sim->outside ? add_actions(plan, sim, sim->outside) : TS_OK;
+	if (sim->outside)
+		TS_TRY(add_actions(plan, sim, sim->outside));
+	return add_watchers(plan, sim);
 }
 
 void ts_plan_release(struct ts_plan *plan)
@@ -105,11 +144,14 @@ enum ts_status ts_plan_stage(struct ts_plan *plan, struct tsim *sim, enum ts_sta
 	if (!plan->n[stage])
 		return TS_OK;
 	start = ts_clock();
+	sim->acted = (struct ts_acted){ NULL, (int)stage };
 	for (size_t k = 0; k < plan->n[stage] && status == TS_OK; k++) {
 		const struct ts_action *action = &plan->actions[stage][k];
 
 		begin_action(sim, action, stage);
 		status = action->hook(action->self, sim);
+		if (!action->watches)
+			sim->acted.self = action->self;
 	}
 	sim->draws = (struct ts_draws){ 0 };
 	sim->epoch = 0;

@@ -9,6 +9,7 @@ struct ts_action {
 	ts_hook_fn *hook;
 	struct ts_instance *self;
 	uint64_t site; /* for random numbers: ts_draws in core/sim.h */
+	bool watches;  /* what others do */
 };
 
 struct ts_plan {

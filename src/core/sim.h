@@ -73,6 +73,12 @@ struct ts_clock {
 	double wall_start;  /* ts_clock() at the start of the current run */
 };
 
+/* Who has acted last, for styles that watch. */
+struct ts_acted {
+	struct ts_instance *self; /* NULL: the stage begins */
+	int stage;
+};
+
 /* What computes may stand for; see core/standard.h. */
 enum ts_standard { TS_STANDARD_TEMPERATURE, TS_STANDARD_PRESSURE, TS_NSTANDARD };
 
@@ -106,6 +112,7 @@ struct tsim {
 			    * goes on with the forces and the rows of that step */
 	bool looking;      /* a value is read that does not count: next() stays where it is */
 	struct ts_draws draws;
+	struct ts_acted acted;
 	int64_t era; /* how often steps have begun to be counted anew, by reset_timestep or clear: random
 		      * numbers do not come again */
 	uint64_t epoch; /* while somebody acts in a stage, nothing changes that he reads: outputs are

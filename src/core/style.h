@@ -91,6 +91,9 @@ struct ts_style {
 	unsigned columns; /* particle columns it needs: bits of particles/particles.h */
 	ts_hook_fn *init;
 	ts_hook_fn *hook[TS_NSTAGE];
+	/* Fixes: looks on, from INITIAL_INTEGRATE to END_OF_STEP, as each stage begins and after each action of
+	 * others in it: sim->acted says which. It changes nothing. */
+	ts_hook_fn *watch;
 	/* Potential energy; NULL: there is none. Of a fix it counts as far as fix_modify says so. */
 	enum ts_status (*energy)(struct ts_instance *self, struct tsim *sim, double *out);
 	/* Computes: what they keep of the past starts anew (dump_modify refresh). */

@@ -58,31 +58,46 @@ static inline double ts_normal_energy(const struct ts_granular_model *m,
 	       (m->normal == TS_NORMAL_AREA_DMT ? ts_pull_off_force(m, c, r) * t->overlap : 0);
 }
 
+/* Of the spring of slip. */
+static inline double ts_tangential_energy(const struct ts_granular_model *m,
+					  const struct ts_granular_pair *c, const struct ts_normal *n,
+					  const double *memory)
+{
+	if (ts_tangential_slider_of(m, c, n).force)
+		return n->kt > 0 ? ts_spring_energy(1 / n->kt, memory) : 0;
+	return ts_tangential_remembers(m) ? ts_spring_energy(n->kt, memory) : 0;
+}
+
+/* Of the springs of rolling and twisting. */
+static inline double ts_turning_energy(const struct ts_granular_model *m,
+				       const struct ts_granular_pair *c, const struct ts_touch *t,
+				       const struct ts_normal *n, const double *memory)
+{
+	double energy = 0, k = ts_rolling_remembers_torque(m) ? ts_rolling_stiffness(m, c, t, n) : 0;
+
+	if (m->rolling == TS_ROLLING_SDS)
+		energy += ts_spring_energy(c->roll_stiffness, memory + ts_granular_rolling_at(m));
+	if (m->twisting != TS_TWISTING_OFF) {
+		double phi = memory[ts_granular_twist_at(m)];
+
+		energy += 0.5 * ts_twist_of(m, c, n).k * phi * phi;
+	}
+	if (k > 0)
+		energy += ts_spring_energy(1 / k, memory + ts_granular_rolling_at(m));
+	return energy;
+}
+
 /* `memory`: of the contact, as in ts_granular_contact. */
 static inline double ts_granular_energy(const struct ts_granular_model *m,
 					const struct ts_granular_pair *c, const struct ts_touch *t,
 					const double *memory)
 {
 	struct ts_normal n;
-	double energy, deepest = 0, k;
+	double deepest = 0;
 
 	ts_normal_force(m, c, t, false, &deepest, &n);
-	energy = ts_normal_energy(m, c, t, &n) + ts_cohesion_energy(m, c, t);
-	if (ts_tangential_slider_of(m, c, &n).force)
-		energy += n.kt > 0 ? ts_spring_energy(1 / n.kt, memory) : 0;
-	else if (ts_tangential_remembers(m))
-		energy += ts_spring_energy(n.kt, memory);
-	if (m->rolling == TS_ROLLING_SDS)
-		energy += ts_spring_energy(c->roll_stiffness, memory + ts_granular_rolling_at(m));
-	if (m->twisting != TS_TWISTING_OFF) {
-		double phi = memory[ts_granular_twist_at(m)];
-
-		energy += 0.5 * ts_twist_of(m, c, &n).k * phi * phi;
-	}
-	k = ts_rolling_remembers_torque(m) ? ts_rolling_stiffness(m, c, t, &n) : 0;
-	if (k > 0)
-		energy += ts_spring_energy(1 / k, memory + ts_granular_rolling_at(m));
-	return energy;
+	return ts_normal_energy(m, c, t, &n) + ts_cohesion_energy(m, c, t) +
+	       ts_tangential_energy(m, c, &n, memory) + ts_turning_energy(m, c, t, &n, memory);
 }
 
 #endif

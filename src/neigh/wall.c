@@ -197,7 +197,8 @@ static void report(struct ts_wall_report *r, const struct ts_particles *p, size_
 		   const struct ts_granular_force *f)
 {
 	*r = (struct ts_wall_report){ .touching = 1, .overlap = t->overlap, .type = spot->type,
-				      .mesh = spot->mesh, .triangle = spot->triangle };
+				      .mesh = spot->mesh, .triangle = spot->triangle,
+				      .curvature = spot->curvature };
 	for (int k = 0; k < 3; k++) {
 		r->force[k] = f->force[k];
 		r->torque[k] = t->arm[0] * f->turn[k] + f->roll[k];
@@ -273,17 +274,12 @@ size_t ts_wall_history(const struct ts_wall *w, const struct tsim *sim)
 	return ts_wall_has_law(w, sim) ? (size_t)ts_granular_memory(model_of(w, sim)) : 0;
 }
 
-void ts_wall_force_now(const struct ts_wall *w, const struct tsim *sim, size_t k, double force[3],
-		       double torque[3])
+void ts_wall_view(const struct ts_wall *w, const struct tsim *sim, size_t k, struct ts_wall_view *view)
 {
-	const struct ts_granular_model *model = model_of(w, sim);
 	const struct ts_particles *p = sim->particles;
 	const struct ts_wall_report *r = &w->contacts.report[k];
 	size_t i = (size_t)w->contacts.row[k];
-	struct ts_wall_spot spot = { .type = (int)r->type };
-	double memory[TS_GRANULAR_MEMORY + 1] = { 0 };
-	struct ts_granular_force f;
-	struct ts_touch t;
+	struct ts_wall_spot spot = { .type = (int)r->type, .curvature = r->curvature };
 
 	for (int d = 0; d < 3; d++) {
 		spot.n[d] = p->x[i][d] - r->point[d];
@@ -292,14 +288,25 @@ void ts_wall_force_now(const struct ts_wall *w, const struct tsim *sim, size_t k
 	spot.distance = ts_norm(spot.n);
 	for (int d = 0; d < 3; d++)
 		spot.n[d] = spot.distance > 0 ? spot.n[d] / spot.distance : 0;
+	view->model = model_of(w, sim);
+	view->law = law_of(w, sim, spot.type, p->type[i]);
+	touch(view->model, p, i, &spot, &view->touch);
+}
+
+void ts_wall_force_now(const struct ts_wall *w, const struct tsim *sim, size_t k, double force[3],
+		       double torque[3])
+{
+	double memory[TS_GRANULAR_MEMORY + 1] = { 0 };
+	struct ts_granular_force f;
+	struct ts_wall_view view;
+
 	for (size_t m = 0; m < ts_wall_history(w, sim); m++)
 		memory[m] = ts_wall_memory(&w->contacts, k)[m];
-	touch(model, p, i, &spot, &t);
-	ts_granular_contact(model, law_of(w, sim, spot.type, p->type[i]), &t, sim->clock.dt, false,
-			    memory, &f);
+	ts_wall_view(w, sim, k, &view);
+	ts_granular_contact(view.model, view.law, &view.touch, sim->clock.dt, false, memory, &f);
 	for (int d = 0; d < 3; d++) {
 		force[d] = f.force[d];
-		torque[d] = t.arm[0] * f.turn[d];
+		torque[d] = view.touch.arm[0] * f.turn[d];
 	}
 }
 

@@ -140,6 +140,13 @@ void ts_wall_push(const struct ts_wall *w, struct tsim *sim, size_t k, const str
 
 /* How many numbers its laws remember of a contact: the first ones of ts_wall_memory. */
 size_t ts_wall_history(const struct ts_wall *w, const struct tsim *sim);
+/* The contact of a report as its laws see it, at the velocities as they are now. */
+struct ts_wall_view {
+	const struct ts_granular_model *model;
+	const struct ts_granular_pair *law;
+	struct ts_touch touch;
+};
+void ts_wall_view(const struct ts_wall *w, const struct tsim *sim, size_t k, struct ts_wall_view *view);
 /* Force and torque (without that of rolling) that the contact of a report would have with the velocities as they
  * are now. */
 void ts_wall_force_now(const struct ts_wall *w, const struct tsim *sim, size_t k, double force[3],

@@ -146,18 +146,18 @@ void ts_wall_contacts_parallel(const struct tsim *sim, const struct ts_wall_cont
 	ts_parallel(ts_team(sim, 4 * c->n), c->n, whole_particles, &split);
 }
 
-/* Reports are there only if somebody wanted them. */
+/* Reports are there only if somebody wanted them. Those of older files lack a number: the next step makes new ones. */
 static enum ts_status archive_reports(struct ts_archive *archive, struct tsim *sim,
 				      struct ts_wall_contacts *c)
 {
-	bool there = ts_archive_writing(archive) ? c->report != NULL
-						 : ts_archive_has(archive, "contact_reports");
+	static const char name[] = "curved_reports";
+	bool there = ts_archive_writing(archive) ? c->report != NULL : ts_archive_has(archive, name);
 
 	if (!there)
 		return TS_OK;
 	if (TS_GROW(c->report, c->report_capacity, c->n) != TS_OK)
 		return ts_nomem(&sim->error);
-	return ts_archive_fixed(archive, "contact_reports", TS_SAVED_F64, c->report,
+	return ts_archive_fixed(archive, name, TS_SAVED_F64, c->report,
 				c->n * TS_WALL_REPORT);
 }
 

@@ -14,6 +14,7 @@ struct ts_wall_report {
 	double force[3], torque[3]; /* on the particle; torque about its centre */
 	double rolling[3];	    /* the part of the torque that is friction of rolling */
 	double point[3], velocity[3]; /* of the surface, nearest to the centre */
+	double curvature;	      /* of the surface, > 0: bulging towards the particle */
 	double type;		      /* of the surface */
 	double mesh, triangle;	      /* from 1 and from 0; 0, 0: the wall is no mesh */
 };

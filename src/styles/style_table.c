@@ -199,6 +199,7 @@ TS_STYLE(fix, ts_drag_style, ts_fix_drag_schiller_naumann)
 TS_STYLE(fix, ts_drag_style, ts_fix_drag_stokes)
 TS_STYLE(fix, ts_drag_style, ts_fix_drag_wen_yu)
 TS_STYLE(fix, ts_style, ts_fix_drill_bit)
+TS_STYLE(fix, ts_style, ts_fix_energy_ledger)
 TS_STYLE(fix, ts_style, ts_fix_enforce2d)
 TS_STYLE(fix, ts_style, ts_fix_evaporate)
 TS_STYLE(fix, ts_flow_force_style, ts_fix_flow_pressure_gradient)
@@ -473,6 +474,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_drag_stokes.style,
 	&ts_fix_drag_wen_yu.style,
 	&ts_fix_drill_bit,
+	&ts_fix_energy_ledger,
 	&ts_fix_enforce2d,
 	&ts_fix_evaporate,
 	&ts_fix_flow_pressure_gradient.style,

@@ -81,11 +81,12 @@ syn keyword tsimKeyword  scalar kind global beyond end extra level dim vmax
 syn match tsimKeyword /\<legacy\>/ 
 syn keyword tsimKeyword  final delta erate trate volume wiggle xy xz yz v flip axes xyz
 syn keyword tsimKeyword  scheme explicit exact implicit lagged cell void C1 C2 wob spring
-syn keyword tsimKeyword  body clearance conductivity capacity initial source convection
-syn keyword tsimKeyword  vanleer central donor exchange ranz_marshall chute spherical hard
-syn keyword tsimKeyword  soft continue message path initial_temperature contact_area
-syn keyword tsimKeyword  area_correction store_contact_data euler centre iterations relax
-syn keyword tsimKeyword  spheres seed distributiontemplate maxattempt overlapcheck all_in
+syn keyword tsimKeyword  body clearance tolerance summary conductivity capacity initial
+syn keyword tsimKeyword  source convection vanleer central donor exchange ranz_marshall
+syn keyword tsimKeyword  chute spherical hard soft continue message path
+syn keyword tsimKeyword  initial_temperature contact_area area_correction
+syn keyword tsimKeyword  store_contact_data euler centre iterations relax spheres seed
+syn keyword tsimKeyword  distributiontemplate maxattempt overlapcheck all_in
 syn keyword tsimKeyword  random_distribute uncorrelated orientation set_property verbose
 syn keyword tsimKeyword  compress_tags insert_every ntry_mc
 syn keyword tsimKeyword  check_dist_from_subdomain_border warn_region particles_in_region
@@ -124,9 +125,9 @@ syn keyword tsimKeyword  shear store_force contacts store_force_contact
 syn keyword tsimKeyword  store_force_contact_stress viscosity ab2 rk2 rk3 backward substeps
 syn keyword tsimKeyword  courant quick cubista gamma form fv fd quadratic body_force
 syn keyword tsimKeyword  generic hertz/material dmt jkr mass_velocity viscoelastic tsuji
-syn keyword tsimKeyword  coeff_restitution rolling twisting heat restitution tolerance
-syn keyword tsimKeyword  unfinished preconditioner diagonal direct multigrid relaxation
-syn keyword tsimKeyword  side in out open center bounds angle0
+syn keyword tsimKeyword  coeff_restitution rolling twisting heat restitution unfinished
+syn keyword tsimKeyword  preconditioner diagonal direct multigrid relaxation side in out
+syn keyword tsimKeyword  open center bounds angle0
 
 " numbers of the simulation and of particles
 syn keyword tsimName  id type radius diameter
@@ -157,8 +158,8 @@ syn match tsim_fix /\<balance\>/ contained
 syn keyword tsim_fix contained bond/breakage buoyancy check/timestep/gran controller deform drag
 syn keyword tsim_fix contained drag/beetstra drag/di_felice drag/ergun drag/gidaspow
 syn keyword tsim_fix contained drag/koch_hill drag/schiller_naumann drag/stokes drag/wen_yu
-syn keyword tsim_fix contained drill/bit enforce2d evaporate flow/pressure_gradient flow/scalar
-syn keyword tsim_fix contained freeze gravity halt heat/gran heat/gran/conduction
+syn keyword tsim_fix contained drill/bit energy/ledger enforce2d evaporate flow/pressure_gradient
+syn keyword tsim_fix contained flow/scalar freeze gravity halt heat/gran heat/gran/conduction
 syn keyword tsim_fix contained immersed/boundary insert/pack insert/rate/region insert/stream
 syn keyword tsim_fix contained langevin lift/magnus lift/saffman lineforce massflow/mesh
 syn keyword tsim_fix contained mesh/surface mesh/surface/planar mesh/surface/stress
