@@ -26,6 +26,8 @@ library_sources = \
 	src/base/parallel.h \
 	src/base/process.c \
 	src/base/process.h \
+	src/base/sort.c \
+	src/base/sort.h \
 	src/base/status.c \
 	src/base/status.h \
 	src/base/str.c \
@@ -340,6 +342,7 @@ library_sources = \
 	src/neigh/energy.h \
 	src/neigh/gather.c \
 	src/neigh/gather.h \
+	src/neigh/gather_index.c \
 	src/neigh/gran_coeff.c \
 	src/neigh/gran_coeff.h \
 	src/neigh/gran_numbers.c \
@@ -381,6 +384,8 @@ library_sources = \
 	src/neigh/row_history.h \
 	src/neigh/row_loop.c \
 	src/neigh/row_loop.h \
+	src/neigh/row_search.c \
+	src/neigh/row_search.h \
 	src/neigh/rows.c \
 	src/neigh/rows.h \
 	src/neigh/wall.c \

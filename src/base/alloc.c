@@ -103,6 +103,21 @@ enum ts_status ts_grow(void **array, size_t *capacity, size_t need, size_t size)
 	return TS_OK;
 }
 
+enum ts_status ts_renew(void **array, size_t *capacity, size_t need, size_t size)
+{
+	size_t bigger = need + need / 16 + 8;
+
+	if (need <= *capacity)
+		return TS_OK;
+	ts_free(*array);
+	*capacity = 0;
+	*array = ts_alloc_aligned(bigger, size);
+	if (!*array)
+		return TS_NOMEM;
+	*capacity = bigger;
+	return TS_OK;
+}
+
 long ts_alloc_balance(void)
 {
 	return atomic_load(&live_blocks);

@@ -23,6 +23,11 @@ enum ts_status ts_grow(void **array, size_t *capacity, size_t need, size_t size)
 #define TS_GROW(array, capacity, need)                                                             \
 	ts_grow((void **)&(array), &(capacity), (need), sizeof *(array))
 
+/* The same where the old contents are not needed: they are lost, and there is little more room than asked for. */
+enum ts_status ts_renew(void **array, size_t *capacity, size_t need, size_t size);
+#define TS_RENEW(array, capacity, need)                                                            \
+	ts_renew((void **)&(array), &(capacity), (need), sizeof *(array))
+
 /* For tests. Blocks now allocated and not freed; let the k-th allocation from now fail (0: never). */
 long ts_alloc_balance(void);
 void ts_alloc_fail_at(long k);

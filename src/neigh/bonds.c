@@ -135,23 +135,16 @@ static enum ts_status drop_lost(struct tsim *sim, struct ts_bonds *b,
 	return TS_OK;
 }
 
-static size_t bond_end(const void *list, size_t k, int side)
-{
-	return (size_t)((const struct ts_bonds *)list)->row[k][side];
-}
-
-static uint64_t partner_key(const void *list, size_t k, int side)
-{
-	return (uint64_t)((const struct ts_bonds *)list)->tag[k][!side];
-}
-
 enum ts_status ts_bonds_index(struct tsim *sim)
 {
 	struct ts_bonds *b = sim->bonds;
+	struct ts_gather_pairs pairs = { .n = b->n, .stride = 2 };
 
-	if (ts_gather_index(&b->gather, sim->particles->n, b->n, bond_end, partner_key, b) != TS_OK)
-		return ts_nomem(&sim->error);
-	return TS_OK;
+	for (int s = 0; s < 2 && b->n; s++) {
+		pairs.end[s] = &b->row[0][s];
+		pairs.tag[s] = &b->tag[0][s];
+	}
+	return ts_gather_index(sim, &b->gather, &pairs) == TS_OK ? TS_OK : ts_nomem(&sim->error);
 }
 
 /* After a rebuild particles may stand in other rows, or be gone. */

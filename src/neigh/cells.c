@@ -15,8 +15,10 @@ static void bounding_box(const struct ts_particles *p, size_t n, double lo[3], d
 	}
 	for (size_t i = 0; i < n; i++) {
 		for (int d = 0; d < 3; d++) {
-			lo[d] = fmin(lo[d], p->xhold[i][d]);
-			hi[d] = fmax(hi[d], p->xhold[i][d]);
+			double x = p->xhold[i][d];
+
+			lo[d] = x < lo[d] ? x : lo[d];
+			hi[d] = x > hi[d] ? x : hi[d];
 		}
 	}
 }
@@ -27,7 +29,7 @@ static void assign_levels(struct ts_cells *cells, const struct ts_particles *p, 
 	double rmax = 0;
 
 	for (size_t i = 0; i < n; i++)
-		rmax = fmax(rmax, p->radius[i]);
+		rmax = p->radius[i] > rmax ? p->radius[i] : rmax;
 	cells->nlevels = 1;
 	for (size_t i = 0; i < n; i++) {
 		int level = 0;
@@ -81,6 +83,14 @@ static int cell_index(const struct ts_level *level, int dim, double x)
 	return c < level->cells[dim] ? (int)c : level->cells[dim] - 1;
 }
 
+static void enter(struct ts_level *level, int32_t at, const struct ts_particles *p, size_t i)
+{
+	level->list[at] = (int32_t)i;
+	for (int d = 0; d < 3; d++)
+		level->place[at][d] = p->xhold[i][d];
+	level->place[at][3] = p->radius[i];
+}
+
 static enum ts_status fill_level(struct tsim *sim, struct ts_cells *cells, int l, size_t n)
 {
 	const struct ts_particles *p = sim->particles;
@@ -99,11 +109,12 @@ static enum ts_status fill_level(struct tsim *sim, struct ts_cells *cells, int l
 	}
 	for (size_t c = 2; c < ncells + 2; c++)
 		level->start[c] += level->start[c - 1];
-	if (TS_GROW(level->list, level->list_capacity, (size_t)level->start[ncells + 1]) != TS_OK)
+	if (TS_GROW(level->list, level->list_capacity, (size_t)level->start[ncells + 1]) != TS_OK ||
+	    TS_GROW(level->place, level->place_capacity, (size_t)level->start[ncells + 1]) != TS_OK)
 		return ts_nomem(&sim->error);
 	for (size_t i = 0; i < n; i++)
 		if (cells->level_of[i] == l)
-			level->list[level->start[cells->cell_of[i] + 1]++] = (int32_t)i;
+			enter(level, level->start[cells->cell_of[i] + 1]++, p, i);
 	return TS_OK;
 }
 
@@ -143,6 +154,7 @@ void ts_cells_release(struct ts_cells *cells)
 	for (int l = 0; l < TS_MAX_LEVELS; l++) {
 		ts_free(cells->level[l].start);
 		ts_free(cells->level[l].list);
+		ts_free(cells->level[l].place);
 	}
 	ts_free(cells->level_of);
 	ts_free(cells->cell_of);

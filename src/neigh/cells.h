@@ -14,7 +14,8 @@ struct ts_level {
 	int cells[3];
 	int32_t *start;  /* particles of cell c: list[start[c]] .. list[start[c+1]-1] */
 	int32_t *list;
-	size_t start_capacity, list_capacity;
+	double (*place)[4]; /* of those in the list: where they are held, and their radius */
+	size_t start_capacity, list_capacity, place_capacity;
 };
 
 struct ts_cells {
