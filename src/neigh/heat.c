@@ -291,6 +291,8 @@ void ts_heat_fini(struct ts_instance *self)
 
 	ts_rows_release(&h->held);
 	ts_free(h->work);
-	for (int k = 0; k < 2; k++)
+	for (int k = 0; k < 2; k++) {
 		ts_free(h->pairs[k].conductance);
+		ts_free(h->pairs[k].flow);
+	}
 }

@@ -8,11 +8,18 @@
 #include "neigh/rows.h"
 #include "particles/particles.h"
 
+/* Heat per time from the partner into the first of a row, and half of it times the vector from the partner. */
+struct ts_heat_flow {
+	double number[4];
+};
+
 /* Conductances of a list of pairs. */
 struct ts_heat_pairs {
 	const struct ts_rows *rows;
 	double *conductance; /* h of each row; 0 where it does not touch */
 	size_t capacity;
+	struct ts_heat_flow *flow;
+	size_t flow_capacity;
 };
 
 enum ts_heat_scheme { TS_HEAT_EULER, TS_HEAT_EXACT };

@@ -2,7 +2,9 @@
 #include "neigh/heat.h"
 
 #include <math.h>
+#include <string.h>
 
+#include "base/clones.h"
 #include "base/parallel.h"
 #include "neigh/row_loop.h"
 
@@ -31,60 +33,144 @@ enum ts_status ts_heat_built(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(list_held(h, sim));
 	h->pairs[0].rows = &sim->neigh->rows;
 	h->pairs[1].rows = &h->held;
-	for (int k = 0; k < 2; k++)
-		if (TS_GROW(h->pairs[k].conductance, h->pairs[k].capacity, h->pairs[k].rows->n) !=
-		    TS_OK)
+	for (int k = 0; k < 2; k++) {
+		struct ts_heat_pairs *pairs = &h->pairs[k];
+
+		if (TS_GROW(pairs->conductance, pairs->capacity, pairs->rows->n) != TS_OK ||
+		    TS_GROW(pairs->flow, pairs->flow_capacity, pairs->rows->n) != TS_OK)
 			return ts_nomem(&sim->error);
+	}
 	h->examine = true;
 	return TS_OK;
 }
 
+/* What rows are read by, out of the structures: nothing that is written can change it. */
 struct task {
 	const struct ts_heat *h;
 	const struct ts_particles *p;
 	const struct ts_heat_pairs *pairs;
 	int group;
+	const double (*x)[3];
+	const double *radius;
+	const int *type;
 };
 
-/* The area of contact of row r; 0: they do not touch. */
-static double area_of(const struct ts_heat *h, const struct ts_particles *p, size_t i, size_t j,
-		      size_t types)
+/* The area of contact at the distance d from j to i; 0: they do not touch. */
+static inline __attribute__((always_inline)) double area_of(const struct task *t, size_t i,
+							    size_t j, size_t types, double d[3])
 {
-	double d[3], d2 = ts_row_distance2(p, i, j, d), sum = p->radius[i] + p->radius[j];
+	double sum = t->radius[i] + t->radius[j], d2;
 
-	return d2 < sum * sum ? ts_heat_area_of_spheres(&h->contact, sqrt(d2), p->radius[i],
-							p->radius[j],
-							h->softening ? h->softening[types] : 1)
-			      : 0;
+	for (int k = 0; k < 3; k++)
+		d[k] = t->x[i][k] - t->x[j][k];
+	d2 = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+	return d2 < sum * sum
+		       ? ts_heat_area_of_spheres(&t->h->contact, sqrt(d2), t->radius[i],
+						 t->radius[j],
+						 t->h->softening ? t->h->softening[types] : 1)
+		       : 0;
+}
+
+static inline __attribute__((always_inline)) size_t types_of(const struct task *t, size_t i,
+							     size_t j)
+{
+	return (size_t)(t->type[i] * (t->h->ntypes + 1) + t->type[j]);
+}
+
+/* A number of rows at once. */
+enum { BLOCK = 64 };
+
+struct block {
+	size_t n;
+	const int32_t *i, *j;
+	double h[BLOCK], d[3][BLOCK]; /* conductance, vector from j to i */
+};
+
+/* Where surfaces cut each other, in a loop without branches; the same numbers as area_of. */
+TS_CLONES static void overlap_block(const struct task *task, struct block *b)
+{
+	const struct task t = *task;
+	const double *x = t.x[0], *pair = t.h->pair, *softening = t.h->softening;
+	int types = t.h->ntypes + 1;
+
+#pragma omp simd
+	for (size_t r = 0; r < b->n; r++) {
+		int i = b->i[r], j = b->j[r], k = t.type[i] * types + t.type[j];
+		double ri = t.radius[i], rj = t.radius[j], sum = ri + rj;
+		double d0 = x[3 * i] - x[3 * j], d1 = x[3 * i + 1] - x[3 * j + 1];
+		double d2 = x[3 * i + 2] - x[3 * j + 2], square = d0 * d0 + d1 * d1 + d2 * d2;
+		double distance = sum - (softening ? softening[k] : 1) * (sum - sqrt(square));
+		double larger = ri > rj ? ri : rj, smaller = ri > rj ? rj : ri;
+		double lens = ts_lens_of_spheres(distance, ri, rj);
+		double area = distance < larger ? TS_PI * smaller * smaller : lens;
+
+		area = square < sum * sum ? area : 0;
+		b->h[r] = ts_heat_conductance(pair[k], area > 0 ? area : 0);
+		b->d[0][r] = d0;
+		b->d[1][r] = d1;
+		b->d[2][r] = d2;
+	}
+}
+
+static void other_block(const struct task *t, struct block *b)
+{
+	for (size_t r = 0; r < b->n; r++) {
+		size_t i = (size_t)b->i[r], j = (size_t)b->j[r], types = types_of(t, i, j);
+		double d[3];
+
+		b->h[r] = ts_heat_conductance(t->h->pair[types], area_of(t, i, j, types, d));
+		for (int k = 0; k < 3; k++)
+			b->d[k][r] = d[k];
+	}
+}
+
+static void find_block(const struct task *t, size_t from, size_t to, struct block *b)
+{
+	b->n = to - from < BLOCK ? to - from : BLOCK;
+	b->i = t->pairs->rows->i + from;
+	b->j = t->pairs->rows->j + from;
+	if (t->h->contact.kind == TS_HEAT_OVERLAP)
+		overlap_block(t, b);
+	else
+		other_block(t, b);
+	for (size_t r = 0; t->group && r < b->n; r++)
+		if (!ts_in_group(t->p, (size_t)b->i[r], t->group) &&
+		    !ts_in_group(t->p, (size_t)b->j[r], t->group))
+			b->h[r] = 0;
+	memcpy(t->pairs->conductance + from, b->h, b->n * sizeof *b->h);
 }
 
 static void find_share(void *context, size_t from, size_t to)
 {
-	const struct task t = *(const struct task *)context;
-	const struct ts_rows *rows = t.pairs->rows;
+	struct block b;
 
-	for (size_t r = from; r < to; r++) {
-		size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
-		size_t types = (size_t)(t.p->type[i] * (t.h->ntypes + 1) + t.p->type[j]);
-		bool takes_part = ts_in_group(t.p, i, t.group) || ts_in_group(t.p, j, t.group);
+	for (; from < to; from += BLOCK)
+		find_block(context, from, to, &b);
+}
 
-		t.pairs->conductance[r] =
-			takes_part ? ts_heat_conductance(t.h->pair[types],
-							 area_of(t.h, t.p, i, j, types))
-				   : 0;
+static struct task task_of(const struct ts_heat *h, const struct tsim *sim,
+			   const struct ts_heat_pairs *pairs, int group)
+{
+	const struct ts_particles *p = sim->particles;
+
+	return (struct task){ h, p, pairs, group, (const double (*)[3])p->x, p->radius, p->type };
+}
+
+static void for_rows(const struct ts_instance *self, struct tsim *sim, ts_share_fn *share)
+{
+	const struct ts_heat *h = self->state;
+
+	for (int k = 0; k < 2; k++) {
+		struct task task = task_of(h, sim, &h->pairs[k], self->group);
+		size_t n = h->pairs[k].rows->n;
+
+		ts_parallel(ts_team(sim, n), n, share, &task);
 	}
 }
 
 void ts_heat_find(const struct ts_instance *self, struct tsim *sim)
 {
-	const struct ts_heat *h = self->state;
-
-	for (int k = 0; k < 2; k++) {
-		struct task task = { h, sim->particles, &h->pairs[k], self->group };
-		size_t n = h->pairs[k].rows->n;
-
-		ts_parallel(ts_team(sim, n), n, find_share, &task);
-	}
+	for_rows(self, sim, find_share);
 }
 
 /* Calls visit for each contact of particle i with its partner, in the order of identities. */
@@ -142,59 +228,81 @@ double ts_heat_conductances(const struct ts_heat *h, const struct tsim *sim, siz
 
 /* ---- fluxes ---- */
 
-struct flow {
-	const struct ts_particles *p;
-	const double *temperature;
-	double total, directed[3];
-};
-
-/* Half of each contact's flux along the line of centres is the particle's, half its partner's. */
-static void add_flow(void *context, size_t i, size_t j, double conductance)
-{
-	struct flow *f = context;
-	double q = conductance * (f->temperature[j] - f->temperature[i]);
-
-	f->total += q;
-	for (int k = 0; k < 3; k++)
-		f->directed[k] += 0.5 * q * (f->p->x[i][k] - f->p->x[j][k]);
-}
-
+/* What flows into i; half of it along the line of centres is either partner's share of the vector, since flux and line
+ * change sign together. */
 static void flow_share(void *context, size_t from, size_t to)
 {
 	const struct task t = *(const struct task *)context;
+	const double *temperature = t.p->column[t.h->temperature].data;
+	struct block b;
+
+	for (; from < to; from += BLOCK) {
+		find_block(&t, from, to, &b);
+		for (size_t r = 0; r < b.n; r++) {
+			double q = b.h[r] * (temperature[b.j[r]] - temperature[b.i[r]]);
+
+			t.pairs->flow[from + r] = (struct ts_heat_flow){
+				{ q, 0.5 * q * b.d[0][r], 0.5 * q * b.d[1][r], 0.5 * q * b.d[2][r] }
+			};
+		}
+	}
+}
+
+/* Adds what flows through the pairs of a list: flux and vector as four numbers. */
+static inline __attribute__((always_inline)) void gather_list(const struct ts_heat_pairs *pairs,
+							      size_t i, double sum[4])
+{
+	static const double signs[2][4] = { { 1, 1, 1, 1 }, { -1, 1, 1, 1 } };
+	const struct ts_gather *g = &pairs->rows->gather;
+
+	for (size_t k = g->first[i]; k < g->first[i + 1]; k++) {
+		const double *sign = signs[g->entry[k] & 1];
+		const double *flow = pairs->flow[g->entry[k] >> 1].number;
+
+#pragma omp simd
+		for (int c = 0; c < 4; c++)
+			sum[c] += sign[c] * flow[c];
+	}
+}
+
+static void gather_share(void *context, size_t from, size_t to)
+{
+	const struct task t = *(const struct task *)context;
 	double *flux = t.p->column[t.h->flux].data, *directed = t.p->column[t.h->directed].data;
+	bool any[2] = { t.h->pairs[0].rows->n > 0, t.h->pairs[1].rows->n > 0 };
 
 	for (size_t i = from; i < to; i++) {
-		struct flow flow = { t.p, t.p->column[t.h->temperature].data, 0, { 0 } };
+		double sum[4] = { 0 };
 
-		each_contact(t.h, i, add_flow, &flow);
-		flux[i] += flow.total;
-		for (int k = 0; k < 3; k++)
-			directed[3 * i + (size_t)k] = flow.directed[k];
+		for (int l = 0; l < 2; l++)
+			if (any[l])
+				gather_list(&t.h->pairs[l], i, sum);
+		flux[i] += sum[0];
+		for (int c = 0; c < 3; c++)
+			directed[3 * i + (size_t)c] = sum[1 + c];
 	}
 }
 
 struct contact_data {
-	const struct ts_heat *h;
-	const struct ts_particles *p;
+	struct task task;
 	double n, area;
 };
 
 static void add_contact(void *context, size_t i, size_t j, double conductance)
 {
 	struct contact_data *c = context;
-	size_t types = (size_t)(c->p->type[i] * (c->h->ntypes + 1) + c->p->type[j]);
+	double d[3];
 
 	if (!(conductance > 0))
 		return;
 	c->n++;
-	c->area += area_of(c->h, c->p, i, j, types);
+	c->area += area_of(&c->task, i, j, types_of(&c->task, i, j), d);
 }
 
 static void store_contacts(const struct ts_heat *h, struct tsim *sim)
 {
 	for (size_t i = 0; i < sim->particles->n; i++) {
-		struct contact_data c = { h, sim->particles, 0, 0 };
+		struct contact_data c = { task_of(h, sim, NULL, 0), 0, 0 };
 
 		each_contact(h, i, add_contact, &c);
 		ts_heat_column(sim, h->contacts)[i] = c.n;
@@ -219,13 +327,13 @@ enum ts_status ts_heat_clear(struct ts_instance *self, struct tsim *sim)
 enum ts_status ts_heat_conduct(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_heat *h = self->state;
-	struct task task = { .h = h, .p = sim->particles };
+	struct task task = task_of(h, sim, NULL, self->group);
 	size_t n = sim->particles->n;
 
 	if (sim->in_setup)
 		return TS_OK;
-	ts_heat_find(self, sim);
-	ts_parallel(ts_team(sim, n), n, flow_share, &task);
+	for_rows(self, sim, flow_share);
+	ts_parallel(ts_team(sim, n), n, gather_share, &task);
 	if (h->store)
 		store_contacts(h, sim);
 	return TS_OK;
