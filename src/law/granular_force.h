@@ -79,7 +79,7 @@ static inline int ts_granular_located_at(const struct ts_granular_model *m)
 enum { TS_GRANULAR_MEMORY = 9 + TS_LOCATED_MEMORY }; /* at most */
 static inline int ts_granular_memory(const struct ts_granular_model *m)
 {
-	return ts_granular_located_at(m) + (m->located ? TS_LOCATED_MEMORY : 0);
+	return ts_granular_located_at(m) + ts_located_memory(m);
 }
 
 /* What changes sign when i and j change places: slip, and torques of rolling. The way that sds has rolled,
@@ -91,7 +91,7 @@ static inline void ts_granular_memory_signs(const struct ts_granular_model *m, s
 
 	for (int k = 0; k < TS_GRANULAR_MEMORY; k++)
 		sign[k] = k < odd ? -1 : 1;
-	for (int k = 0; k < 3 && m->located; k++)
+	for (int k = 0; k < 3 && ts_located_memory(m) > TS_LOCATED_SLIP; k++)
 		sign[ts_granular_located_at(m) + TS_LOCATED_SLIP + k] = -1;
 }
 

@@ -28,12 +28,18 @@
 #include "law/impact.h"
 
 enum {
-	TS_LOCATED_SLIP, /* the slip of the last step, three numbers */
-	TS_LOCATED_AIM = 3,
+	TS_LOCATED_AIM,
 	TS_LOCATED_AHEAD,
 	TS_LOCATED_STAGE,
-	TS_LOCATED_MEMORY
+	TS_LOCATED_SLIP, /* of the last step, three numbers, where there is a tangential law */
+	TS_LOCATED_MEMORY = TS_LOCATED_SLIP + 3
 };
+static inline int ts_located_memory(const struct ts_granular_model *m)
+{
+	if (!m->located)
+		return 0;
+	return m->tangential == TS_TANGENTIAL_OFF ? TS_LOCATED_SLIP : TS_LOCATED_MEMORY;
+}
 enum ts_located_stage {
 	TS_LOCATED_NEW,	    /* no step yet */
 	TS_LOCATED_SET_UP,  /* the force before the first step has aimed half a step ahead */
@@ -54,14 +60,17 @@ static inline bool ts_located_knows(const struct ts_granular_model *m)
 }
 
 /* phi and psi. With z = gamma h, y = omega h: |1 - exp(-lambda h)|^2 = 2 exp(-z) (cosh z - cos y), a series of
- * z^2 + y^2 = (omega0 h)^2 that needs no case for overdamped contacts, y^2 < 0. */
+ * z^2 + y^2 = (omega0 h)^2 that needs no case for overdamped contacts, y^2 < 0. exp(-z) = (even - odd)/(even + odd), Pade's
+ * approximation of order (4, 4): exact to 4e-13 for z < 0.3, to 4e-8 for z < 1. */
 static inline void ts_located_factors(double z, double w2, double *phi, double *psi)
 {
-	double a = z * z, b = w2 - a, e = exp(-z);
+	double a = z * z, b = w2 - a, half = 0.5 + a / 84, even = 1 + a * (3.0 / 28 + a / 1680);
+	double inverse = 1 / (even + z * half);
+	double series = 1 + (a - b) / 12 + (a * a - a * b + b * b) / 360 +
+			(a - b) * (a * a + b * b) / 20160;
 
-	*phi = e * (1 + (a - b) / 12 + (a * a - a * b + b * b) / 360 +
-		    (a - b) * (a * a + b * b) / 20160);
-	*psi = z > 0 ? -expm1(-2 * z) / (2 * z) : 1;
+	*phi = (even - z * half) * inverse * series;
+	*psi = 2 * half * even * inverse * inverse;
 }
 
 /* The velocity aimed at in a step that ends with a contact begun for q/u. */

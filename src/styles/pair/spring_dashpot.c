@@ -107,7 +107,7 @@ const struct ts_pair_style ts_pair_spring_dashpot = {
 			  "end by integrating the motion over the part of the step in contact. A single "
 			  "collision is then exact to some 1e-8 with 50 steps, and contacts among others are of "
 			  "second order; at rest, and without a dashpot, nothing changes. Each contact remembers "
-			  "six numbers more. Not with fix nve/euler, nor with `legacy yes`. Output of forces "
+			  "three numbers more (six with a tangential law). Not with fix nve/euler, nor with `legacy yes`. Output of forces "
 			  "shows those means over a step.",
 		   .example = "pair_style spring/dashpot\n"
 			      "pair_style spring/dashpot located yes\n"
