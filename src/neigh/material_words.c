@@ -55,6 +55,7 @@ static const struct {
 } keywords[] = {
 	{ "limitForce", "a normal model", has_normal },
 	{ "tangential_damping", "a normal model", has_normal },
+	{ "located", "a normal model", has_normal },
 	{ "absolute_damping", "model hooke/stiffness", is_stiffness },
 	{ "ktToKnUser", "model hooke or hooke/hysteresis", is_hooke },
 	{ "viscous", "model hooke or hooke/hysteresis", is_hooke },

@@ -88,7 +88,7 @@ START_TEST(restitution)
 	for (size_t r = 0; r < DECK_LENGTH(rows); r++) {
 		double error[3] = { 0 };
 
-		/* 20 steps of the most damped contact are beyond the limit of stability */
+		/* 20 steps of the most damped contact: two free spheres would be unstable, the run is refused */
 		for (int k = rows[r].e < 1e-3; k < 3; k++) {
 			error[k] = linear_error(rows[r].e, steps[k], 0, "yes");
 			ck_assert_msg(error[k] < rows[r].most[k], "e = %g, %d steps: error %g",

@@ -100,4 +100,8 @@ fix m all nve
 pair_style gran model hooke/hysteresis located yes
 pair_coeff * *
 run 1" 'located yes: the normal law must be'
+rejects "${law}pair_style spring/dashpot
+pair_coeff * * stiffness 1000 restitution 0.5
+fix w all wall/gran located yes primitive type 1 zplane -0.5
+run 1" "'located' belongs to a normal model"
 finish
