@@ -23,7 +23,8 @@ problem() {
 simulate() {
 	local k user system least= took total=0 TIMEFORMAT='%3U %3S'
 	for ((k = 0; k < ${REPEATS:-5} && total < 500; k++)); do
-		{ time (cd "$work" && "$tsim" -in "$deck" -log none -threads 1 "$@" >output 2>&1 </dev/null); } \
+		{ time (cd "${place:-$work}" && "$tsim" -in "$deck" -log none -threads 1 "$@" \
+			>"$work/output" 2>&1 </dev/null); } \
 			2>"$work/time" || return 1
 		read -r user system <"$work/time"
 		took=$((10#${user/./} + 10#${system/./}))
@@ -94,7 +95,7 @@ heading() {
 # load NAME: reads the definition of a chart
 load() {
 	chart=$1
-	problem= idle=0 spread= also= log=xy deck=$folder/$chart.in
+	problem= idle=0 place= spread= also= log=xy deck=$folder/$chart.in
 	unset -f points figure
 	. "$folder/$chart.sh"
 }
