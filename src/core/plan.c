@@ -99,10 +99,9 @@ static enum ts_status refuse_retired(struct tsim *sim)
 
 enum ts_status ts_plan_compile(struct ts_plan *plan, struct tsim *sim)
 {
-	for (int stage = 0; stage < TS_NSTAGE; stage++) {
+	for (int stage = 0; stage < TS_NSTAGE; stage++)
 		plan->n[stage] = 0;
-		plan->seconds[stage] = 0;
-	}
+	plan->watch = (struct ts_stopwatch){ .first = ts_ticks(), .begin = ts_clock() };
 	sim->explicit_euler = false; /* its fix says so in init */
 	TS_TRY(ts_pardon(sim, refuse_retired(sim)));
 	for (int k = 0; k < NORDER; k++) {
@@ -136,14 +135,30 @@ static void begin_action(struct tsim *sim, const struct ts_action *action, enum 
 		sim->epoch = ++sim->epochs;
 }
 
+/* The time since the last look was spent in this stage: one look a stage, for steps of few particles are
+ * short. */
+static void look_at_watch(struct ts_stopwatch *watch, enum ts_stage stage)
+{
+	uint64_t now = ts_ticks();
+
+	watch->spent[stage] += now - watch->last;
+	watch->last = now;
+}
+
+double ts_plan_seconds(const struct ts_plan *plan, enum ts_stage stage)
+{
+	const struct ts_stopwatch *watch = &plan->watch;
+	double ticks = (double)(ts_ticks() - watch->first);
+
+	return ticks > 0 ? (double)watch->spent[stage] / ticks * (ts_clock() - watch->begin) : 0;
+}
+
 enum ts_status ts_plan_stage(struct ts_plan *plan, struct tsim *sim, enum ts_stage stage)
 {
 	enum ts_status status = TS_OK;
-	double start;
 
 	if (!plan->n[stage])
 		return TS_OK;
-	start = ts_clock();
 	sim->acted = (struct ts_acted){ NULL, (int)stage };
 	for (size_t k = 0; k < plan->n[stage] && status == TS_OK; k++) {
 		const struct ts_action *action = &plan->actions[stage][k];
@@ -155,7 +170,7 @@ enum ts_status ts_plan_stage(struct ts_plan *plan, struct tsim *sim, enum ts_sta
 	}
 	sim->draws = (struct ts_draws){ 0 };
 	sim->epoch = 0;
-	plan->seconds[stage] += ts_clock() - start;
+	look_at_watch(&plan->watch, stage);
 	return status;
 }
 
@@ -215,6 +230,7 @@ enum ts_status ts_plan_start(struct ts_plan *plan, struct tsim *sim, bool setup)
 
 	ts_settings_log_run(sim);
 	sim->running = true;
+	plan->watch.last = ts_ticks();
 	sim->clock.wall_start = ts_clock();
 	if (setup || sim->explain)
 		status = set_up(plan, sim);
@@ -242,6 +258,7 @@ enum ts_status ts_plan_steps(struct ts_plan *plan, struct tsim *sim)
 	enum ts_status status = TS_OK;
 
 	sim->running = true;
+	plan->watch.last = ts_ticks();
 	while (status == TS_OK && sim->clock.step < sim->clock.last_step && !sim->stop) {
 		status = step(plan, sim);
 		look_at_clock(sim);
@@ -252,6 +269,7 @@ enum ts_status ts_plan_steps(struct ts_plan *plan, struct tsim *sim)
 enum ts_status ts_plan_finish(struct ts_plan *plan, struct tsim *sim)
 {
 	sim->running = true;
+	plan->watch.last = ts_ticks();
 	return leave_run(sim, ts_plan_stage(plan, sim, TS_STAGE_FINISH));
 }
 

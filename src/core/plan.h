@@ -15,7 +15,12 @@ struct ts_action {
 struct ts_plan {
 	struct ts_action *actions[TS_NSTAGE];
 	size_t n[TS_NSTAGE], capacity[TS_NSTAGE];
-	double seconds[TS_NSTAGE]; /* wall time spent in each stage of this run */
+	struct ts_stopwatch {
+		uint64_t spent[TS_NSTAGE]; /* ticks in each stage of this run */
+		uint64_t last;		   /* when it was last looked at */
+		uint64_t first;		   /* when the run began, by ticks and in seconds */
+		double begin;
+	} watch;
 };
 
 /* Hash of who acts in which stage; never 0. */
@@ -27,6 +32,8 @@ enum ts_status ts_plan_stages(struct ts_plan *plan, struct tsim *sim, enum ts_st
 			      enum ts_stage last);
 enum ts_status ts_plan_stage(struct ts_plan *plan, struct tsim *sim, enum ts_stage stage);
 void ts_plan_release(struct ts_plan *plan);
+/* Wall time spent in the stage in this run. */
+double ts_plan_seconds(const struct ts_plan *plan, enum ts_stage stage);
 
 /* Steps until sim->clock.last_step or a stop. `setup`: rebuild rows and, unless nothing that forces
  * depend on has changed since the last step, compute forces anew. With sim->explain nothing is

@@ -34,7 +34,7 @@ static void print_times(const struct ts_plan *plan, struct tsim *sim, double wal
 		double seconds = 0;
 
 		for (int s = (int)part[k].first; s <= (int)part[k].last; s++)
-			seconds += plan->seconds[s];
+			seconds += ts_plan_seconds(plan, (enum ts_stage)s);
 		ts_log(&sim->log, "%-5s time (%%) = %g (%.3g)\n", part[k].name, seconds,
 		       wall > 0 ? 100 * seconds / wall : 0);
 	}
