@@ -388,6 +388,7 @@ library_sources = \
 	src/neigh/row_search.h \
 	src/neigh/rows.c \
 	src/neigh/rows.h \
+	src/neigh/skin.c \
 	src/neigh/wall.c \
 	src/neigh/wall.h \
 	src/neigh/wall_contacts.c \

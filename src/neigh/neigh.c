@@ -18,20 +18,6 @@
 
 #include "base/banned.h"
 
-double ts_neigh_skin(const struct tsim *sim)
-{
-	const struct ts_particles *p = sim->particles;
-	double least = INFINITY, most = 0;
-
-	if (sim->neigh->skin > 0)
-		return sim->neigh->skin;
-	for (size_t i = 0; i < p->n; i++) {
-		least = fmin(least, p->radius[i]);
-		most = fmax(most, p->radius[i]);
-	}
-	return p->n ? fmax(0.4 * least, 0.05 * most) : 1;
-}
-
 static void describe_contacts(struct tsim *sim, size_t i, struct ts_str *out)
 {
 	const struct ts_rows *rows = &sim->neigh->rows;
@@ -230,12 +216,13 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 
 	if (!sim->resuming)
 		TS_TRY(ts_order_by_place(sim));
-	/* a run that goes on keeps the positions of its last build, and so builds the same rows */
+	/* a run that goes on keeps the positions and skin of its last build, and so builds the same rows */
+	if (!sim->resuming || !(nb->built_skin > 0))
+		nb->built_skin = ts_neigh_choose_skin(sim);
 	if (!sim->resuming)
 		ts_exchange_hold(sim);
-	if (!sim->resuming || !(nb->built_skin > 0))
-		nb->built_skin = ts_neigh_skin(sim);
-	TS_TRY(ts_exchange_borders(sim, 2 * largest + nb->built_skin + reach));
+	TS_TRY(ts_exchange_borders(sim, 2 * largest + nb->built_skin + reach,
+				   2 * largest + ts_neigh_skin(sim) + reach));
 	nb->builds++;
 	nb->stale &= sim->resuming; /* a run that goes on rebuilds where the whole would */
 	if (!nb->wanted)
@@ -285,6 +272,16 @@ static enum ts_status archive_include(struct ts_neigh *nb, struct ts_archive *a)
 		       : TS_OK;
 }
 
+static enum ts_status archive_skin(struct ts_neigh *nb, struct ts_archive *a)
+{
+	uint8_t fixed = nb->fixed_skin;
+
+	if (ts_archive_has(a, "fixed_skin"))
+		TS_TRY(ts_archive_fixed(a, "fixed_skin", TS_SAVED_U8, &fixed, 1));
+	nb->fixed_skin = fixed != 0;
+	return TS_OK;
+}
+
 static bool is_group(int32_t bit)
 {
 	return bit >= 0 && bit < TS_MAX_GROUPS;
@@ -311,6 +308,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 
 	TS_TRY(archive_bonded(nb, a));
 	TS_TRY(archive_include(nb, a));
+	TS_TRY(archive_skin(nb, a));
 	TS_TRY(ts_archive_fixed(a, "exclude", TS_SAVED_I32, nb->exclude, 3 * TS_MAX_EXCLUDE));
 	if (!exclusions_possible(nb))
 		return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible exclusions of neighbors");
@@ -380,7 +378,8 @@ static void settings(const struct ts_instance *self, const struct tsim *sim, str
 	const struct ts_neigh *nb = self->state;
 
 	if (sim->particles->n)
-		ts_setting(out, !(nb->skin > 0), "neighbor %.6g", ts_neigh_skin(sim));
+		ts_setting(out, !(nb->skin > 0), "neighbor %.6g%s", ts_neigh_skin(sim),
+			   nb->fixed_skin ? " fixed" : "");
 	ts_setting(out, nb->nexclude == 0, "excluded %d", (int)nb->nexclude);
 	if (nb->include)
 		ts_setting(out, false, "include %s", ts_group_name(sim, nb->include));

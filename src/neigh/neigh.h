@@ -18,7 +18,8 @@ struct ts_exclude {
 };
 
 struct ts_neigh {
-	double skin;        /* <= 0: chosen from the particles, see ts_neigh_skin */
+	double skin;        /* at most; <= 0: chosen from the particles, see ts_neigh_skin */
+	bool fixed_skin;    /* not less either */
 	double built_skin;  /* of the rows now in use */
 	int32_t include; /* bit of the group whose members touch each other; 0: all */
 	int32_t nexclude;
@@ -31,9 +32,11 @@ struct ts_neigh {
 	struct ts_row_history saved; /* from a restart file, for the next build */
 };
 
-/* The skin in use: as given by `neighbor`, else 0.4 of the smallest radius (at least 0.05 of the
+/* The largest skin: as given by `neighbor`, else 0.4 of the smallest radius (at least 0.05 of the
  * largest). */
 double ts_neigh_skin(const struct tsim *sim);
+/* The one that costs least with the speeds and the step as they are now; not more than that. */
+double ts_neigh_choose_skin(const struct tsim *sim);
 /* Whether neigh_modify names the group of this bit. */
 bool ts_neigh_uses_group(const struct ts_neigh *neigh, int bit);
 

@@ -147,8 +147,7 @@ enum ts_status ts_primitive_wall_read(struct ts_instance *self, struct tsim *sim
 
 /* ---- motion ---- */
 
-/* Of planes along their normal. */
-static bool moves(const struct ts_primitive_wall *w)
+bool ts_primitive_wall_moves(const struct ts_primitive_wall *w)
 {
 	return w->n && (int)w->primitive[0].shape == w->wiggle_dim;
 }
@@ -158,7 +157,7 @@ static double displacement(const struct ts_primitive_wall *w, const struct tsim 
 {
 	double phase = 2 * TS_PI / w->period * (ts_sim_time(sim) - w->origin);
 
-	return moves(w) ? w->amplitude * (1 - cos(phase)) : 0;
+	return ts_primitive_wall_moves(w) ? w->amplitude * (1 - cos(phase)) : 0;
 }
 
 static double wiggle_velocity(const struct ts_primitive_wall *w, const struct tsim *sim)
@@ -231,7 +230,7 @@ static double curvature(const struct ts_primitive_wall *w, const double n[3], co
 /* Contacts are listed for as long as particles and wall each move less than half the skin. */
 bool ts_primitive_wall_has_moved(const struct tsim *sim, const struct ts_primitive_wall *w)
 {
-	return moves(w) &&
+	return ts_primitive_wall_moves(w) &&
 	       !(fabs(displacement(w, sim) - w->held) < 0.5 * sim->neigh->built_skin);
 }
 

@@ -27,6 +27,8 @@ int ts_primitive_wall_shapes(const struct ts_primitive_wall *w);
 /* In init; with one shape given. */
 enum ts_status ts_primitive_wall_read(struct ts_instance *self, struct tsim *sim,
 				      struct ts_primitive_wall *w);
+/* Whether it moves along its normal. */
+bool ts_primitive_wall_moves(const struct ts_primitive_wall *w);
 /* Whether the wall has gone so far since the last rebuild that another is due. */
 bool ts_primitive_wall_has_moved(const struct tsim *sim, const struct ts_primitive_wall *w);
 /* Between ts_wall_rebuild_start and _finish: lists particles of the group. */

@@ -43,7 +43,8 @@ struct ts_wall {
 	ts_wall_push_fn *push;		/* compiled for the model, or for any */
 	struct ts_granular_pair *law;	/* of the own model: type of the wall * (ntypes + 1) + type
 					 * of the particle */
-	bool warm; /* some of it has a temperature; set in init */
+	bool warm;  /* some of it has a temperature; set in init */
+	bool moves; /* towards the particles or away, and is no mesh; set in init */
 	struct ts_heat_contact area;
 	double *conductivity; /* 4 k k'/(k + k'), in the same order */
 	int ntypes;

@@ -193,17 +193,17 @@ static enum ts_status add_ghost(struct tsim *sim, size_t from, int dim, int shif
 	return TS_OK;
 }
 
-static enum ts_status borders(struct tsim *sim, int dim, double cutoff)
+static enum ts_status borders(struct tsim *sim, int dim, double cutoff, double most)
 {
 	struct ts_particles *p = sim->particles;
 	double lo = sim->domain->held_lo[dim], hi = sim->domain->held_hi[dim];
 	size_t present = p->n + p->nghost; /* images of images fill edges and corners */
 
-	if (cutoff > hi - lo && present > 0)
+	if (most > hi - lo && present > 0)
 		return ts_fail(&sim->error, TS_RANGE, NULL,
 			       "the periodic box is %g long in dimension %c, less than the reach %g of "
 			       "a contact: make it longer or the skin smaller",
-			       hi - lo, 'x' + dim, cutoff);
+			       hi - lo, 'x' + dim, most);
 	for (size_t i = 0; i < present; i++) {
 		double x = p->xhold[i][dim];
 
@@ -215,14 +215,14 @@ static enum ts_status borders(struct tsim *sim, int dim, double cutoff)
 	return TS_OK;
 }
 
-enum ts_status ts_exchange_borders(struct tsim *sim, double cutoff)
+enum ts_status ts_exchange_borders(struct tsim *sim, double cutoff, double most)
 {
 	sim->particles->nghost = 0;
 	if (!sim->particles->n) /* a fluid alone may be in a box smaller than the skin */
 		return TS_OK;
 	for (int dim = 0; dim < sim->dimension; dim++) /* images of a plane never touch it */
 		if (ts_box_periodic(&sim->domain->box, dim))
-			TS_TRY(borders(sim, dim, cutoff));
+			TS_TRY(borders(sim, dim, cutoff, most));
 	return TS_OK;
 }
 

@@ -14,8 +14,9 @@ enum ts_status ts_exchange_migrate(struct tsim *sim);
 /* Rows are to be built of the positions and the box as they are now. */
 void ts_exchange_hold(struct tsim *sim);
 
-/* Makes ghosts of all particles whose xhold lies within `cutoff` of a periodic face. */
-enum ts_status ts_exchange_borders(struct tsim *sim, double cutoff);
+/* Makes ghosts of all particles whose xhold lies within `cutoff` of a periodic face; an error if one day it may be
+ * `most`, and the box is smaller. */
+enum ts_status ts_exchange_borders(struct tsim *sim, double cutoff, double most);
 
 /* Refreshes positions, velocities and other TS_COL_FORWARD columns of the ghosts. */
 void ts_exchange_forward(struct tsim *sim);

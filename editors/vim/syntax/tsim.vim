@@ -50,10 +50,10 @@ syn keyword tsimKeyword  delete dynamic static
 syn match tsimKeyword /\<include\>/ 
 syn keyword tsimKeyword  molecule sc bcc fcc hcp diamond sq sq2 hex custom origin orient
 syn keyword tsimKeyword  spacing a1 a2 a3 file check binsize page one cluster
-syn keyword tsimKeyword  collection/type collection/interval exclude bin nsq omp grain
-syn keyword tsimKeyword  shift tail mix arithmetic sixthpower universe grid part numa add
-syn keyword tsimKeyword  offset nocoeff extra/atom/types extra/bond/types extra/angle/types
-syn keyword tsimKeyword  extra/dihedral/types extra/improper/types
+syn keyword tsimKeyword  collection/type collection/interval exclude bin nsq fixed omp
+syn keyword tsimKeyword  grain shift tail mix arithmetic sixthpower universe grid part numa
+syn keyword tsimKeyword  add offset nocoeff extra/atom/types extra/bond/types
+syn keyword tsimKeyword  extra/angle/types extra/dihedral/types extra/improper/types
 syn match tsimKeyword /\<fix\>/ 
 syn keyword tsimKeyword  replace trim purge bbox last skip start stop
 syn match tsimKeyword /\<dump\>/ 

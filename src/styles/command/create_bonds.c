@@ -91,7 +91,7 @@ static enum ts_status bond_many(struct tsim *sim, const struct create_bonds *c)
 	enum ts_status status;
 
 	ts_exchange_hold(sim);
-	TS_TRY(ts_exchange_borders(sim, c->most));
+	TS_TRY(ts_exchange_borders(sim, c->most, c->most));
 	status = ts_cells_fill(sim, &cells, c->most);
 	for (int l = 0; status == TS_OK && l < cells.nlevels; l++)
 		for (size_t i = 0; status == TS_OK && i < p->n; i++)

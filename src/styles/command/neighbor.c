@@ -8,6 +8,7 @@
 struct state {
 	double skin;
 	int style;
+	bool fixed;
 };
 
 static const char *const styles[] = { "bin", "nsq", "multi", NULL };
@@ -18,14 +19,17 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 
 	(void)where;
 	sim->neigh->skin = s->skin;
+	sim->neigh->fixed_skin = s->fixed;
 	return TS_OK;
 }
 
 static const struct ts_arg args[] = {
 	TS_REAL("skin", struct state, skin, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
-		.unit = "length", .help = "extra distance; 0: chosen from the radii"),
+		.unit = "length", .help = "extra distance, at most; 0: chosen from the radii"),
 	TS_ENUM("style", struct state, style, styles, .flags = TS_POSITIONAL, .fallback = "bin",
 		.help = "no effect: the method adapts to the radii"),
+	TS_BOOL("fixed", struct state, fixed, .fallback = "no",
+		.help = "never less than that"),
 	TS_ARGS_END,
 };
 
@@ -37,8 +41,11 @@ const struct ts_command_style ts_command_neighbor = {
 		.summary = "Sets the extra distance of the neighbour search",
 		.doc = "Pairs nearer than the sum of their radii plus the skin are remembered until a particle has\n"
 		       "moved half the skin. A large skin means fewer searches and longer lists; results do not\n"
-		       "depend on it.",
-		.example = "neighbor 0.001 bin",
+		       "depend on it. What is given is the largest: at each search the skin is chosen that costs least\n"
+		       "with the speeds as they are, s = sqrt(6 v dt d), v that of the fastest particle, d the smallest\n"
+		       "diameter, at least a hundredth of it. It is as given with `fixed yes`, with `legacy yes`, and where\n"
+		       "meshes, walls or the box move.",
+		.example = "neighbor 0.001 bin\nneighbor 0.001 bin fixed yes",
 		.args = args,
 		.state_size = sizeof(struct state),
 	},

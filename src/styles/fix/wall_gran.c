@@ -75,6 +75,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_wall_law_choose(self, sim, &w->law, &w->wall));
 	TS_TRY(w->mesh_word ? find_meshes(self, sim) : place_primitive(self, sim));
 	w->wall.meshes = w->mesh_word ? (int)w->mesh.nmeshes : 0;
+	w->wall.moves = !w->mesh_word && ts_primitive_wall_moves(&w->primitive);
 	w->wall.warm = !w->mesh_word && !isnan(w->primitive.temperature);
 	for (int k = 0; k < w->wall.meshes; k++)
 		w->wall.warm |= !isnan(w->mesh.mesh[k].surface->temperature);
