@@ -108,4 +108,36 @@ static inline void ts_contact_split(const struct ts_granular_model *m,
 		ts_cross(out->force[part], t->n, out->turn[part]);
 }
 
+/* What slip takes in a step: the mean force of the spring at its ends by what the limit has cut off it, the way that it
+ * would have gone less that it has gone. `before`, `after`: the memory at the ends. A spring that a contact
+ * has from another one (of the next triangle) has no step. */
+static inline double ts_slip_loss(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+				  const struct ts_touch *t, double dt, const double *before,
+				  const double *after)
+{
+	double start[3], trial[3], deepest = 0, sum = 0;
+	struct ts_slider slider;
+	struct ts_normal n;
+
+	if (!ts_tangential_remembers(m))
+		return 0;
+	if (m->normal == TS_NORMAL_HOOKE_HYSTERESIS)
+		deepest = after[ts_granular_depth_at(m)];
+	ts_normal_force(m, c, t, false, &deepest, &n);
+	slider = ts_tangential_slider_of(m, c, &n);
+	if (!(n.kt > 0) ||
+	    (ts_norm(before) == 0 && ts_norm(after) > 1.001 * dt * ts_norm(t->slip) * (slider.force ? n.kt : 1)))
+		return 0;
+	ts_scale(1, before, start);
+	if (m->tangential < TS_TANGENTIAL_LINEAR)
+		ts_project(t->n, start);
+	else
+		ts_slider_advance(&slider, t->n, (const double[3]){ 0 }, dt, start);
+	for (int k = 0; k < 3; k++) {
+		trial[k] = start[k] + (slider.force ? -n.kt : 1) * dt * t->slip[k];
+		sum += (trial[k] - after[k]) * 0.5 * (start[k] + after[k]);
+	}
+	return slider.force ? sum / n.kt : sum * n.kt;
+}
+
 #endif

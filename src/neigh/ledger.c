@@ -53,9 +53,16 @@ static enum ts_status column(struct tsim *sim, const struct ts_ledger *l, const 
 	return ts_particles_add_column(sim, name, width, TS_COL_RESULT, index);
 }
 
-/* Whose forces are told from others by what the action adds. */
-static bool may_push(const struct ts_instance *inst)
+static bool is_wall(const struct ts_instance *inst)
 {
+	return inst->style->family && ts_streq(inst->style->family, TS_FAMILY_WALL);
+}
+
+/* Whose forces are told from others by what the action adds. */
+static int pushes(const struct ts_instance *inst)
+{
+	if (is_wall(inst))
+		return TS_LEDGER_IS_WALL;
 	return inst->style->hook[TS_STAGE_PRE_FORCE] || inst->style->hook[TS_STAGE_FORCE] ||
 	       inst->style->hook[TS_STAGE_POST_FORCE];
 }
@@ -68,7 +75,8 @@ static enum ts_status name_actors(struct tsim *sim, struct ts_ledger *l, enum ts
 	for (size_t k = 0; k < list->n; k++) {
 		TS_TRY(ts_ledger_actor(sim, l, list->item[k], &a));
 		l->actor[a].by = list->item[k];
-		l->actor[a].pushes |= may_push(list->item[k]);
+		if (pushes(list->item[k]))
+			l->actor[a].pushes = pushes(list->item[k]);
 	}
 	return TS_OK;
 }
@@ -128,6 +136,7 @@ static enum ts_status clear(struct tsim *sim, struct ts_ledger *l)
 		l->store[ts_ledger_store(TS_LEDGER_WALL, k)] = 0;
 	l->notes = 0;
 	l->split = l->made = 1;
+	ts_ledger_heat_clear(l);
 	look_at_forces(sim, l);
 	return TS_OK;
 }
@@ -173,11 +182,6 @@ static enum ts_status book_forces(struct tsim *sim, struct ts_ledger *l, size_t 
 	return TS_OK;
 }
 
-static bool is_wall(const struct ts_instance *inst)
-{
-	return inst->style->family && ts_streq(inst->style->family, TS_FAMILY_WALL);
-}
-
 static enum ts_status watch_forces(struct tsim *sim, struct ts_ledger *l, struct ts_instance *by)
 {
 	size_t actor;
@@ -186,13 +190,13 @@ static enum ts_status watch_forces(struct tsim *sim, struct ts_ledger *l, struct
 		TS_TRY(ts_ledger_take_pairs(sim, l));
 	else if (by->style->kind == TS_KIND_BOND)
 		TS_TRY(ts_ledger_take_bonds(sim, l));
-	else if (is_wall(by))
-		TS_TRY(ts_ledger_take_wall(sim, l, by));
-	else {
-		TS_TRY(ts_ledger_actor(sim, l, by, &actor));
-		if (l->actor[actor].pushes && sim->acted.stage > TS_STAGE_PRE_FORCE)
-			TS_TRY(book_forces(sim, l, actor));
-	}
+	TS_TRY(ts_ledger_actor(sim, l, by, &actor));
+	if (is_wall(by))
+		TS_TRY(ts_ledger_take_wall(sim, l, by, actor));
+	else if (l->actor[actor].pushes && sim->acted.stage > TS_STAGE_PRE_FORCE)
+		TS_TRY(book_forces(sim, l, actor));
+	if (sim->acted.stage > TS_STAGE_PRE_FORCE)
+		ts_ledger_heat_flux(sim, l, actor);
 	look_at_forces(sim, l);
 	return TS_OK;
 }
@@ -324,6 +328,12 @@ static enum ts_status begin(struct tsim *sim, struct ts_ledger *l)
 	TS_TRY(settle(sim, l));
 	TS_TRY(make_room(sim, l));
 	l->stepping |= stage == TS_STAGE_INITIAL_INTEGRATE;
+	if (l->stepping && stage == TS_STAGE_PRE_FORCE)
+		ts_ledger_heat_look(sim, l);
+	if (stage == TS_STAGE_FORCE)
+		TS_TRY(ts_ledger_hold_rows(sim, l));
+	if (stage == TS_STAGE_POST_FORCE)
+		TS_TRY(ts_ledger_hold_walls(sim, l));
 	if (kicks)
 		l->due = stage;
 	if (kicks || (stage >= TS_STAGE_PRE_FORCE && stage <= TS_STAGE_POST_FORCE))
@@ -343,6 +353,8 @@ enum ts_status ts_ledger_watch(struct ts_instance *self, struct tsim *sim)
 	if (l->due != NOTHING_DUE) {
 		TS_TRY(ts_ledger_actor(sim, l, by, &actor));
 		ts_ledger_kick_mark(sim, l, actor);
+		if (stage == TS_STAGE_FINAL_INTEGRATE)
+			ts_ledger_heat_advance(sim, l, by, actor);
 		return TS_OK;
 	}
 	if (stage == TS_STAGE_PRE_FORCE && by->style == &ts_neigh_system.style)
@@ -366,12 +378,14 @@ enum ts_status ts_ledger_settle(struct ts_instance *self, struct tsim *sim)
 static enum ts_status take_all(struct tsim *sim, struct ts_ledger *l)
 {
 	const struct ts_instance *wall;
-	size_t k = 0;
+	size_t k = 0, actor;
 
 	TS_TRY(ts_ledger_take_pairs(sim, l));
 	TS_TRY(ts_ledger_take_bonds(sim, l));
-	while (ts_walls_next(sim, &k, &wall))
-		TS_TRY(ts_ledger_take_wall(sim, l, wall));
+	while (ts_walls_next(sim, &k, &wall)) {
+		TS_TRY(ts_ledger_actor(sim, l, wall, &actor));
+		TS_TRY(ts_ledger_take_wall(sim, l, wall, actor));
+	}
 	return TS_OK;
 }
 
@@ -393,7 +407,7 @@ static enum ts_status take_rest(struct ts_instance *self, struct tsim *sim, stru
 	size_t actor;
 
 	TS_TRY(ts_ledger_actor(sim, l, self, &actor));
-	l->actor[actor].pushes = true;
+	l->actor[actor].pushes = TS_LEDGER_PUSHES;
 	TS_TRY(add_columns(sim, l));
 	TS_TRY(clear(sim, l));
 	TS_TRY(take_all(sim, l));
@@ -440,6 +454,7 @@ enum ts_status ts_ledger_setup(struct ts_instance *self, struct tsim *sim)
 	l->newest = sim->particles->max_tag;
 	TS_TRY(look(sim, l, &l->between));
 	TS_TRY(remember(sim, l));
+	ts_ledger_heat_look(sim, l);
 	for (int k = 0; k < TS_NSTORE && l->open && l->made; k++)
 		ts_running_add(&l->moved[k], l->store[k] - l->store_before[k]);
 	if (!l->open)
@@ -461,6 +476,8 @@ void ts_ledger_fini(struct ts_instance *self)
 	ts_free(l->kicker);
 	ts_free(l->body);
 	ts_free(l->row_energy);
+	ts_free(l->memory);
+	ts_free(l->wall_memory);
 	ts_free(l->note);
 	ts_free(l->bond);
 }

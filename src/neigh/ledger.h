@@ -56,9 +56,21 @@ static inline double ts_running_value(const struct ts_running *r)
 struct ts_ledger_actor {
 	const char *name; /* "fix ID", "pair" ...: of the string pool */
 	struct ts_instance *by; /* NULL: it is gone */
-	bool pushes;		/* acts in the stages of forces: has a column */
+	int pushes;		/* acts in the stages of forces, has a column: 1; or as a wall that moves: 2 */
 	size_t column;
 	struct ts_running work, own; /* of its forces; what it changed directly */
+	struct ts_running heat;      /* it has brought */
+	double heat_rate;	     /* in this step, heat by time */
+};
+
+enum { TS_LEDGER_PUSHES = 1, TS_LEDGER_IS_WALL = 2 };
+
+/* Books of heat: ledger_heat.c. */
+struct ts_ledger_heat {
+	double known; /* 1: there is such a fix, and start and now are of it */
+	double start, now;
+	struct ts_running source, moved; /* of heatSource; come, gone or set with particles */
+	double seen;			 /* flux into all particles as of the last action */
 };
 
 struct ts_ledger_note { /* of a bond or of the contacts of a particle with walls, in the last forces */
@@ -75,9 +87,11 @@ struct ts_ledger {
 	double first_time;
 	double start_kinetic[2], start_store[TS_NSTORE];
 	double kinetic[2], store[TS_NSTORE]; /* now */
-	struct ts_running work[TS_NCAUSE], drive, broken, turning, held, between;
+	struct ts_running work[TS_NCAUSE], drive, box, broken, turning, held, between;
+	struct ts_running slip[TS_LEDGER_SIDES]; /* what it takes of springs */
 	struct ts_running moved[TS_NSTORE];  /* energy of springs that came or went with particles, or between runs */
 	double most; /* energy at any time */
+	struct ts_ledger_heat heat;
 	int32_t newest; /* the largest identity when forces were last made */
 	struct ts_ledger_actor *actor;
 	size_t nactors, actor_capacity;
@@ -98,6 +112,8 @@ struct ts_ledger {
 	struct ts_body *body;		   /* as the stage began */
 	size_t body_capacity, bodies;
 	int due;			   /* stage of kicks that has not been booked; -1: none */
+	double *memory, *wall_memory; /* of the contacts before their forces are made; walls' in their order */
+	size_t memory_n, memory_capacity, wall_memory_n, wall_memory_capacity;
 	double (*row_energy)[TS_NCONTACT_STORE];
 	size_t rows, row_capacity;
 	struct ts_ledger_note *note, *bond;
@@ -120,8 +136,12 @@ enum ts_status ts_ledger_actor(struct tsim *sim, struct ts_ledger *l, const stru
 
 /* ledger_parts.c: the forces of contacts and bonds by cause into the columns, the energies of springs. */
 enum ts_status ts_ledger_take_pairs(struct tsim *sim, struct ts_ledger *l);
-enum ts_status ts_ledger_take_wall(struct tsim *sim, struct ts_ledger *l, const struct ts_instance *wall);
+enum ts_status ts_ledger_take_wall(struct tsim *sim, struct ts_ledger *l, const struct ts_instance *wall,
+				   size_t actor);
 enum ts_status ts_ledger_take_bonds(struct tsim *sim, struct ts_ledger *l);
+/* Memories as they are before the forces. */
+enum ts_status ts_ledger_hold_rows(struct tsim *sim, struct ts_ledger *l);
+enum ts_status ts_ledger_hold_walls(struct tsim *sim, struct ts_ledger *l);
 /* Particles are gone: the springs that held them went with them. */
 enum ts_status ts_ledger_take_away(struct tsim *sim, struct ts_ledger *l);
 
@@ -133,6 +153,14 @@ enum ts_status ts_ledger_kick(struct tsim *sim, struct ts_ledger *l, bool final)
 enum ts_status ts_ledger_kick_start(struct tsim *sim, struct ts_ledger *l);
 /* Who has changed which velocities. */
 void ts_ledger_kick_mark(struct tsim *sim, struct ts_ledger *l, size_t actor);
+
+/* ledger_heat.c: what particles have now, that others than conduction have changed; before forces are made; what the
+ * last action has added to the fluxes; the temperatures have been advanced. */
+void ts_ledger_heat_look(struct tsim *sim, struct ts_ledger *l);
+void ts_ledger_heat_clear(struct ts_ledger *l);
+void ts_ledger_heat_flux(struct tsim *sim, struct ts_ledger *l, size_t actor);
+void ts_ledger_heat_advance(struct tsim *sim, struct ts_ledger *l, const struct ts_instance *by, size_t actor);
+double ts_ledger_heat_closure(const struct ts_ledger *l);
 
 static inline double *ts_ledger_causes(const struct ts_ledger *l, const struct ts_particles *p, size_t i)
 {
@@ -155,6 +183,7 @@ static inline double *ts_ledger_causes(const struct ts_ledger *l, const struct t
 	X(NORMAL_DASHPOTS, "lost in normal dashpots")                                              \
 	X(TANGENTIAL_DASHPOTS, "lost in tangential dashpots")                                      \
 	X(FRICTION, "lost in slip")                                                                \
+	X(SPRINGS, "lost by springs of slip that turn, soften or part")                            \
 	X(ROLLING, "lost in rolling and twisting")                                                 \
 	X(PLASTIC, "lost in yielding contacts")                                                    \
 	X(BOND_DASHPOTS, "lost in dashpots of bonds")                                              \
@@ -162,7 +191,11 @@ static inline double *ts_ledger_causes(const struct ts_ledger *l, const struct t
 	X(LOST, "all that is lost")                                                                \
 	X(CLOSURE, "closure")                                                                      \
 	X(DRIFT, "drift")                                                                          \
-	X(TURNOVER, "largest turnover")
+	X(TURNOVER, "largest turnover")                                                            \
+	X(HEAT, "heat of the particles")                                                           \
+	X(HEAT_IN, "heat from walls, fluid and sources")                                           \
+	X(HEAT_MOVED, "heat set, brought in or taken away with particles")                         \
+	X(HEAT_CLOSURE, "heat that is not explained")
 #define TS_LEDGER_ENUM(name, text) TS_LEDGER_##name##_VALUE,
 enum { TS_LEDGER_LIST(TS_LEDGER_ENUM) TS_LEDGER_VALUES };
 #undef TS_LEDGER_ENUM

@@ -61,7 +61,7 @@ struct kick {
 	struct tsim *sim;
 	struct ts_ledger *l;
 	double h; /* half a step */
-	struct ts_exactsum cause[TS_NCAUSE], drive, turning, *work, *own; /* of actors; own[nactors]: of nobody */
+	struct ts_exactsum cause[TS_NCAUSE], drive, box, turning, *work, *own; /* of actors; own[nactors]: of nobody */
 };
 
 static enum ts_status start(struct kick *k, struct tsim *sim, struct ts_ledger *l)
@@ -83,6 +83,7 @@ static void finish(struct kick *k)
 	for (int c = 0; c < TS_NCAUSE; c++)
 		ts_running_add(&l->work[c], ts_exactsum_value(&k->cause[c]));
 	ts_running_add(&l->drive, ts_exactsum_value(&k->drive));
+	ts_running_add(&l->box, ts_exactsum_value(&k->box));
 	ts_running_add(&l->turning, ts_exactsum_value(&k->turning));
 	ts_running_add(&l->held, ts_exactsum_value(&k->own[l->nactors]));
 	for (size_t a = 0; a < l->nactors; a++) {
@@ -112,7 +113,8 @@ static void book(struct kick *k, size_t i, const double v[3], const double omega
 		if (work != 0)
 			ts_exactsum_add(&k->cause[c], work);
 		if (cause[TS_CAUSE_DRIVE] != 0)
-			ts_exactsum_add(&k->drive, s * cause[TS_CAUSE_DRIVE]);
+			ts_exactsum_add(c < TS_NPART ? &k->box : &k->drive,
+					s * cause[TS_CAUSE_DRIVE]);
 	}
 	for (size_t a = 0; a < l->nactors; a++) {
 		const struct ts_column *column = &p->column[l->actor[a].column];

@@ -11,13 +11,14 @@
 #include "base/banned.h"
 
 struct sums {
-	struct ts_exactsum store[TS_NCONTACT_STORE], brought[TS_NCONTACT_STORE];
+	struct ts_exactsum store[TS_NCONTACT_STORE], brought[TS_NCONTACT_STORE], slip;
 };
 
 static void start_sums(struct sums *s)
 {
 	for (int k = 0; k < TS_NCONTACT_STORE; k++)
 		s->store[k] = s->brought[k] = ts_exactsum_start();
+	s->slip = ts_exactsum_start();
 }
 
 /* `fresh`: one of the partners has come since the last forces, and the contact with it. */
@@ -34,6 +35,8 @@ static void add_energy(struct sums *s, const double energy[], double share, bool
 
 static void end_sums(const struct sums *s, struct ts_ledger *l, int side, bool first)
 {
+	if (l->stepping)
+		ts_running_add(&l->slip[side], ts_exactsum_value(&s->slip));
 	for (int k = 0; k < TS_NCONTACT_STORE; k++) {
 		int store = ts_ledger_store(side, k);
 
@@ -90,8 +93,59 @@ static void book_row(struct row_work *w, size_t r, int side, size_t own)
 	if (!w->l->looking)
 		book(ts_ledger_causes(w->l, p, own), &parts, sign, t.arm[side], drive);
 	add_energy(&w->sums, parts.energy, 0.5, p->tag[i] > w->l->newest || p->tag[j] > w->l->newest);
+	if (w->l->stepping && (r + 1) * rows->history_width <= w->l->memory_n)
+		ts_exactsum_add(&w->sums.slip,
+				0.5 * ts_slip_loss(m, ts_pair_law(w->pair, p->type[i], p->type[j]), &t,
+						   w->sim->clock.dt,
+						   w->l->memory + r * rows->history_width, memory));
 	memcpy(w->l->row_energy[r], parts.energy, sizeof parts.energy);
 	w->l->plastic[TS_LEDGER_PAIR] |= m->normal == TS_NORMAL_HOOKE_HYSTERESIS;
+}
+
+/* Appends a copy. */
+static enum ts_status hold(struct tsim *sim, const double *from, size_t n, double **to, size_t *at,
+			   size_t *capacity)
+{
+	if (TS_GROW(*to, *capacity, *at + n + 1) != TS_OK)
+		return ts_nomem(&sim->error);
+	if (n)
+		memcpy(*to + *at, from, n * sizeof **to);
+	*at += n;
+	return TS_OK;
+}
+
+enum ts_status ts_ledger_hold_rows(struct tsim *sim, struct ts_ledger *l)
+{
+	const struct ts_rows *rows = &sim->neigh->rows;
+
+	l->memory_n = 0;
+	return hold(sim, rows->history, rows->n * rows->history_width, &l->memory, &l->memory_n,
+		    &l->memory_capacity);
+}
+
+enum ts_status ts_ledger_hold_walls(struct tsim *sim, struct ts_ledger *l)
+{
+	const struct ts_wall *wall;
+	size_t k = 0;
+
+	l->wall_memory_n = 0;
+	while ((wall = ts_walls_next(sim, &k, NULL)))
+		TS_TRY(hold(sim, wall->contacts.memory, wall->contacts.n * wall->contacts.width,
+			    &l->wall_memory, &l->wall_memory_n, &l->wall_memory_capacity));
+	return TS_OK;
+}
+
+/* Where the memory of contact k of this wall was; NULL: not held. */
+static const double *held_memory(const struct tsim *sim, const struct ts_ledger *l,
+				 const struct ts_wall *wall, size_t contact)
+{
+	const struct ts_wall *other;
+	size_t k = 0, at = contact * wall->contacts.width;
+
+	while ((other = ts_walls_next(sim, &k, NULL)) && other != wall)
+		at += other->contacts.n * other->contacts.width;
+	return at + wall->contacts.width <= l->wall_memory_n && wall->contacts.width ? l->wall_memory + at
+										       : NULL;
 }
 
 enum ts_status ts_ledger_take_pairs(struct tsim *sim, struct ts_ledger *l)
@@ -123,8 +177,19 @@ static enum ts_status note(struct tsim *sim, struct ts_ledger_note **list, size_
 	return TS_OK;
 }
 
+/* What the contacts get goes through the wall's own column, too, so that each wall is known by its work. */
+static void book_drive(const struct ts_ledger *l, const struct ts_particles *p, size_t i, size_t actor,
+		       const struct ts_contact_parts *parts, const double velocity[3])
+{
+	const struct ts_column *c = &p->column[l->actor[actor].column];
+	double *to = (double *)c->data + i * c->width;
+
+	for (int part = 0; part < TS_NPART; part++)
+		to[TS_CAUSE_DRIVE] -= ts_dot(parts->force[part], velocity);
+}
+
 static enum ts_status book_wall(struct tsim *sim, struct ts_ledger *l, const struct ts_wall *wall,
-				size_t k, struct sums *sums)
+				size_t k, size_t actor, struct sums *sums)
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_wall_report *r = &wall->contacts.report[k];
@@ -132,6 +197,7 @@ static enum ts_status book_wall(struct tsim *sim, struct ts_ledger *l, const str
 	struct ts_ledger_note entry = { .tag = { p->tag[i] } };
 	struct ts_contact_parts parts;
 	struct ts_wall_view view;
+	const double *before;
 
 	ts_wall_view(wall, sim, k, &view);
 	ts_contact_split(view.model, view.law, &view.touch, ts_wall_memory(&wall->contacts, k),
@@ -139,13 +205,21 @@ static enum ts_status book_wall(struct tsim *sim, struct ts_ledger *l, const str
 	if (!l->looking)
 		book(ts_ledger_causes(l, p, i) + TS_NPART * TS_CAUSE_NUMBERS, &parts, 1, view.touch.arm[0],
 		     r->velocity);
+	if (!l->looking)
+		book_drive(l, p, i, actor, &parts, r->velocity);
 	add_energy(sums, parts.energy, 1, p->tag[i] > l->newest);
+	before = held_memory(sim, l, wall, k);
+	if (l->stepping && before)
+		ts_exactsum_add(&sums->slip,
+				ts_slip_loss(view.model, view.law, &view.touch, sim->clock.dt, before,
+					     ts_wall_memory(&wall->contacts, k)));
 	memcpy(entry.energy, parts.energy, sizeof parts.energy);
 	l->plastic[TS_LEDGER_WALL] |= view.model->normal == TS_NORMAL_HOOKE_HYSTERESIS;
 	return note(sim, &l->note, &l->notes, &l->note_capacity, entry);
 }
 
-enum ts_status ts_ledger_take_wall(struct tsim *sim, struct ts_ledger *l, const struct ts_instance *inst)
+enum ts_status ts_ledger_take_wall(struct tsim *sim, struct ts_ledger *l, const struct ts_instance *inst,
+				   size_t actor)
 {
 	const struct ts_wall *wall = inst->state;
 	struct sums sums;
@@ -153,7 +227,7 @@ enum ts_status ts_ledger_take_wall(struct tsim *sim, struct ts_ledger *l, const 
 	start_sums(&sums);
 	for (size_t k = 0; k < wall->contacts.n; k++)
 		if (ts_wall_report(&wall->contacts, k))
-			TS_TRY(book_wall(sim, l, wall, k, &sums));
+			TS_TRY(book_wall(sim, l, wall, k, actor, &sums));
 	end_sums(&sums, l, TS_LEDGER_WALL, false);
 	return TS_OK;
 }

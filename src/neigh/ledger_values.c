@@ -33,11 +33,13 @@ static double bond_drift(const struct ts_ledger *l)
 /* Springs of slip and rolling store a part of what is put in, the rest is friction. */
 static void side_values(const struct ts_ledger *l, int side, double out[])
 {
+	double slip = ts_running_value(&l->slip[side]);
+
 	out[TS_LEDGER_NORMAL_DASHPOTS_VALUE] -= work(l, side, TS_PART_DASHPOT);
 	out[TS_LEDGER_TANGENTIAL_DASHPOTS_VALUE] -= work(l, side, TS_PART_VISCOUS);
-	out[TS_LEDGER_FRICTION_VALUE] -= work(l, side, TS_PART_SHEAR) +
-					 gain(l, ts_ledger_store(side, TS_STORE_SHEAR)) +
-					 work(l, side, TS_PART_SLIP);
+	out[TS_LEDGER_FRICTION_VALUE] += slip - work(l, side, TS_PART_SLIP);
+	out[TS_LEDGER_SPRINGS_VALUE] -= work(l, side, TS_PART_SHEAR) +
+					gain(l, ts_ledger_store(side, TS_STORE_SHEAR)) + slip;
 	out[TS_LEDGER_ROLLING_VALUE] -= work(l, side, TS_PART_ROLLING) +
 					gain(l, ts_ledger_store(side, TS_STORE_ROLLING));
 	out[l->plastic[side] ? TS_LEDGER_PLASTIC_VALUE : TS_LEDGER_DRIFT_VALUE] +=
@@ -57,7 +59,7 @@ static double closure(const struct ts_ledger *l, const double v[])
 		sum -= ts_running_value(&l->work[c]);
 	for (size_t a = 0; a < l->nactors; a++)
 		sum -= ts_running_value(&l->actor[a].work) + ts_running_value(&l->actor[a].own);
-	return sum - ts_running_value(&l->drive) - ts_running_value(&l->held) -
+	return sum - ts_running_value(&l->box) - ts_running_value(&l->held) -
 	       ts_running_value(&l->between) - ts_running_value(&l->turning);
 }
 
@@ -82,6 +84,16 @@ void ts_ledger_drifts(const struct ts_ledger *l, double out[TS_NSTORE + 1])
 	out[TS_NSTORE] = ts_running_value(&l->turning);
 }
 
+static void heat_values(const struct ts_ledger *l, double out[])
+{
+	out[TS_LEDGER_HEAT_VALUE] = l->heat.now;
+	out[TS_LEDGER_HEAT_IN_VALUE] = ts_running_value(&l->heat.source);
+	for (size_t a = 0; a < l->nactors; a++)
+		out[TS_LEDGER_HEAT_IN_VALUE] += ts_running_value(&l->actor[a].heat);
+	out[TS_LEDGER_HEAT_MOVED_VALUE] = ts_running_value(&l->heat.moved);
+	out[TS_LEDGER_HEAT_CLOSURE_VALUE] = ts_ledger_heat_closure(l);
+}
+
 void ts_ledger_values(const struct ts_ledger *l, double out[TS_LEDGER_VALUES])
 {
 	memset(out, 0, TS_LEDGER_VALUES * sizeof *out);
@@ -98,7 +110,8 @@ void ts_ledger_values(const struct ts_ledger *l, double out[TS_LEDGER_VALUES])
 		out[TS_LEDGER_FORCES_VALUE] += ts_running_value(&l->actor[a].work);
 		out[TS_LEDGER_MOVED_VALUE] += ts_running_value(&l->actor[a].own);
 	}
-	out[TS_LEDGER_DRIVE_VALUE] = ts_running_value(&l->drive);
+	out[TS_LEDGER_FORCES_VALUE] -= ts_running_value(&l->drive);
+	out[TS_LEDGER_DRIVE_VALUE] = ts_running_value(&l->drive) + ts_running_value(&l->box);
 	out[TS_LEDGER_MOVED_VALUE] += ts_running_value(&l->held) + ts_running_value(&l->between);
 	for (int k = 0; k < TS_NSTORE; k++)
 		out[TS_LEDGER_MOVED_VALUE] += ts_running_value(&l->moved[k]);
@@ -109,6 +122,7 @@ void ts_ledger_values(const struct ts_ledger *l, double out[TS_LEDGER_VALUES])
 	out[TS_LEDGER_CLOSURE_VALUE] = closure(l, out);
 	out[TS_LEDGER_DRIFT_VALUE] += bond_drift(l) + ts_running_value(&l->turning);
 	out[TS_LEDGER_TURNOVER_VALUE] = turnover(l);
+	heat_values(l, out);
 }
 
 static enum ts_status archive_numbers(struct ts_archive *a, struct ts_ledger *l)
@@ -124,6 +138,9 @@ static enum ts_status archive_numbers(struct ts_archive *a, struct ts_ledger *l)
 	TS_TRY(ts_archive_fixed(a, "store", TS_SAVED_F64, l->store, TS_NSTORE));
 	TS_TRY(ts_archive_fixed(a, "work", TS_SAVED_F64, l->work, 3 * TS_NCAUSE));
 	TS_TRY(ts_archive_fixed(a, "drive", TS_SAVED_F64, &l->drive, 3));
+	TS_TRY(ts_archive_fixed(a, "box", TS_SAVED_F64, &l->box, 3));
+	TS_TRY(ts_archive_fixed(a, "heat", TS_SAVED_F64, &l->heat, sizeof l->heat / sizeof(double)));
+	TS_TRY(ts_archive_fixed(a, "slip", TS_SAVED_F64, l->slip, 3 * TS_LEDGER_SIDES));
 	TS_TRY(ts_archive_fixed(a, "broken", TS_SAVED_F64, &l->broken, 3));
 	TS_TRY(ts_archive_fixed(a, "turning", TS_SAVED_F64, &l->turning, 3));
 	TS_TRY(ts_archive_fixed(a, "held", TS_SAVED_F64, &l->held, 3));
@@ -136,17 +153,20 @@ static enum ts_status archive_numbers(struct ts_archive *a, struct ts_ledger *l)
 static enum ts_status archive_actor(struct ts_archive *a, struct ts_ledger *l, size_t k)
 {
 	struct ts_ledger_actor *actor = &l->actor[k];
-	double number[7] = { actor->work.sum, actor->work.lost, actor->work.turnover, actor->own.sum,
-			     actor->own.lost, actor->own.turnover, actor->pushes };
+	double number[10] = { actor->work.sum,	   actor->work.lost,  actor->work.turnover,
+			      actor->own.sum,	   actor->own.lost,   actor->own.turnover,
+			      actor->heat.sum,	   actor->heat.lost,  actor->heat.turnover,
+			      (double)actor->pushes };
 	char name[40];
 
 	snprintf(name, sizeof name, "actor %zu", k);
 	TS_TRY(ts_archive_string(a, name, &actor->name));
 	snprintf(name, sizeof name, "books %zu", k);
-	TS_TRY(ts_archive_fixed(a, name, TS_SAVED_F64, number, 7));
+	TS_TRY(ts_archive_fixed(a, name, TS_SAVED_F64, number, 10));
 	actor->work = (struct ts_running){ number[0], number[1], number[2] };
 	actor->own = (struct ts_running){ number[3], number[4], number[5] };
-	actor->pushes = number[6] != 0;
+	actor->heat = (struct ts_running){ number[6], number[7], number[8] };
+	actor->pushes = (int)number[9];
 	return TS_OK;
 }
 

@@ -35,9 +35,9 @@ fix m5 all property/global coefficientRollingFriction peratomtypepair 2 0.1 0.1 
 fix m6 all property/global characteristicVelocity scalar 2.
 fix m7 all property/global cohesionEnergyDensity peratomtypepair 2 2385 2385 2385 2385'
 # closure and drift against the largest turnover
-sums='variable sum equal f_books[7]+f_books[8]+f_books[9]-f_books[17]+f_books[18]+f_books[19]
-variable closure equal f_books[18]/f_books[20]
-variable drift equal f_books[19]/f_books[20]'
+sums='variable sum equal f_books[7]+f_books[8]+f_books[9]-f_books[18]+f_books[19]+f_books[20]
+variable closure equal f_books[19]/f_books[21]
+variable drift equal f_books[20]/f_books[21]'
 
 near 'free fall: gravity gives m g h' "$ball
 velocity all set 0.3 0 1.2
@@ -49,7 +49,7 @@ print 'near work \$(f_books[7]) \$(v_m*9.81*(1-xcm(all,z))) 1e-10'
 print 'near all \$(f_books[6]) \$(ke) 1e-10'
 print 'near sum \$(f_books[6]-0.5*v_m*1.53) \$(v_sum) 1e-10'
 print 'near closure \$(v_closure) 0 1e-12'
-print 'near drift \$(f_books[19]) 0 0'"
+print 'near drift \$(f_books[20]) 0 0'"
 
 near 'drag in still fluid takes what gravity gives and motion lacks' "$ball
 fix g all gravity 9.81 vector 0 0 -1
@@ -58,7 +58,7 @@ fix books all energy/ledger
 run 3000
 $sums
 print 'near sum \$(ke) \$(f_books[7]) 1e-11'
-print 'near drift \$(f_books[19]) 0 0'"
+print 'near drift \$(f_books[20]) 0 0'"
 
 near 'two balls: (1 - e^2) of the relative energy is lost' "$ball
 create_atoms 1 single 1.17 1 1 units box
@@ -72,7 +72,7 @@ timestep 1e-6
 run 15000
 $sums
 print 'near lost \$(f_books[10]/(0.51*0.5*mass(two)/2*1.3^2)) 1 1e-3'
-print 'near all \$(f_books[17]) \$(f_books[10]) 0'
+print 'near all \$(f_books[18]) \$(f_books[10]) 0'
 print 'near closure \$(v_closure) 0 1e-12'
 print 'near drift \$(v_drift) 0 1e-5'" 
 
@@ -94,6 +94,7 @@ variable slip equal \$(f_books[12])
 run 4500
 $sums
 print 'near slip \$((f_books[12]-v_slip)/(0.4*v_m*9.81*(xcm(all,x)-v_x))) 1 1e-6'
+print 'near springs \$(f_books[13]/f_books[12]) 0 1e-3'
 print 'near closure \$(v_closure) 0 1e-12'"
 
 near 'a bond stretched until it breaks: K U^2/2 from who pulls' "$ball
@@ -111,8 +112,8 @@ fix books all energy/ledger
 timestep 1e-5
 run 10000
 $sums
-print 'near broken \$(f_books[16]/(1e6/2/2.385e5)) 1 1e-3'
-print 'near work \$((f_books[9]-f_books[1])/f_books[16]) 1 1e-4'
+print 'near broken \$(f_books[17]/(1e6/2/2.385e5)) 1 1e-3'
+print 'near work \$((f_books[9]-f_books[1])/f_books[17]) 1 1e-4'
 print 'near closure \$(v_closure) 0 1e-12'
 print 'near drift \$(v_drift) 0 1e-4'"
 
@@ -127,8 +128,8 @@ create_bonds many all all 1 0.1 0.18
 fix books all energy/ledger
 timestep 1e-5
 run 20000
-print 'near dashpot \$(f_books[15]/(0.25*mass(two)*0.25)) 1 1e-3'
-print 'near drift \$(f_books[19]/f_books[20]) 0 1e-5'"
+print 'near dashpot \$(f_books[16]/(0.25*mass(two)*0.25)) 1 1e-3'
+print 'near drift \$(f_books[20]/f_books[21]) 0 1e-5'"
 
 # A wall of triangles rises slowly below a ball that a spring holds down: its work is in the spring of the contact and
 # the force of gravity.
@@ -160,7 +161,7 @@ fix books all energy/ledger
 timestep 1e-5
 run 60000
 $sums
-print 'near lift \$(f_books[8]) \$(f_books[17]-f_books[7]+f_books[6]) 1e-3'
+print 'near lift \$(f_books[8]) \$(f_books[18]-f_books[7]+f_books[6]) 1e-3'
 print 'near motion \$(f_books[1]/(0.5*v_m*0.16)) 1 0.02'
 print 'near closure \$(v_closure) 0 1e-11'
 print 'near drift \$(v_drift) 0 1e-5'"
@@ -189,7 +190,7 @@ create_bonds many all all 1 0.1 0.18
 fix books all energy/ledger
 timestep \${h}
 run \${n}
-print 'residue \$(f_books[19])'"
+print 'residue \$(f_books[20])'"
 halves 'drift of a contact is of second order' "$ball
 $materials
 $pair
@@ -199,7 +200,7 @@ pair_coeff * *
 fix books all energy/ledger
 timestep \${h}
 run \${n}
-print 'residue \$(f_books[19])'"
+print 'residue \$(f_books[20])'"
 
 # Whole scenes
 bed='units si
@@ -254,7 +255,7 @@ fix floor all wall/gran model hooke tangential history primitive type 1 zplane 0
 fix books all energy/ledger
 run 2000
 $closes
-variable yields equal f_books[14]>0
+variable yields equal f_books[15]>0
 print 'near plastic \${yields} 1 0'"
 
 near 'euler, limits and held particles' "$bed
@@ -332,6 +333,33 @@ run 2500
 $closes
 print 'near drift \$(v_drift) 0 1e-3'"
 
+near 'heat' "$pile
+fix k all property/global thermalConductivity peratomtype 43.0 23.85
+fix c all property/global thermalCapacity peratomtype 4.9 2.385
+unfix floor
+fix floor all wall/gran model hertz tangential history primitive type 1 zplane 0.0 temperature 400
+fix heat all heat/gran initial_temperature 300
+lattice sc 0.098
+create_atoms 1 region high
+set group all diameter 0.1 density 2385
+region hot block INF INF INF INF 0.5 INF units box
+set region hot property/atom Temp 350
+set group all property/atom heatSource 2.385
+fix move all nve/sphere
+fix books all energy/ledger
+run 0
+variable first equal \$(f_books[22])
+run 1000
+set region hot property/atom Temp 310
+run 1000
+print 'near content \$(f_heat/f_books[22]) 1 1e-14'
+print 'near closure \$(f_books[25]/f_books[22]) 0 1e-13'
+variable in equal f_books[23]>0
+variable moved equal f_books[24]<0
+print 'near walls \${in} 1 0'
+print 'near moved \${moved} 1 0'
+print 'near source \$(f_books[23]-2.385*count(all)*0.2) \$(f_books[22]-f_books[24]-v_first-2.385*count(all)*0.2) 1e-8'"
+
 # Runs in pieces, through a file, and on two threads
 scene="$materials
 fix move all nve/sphere
@@ -345,7 +373,7 @@ fix v all viscous 0.3
 fix books all energy/ledger summary no
 thermo 100
 thermo_modify norm no
-thermo_style custom step f_books f_books[6] f_books[7] f_books[9] f_books[10] f_books[11] f_books[12] f_books[13] f_books[17] f_books[18] f_books[19] f_books[20]"
+thermo_style custom step f_books f_books[6] f_books[7] f_books[9] f_books[10] f_books[11] f_books[12] f_books[14] f_books[18] f_books[19] f_books[20] f_books[21]"
 { echo "$bed"; echo "$scene"; } >in.start
 { cat in.start; echo 'run 2000'; } >in.whole
 { cat in.start; echo 'run 1300'; echo 'run 700'; } >in.two
@@ -401,7 +429,7 @@ timestep 1e-4
 run 1000
 S
 "$TSIM" -in in.script -log none >out 2>&1 && grep -q 'mostly normal springs between particles' out &&
-	[ "$(grep -c '^[0-9]' books.txt)" = 11 ] && head -n 1 books.txt | grep -q '^# step time TRANSLATION .* TURNOVER$'
+	[ "$(grep -c '^[0-9]' books.txt)" = 11 ] && head -n 1 books.txt | grep -q '^# step time TRANSLATION .* HEAT_CLOSURE$'
 report 'file and warning' $? out
 
 finish

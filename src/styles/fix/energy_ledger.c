@@ -50,14 +50,15 @@ static void energies(struct tsim *sim, const struct ts_ledger *l, const double v
 	       v[TS_LEDGER_TOTAL_VALUE], v[TS_LEDGER_TOTAL_VALUE] - before);
 }
 
-static void sources(struct tsim *sim, const struct ts_ledger *l, const double v[])
+static void sources(struct tsim *sim, const struct ts_ledger *l)
 {
 	double came = 0;
 
 	ts_log(&sim->log, "  came from\n");
 	for (size_t a = 0; a < l->nactors; a++)
-		named(sim, "forces of", l->actor[a].name, ts_running_value(&l->actor[a].work));
-	line(sim, texts[TS_LEDGER_DRIVE_VALUE], v[TS_LEDGER_DRIVE_VALUE]);
+		named(sim, l->actor[a].pushes == TS_LEDGER_IS_WALL ? "motion of" : "forces of",
+		      l->actor[a].name, ts_running_value(&l->actor[a].work));
+	line(sim, "the box that changes its shape", ts_running_value(&l->box));
 	for (size_t a = 0; a < l->nactors; a++)
 		named(sim, "motion set, particles made or taken by", l->actor[a].name,
 		      ts_running_value(&l->actor[a].own));
@@ -83,6 +84,17 @@ static double share(const double v[], int value)
 	return most > 0 ? v[value] / most : 0;
 }
 
+static void heat(struct tsim *sim, const struct ts_ledger *l, const double v[])
+{
+	ts_log(&sim->log, "  heat\n    %-52s %16.8g, %.8g more than at the start\n", texts[TS_LEDGER_HEAT_VALUE],
+	       v[TS_LEDGER_HEAT_VALUE], v[TS_LEDGER_HEAT_VALUE] - l->heat.start);
+	for (size_t a = 0; a < l->nactors; a++)
+		named(sim, "from", l->actor[a].name, ts_running_value(&l->actor[a].heat));
+	line(sim, "from sources", ts_running_value(&l->heat.source));
+	line(sim, texts[TS_LEDGER_HEAT_MOVED_VALUE], v[TS_LEDGER_HEAT_MOVED_VALUE]);
+	line(sim, texts[TS_LEDGER_HEAT_CLOSURE_VALUE], v[TS_LEDGER_HEAT_CLOSURE_VALUE]);
+}
+
 static enum ts_status summary(struct ts_instance *self, struct tsim *sim)
 {
 	static const char *const suspects[] = {
@@ -99,7 +111,7 @@ static enum ts_status summary(struct ts_instance *self, struct tsim *sim)
 	ts_log(&sim->log, "\nEnergy ledger fix %s, steps %" PRId64 " to %" PRId64 ", %g of time\n",
 	       self->id, s->books.first, sim->clock.step, ts_sim_time(sim) - s->books.first_time);
 	energies(sim, &s->books, v);
-	sources(sim, &s->books, v);
+	sources(sim, &s->books);
 	losses(sim, v);
 	ts_log(&sim->log, "  cannot be explained\n");
 	for (int k = TS_LEDGER_CLOSURE_VALUE; k <= TS_LEDGER_DRIFT_VALUE; k++)
@@ -109,8 +121,9 @@ static enum ts_status summary(struct ts_instance *self, struct tsim *sim)
 	for (int k = 0; k <= TS_NSTORE; k++)
 		if (*suspects[k])
 			named(sim, "  drift", suspects[k], drift[k]);
-	ts_log(&sim->log, "  largest turnover\n");
-	line(sim, "", v[TS_LEDGER_TURNOVER_VALUE]);
+	line(sim, texts[TS_LEDGER_TURNOVER_VALUE], v[TS_LEDGER_TURNOVER_VALUE]);
+	if (s->books.heat.known)
+		heat(sim, &s->books, v);
 	return TS_OK;
 }
 
