@@ -140,6 +140,8 @@ static void print_stages(const struct ts_plan *plan, struct tsim *sim)
 		for (size_t k = 0; k < plan->n[stage]; k++) {
 			const struct ts_instance *inst = plan->actions[stage][k].self;
 
+			if (k && plan->actions[stage][k].watches) /* once a stage */
+				continue;
 			ts_log(&sim->log, " %s%s%s", inst->style->name,
 			       *inst->id && inst->style->kind != TS_KIND_SYSTEM ? ":" : "",
 			       inst->style->kind != TS_KIND_SYSTEM ? inst->id : "");

@@ -5,7 +5,8 @@
  *   dashpot    the rest along n: -gamma_n v_n, or less where no_tension cuts it
  *   shear      the spring of slip, -k_t xi; what it does not store is slip
  *   viscous    the rest of the tangential force
- *   slip       the tangential force of a law without spring at its limit mu |F_n|
+ *   slip       the same at the limit mu |F_n|, where this holds for spring and dashpot together: the slider
+ *              says what force there is
  *   rolling    the torques of rolling and twisting
  *
  * hooke/hysteresis stores what its spring gives back down to zero force, F_e^2/(2 k_2). */
@@ -86,7 +87,7 @@ static inline void ts_contact_split(const struct ts_granular_model *m,
 				    const double *memory, const double total[3],
 				    const double roll[3], struct ts_contact_parts *out)
 {
-	double normal = ts_dot(total, t->n), deepest = 0, limit;
+	double normal = ts_dot(total, t->n), deepest = 0, limit, friction[3];
 	struct ts_normal n;
 
 	*out = (struct ts_contact_parts){ .roll = { roll[0], roll[1], roll[2] } };
@@ -99,8 +100,9 @@ static inline void ts_contact_split(const struct ts_granular_model *m,
 		out->force[TS_PART_VISCOUS][k] =
 			total[k] - normal * t->n[k] - out->force[TS_PART_SHEAR][k];
 	limit = c->friction * fabs(n.limit + (m->reduce ? ts_cohesion_force(m, c, t) : 0));
-	if (m->tangential == TS_TANGENTIAL_NO_HISTORY &&
-	    !(ts_norm(out->force[TS_PART_VISCOUS]) < (1 - 1e-12) * limit)) {
+	for (int k = 0; k < 3; k++)
+		friction[k] = total[k] - normal * t->n[k];
+	if (m->tangential != TS_TANGENTIAL_HISTORY && !(ts_norm(friction) < (1 - 1e-12) * limit)) {
 		ts_scale(1, out->force[TS_PART_VISCOUS], out->force[TS_PART_SLIP]);
 		ts_scale(0, out->force[TS_PART_VISCOUS], out->force[TS_PART_VISCOUS]);
 	}

@@ -75,6 +75,10 @@ static enum ts_status name_actors(struct tsim *sim, struct ts_ledger *l, enum ts
 	for (size_t k = 0; k < list->n; k++) {
 		TS_TRY(ts_ledger_actor(sim, l, list->item[k], &a));
 		l->actor[a].by = list->item[k];
+		if (list->item[k]->state == l) {
+			l->rest = a;
+			l->actor[a].pushes = TS_LEDGER_PUSHES;
+		}
 		if (pushes(list->item[k]))
 			l->actor[a].pushes = pushes(list->item[k]);
 	}
@@ -84,7 +88,7 @@ static enum ts_status name_actors(struct tsim *sim, struct ts_ledger *l, enum ts
 /* Those that are gone keep their column as long as it carries their last forces. */
 static enum ts_status add_columns(struct tsim *sim, struct ts_ledger *l)
 {
-	TS_TRY(column(sim, l, "contacts and bonds", TS_NCAUSE * TS_CAUSE_NUMBERS + 1, &l->column));
+	TS_TRY(column(sim, l, "contacts and bonds", TS_LEDGER_COLUMN, &l->column));
 	for (size_t a = 0; a < l->nactors; a++)
 		if (l->actor[a].pushes)
 			TS_TRY(column(sim, l, l->actor[a].name, TS_CAUSE_NUMBERS, &l->actor[a].column));
@@ -126,8 +130,13 @@ static enum ts_status clear(struct tsim *sim, struct ts_ledger *l)
 {
 	struct ts_particles *p = sim->particles;
 
-	for (size_t i = 0; i < p->n; i++)
-		memset(ts_ledger_causes(l, p, i), 0, TS_NCAUSE * TS_CAUSE_NUMBERS * sizeof(double));
+	for (size_t i = 0; i < p->n; i++) {
+		double *cause = ts_ledger_causes(l, p, i);
+
+		if (cause[TS_LEDGER_BUSY] > 0)
+			memset(cause, 0, TS_NCAUSE * TS_CAUSE_NUMBERS * sizeof *cause);
+		cause[TS_LEDGER_BUSY] = 0;
+	}
 	for (size_t a = 0; a < l->nactors; a++)
 		if (l->actor[a].pushes && p->n)
 			memset(p->column[l->actor[a].column].data, 0,
@@ -291,6 +300,30 @@ enum ts_status ts_ledger_init(struct ts_instance *self, struct tsim *sim)
 	return begin_run(sim, l);
 }
 
+/* Forces changed after they were made, before their first kick of the next step: of particles that are in a stream yet, or
+ * get the drag of a fluid that has made its step. Bodies are kicked by their own. */
+static enum ts_status watch_late(struct tsim *sim, struct ts_ledger *l)
+{
+	struct ts_particles *p = sim->particles;
+	size_t bytes = p->n * sizeof *p->f;
+
+	if (!p->n || (memcmp(l->f, p->f, bytes) == 0 &&
+		      (!p->torque || memcmp(l->torque, p->torque, bytes) == 0)))
+		return TS_OK;
+	for (size_t i = 0; i < p->n; i++) {
+		const struct ts_column *c = &p->column[l->actor[l->rest].column];
+		double *to = (double *)c->data + i * c->width;
+
+		for (int d = 0; d < 3 && !ts_rigid_member(p, i); d++) {
+			to[TS_CAUSE_FORCE + d] += p->f[i][d] - l->f[i][d];
+			if (p->torque)
+				to[TS_CAUSE_TORQUE + d] += p->torque[i][d] - l->torque[i][d];
+		}
+	}
+	look_at_forces(sim, l);
+	return TS_OK;
+}
+
 /* Outside the stages of kicks: whatever changes velocities or masses does so directly. */
 static enum ts_status watch_others(struct tsim *sim, struct ts_ledger *l, struct ts_instance *by)
 {
@@ -361,6 +394,8 @@ enum ts_status ts_ledger_watch(struct ts_instance *self, struct tsim *sim)
 		return clear(sim, l);
 	if (stage >= TS_STAGE_PRE_FORCE && stage <= TS_STAGE_POST_FORCE)
 		TS_TRY(watch_forces(sim, l, by));
+	if (stage == TS_STAGE_END_OF_STEP && l->stepping)
+		TS_TRY(watch_late(sim, l));
 	return watch_others(sim, l, by);
 }
 
@@ -400,18 +435,14 @@ static double parts_of(const struct ts_ledger *l, const struct ts_particles *p, 
 }
 
 /* The ledger is new: forces that are not of contacts and bonds were made by others before it came. */
-static enum ts_status take_rest(struct ts_instance *self, struct tsim *sim, struct ts_ledger *l)
+static enum ts_status take_rest(struct tsim *sim, struct ts_ledger *l)
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_column *c;
-	size_t actor;
 
-	TS_TRY(ts_ledger_actor(sim, l, self, &actor));
-	l->actor[actor].pushes = TS_LEDGER_PUSHES;
-	TS_TRY(add_columns(sim, l));
 	TS_TRY(clear(sim, l));
 	TS_TRY(take_all(sim, l));
-	c = &p->column[l->actor[actor].column];
+	c = &p->column[l->actor[l->rest].column];
 	for (size_t i = 0; i < p->n; i++) {
 		double *to = (double *)c->data + i * c->width;
 
@@ -449,7 +480,7 @@ enum ts_status ts_ledger_setup(struct ts_instance *self, struct tsim *sim)
 	if (l->looking)
 		l->notes = 0;
 	if (!l->made)
-		TS_TRY(l->split ? take_all(sim, l) : take_rest(self, sim, l));
+		TS_TRY(l->split ? take_all(sim, l) : take_rest(sim, l));
 	l->looking = false;
 	l->newest = sim->particles->max_tag;
 	TS_TRY(look(sim, l, &l->between));

@@ -32,6 +32,13 @@ enum {
 /* Of one cause on one particle: force, torque, and the power that goes to who moves the surface. */
 enum { TS_CAUSE_FORCE = 0, TS_CAUSE_TORQUE = 3, TS_CAUSE_DRIVE = 6, TS_CAUSE_NUMBERS };
 
+/* After the causes: 1 where an integrator makes whole kicks; where some cause is not 0. */
+enum {
+	TS_LEDGER_WHOLE = TS_NCAUSE * TS_CAUSE_NUMBERS,
+	TS_LEDGER_BUSY,
+	TS_LEDGER_COLUMN
+};
+
 static inline int ts_ledger_cause(int side, int part)
 {
 	return side * TS_NPART + part;
@@ -82,7 +89,7 @@ struct ts_ledger {
 	/* saved */
 	int64_t open;	  /* the books are: the start is known */
 	int64_t split;	  /* forces in the columns are those of the last step */
-	int64_t plastic[TS_LEDGER_SIDES]; /* some contacts yield: what their springs do not store is lost */
+	int64_t plastic[TS_LEDGER_SIDES]; /* some contacts yield or stick: what springs do not store is lost */
 	int64_t first;	  /* step at the start */
 	double first_time;
 	double start_kinetic[2], start_store[TS_NSTORE];
@@ -95,6 +102,7 @@ struct ts_ledger {
 	int32_t newest; /* the largest identity when forces were last made */
 	struct ts_ledger_actor *actor;
 	size_t nactors, actor_capacity;
+	size_t rest; /* the actor that stands for forces of nobody known: the ledger's own fix */
 
 	/* of this step only */
 	bool stepping; /* in a step; else in the set-up of a run */
@@ -102,7 +110,7 @@ struct ts_ledger {
 	double store_before[TS_NSTORE]; /* the set-up */
 	bool looking; /* at a step that is booked already: energies of contacts are noted, nothing is booked */
 	const char *name; /* of its columns */
-	size_t column; /* causes of each particle, then 1 where an integrator makes whole kicks */
+	size_t column; /* causes of each particle, and TS_LEDGER_WHOLE, TS_LEDGER_BUSY */
 	size_t n, capacity;
 	uint64_t generation;
 	double (*v)[3], (*omega)[3];	   /* as the stage began */
@@ -185,7 +193,7 @@ static inline double *ts_ledger_causes(const struct ts_ledger *l, const struct t
 	X(FRICTION, "lost in slip")                                                                \
 	X(SPRINGS, "lost by springs of slip that turn, soften or part")                            \
 	X(ROLLING, "lost in rolling and twisting")                                                 \
-	X(PLASTIC, "lost in yielding contacts")                                                    \
+	X(PLASTIC, "lost in contacts that yield or stick")                                         \
 	X(BOND_DASHPOTS, "lost in dashpots of bonds")                                              \
 	X(BROKEN, "lost with broken bonds")                                                        \
 	X(LOST, "all that is lost")                                                                \

@@ -106,8 +106,9 @@ static void book(struct kick *k, size_t i, const double v[3], const double omega
 	const struct ts_particles *p = k->sim->particles;
 	const struct ts_ledger *l = k->l;
 	const double *cause = ts_ledger_causes(l, p, i);
+	bool busy = cause[TS_LEDGER_BUSY] > 0;
 
-	for (int c = 0; c < TS_NCAUSE; c++, cause += TS_CAUSE_NUMBERS) {
+	for (int c = 0; c < TS_NCAUSE && busy; c++, cause += TS_CAUSE_NUMBERS) {
 		double work = work_of(cause, v, omega, s);
 
 		if (work != 0)
@@ -223,7 +224,7 @@ enum ts_status ts_ledger_kick(struct tsim *sim, struct ts_ledger *l, bool final)
 
 	TS_TRY(start(&k, sim, l));
 	for (size_t i = 0; i < p->n; i++) {
-		double *whole = ts_ledger_causes(l, p, i) + TS_NCAUSE * TS_CAUSE_NUMBERS;
+		double *whole = ts_ledger_causes(l, p, i) + TS_LEDGER_WHOLE;
 		int32_t by = l->kicker[i];
 
 		if (ts_rigid_member(p, i))

@@ -50,9 +50,12 @@ static void end_sums(const struct sums *s, struct ts_ledger *l, int side, bool f
 
 /* The parts on one partner: sign and arm are his. `drive`: velocity of the other's surface that is not in the columns
  * of particles. */
-static void book(double *cause, const struct ts_contact_parts *parts, double sign, double arm,
+static void book(double *own, int side, const struct ts_contact_parts *parts, double sign, double arm,
 		 const double drive[3])
 {
+	double *cause = own + ts_ledger_cause(side, 0) * TS_CAUSE_NUMBERS;
+
+	own[TS_LEDGER_BUSY] = 1;
 	for (int part = 0; part < TS_NPART; part++) {
 		double *to = cause + part * TS_CAUSE_NUMBERS;
 
@@ -61,6 +64,12 @@ static void book(double *cause, const struct ts_contact_parts *parts, double sig
 		to[TS_CAUSE_DRIVE] += sign * ts_dot(parts->force[part], drive);
 	}
 	ts_axpy(sign, parts->roll, cause + TS_PART_ROLLING * TS_CAUSE_NUMBERS + TS_CAUSE_TORQUE);
+}
+
+/* Normal springs that do not give back what they got: they yield, or the energy jumps as surfaces meet and part. */
+static bool loses(const struct ts_granular_model *m)
+{
+	return m->normal == TS_NORMAL_HOOKE_HYSTERESIS || ts_normal_sticks(m);
 }
 
 struct row_work {
@@ -91,7 +100,7 @@ static void book_row(struct row_work *w, size_t r, int side, size_t own)
 		ts_scale(0.5, drive, drive);
 	}
 	if (!w->l->looking)
-		book(ts_ledger_causes(w->l, p, own), &parts, sign, t.arm[side], drive);
+		book(ts_ledger_causes(w->l, p, own), TS_LEDGER_PAIR, &parts, sign, t.arm[side], drive);
 	add_energy(&w->sums, parts.energy, 0.5, p->tag[i] > w->l->newest || p->tag[j] > w->l->newest);
 	if (w->l->stepping && (r + 1) * rows->history_width <= w->l->memory_n)
 		ts_exactsum_add(&w->sums.slip,
@@ -99,7 +108,7 @@ static void book_row(struct row_work *w, size_t r, int side, size_t own)
 						   w->sim->clock.dt,
 						   w->l->memory + r * rows->history_width, memory));
 	memcpy(w->l->row_energy[r], parts.energy, sizeof parts.energy);
-	w->l->plastic[TS_LEDGER_PAIR] |= m->normal == TS_NORMAL_HOOKE_HYSTERESIS;
+	w->l->plastic[TS_LEDGER_PAIR] |= loses(m);
 }
 
 /* Appends a copy. */
@@ -203,7 +212,7 @@ static enum ts_status book_wall(struct tsim *sim, struct ts_ledger *l, const str
 	ts_contact_split(view.model, view.law, &view.touch, ts_wall_memory(&wall->contacts, k),
 			 r->force, r->rolling, &parts);
 	if (!l->looking)
-		book(ts_ledger_causes(l, p, i) + TS_NPART * TS_CAUSE_NUMBERS, &parts, 1, view.touch.arm[0],
+		book(ts_ledger_causes(l, p, i), TS_LEDGER_WALL, &parts, 1, view.touch.arm[0],
 		     r->velocity);
 	if (!l->looking)
 		book_drive(l, p, i, actor, &parts, r->velocity);
@@ -214,7 +223,7 @@ static enum ts_status book_wall(struct tsim *sim, struct ts_ledger *l, const str
 				ts_slip_loss(view.model, view.law, &view.touch, sim->clock.dt, before,
 					     ts_wall_memory(&wall->contacts, k)));
 	memcpy(entry.energy, parts.energy, sizeof parts.energy);
-	l->plastic[TS_LEDGER_WALL] |= view.model->normal == TS_NORMAL_HOOKE_HYSTERESIS;
+	l->plastic[TS_LEDGER_WALL] |= loses(view.model);
 	return note(sim, &l->note, &l->notes, &l->note_capacity, entry);
 }
 
@@ -286,9 +295,10 @@ static enum ts_status book_bond(struct tsim *sim, struct ts_ledger *l, size_t b,
 		 spring);
 	for (int s = 0; s < 2; s++) {
 		double sign = s ? -1 : 1;
-		double *to = ts_ledger_causes(l, sim->particles, s ? view.b : view.a) +
-			     TS_CAUSE_BOND * TS_CAUSE_NUMBERS;
+		double *own = ts_ledger_causes(l, sim->particles, s ? view.b : view.a);
+		double *to = own + TS_CAUSE_BOND * TS_CAUSE_NUMBERS;
 
+		own[TS_LEDGER_BUSY] = 1;
 		for (int d = 0; d < 3 && !l->looking; d++) {
 			to[d] += sign * spring[d];
 			to[TS_CAUSE_NUMBERS + d] += sign * (view.force[d] - spring[d]);

@@ -56,7 +56,10 @@ static void sources(struct tsim *sim, const struct ts_ledger *l)
 
 	ts_log(&sim->log, "  came from\n");
 	for (size_t a = 0; a < l->nactors; a++)
-		named(sim, l->actor[a].pushes == TS_LEDGER_IS_WALL ? "motion of" : "forces of",
+		named(sim,
+		      a == l->rest ? "forces made before, or changed later, than"
+		      : l->actor[a].pushes == TS_LEDGER_IS_WALL ? "motion of"
+								: "forces of",
 		      l->actor[a].name, ts_running_value(&l->actor[a].work));
 	line(sim, "the box that changes its shape", ts_running_value(&l->box));
 	for (size_t a = 0; a < l->nactors; a++)
@@ -205,7 +208,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 			   struct ts_plan_report *report)
 {
 	const struct ledger *s = self->state;
-	size_t numbers = TS_NCAUSE * TS_CAUSE_NUMBERS + 1;
+	size_t numbers = TS_LEDGER_COLUMN;
 
 	for (size_t a = 0; a < s->books.nactors; a++)
 		numbers += s->books.actor[a].pushes ? TS_CAUSE_NUMBERS : 0;
