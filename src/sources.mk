@@ -353,6 +353,7 @@ library_sources = \
 	src/neigh/heat_step.c \
 	src/neigh/ledger.c \
 	src/neigh/ledger.h \
+	src/neigh/ledger_heat.c \
 	src/neigh/ledger_kick.c \
 	src/neigh/ledger_parts.c \
 	src/neigh/ledger_values.c \
