@@ -76,10 +76,9 @@ of_scene() {
 	prepare
 }
 
-# go WAY: a run of `warm` steps, and one of `steps` more; WAY is program.threads.dialect. What they took goes to
-# WAY.warm.usage and WAY.all.usage, lines of seconds of processor time, seconds of the loop of steps, kilobytes.
-go() {
-	local program threads dialect how count form n command columns="id x y z vx vy vz $column"
+# run_of WAY STEPS NAME: `command` becomes a run that writes NAME.log and NAME.dump; WAY is program.threads.dialect
+run_of() {
+	local program threads dialect n count form columns="id x y z vx vy vz $column"
 	IFS=. read -r program threads dialect <<<"$1"
 	form='format float %.15g'
 	case $program in
@@ -93,12 +92,18 @@ go() {
 		;;
 	lammps) command=(lmp) ;;
 	esac
+	command+=(-in "$scenes/$scene/in" -log "$3.log" -var scenes "$scenes" -var program "$program" -var dialect "$dialect"
+		-var steps "$2" -var after "${after:-nothing}" -var out "$3.dump" -var columns "$columns" -var form "$form"
+		"${words[@]}")
+}
+
+# go WAY: a run of `warm` steps, and one of `steps` more. What they took goes to WAY.warm.usage and WAY.all.usage,
+# lines of seconds of processor time, seconds of the loop of steps, kilobytes.
+go() {
+	local how TIMEFORMAT='%3U %3S'
 	for how in warm all; do
-		n=$([ $how = all ] && echo $((warm + steps)) || echo "$warm")
-		TIMEFORMAT='%3U %3S'
-		{ time command time -f %M -o memory "${command[@]}" -in "$scenes/$scene/in" -log "$1.$how.log" \
-			-var scenes "$scenes" -var program "$program" -var dialect "$dialect" -var steps "$n" \
-			-var after nothing -var out "$1.$how.dump" -var columns "$columns" -var form "$form" "${words[@]}" >output 2>&1; } 2>seconds ||
+		run_of "$1" "$([ $how = all ] && echo $((warm + steps)) || echo "$warm")" "$1.$how"
+		{ time command time -f %M -o memory "${command[@]}" >output 2>&1; } 2>seconds ||
 			{ echo "$scene: $1:"; tail -n 5 output; return 1; }
 		echo "$(awk '{ print $1 + $2 }' seconds)" "$(loop_time "$1.$how.log")" "$(tail -n 1 memory)" >>"$1.$how.usage"
 	done
@@ -106,5 +111,20 @@ go() {
 
 loop_time() { sed -n 's/^Loop time of \([^ ]*\).*/\1/p' "$1" | tail -n 1; }
 
-# Seconds of processor time of a way: the least, and by how much the second least was more, in parts.
-least() { sort -g "$1" | awk '{ t[NR] = $1 } END { print t[1] }'; }
+command_of() { [ "$1" = lammps ] && echo lmp || echo "$1"; }
+name_of() {
+	case $1 in
+	tsim.1.*) echo 'tsim, 1 thread' ;;
+	tsim.*) echo "tsim, $(cut -d . -f 2 <<<"$1") threads" ;;
+	liggghts.*) echo LIGGGHTS ;;
+	lammps.*) echo LAMMPS ;;
+	esac
+}
+
+# rows of a table of step, atoms, energies
+rows_of() { awk '$1 ~ /^[0-9]+$/ && NF == 4 && $3 ~ /^[-+.0-9e]+$/' "$1"; }
+
+# particles a step, summed over the steps of a run: numbers between rows of the table change evenly
+counted() {
+	rows_of "$1" | awk '{ if (n++) sum += ($1 - step) * ($2 + atoms) / 2; step = $1; atoms = $2 } END { print sum + 0 }'
+}

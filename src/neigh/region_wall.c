@@ -76,25 +76,27 @@ static void surface_velocity(const struct ts_region_wall *w, const struct ts_ins
 
 /* ---- stages ---- */
 
-/* Particles near a surface that stands still; all of them where it moves. */
+/* A particle with its centre at x, as far as its surface or the wall's reach and `further`. */
 static bool is_near(const struct ts_region_wall *w, const struct tsim *sim, const struct ts_wall *wall,
-		    size_t i)
+		    size_t i, const double x[3], double further)
 {
-	const struct ts_particles *p = sim->particles;
-	double reach = p->radius[i] + sim->neigh->built_skin + ts_wall_reach(wall, p->radius[i]);
+	double radius = sim->particles->radius[i];
 
-	return ts_region_varies(w->region) ||
-	       !(fabs(ts_region_depth(w->region, p->xhold[i])) >= reach);
+	return !(fabs(ts_region_depth(w->region, x)) >=
+		 radius + further + ts_wall_reach(wall, radius));
 }
 
+/* Lists particles near a surface that stands still, all of them where it moves. */
 enum ts_status ts_region_wall_list(struct ts_instance *self, struct tsim *sim, struct ts_wall *wall,
 				   struct ts_region_wall *w)
 {
 	const struct ts_particles *p = sim->particles;
+	bool all = ts_region_varies(w->region);
 
 	TS_TRY(ts_region_update(w->region, sim));
 	for (size_t i = 0; i < p->n; i++) {
-		if (!ts_wall_meets(self, sim, i, false) || !is_near(w, sim, wall, i))
+		if (!ts_wall_meets(self, sim, i, false) ||
+		    !(all || is_near(w, sim, wall, i, p->xhold[i], sim->neigh->built_skin)))
 			continue;
 		for (int k = 0; k < w->faces; k++)
 			TS_TRY(ts_wall_contacts_add(sim, &wall->contacts, i, k));
@@ -136,16 +138,20 @@ enum ts_status ts_region_wall_push(struct tsim *sim, struct ts_wall *wall, struc
 				   int type)
 {
 	const struct ts_wall_contacts *c = &wall->contacts;
+	bool far = ts_region_varies(w->region); /* particles that are far are listed, too */
 	int n = 0;
 
 	TS_TRY(ts_region_update(w->region, sim));
 	for (int k = 0; k < w->nmovers; k++)
 		look_at_motion(w->mover[k], &w->motion[k], sim);
 	for (size_t k = 0; k < c->n; k++) { /* the faces of a particle follow one another */
+		const double *x = sim->particles->x[c->row[k]];
 		int face = c->key[k][1];
 
 		if (face == 0)
-			n = ts_region_spots(w->region, sim->particles->x[c->row[k]], w->spot);
+			n = far && !is_near(w, sim, wall, (size_t)c->row[k], x, 0)
+				    ? 0
+				    : ts_region_spots(w->region, x, w->spot);
 		push_face(sim, wall, w, k, spot_of(w, n, face), type);
 	}
 	ts_wall_finish(wall);
