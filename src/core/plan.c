@@ -209,6 +209,7 @@ static enum ts_status step(struct ts_plan *plan, struct tsim *sim)
 {
 	sim->clock.step++;
 	TS_TRY(ts_plan_stages(plan, sim, TS_STAGE_INITIAL_INTEGRATE, TS_STAGE_CHECK));
+	sim->rebuild |= (sim->full & TS_FULL_REBUILDS) != 0;
 	if (sim->rebuild)
 		TS_TRY(ts_plan_stages(plan, sim, TS_STAGE_PRE_EXCHANGE, TS_STAGE_POST_BUILD));
 	else

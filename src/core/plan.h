@@ -60,12 +60,20 @@ struct ts_output {
 	int64_t frames;
 	double bytes; /* of one frame */
 };
+/* What the results do not depend on and is not done. */
+struct ts_left_out {
+	char name[24], why[120];
+	unsigned part; /* the bit of enum ts_full that does it nevertheless; 0: none can */
+	double bytes;  /* memory that it would take; 0: none, or not known */
+	double share;  /* of the time of a step that it would add; NaN: not known */
+};
 struct ts_plan_report {
 	struct ts_limit *limit;
 	size_t nlimits, limit_capacity;
 	bool limits_only;      /* while running: nothing but limits is asked for */
 	struct ts_str lines;   /* "  particles    3100 ..." */
-	struct ts_str left_out; /* "  rotation     no live style needs it" */
+	struct ts_left_out *left_out;
+	size_t nleft_out, left_out_capacity;
 	double bytes;          /* memory */
 	struct ts_output *output;
 	size_t noutputs, output_capacity;
@@ -80,8 +88,9 @@ enum ts_status ts_report_output(struct ts_plan_report *report, const char *name,
 				double bytes);
 void ts_report_line(struct ts_plan_report *report, const char *name, const char *format, ...)
 	__attribute__((format(printf, 3, 4)));
-void ts_report_left_out(struct ts_plan_report *report, const char *name, const char *format, ...)
-	__attribute__((format(printf, 3, 4)));
+/* Each name has its proof in tests/omissions.sh: the same results with it. */
+void ts_report_left_out(struct ts_plan_report *report, const char *name, unsigned part, double bytes,
+			const char *format, ...) __attribute__((format(printf, 5, 6)));
 void ts_report_release(struct ts_plan_report *report);
 /* Asks every live instance, but for outputs if only limits are wanted. */
 enum ts_status ts_report_collect(struct ts_plan_report *report, struct tsim *sim);

@@ -81,14 +81,20 @@ void ts_report_line(struct ts_plan_report *report, const char *name, const char 
 	va_end(args);
 }
 
-void ts_report_left_out(struct ts_plan_report *report, const char *name, const char *format, ...)
+void ts_report_left_out(struct ts_plan_report *report, const char *name, unsigned part, double bytes,
+			const char *format, ...)
 {
+	struct ts_left_out *left;
 	va_list args;
 
-	if (report->limits_only)
+	if (report->limits_only ||
+	    TS_GROW(report->left_out, report->left_out_capacity, report->nleft_out + 1) != TS_OK)
 		return;
+	left = &report->left_out[report->nleft_out++];
+	*left = (struct ts_left_out){ .part = part, .bytes = bytes, .share = NAN };
+	snprintf(left->name, sizeof left->name, "%s", name);
 	va_start(args, format);
-	add_line(&report->left_out, name, format, args);
+	vsnprintf(left->why, sizeof left->why, format, args);
 	va_end(args);
 }
 
@@ -97,7 +103,7 @@ void ts_report_release(struct ts_plan_report *report)
 	ts_free(report->limit);
 	ts_free(report->output);
 	ts_str_release(&report->lines);
-	ts_str_release(&report->left_out);
+	ts_free(report->left_out);
 	*report = (struct ts_plan_report){ 0 };
 }
 
@@ -207,23 +213,63 @@ static void add_price(struct ts_str *text, const struct ts_price *price, int64_t
 		ts_str_add(text, "; particles still to be inserted are not priced");
 }
 
-static enum ts_status print_price(struct ts_plan *plan, struct tsim *sim, int64_t steps)
+static void print_price(const struct ts_plan *plan, struct tsim *sim, const struct ts_price *price,
+			int64_t steps)
 {
 	struct ts_str text = { 0 };
-	struct ts_price price;
 
-	TS_TRY(ts_price_steps(plan, sim, &price));
-	if (isfinite(price.seconds)) {
-		add_price(&text, &price, steps, plan->n[TS_STAGE_PRE_EXCHANGE] > 0);
-		sim->bill.seconds += price.seconds * (double)steps + price.frames;
-		sim->bill.most += price.crowded * (double)steps + price.frames;
+	if (isfinite(price->seconds)) {
+		add_price(&text, price, steps, plan->n[TS_STAGE_PRE_EXCHANGE] > 0);
+		sim->bill.seconds += price->seconds * (double)steps + price->frames;
+		sim->bill.most += price->crowded * (double)steps + price->frames;
 	} else {
 		ts_str_add(&text, "not known, the first steps could not be tried");
 	}
 	if (steps)
 		ts_log(&sim->log, "duration: %s\n", ts_str_text(&text));
 	ts_str_release(&text);
+}
+
+/* What each omission would add to a step, from trials with it. */
+static enum ts_status price_left_out(struct ts_plan_report *report, struct ts_plan *plan,
+				     struct tsim *sim, const struct ts_price *price)
+{
+	for (size_t k = 0; k < report->nleft_out; k++) {
+		struct ts_left_out *left = &report->left_out[k];
+		double seconds;
+
+		if (!left->part || !price->steps)
+			continue;
+		TS_TRY(ts_price_full(plan, sim, left->part, &seconds));
+		left->share = (seconds - price->seconds) / price->seconds;
+	}
 	return TS_OK;
+}
+
+static void print_left_out(const struct ts_plan_report *report, struct tsim *sim)
+{
+	static const double WORTH_TELLING = 0.02; /* less is not measured */
+	struct ts_str text = { 0 };
+
+	for (size_t k = 0; k < report->nleft_out; k++) {
+		const struct ts_left_out *left = &report->left_out[k];
+		bool takes = left->share >= WORTH_TELLING;
+
+		ts_str_addf(&text, "  %-16s %s", left->name, left->why);
+		if (left->bytes > 0 || takes)
+			ts_str_add(&text, "; saves ");
+		if (left->bytes > 0)
+			ts_price_bytes(left->bytes, &text);
+		if (takes && left->share < 1)
+			ts_str_addf(&text, "%s%.2g %% of a step", left->bytes > 0 ? ", " : "",
+				    100 * left->share);
+		else if (takes)
+			ts_str_addf(&text, "%sthe time of %.2g steps in each", left->bytes > 0 ? ", " : "",
+				    left->share);
+		ts_str_add(&text, "\n");
+	}
+	ts_log(&sim->log, "left out:\n%s", ts_str_text(&text));
+	ts_str_release(&text);
 }
 
 static void print_report(const struct ts_plan *plan, const struct ts_plan_report *report,
@@ -235,7 +281,7 @@ static void print_report(const struct ts_plan *plan, const struct ts_plan_report
 	       sim->clock.dt, ts_sim_time(sim),
 	       ts_sim_time(sim) + (double)steps * sim->clock.dt);
 	ts_log(&sim->log, "modelled:\n%s", ts_str_text(&report->lines));
-	ts_log(&sim->log, "left out:\n%s", ts_str_text(&report->left_out));
+	print_left_out(report, sim);
 	ts_log(&sim->log, "memory: about %.3g MB\n", report->bytes / 1e6);
 	ts_log(&sim->log, "limits of the time step (now %g):\n", sim->clock.dt);
 	for (size_t k = 0; k < report->nlimits; k++)
@@ -246,17 +292,31 @@ static void print_report(const struct ts_plan *plan, const struct ts_plan_report
 	print_stages(plan, sim);
 }
 
+/* A run that will be refused has no price. */
+static bool has_price(const struct ts_plan_report *report, const struct tsim *sim)
+{
+	const struct ts_limit *hard = ts_report_binding(report, true);
+
+	return sim->explain && !sim->log.quiet && (!hard || sim->clock.dt < hard->dt || sim->unsafe);
+}
+
 enum ts_status ts_plan_review(struct ts_plan *plan, struct tsim *sim, int64_t steps)
 {
 	struct ts_plan_report report = { 0 };
 	enum ts_status status = ts_report_collect(&report, sim);
+	struct ts_price price;
+	bool priced = status == TS_OK && has_price(&report, sim);
 
+	if (priced)
+		status = ts_price_steps(plan, sim, &price);
+	if (priced && status == TS_OK)
+		status = price_left_out(&report, plan, sim, &price);
 	if (status == TS_OK && sim->explain)
 		print_report(plan, &report, sim, steps);
 	if (status == TS_OK)
 		status = ts_guard_judge(sim, &report);
-	if (status == TS_OK && sim->explain && !sim->log.quiet)
-		status = print_price(plan, sim, steps);
+	if (status == TS_OK && priced)
+		print_price(plan, sim, &price, steps);
 	ts_report_release(&report);
 	return status;
 }

@@ -8,6 +8,9 @@
  * and what it writes goes nowhere. Then the same with the particles moved together. */
 enum ts_status ts_price_steps(struct ts_plan *plan, struct tsim *sim, struct ts_price *out);
 
+/* The seconds of a step that does also what is left out, bits of enum ts_full; NaN: not known. */
+enum ts_status ts_price_full(struct ts_plan *plan, struct tsim *sim, unsigned part, double *out);
+
 /* "0.52 s", "3.1 min", "5.2 h", "12 days" */
 void ts_price_time(double seconds, struct ts_str *out);
 /* "520 bytes", "3.1 MB" */

@@ -82,6 +82,16 @@ struct ts_acted {
 /* What computes may stand for; see core/standard.h. */
 enum ts_standard { TS_STANDARD_TEMPERATURE, TS_STANDARD_PRESSURE, TS_NSTANDARD };
 
+/* -full: what is done though results do not depend on it; for tests of that, and to price it. */
+enum ts_full {
+	TS_FULL_COLUMNS = 1,  /* all columns of particles */
+	TS_FULL_ROWS = 2,     /* contact rows, where no law acts on them */
+	TS_FULL_HISTORY = 4,  /* their history, where the law remembers nothing */
+	TS_FULL_REBUILDS = 8, /* rows are found anew in each step */
+	TS_FULL_THREADS = 16, /* the shortest loops are shared among threads */
+	TS_FULL_ALL = 31
+};
+
 struct tsim {
 	struct ts_error error;
 	struct ts_log log;
@@ -92,6 +102,7 @@ struct tsim {
 	int dimension;
 	int threads;
 	int grain; /* a loop is shared among threads only as far as each gets so many rounds */
+	unsigned full;	   /* bits of enum ts_full */
 	bool explain;      /* -explain: plan runs, do not step or write */
 	bool check;        /* -check: as explain, but errors do not end the script */
 	bool planned;      /* -check: a run would have changed the state by now */

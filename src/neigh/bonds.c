@@ -224,8 +224,6 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 	report->bytes += (double)(b->n * bytes);
 	if (b->n)
 		ts_report_line(report, "bonds", "%zu, %zu bytes each", b->n, bytes);
-	else
-		ts_report_left_out(report, "bonds", "there are none");
 	return TS_OK;
 }
 

@@ -40,7 +40,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct ts_neigh *nb = self->state;
 
 	sim->particles->describe_contacts = describe_contacts;
-	nb->wanted = ts_sim_only(sim, TS_KIND_PAIR) != NULL;
+	nb->wanted = ts_sim_only(sim, TS_KIND_PAIR) || sim->full & TS_FULL_ROWS;
 	nb->builds = 0;
 	return TS_OK;
 }
@@ -333,6 +333,31 @@ static void fingerprint(const struct ts_instance *self, const struct tsim *sim,
 	ts_hash_add(hash, &nb->skip_bonded, sizeof nb->skip_bonded);
 }
 
+static bool is_periodic(const struct ts_box *box)
+{
+	return ts_box_periodic(box, 0) || ts_box_periodic(box, 1) || ts_box_periodic(box, 2);
+}
+
+/* What the images of particles near the faces would take. */
+static double image_bytes(const struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+	const struct ts_box *box = &sim->domain->box;
+	double reach = 2 * largest_radius(p) + sim->neigh->built_skin, images = 0, bytes = 0;
+
+	for (size_t k = 0; k < p->ncolumns; k++)
+		if (p->column[k].active)
+			bytes += (double)(p->column[k].width * p->column[k].element);
+	for (size_t i = 0; i < p->n; i++) {
+		double ways = 1;
+
+		for (int d = 0; d < sim->dimension; d++)
+			ways *= 1 + (p->x[i][d] < box->lo[d] + reach) + (p->x[i][d] > box->hi[d] - reach);
+		images += ways - 1;
+	}
+	return images * bytes;
+}
+
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 			   struct ts_plan_report *report)
 {
@@ -341,7 +366,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 		     nb->rows.history_width * sizeof(double);
 
 	if (!nb->wanted) {
-		ts_report_left_out(report, "contact rows", "no pair_style");
+		ts_report_left_out(report, "contact rows", TS_FULL_ROWS, 0, "no pair_style");
 		return TS_OK;
 	}
 	report->bytes += (double)(nb->rows.n * row);
@@ -350,11 +375,19 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 		nb->rows.n, nb->built_skin,
 		sim->particles->n ? (double)nb->rows.n / (double)sim->particles->n : 0.0, row);
 	if (!nb->rows.history_width)
-		ts_report_left_out(report, "contact history", "the contact law remembers nothing");
+		ts_report_left_out(report, "contact history", TS_FULL_HISTORY,
+				   3.0 * sizeof(double) * (double)nb->rows.n,
+				   "the contact law remembers nothing");
 	if (nb->skip_bonded)
-		ts_report_left_out(report, "contacts of bonded particles", "special_bonds says so");
-	if (!sim->particles->nghost)
-		ts_report_left_out(report, "ghosts", "no periodic faces");
+		ts_report_line(report, "contacts", "none between bonded particles (special_bonds)");
+	ts_report_left_out(report, "rebuilds", TS_FULL_REBUILDS, 0,
+			   "rows stay until a particle has moved half the skin");
+	if (!is_periodic(&sim->domain->box))
+		ts_report_left_out(report, "ghosts", 0, image_bytes(sim), "no periodic faces");
+	if (sim->threads > 1 && ts_team(sim, sim->particles->n) < sim->threads)
+		ts_report_left_out(report, "threads", TS_FULL_THREADS, 0,
+				   "%zu particles are too few to share among %d", sim->particles->n,
+				   sim->threads);
 	return TS_OK;
 }
 

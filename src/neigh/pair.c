@@ -182,13 +182,16 @@ static enum ts_status check_given(struct tsim *sim, struct ts_instance *self)
 enum ts_status ts_pair_init(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_pair *pair = self->state;
+	size_t memory;
 
 	if (!sim->particles->ntypes)
 		return TS_OK;
 	TS_TRY(ts_pair_prepare(sim, self));
 	ts_granular_memory_signs(&pair->model, pair->memory_sign);
-	TS_TRY(ts_rows_set_history(sim, &sim->neigh->rows, (size_t)ts_granular_memory(&pair->model),
-				   pair->memory_sign));
+	memory = (size_t)ts_granular_memory(&pair->model);
+	if (!memory && sim->full & TS_FULL_HISTORY)
+		memory = 3;
+	TS_TRY(ts_rows_set_history(sim, &sim->neigh->rows, memory, pair->memory_sign));
 	TS_TRY(ts_rows_set_torques(sim, &sim->neigh->rows, ts_granular_turns(&pair->model)));
 	if (ts_granular_turns(&pair->model))
 		TS_TRY(ts_particles_need(sim, TS_NEED(OMEGA) | TS_NEED(TORQUE)));

@@ -37,6 +37,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		sim->generation++;
 		p->holds = &sim->holds;
 	}
+	if (sim->full & TS_FULL_COLUMNS)
+		return ts_particles_need(sim, (1u << TS_NCOLUMN_BUILTIN) - 1);
 	return ts_particles_need(sim, sim->columns);
 }
 
@@ -153,17 +155,23 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 			   struct ts_plan_report *report)
 {
 	const struct ts_particles *p = self->state;
-	double bytes = 0;
+	double bytes = 0, saved_bytes = 0;
+	struct ts_str unused = { 0 };
 
 	(void)sim;
 	for (size_t k = 0; k < p->ncolumns; k++) {
 		const struct ts_column *c = &p->column[k];
+		double size = (double)(p->capacity * c->width * c->element);
 
-		if (c->active)
-			bytes += (double)(p->capacity * c->width * c->element);
-		else
-			ts_report_left_out(report, c->name, "no live style needs this column");
+		bytes += c->active ? size : 0;
+		saved_bytes += c->active ? 0 : size;
+		if (!c->active)
+			ts_str_addf(&unused, "%s%s", unused.length ? ", " : "", c->name);
 	}
+	if (unused.length)
+		ts_report_left_out(report, "columns", TS_FULL_COLUMNS, saved_bytes,
+				   "%s: no live style needs them", ts_str_text(&unused));
+	ts_str_release(&unused);
 	report->bytes += bytes;
 	ts_report_line(report, "particles", "%zu of %d types, %.0f bytes each", p->n, p->ntypes,
 		       p->capacity ? bytes / (double)p->capacity : 0.0);

@@ -20,6 +20,7 @@ enum option_id {
 	OPT_CHECK,
 	OPT_SIGNAL,
 	OPT_EXPLAIN,
+	OPT_FULL,
 	OPT_ADVISE,
 	OPT_CROSSCHECK,
 	OPT_HELP,
@@ -44,6 +45,7 @@ static const struct {
 	[OPT_CHECK] = { "check", "", "run nothing: tell all errors and what the script would do", 0 },
 	[OPT_SIGNAL] = { "restart-on-signal", "FILE|none", "where an interrupted run saves its state", 1 },
 	[OPT_EXPLAIN] = { "explain", "", "run nothing: print the plan of each run", 0 },
+	[OPT_FULL] = { "full", "[PART ...]", "do also what -explain says is left out: slower, the same results", 0 },
 	[OPT_ADVISE] = { "advise", "[SECONDS] [WORDS]",
 			 "try settings on the scene: what each costs and changes", 0 },
 	[OPT_CROSSCHECK] = { "crosscheck", "PROGRAM [WORDS]",
@@ -98,6 +100,27 @@ static int set_threads(struct tsim *sim, const char *text)
 	if (!ts_parse_int(text, &n) || n < 1 || n > 1024)
 		return ts_usage_error("expected a number from 1 to 1024 after -threads, found '%s'%s", text, "");
 	sim->threads = (int)n;
+	return 0;
+}
+
+/* No parts: all. */
+static int set_full(struct tsim *sim, char *const *value, int n)
+{
+	static const char *const parts[] = { "columns", "rows", "history", "rebuilds", "threads", NULL };
+
+	sim->full |= n ? 0 : TS_FULL_ALL;
+	for (int k = 0; k < n; k++) {
+		int part = 0;
+
+		while (parts[part] && !ts_streq(parts[part], value[k]))
+			part++;
+		if (!parts[part])
+			return ts_usage_error("expected columns, rows, history, rebuilds or threads after -full, "
+					      "found '%s'%s", value[k], "");
+		sim->full |= 1u << part;
+	}
+	if (sim->full & TS_FULL_THREADS)
+		sim->grain = 1;
 	return 0;
 }
 
@@ -165,6 +188,8 @@ static int apply(struct tsim *sim, struct ts_setup *setup, enum option_id id, ch
 	case OPT_EXPLAIN:
 		sim->explain = setup->explain = true;
 		break;
+	case OPT_FULL:
+		return set_full(sim, value, n);
 	case OPT_CHECK:
 		setup->check = true;
 		return ts_script_check(sim->host_data) == TS_OK ? 0 : TS_EXIT_USAGE;
@@ -229,7 +254,7 @@ int ts_program_options(struct tsim *sim, struct ts_setup *setup, int argc, char 
 			id++;
 		if (id == NOPTIONS)
 			return unknown_option(text);
-		variadic = id == OPT_VAR || id == OPT_HELP || id == OPT_ADVISE ||
+		variadic = id == OPT_VAR || id == OPT_HELP || id == OPT_ADVISE || id == OPT_FULL ||
 			   id == OPT_CROSSCHECK;
 		while (k + n < argc && !is_option(argv[k + n]) &&
 		       (variadic || n < options[id].least))

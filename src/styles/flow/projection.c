@@ -225,6 +225,8 @@ static void warn_of_walls(struct ts_instance *self, struct tsim *sim)
 		"set its velocity; use flow_boundary FACE slip, or a viscosity");
 }
 
+enum { ROOM_FIELDS = 6 }; /* void fraction in centres and on faces, its rate, and as it was before */
+
 static enum ts_status describe(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct ts_projection *p = self->state;
@@ -245,6 +247,9 @@ static enum ts_status describe(struct ts_instance *self, struct tsim *sim, struc
 		       ts_time_names[p->time]);
 	ts_pressure_explain(sim, &p->poisson, p->fluid.empty || p->fluid.exchange[0], report);
 	report->bytes += 8 * fields * (double)grid->size;
+	if (!p->fluid.empty)
+		ts_report_left_out(report, "void fraction", 0, 8 * ROOM_FIELDS * (double)grid->size,
+				   "no fix says that particles take room from the fluid");
 	if (!p->substeps)
 		ts_report_line(report, "fluid's steps", "as its limits want, %g of the stable one, which is %g",
 			       p->courant, ts_flow_limit(p));
