@@ -20,7 +20,7 @@ row() {
 }
 # what is not measured
 untimed() {
-	sed -E 's/^(.{33}).{17}/\1/; s/^[*> ]*//; /^s.time: /,$d' ../out
+	sed -E 's/^(.{33}).{17}/\1/; s/^[*> ]*//; /^s.time: /,$d; /^all that is advised/d' ../out
 }
 
 # An oscillator: velocity Verlet is of second order, so against dt/4 the phase of dt is off by 1 - 1/16 where that
@@ -112,6 +112,23 @@ same 'the same again, but for the times' ../first ../second
 advise 0 2 -var step 2e-5
 grep -q 'in.scene:26: run of 1500 steps' ../out
 report 'a short script is tried where most is done' $? ../out
+
+# what the script counts in steps stands for the same time with another step
+cp in.scene in.grains
+sed -e '/^create_atoms/d; /^set type/d; /^run/d; /^variable/d' -e 's/${step}/2e-5/' in.grains >in.scene
+cat >>in.scene <<'END'
+fix p1 all particletemplate/sphere 15485863 atom_type 1 density constant 2385 radius constant 0.0014
+fix p2 all particledistribution/discrete 15485867 1 p1 1.0
+fix ins all insert/rate/region seed 32452843 distributiontemplate p2 nparticles 900 particlerate 4000 insert_every 120 overlapcheck yes all_in yes vel constant 0 0 -1.4 region seed
+run 2400
+END
+advise 0 20 at 300 steps 960
+report 'particles come in during the trials' $? ../err
+[ "$(row 'timestep 1e-05' | awk '{ print $1 }')" = 0 ] && [ "$(row 'timestep 4e-05' | awk '{ print $1 }')" = 0 ]
+report 'as many with each step' $? ../out
+grep -q 'changed to stand for the same time: ins insert_every$' ../out
+report 'it says what was changed' $? ../out
+mv in.grains in.scene
 
 # refusals
 "$TSIM" -advise >../out 2>../err

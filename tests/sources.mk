@@ -115,6 +115,7 @@ shell_tests = \
 	tests/layers.sh \
 	tests/manual_current.sh \
 	tests/meshes.sh \
+	tests/omissions.sh \
 	tests/price.sh \
 	tests/python.sh \
 	tests/race.sh \

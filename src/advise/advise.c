@@ -161,7 +161,7 @@ static void try_one(struct advise *a, int k, struct ts_log *screen)
 	ts_log_progress(screen, text);
 	if (k && a->o.steps <= 0 && ts_clock() - a->begin + 0.5 * expected > 1.2 * a->o.seconds)
 		return;
-	ts_trial_run(a->sim, b, k, a->o.steps > 0 ? 1e9 : fmax(1, 6 * expected));
+	ts_trial_run(a->sim, b, k, a->o.steps > 0 ? 1e9 : fmax(2, 15 * expected));
 }
 
 static void try_all(struct advise *a, struct ts_log *screen)

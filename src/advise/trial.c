@@ -47,21 +47,34 @@ static bool tells_nothing(const char *name)
 	return *n != NULL;
 }
 
-/* The argument of a style that is a number of steps; NULL: none. */
-static const struct ts_arg *row_of_steps(const struct ts_instance *inst)
+/* The next argument of a style that is an interval in steps; NULL: there are no more. */
+static const struct ts_arg *next_interval(const struct ts_arg *row)
 {
-	const struct ts_arg *row = inst->style->args;
-
 	for (; row && row->type != TS_ARG_END; row++)
-		if (row->type == TS_ARG_INT && row->help && strstr(row->help, "steps"))
+		if ((row->type == TS_ARG_INT && row->help && strstr(row->help, "steps")) ||
+		    (row->type == TS_ARG_WORD && ts_streq(row->name, "insert_every")))
 			return row;
 	return NULL;
+}
+
+/* What it is now; 0: none, or no number. */
+static int64_t interval_now(const struct ts_instance *inst, const struct ts_arg *row)
+{
+	const void *field = (const char *)inst->state + row->offset;
+	const char *text = row->type == TS_ARG_WORD ? *(const char *const *)field : NULL;
+	int64_t n = 0;
+
+	if (row->type == TS_ARG_INT)
+		n = *(const int64_t *)field;
+	else if (!text || !ts_parse_int(text, &n))
+		n = 0;
+	return n > 1 ? n : 0; /* each step stays each step */
 }
 
 /* Averages over some number of steps are of another time with another step. */
 static bool counts_steps(const struct ts_ref *ref)
 {
-	return ref->kind == TS_REF_FIX && ref->inst && row_of_steps(ref->inst);
+	return ref->kind == TS_REF_FIX && ref->inst && next_interval(ref->inst->style->args);
 }
 
 static bool acts(const struct ts_instance *inst)
@@ -72,19 +85,60 @@ static bool acts(const struct ts_instance *inst)
 	return false;
 }
 
-/* Fixes that act every so many steps, whatever their length. */
+/* Fixes that act every so many steps. */
 static void note_counters(const struct tsim *sim, struct ts_board *board)
 {
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
 	size_t n = 0, room = sizeof board->counters;
 
 	for (size_t k = 0; k < fixes->n; k++) {
-		const struct ts_arg *row = row_of_steps(fixes->item[k]);
+		const struct ts_instance *fix = fixes->item[k];
+		const struct ts_arg *row = acts(fix) ? next_interval(fix->style->args) : NULL;
 
-		if (row && acts(fixes->item[k]) && n + 1 < room)
-			n += (size_t)snprintf(board->counters + n, room - n, "%s%s (%s)", n ? ", " : "",
-					      fixes->item[k]->id, row->name);
+		for (; row && n + 1 < room; row = next_interval(row + 1))
+			if (interval_now(fix, row))
+				n += (size_t)snprintf(board->counters + n, room - n, "%s%s %s", n ? ", " : "",
+						      fix->id, row->name);
 	}
+}
+
+/* Steps until the next event, which is saved state. */
+static void stretch_waiting(struct ts_instance *fix, double factor)
+{
+	for (const struct ts_saved *row = fix->style->saved; row && row->type != TS_SAVED_END; row++) {
+		int64_t *wait = (int64_t *)(void *)((char *)fix->state + row->offset);
+
+		if (row->type == TS_SAVED_I64 && ts_ends_with(row->name, "wait") && *wait > 1)
+			*wait = llround(fmax(1, (double)*wait * factor));
+	}
+}
+
+/* With another step they act at the same times, as the user would write it. */
+static enum ts_status stretch_intervals(struct tsim *sim, double factor)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+
+	for (size_t k = 0; k < fixes->n; k++) {
+		struct ts_instance *fix = fixes->item[k];
+		const struct ts_arg *row = acts(fix) ? next_interval(fix->style->args) : NULL;
+
+		if (row)
+			stretch_waiting(fix, factor);
+		for (; row; row = next_interval(row + 1)) {
+			void *field = (char *)fix->state + row->offset;
+			int64_t n = llround((double)interval_now(fix, row) * factor);
+			char text[32];
+
+			if (n < 1)
+				continue;
+			snprintf(text, sizeof text, "%" PRId64, n);
+			if (row->type == TS_ARG_INT)
+				*(int64_t *)field = n;
+			else if (!(*(const char **)field = ts_pool_get(sim->pool, text)))
+				return ts_nomem(&sim->error);
+		}
+	}
+	return TS_OK;
 }
 
 static int list_titles(struct tsim *sim, struct ts_board *board)
@@ -221,6 +275,7 @@ static enum ts_status follow(struct copy *c)
 		n = (int64_t)ceil(part / t->dt - 1e-9);
 		ts_sim_set_dt(c->sim, part / (double)n);
 		stretch_ramp(&c->sim->clock, b->dt, c->sim->clock.dt);
+		TS_TRY(stretch_intervals(c->sim, b->dt / c->sim->clock.dt));
 	}
 	if (t->subject == TS_SUBJECT_TWIN)
 		move_by_round_off(c->sim);

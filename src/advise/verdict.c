@@ -303,8 +303,8 @@ static void add_table(const struct ts_board *b, struct ts_str *out)
 			break;
 		}
 	if (*b->counters)
-		ts_str_addf(out, "with another step these fixes act at other times, since they count steps: %s\n",
-			    b->counters);
+		ts_str_addf(out, "with another step, these numbers of steps were changed to stand for the same time: "
+				 "%s\n", b->counters);
 	if (n < b->columns)
 		ts_str_addf(out, "%d columns that change less are not shown\n", b->columns - n);
 }

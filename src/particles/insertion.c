@@ -150,7 +150,6 @@ static enum ts_status read_words(struct ts_instance *self, struct tsim *sim)
 	struct orientation orientation = { 0 };
 	struct omega omega = { 0 };
 
-	TS_TRY(read_every(self, sim));
 	TS_TRY(read_part(self, sim, "vel", velocity_rows, s->velocity_words, &s->velocity));
 	TS_TRY(read_part(self, sim, "omega", omega_rows, s->omega_words, &omega));
 	for (int d = 0; d < 3; d++)
@@ -235,6 +234,7 @@ enum ts_status ts_insertion_init(struct ts_instance *self, struct tsim *sim, boo
 	*first = s->distribution == NULL;
 	id.place = *ts_instance_word(self, s->distribution_id);
 	TS_TRY(ts_distribution_require(sim, &id, &s->distribution));
+	TS_TRY(read_every(self, sim));
 	if (!*first)
 		return refuse_start(self, sim);
 	TS_TRY(ts_seed_check(sim, self->style->name, s->seed, ts_instance_word(self, "seed")));
