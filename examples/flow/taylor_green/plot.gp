@@ -10,9 +10,10 @@ set xlabel 'h/side'
 set xtics ('1/128' 1/128., '1/64' 1/64., '1/32' 1/32., '1/16' 1/16.)
 set xrange [0.006:0.08]; set yrange [1e-5:1]
 set key bottom right
-keys = "central.fv central.fd quick.fv cubista.fv donor.fv"
+keys = "central.fv quick.fv cubista.fv donor.fv"
 plot 5*x**2 with lines ls 9 title 'second order', \
-	for [k=1:5] of(word(keys, k), 'results/space.txt') using 2:3 with linespoints ls k title word(keys, k)
+	for [k=1:4] of(word(keys, k), 'results/space.txt') using 2:3 with linespoints ls k title word(keys, k), \
+	of('central.fd', 'results/space.txt') using 2:3 with points ls 5 pt 6 ps 1.6 title 'central.fd'
 set title '32^2 cells: error of the time step'
 set xlabel 'step'
 set xtics (0.005, 0.01, 0.02, 0.04)

@@ -1,0 +1,59 @@
+# Schemes in time on decaying vortices, examples/flow/taylor_green
+title='Vortices of Taylor and Green on 128^2 cells: schemes in time'
+error='largest error at the end, amplitudes'
+reference='the same cells with rk3 and so many steps that more change nothing'
+setting='steps'
+also='steps'
+kind=Fluid
+budget=60
+pick='`time rk3` wherever the step may be near its limit: it takes the largest steps, and at the limit the error of the step is gone already.
+Where viscosity limits the step far below what the flow needs, `time ab2 viscous implicit` (Crank-Nicolson) down to errors of 1e-6;
+`viscous backward` and `euler` only for what becomes steady.'
+
+place=$top/examples/flow/taylor_green
+deck=$place/in.taylor_green
+
+# the largest difference of the six velocities at three points
+difference() {
+	awk '$1 != "POINTS" { next }
+	     NR == FNR { for (k = 2; k <= NF; k++) exact[k] = $k; next }
+	     { for (k = 2; k <= NF; k++) { d = $k - exact[k]; e = d > e ? d : -d > e ? -d : e } }
+	     END { print e }' "$work/exact" "$work/output"
+}
+
+# exact WORDS: the run that those which follow are held against
+exact() {
+	simulate "$@"
+	cp "$work/output" "$work/exact"
+}
+
+# steps METHOD WORDS: one line of steps
+steps() {
+	local method=$1 n
+	shift
+	for n in $steps; do
+		point "$method" $n -var steps $n "$@"
+	done
+}
+
+points() {
+	local scheme steps
+	problem 'convection limits the step'
+	set -- -var N 128 -var nu 0.01
+	exact "$@" -var time rk3 -var steps 1600
+	idle "$@" -var T 1e-6 -var steps 1
+	steps=$(levels 25 35 50 70 100 200 400 -- 800)
+	for scheme in euler ab2 rk2 rk3; do
+		steps $scheme "$@" -var time $scheme
+	done
+	problem 'viscosity limits the step'
+	set -- -var N 128 -var nu 0.5
+	exact "$@" -var time rk3 -var steps 3600
+	idle "$@" -var T 1e-6 -var steps 1
+	steps=$(levels 100 200 400 700 900 1800)
+	for scheme in euler ab2 rk2 rk3; do
+		steps $scheme "$@" -var time $scheme
+	done
+	steps 'ab2 + Crank-Nicolson' "$@" -var time ab2 -var viscous implicit
+	steps 'ab2 + backward Euler' "$@" -var time ab2 -var viscous backward
+}

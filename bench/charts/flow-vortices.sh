@@ -1,0 +1,27 @@
+# Schemes in space on decaying vortices, examples/flow/taylor_green
+title='Vortices of Taylor and Green that decay in a stream: schemes in space'
+error='largest error at the end, amplitudes'
+reference='exact; time rk3, with steps whose error does not count'
+setting='cells a side'
+also='cells a side'
+kind=Fluid
+budget=20
+pick='`convection quick`, the default: half the cells a side of `central` for the same error. Donor cells are of first order.'
+
+place=$top/examples/flow/taylor_green
+deck=$place/in.taylor_green
+
+difference() {
+	awk '/^RESULT.*velocity/ { print $3 }' "$work/output"
+}
+
+points() {
+	local scheme form N
+	idle -var N 16 -var T 1e-6 -var steps 1
+	for scheme in "donor fv" "central fv" "central fd" "cubista fv" "quick fv"; do
+		read -r scheme form <<<"$scheme"
+		for N in $(levels 16 32 64 128 -- 256); do
+			point "$scheme $form" $N -var N $N -var steps $((N * 2)) -var convection $scheme -var form $form
+		done
+	done
+}
