@@ -5,7 +5,7 @@ reference="Ergun's equation for the mean void fraction of the part that is measu
 setting='width of cells in diameters'
 also='width of cells in diameters'
 kind=Fluid
-budget=20
+budget=10
 pick='`method divided` with cells two diameters wide, with `interpolation cell` if they are wider: smaller ones resolve the pores between single spheres, for which the laws
 of drag are not made, wider ones smear the ends of the bed. Where cells must be smaller, `kernel`; `centre` only for
 cells of many diameters. A bed that is even across wants one cell across.'

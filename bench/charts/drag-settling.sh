@@ -5,7 +5,7 @@ reference='exact: exponentials'
 setting='steps in the time that is simulated, one relaxation time'
 also='steps in one relaxation time'
 kind=Fluid
-budget=40
+budget=20
 pick='`scheme exact`: of second order where the fluid is given; ten steps to a relaxation time for 0.1 %. Particles and a fluid that
 feels them exchange to first order with every scheme, `exact` with a quarter of the error where the fluid is the heavier one: 20
 steps for 1 %. `lagged yes` is a quarter cheaper and as good, as long as its step is stable; take one step of the fluid in several (`every`) only where the fluid

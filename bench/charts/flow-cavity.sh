@@ -5,7 +5,7 @@ reference='the converged profiles of tests/data/cavity_profiles_129.csv, good to
 setting='cells a side'
 also='cells a side'
 kind=Fluid
-budget=200
+budget=165
 pick='`convection quick`, the default, on cells that are finer towards the walls (`flow_grid ... tanh 1.2`): two thirds of the
 error of even cells at the same cost, with a third of the cells. Next is `central`; take `cubista` where nothing may
 overshoot. Donor cells and `form fd` are off by several times as much: only where nothing else stays stable.'

@@ -5,8 +5,10 @@ reference='the same with 48 cells to the diameter, of the Strouhal number with 4
 setting='cells to the diameter'
 also='cells to the diameter'
 kind=Fluid
-budget=130
-pick='TODO'
+budget=95
+pick='12 cells to the diameter for some per cent of the Strouhal number and the bubble and less than one of the drag, 16 for one, 24
+for half a per cent; the cost grows with the third power, and more where viscosity limits the step. `convection quick` from 12 cells
+on; the fewest cells shed better with `central`.'
 
 place=$top/examples/flow/cylinder
 deck=$place/in.cylinder

@@ -4,7 +4,7 @@ error='velocities at four places, off by a part of their rms'
 reference='direct solver, which leaves round-off only; for the bed cg to 1e-13'
 setting='tolerance'
 kind=Fluid
-budget=60
+budget=50
 pick='`direct` wherever all faces weigh the same (no void fraction): cheapest, and nothing is left. With a void fraction `cg`
 with its default, the direct solver as preconditioner (`multigrid` where drag is very strong): a tolerance of 1e-4
 suffices for velocities to 1e-5, and each further digit costs a few per cent. `sor` is there to compare with.'

@@ -5,7 +5,7 @@ reference='the same cells with rk3 and so many steps that more change nothing'
 setting='steps'
 also='steps'
 kind=Fluid
-budget=60
+budget=40
 pick='`time rk3` wherever the step may be near its limit: it takes the largest steps, and at the limit the error of the step is gone already.
 Where viscosity limits the step far below what the flow needs, `time ab2 viscous implicit` (Crank-Nicolson) down to errors of 1e-6;
 `viscous backward` and `euler` only for what becomes steady.'

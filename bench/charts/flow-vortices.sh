@@ -5,7 +5,7 @@ reference='exact; time rk3, with steps whose error does not count'
 setting='cells a side'
 also='cells a side'
 kind=Fluid
-budget=20
+budget=15
 pick='`convection quick`, the default: half the cells a side of `central` for the same error. Donor cells are of first order.'
 
 place=$top/examples/flow/taylor_green

@@ -41,7 +41,7 @@ set title 'off the converged values'
 set xlabel 'cells to D'; set ylabel '%'
 set logscale xy
 set xrange [8:100]; set xtics (10, 20, 40, 80)
-set yrange [0.003:200]; set ytics (0.01, 0.1, 1, 10, 100)
+set yrange [2e-4:200]; set ytics (0.01, 0.1, 1, 10, 100)
 set key bottom left
 line(name) = sprintf("< awk '$2 == \"%s\"' results/lines", name)
 names = "dfg2.Cl.swing dfg2.Cd.greatest dfg2.St dfg1.Cd"
