@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "advise/advise.h"
+#include "base/alloc.h"
 #include "base/clock.h"
 #include "core/price.h"
 #include "core/sim.h"
@@ -252,10 +253,12 @@ static int act(struct tsim *sim, struct ts_setup *setup, int argc, char **argv)
 
 int main(int argc, char **argv)
 {
-	struct tsim *sim = tsim_open();
 	struct ts_setup setup = { 0 };
+	struct tsim *sim;
 	int status;
 
+	ts_alloc_tune();
+	sim = tsim_open();
 	if (!sim) {
 		fputs(tsim_error(NULL), stderr);
 		exit(EXIT_FAILURE);

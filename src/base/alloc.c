@@ -5,10 +5,13 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include "base/banned.h"
 
-enum { CACHE_LINE = 64, LARGE_PAGE = 2 << 20, LARGE = 3 << 20 };
+enum { CACHE_LINE = 64, LARGE_PAGE = 2 << 20, LARGE = 3 << 19 };
 
 static atomic_long live_blocks;
 static atomic_long fail_countdown;
@@ -18,6 +21,14 @@ static int must_fail(void)
 	if (atomic_load_explicit(&fail_countdown, memory_order_relaxed) <= 0)
 		return 0;
 	return atomic_fetch_sub(&fail_countdown, 1) == 1;
+}
+
+/* A block that nearly fills its last large page fills it. */
+static size_t fill_page(size_t bytes)
+{
+	size_t rest = bytes % LARGE_PAGE;
+
+	return rest >= LARGE && bytes <= SIZE_MAX - LARGE_PAGE ? bytes + (LARGE_PAGE - rest) : bytes;
 }
 
 /* Columns are looked at all over the place: the processor then need not look up so many pages. */
@@ -31,6 +42,13 @@ static void ask_for_large_pages(void *p, size_t bytes)
 #endif
 }
 
+void ts_alloc_tune(void)
+{
+#ifdef M_MMAP_THRESHOLD
+	(void)mallopt(M_MMAP_THRESHOLD, 1 << 20);
+#endif
+}
+
 /* Blocks carry no header: a cache-line aligned block from aligned_alloc may be freed as any other. */
 static void *allocate(size_t n, size_t size, size_t alignment)
 {
@@ -41,6 +59,7 @@ static void *allocate(size_t n, size_t size, size_t alignment)
 		return NULL;
 	bytes = n && size ? n * size : 1;
 	if (alignment) {
+		bytes = fill_page(bytes);
 		if (posix_memalign(&p, bytes >= LARGE ? LARGE_PAGE : alignment, bytes) != 0)
 			p = NULL;
 		ask_for_large_pages(p, bytes);

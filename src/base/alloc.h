@@ -28,6 +28,9 @@ enum ts_status ts_renew(void **array, size_t *capacity, size_t need, size_t size
 #define TS_RENEW(array, capacity, need)                                                            \
 	ts_renew((void **)&(array), &(capacity), (need), sizeof *(array))
 
+/* For a program that is tsim alone: large blocks go back to the system when they are freed, and leave no holes. */
+void ts_alloc_tune(void);
+
 /* For tests. Blocks now allocated and not freed; let the k-th allocation from now fail (0: never). */
 long ts_alloc_balance(void);
 void ts_alloc_fail_at(long k);
