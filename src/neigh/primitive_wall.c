@@ -234,24 +234,33 @@ bool ts_primitive_wall_has_moved(const struct tsim *sim, const struct ts_primiti
 	       !(fabs(displacement(w, sim) - w->held) < 0.5 * sim->neigh->built_skin);
 }
 
+/* The distance from the wall; most particles are far from it, and most walls are planes. */
+static double away(const struct ts_primitive *at, const double x[3])
+{
+	double n[3];
+
+	return at->shape <= TS_ZPLANE ? fabs(x[at->shape] - at->position)
+				      : ts_primitive_distance(at, x, n);
+}
+
 enum ts_status ts_primitive_wall_list(struct ts_instance *self, struct tsim *sim, struct ts_wall *wall,
 				      struct ts_primitive_wall *w)
 {
 	const struct ts_particles *p = sim->particles;
+	bool pulls = ts_wall_reach(wall, 1) > 0;
 	struct ts_primitive at[MOST];
-	double n[3];
 
 	if (!sim->resuming)
 		w->held = displacement(w, sim);
 	for (int k = 0; k < w->n; k++)
 		at[k] = moved_by(w, k, w->held);
 	for (size_t i = 0; i < p->n; i++) {
-		if (!ts_wall_meets(self, sim, i, !isnan(w->temperature)))
-			continue;
+		double reach = p->radius[i] + sim->neigh->built_skin +
+			       (pulls ? ts_wall_reach(wall, p->radius[i]) : 0);
+
 		for (int k = 0; k < w->n; k++)
-			if (ts_primitive_distance(&at[k], p->xhold[i], n) <
-			    p->radius[i] + sim->neigh->built_skin +
-				    ts_wall_reach(wall, p->radius[i]))
+			if (away(&at[k], p->xhold[i]) < reach &&
+			    ts_wall_meets(self, sim, i, !isnan(w->temperature)))
 				TS_TRY(ts_wall_contacts_add(sim, &wall->contacts, i, k));
 	}
 	return TS_OK;
