@@ -69,6 +69,61 @@ sed "s|include.*|include in.cut|" in.threads >in.cut_threads
 report 'two runs' $? err
 same 'run 100 = run 37, run 63' t1.restart cut.restart
 
+# walls of triangles: a sphere that slips over the edge between two of them while it is in contact
+cat >plate.stl <<'END'
+solid p
+facet normal 0 0 1
+outer loop
+vertex -2 -2 0
+vertex 2 -2 0
+vertex 2 2 0
+endloop
+endfacet
+facet normal 0 0 1
+outer loop
+vertex -2 -2 0
+vertex 2 2 0
+vertex -2 2 0
+endloop
+endfacet
+endsolid p
+END
+cat >in.mesh <<'END'
+units si
+atom_style sphere
+newton off
+boundary f f f
+region box block -3 3 -3 3 -1 1 units box
+create_box 1 box
+neighbor 0.003 bin
+fix a all property/global youngsModulus peratomtype 5e6
+fix b all property/global poissonsRatio peratomtype 0.31
+fix c all property/global coefficientRestitution peratomtypepair 1 0.4
+fix e all property/global characteristicVelocity scalar 0.385
+pair_style gran model hooke
+pair_coeff * *
+variable s equal sqrt(0.0123)*5e6/(1-0.31^2)
+variable k equal 16/15*v_s*(15/16*0.0231*0.385^2/v_s)^0.2
+variable b equal -ln(0.4)/sqrt(PI^2+ln(0.4)^2)
+timestep $(PI/sqrt(v_k/0.0231*(1-v_b^2))/50.385)
+fix m all mesh/surface file plate.stl type 1
+fix w all wall/gran model hooke located ${located} mesh n_meshes 1 meshes m
+create_atoms 1 single 0.097 0.1 0.0124 units box
+create_atoms 1 single 0.3 0.1 0.0124 units box
+set group all diameter 0.0246 mass 0.0231
+velocity all set 1.7 0 -0.7 units box
+fix mv all nve/sphere
+run 100 post no
+print "over the edge $(vx[1]/1.7*(x[1]>0.1)) e $(abs(vz[1]/0.28-1)<1e-7) $(abs(vz[2]/0.28-1)<1e-7)"
+END
+for located in yes no; do
+	"$TSIM" -in in.mesh -log none -var located $located >"mesh.$located" 2>&1
+done
+grep -q '^over the edge 1 e 1 1$' mesh.yes
+report 'a wall of triangles' $? mesh.yes
+grep -q '^over the edge 1 e 0 0$' mesh.no
+report 'a wall of triangles, not located' $? mesh.no
+
 # refusals
 law='units si
 newton off
