@@ -144,6 +144,16 @@ START_TEST(partners_change_places)
 }
 END_TEST
 
+START_TEST(located_partners_change_places)
+{
+	change_places((struct ts_granular_model){ .normal = 1 + _i % TS_NORMAL_HERTZ_STIFFNESS,
+						  .tangential = _i / 5 % (TS_TANGENTIAL_NO_HISTORY + 1),
+						  .rolling = _i / 15 % 5,
+						  .no_tension = _i % 2,
+						  .located = true });
+}
+END_TEST
+
 START_TEST(area_partners_change_places)
 {
 	change_places(area_model(_i));
@@ -286,6 +296,7 @@ int main(void)
 
 	tcase_add_test(c, hertz_and_hooke_at_rest);
 	tcase_add_loop_test(c, partners_change_places, 0, 360);
+	tcase_add_loop_test(c, located_partners_change_places, 0, 75);
 	tcase_add_loop_test(c, area_partners_change_places, 0, 120);
 	tcase_add_loop_test(c, wall_is_the_limit, 0, 48);
 	tcase_add_loop_test(c, wall_is_the_limit_of_areas, 0, 120);

@@ -115,8 +115,8 @@ static inline void ts_granular_locate(const struct ts_granular_model *m, const s
 
 	*now = *t;
 	if (m->tangential != TS_TANGENTIAL_OFF)
-		ts_located_slip(&l, stage, ts_tangential_remembers(m), advance ? dt : 0, own, memory,
-				now);
+		ts_located_slip(m, n, &l, stage, ts_tangential_remembers(m), advance ? dt : 0, own,
+				memory, now);
 }
 
 /* `dt`: the time step; `advance`: false in the set-up of a run, when memory stands still. */
@@ -127,6 +127,7 @@ ts_granular_contact(const struct ts_granular_model *m, const struct ts_granular_
 {
 	struct ts_normal n;
 	struct ts_touch now;
+	const double *slip = t->slip; /* as the velocities have it */
 	double tangential[3], roll[3], pull, twist;
 
 	ts_normal_force(m, c, t, advance, memory + ts_granular_depth_at(m), &n);
@@ -140,6 +141,9 @@ ts_granular_contact(const struct ts_granular_model *m, const struct ts_granular_
 		n.limit += pull;
 	ts_tangential_force(m, c, t, &n, advance ? dt : 0, memory,
 			    memory + ts_granular_area_at(m), tangential);
+	if (m->located && m->tangential != TS_TANGENTIAL_OFF)
+		ts_located_slips(m, t, slip, advance ? dt : 0.5 * dt, tangential,
+				 memory + ts_granular_located_at(m));
 	ts_rolling_torque(m, c, t, &n, dt, advance, memory + ts_granular_rolling_at(m), roll);
 	twist = ts_twisting_torque(m, c, t, &n, advance ? dt : 0, memory + ts_granular_twist_at(m));
 	if (ts_normal_sticks(m))

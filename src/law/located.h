@@ -31,7 +31,7 @@ enum {
 	TS_LOCATED_AIM,
 	TS_LOCATED_AHEAD,
 	TS_LOCATED_STAGE,
-	TS_LOCATED_SLIP, /* of the last step, three numbers, where there is a tangential law */
+	TS_LOCATED_SLIP, /* what the tangential force aimed at, three numbers, where there is one */
 	TS_LOCATED_MEMORY = TS_LOCATED_SLIP + 3
 };
 static inline int ts_located_memory(const struct ts_granular_model *m)
@@ -182,22 +182,43 @@ static inline struct ts_located ts_located_force(const struct ts_granular_model 
 	return l;
 }
 
-/* The slip at t, extrapolated from those of half a step before and of the step before that (or, after a set-up, of its
- * time). The tangential spring xi will be advanced by it for the whole of *step: what is too much is taken back first. `stage`:
- * before this step. */
-static inline void ts_located_slip(const struct ts_located *l, double stage, bool remembers, double step,
-				   double *memory, double *xi, struct ts_touch *t)
+/* What the tangential force moves: the slip of two spheres (or discs) that turn, too. */
+static inline double ts_located_slip_mass(const struct ts_granular_model *m, const struct ts_touch *t)
 {
-	double part = stage == TS_LOCATED_NEW ? 0 : stage == TS_LOCATED_SET_UP ? 1 : 0.5;
+	return t->m_eff / (m->plane ? 3 : 3.5);
+}
+
+/* The slip s at t, as far as springs and dashpots make it: s = u + h/2 (g + F/m), F = -k_t xi - gamma_t s, with the slip u of
+ * half a step before and, as above, g what all else changes it by. The spring xi will be advanced by s for the whole of
+ * *step: what is too much is taken back first. `stage`: before this step. */
+static inline void ts_located_slip(const struct ts_granular_model *m, const struct ts_normal *n,
+				   const struct ts_located *l, double stage, bool remembers,
+				   double step, const double *memory, double *xi,
+				   struct ts_touch *t)
+{
+	double mass = ts_located_slip_mass(m, t), z = 0.5 * step * n->gammat / mass;
+	bool known = stage == TS_LOCATED_SET_UP || stage == TS_LOCATED_TOUCHES;
+	double part = !known ? 0 : stage == TS_LOCATED_SET_UP ? 1 : 0.5;
 
 	for (int k = 0; k < 3; k++) {
-		double slip = t->slip[k], more = step > 0 ? part * (slip - memory[TS_LOCATED_SLIP + k]) : 0;
+		double u = t->slip[k], at = remembers ? xi[k] + l->before * u : 0, s = u;
 
-		memory[TS_LOCATED_SLIP + k] = slip;
-		t->slip[k] += more;
+		if (step > 0)
+			s += part * (u - memory[TS_LOCATED_SLIP + k]) - 0.5 * step * n->kt * at / mass;
+		t->slip[k] = s / (1 + z);
 		if (remembers)
-			xi[k] += l->before * slip - step * t->slip[k];
+			xi[k] = at - step * t->slip[k];
 	}
+}
+
+/* Afterwards: the slip that the force on i aims at. `u`: half a step before. */
+static inline void ts_located_slips(const struct ts_granular_model *m, const struct ts_touch *t,
+				    const double u[3], double time, const double force[3],
+				    double *memory)
+{
+	for (int k = 0; k < 3; k++)
+		memory[TS_LOCATED_SLIP + k] =
+			u[k] + time * force[k] / ts_located_slip_mass(m, t);
 }
 
 #endif

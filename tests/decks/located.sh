@@ -69,6 +69,47 @@ sed "s|include.*|include in.cut|" in.threads >in.cut_threads
 report 'two runs' $? err
 same 'run 100 = run 37, run 63' t1.restart cut.restart
 
+# what is poured comes to rest, also where it is damped strongly
+cat >in.settle <<'END'
+units si
+atom_style sphere
+boundary p p f
+newton off
+communicate single vel yes
+region box block 0 0.036 0 0.036 -0.001 0.2 units box
+create_box 1 box
+neighbor 0.002 bin
+fix m1 all property/global youngsModulus peratomtype 5e6
+fix m2 all property/global poissonsRatio peratomtype 0.25
+fix m3 all property/global coefficientRestitution peratomtypepair 1 ${e}
+fix m4 all property/global coefficientFriction peratomtypepair 1 0.5
+fix m5 all property/global characteristicVelocity scalar 0.3
+pair_style gran model hooke tangential history located yes
+pair_coeff * *
+lattice sc 0.012
+region fill block 0 0.0359 0 0.0359 0.006 0.08 units box
+create_atoms 1 region fill
+set group all diameter 0.01 density 2500
+displace_atoms all random 0.0009 0.0009 0.0009 77723 units box
+fix g all gravity 9.81 vector 0 0 -1
+fix w all wall/gran model hooke tangential history located yes primitive type 1 zplane 0.0
+fix mv all nve/sphere
+variable mass equal 2500*PI/6*0.01^3
+variable s equal sqrt(0.0025)*5e6/(1-0.25^2)/2
+variable k equal 16/15*v_s*(15/16*v_mass/2*0.09/v_s)^0.2
+variable b equal -ln(v_e)/sqrt(PI^2+ln(v_e)^2)
+variable time equal PI/sqrt(v_k/(v_mass/2)*(1-v_b^2))
+timestep $(v_time/v_n)
+run $(floor(0.5/v_time*v_n)) post no
+print "at rest $(ke<1e-6)"
+END
+for setting in '0.5 20' '0.06 50'; do
+	set -- $setting
+	"$TSIM" -in in.settle -log none -var e "$1" -var n "$2" >settled 2>&1
+	grep -q '^at rest 1$' settled
+	report "e = $1 with $2 steps per contact comes to rest" $? settled
+done
+
 # walls of triangles: a sphere that slips over the edge between two of them while it is in contact
 cat >plate.stl <<'END'
 solid p
