@@ -100,7 +100,7 @@ variable k equal 16/15*v_s*(15/16*v_mass/2*0.09/v_s)^0.2
 variable b equal -ln(v_e)/sqrt(PI^2+ln(v_e)^2)
 variable time equal PI/sqrt(v_k/(v_mass/2)*(1-v_b^2))
 timestep $(v_time/v_n)
-run $(floor(0.5/v_time*v_n)) post no
+run $(floor(v_n/v_time)) post no
 print "at rest $(ke<1e-6)"
 END
 for setting in '0.5 20' '0.06 50'; do
