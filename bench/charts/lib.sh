@@ -12,6 +12,11 @@ levels() {
 	done
 }
 
+# located METHOD: whether the contacts of a method are to be located within the step: its last word
+located() {
+	case $1 in *' located') echo yes ;; *) echo no ;; esac
+}
+
 # problem NAME: the points that follow belong to it; each problem has a panel and a front of its own
 problem() {
 	problem=$1
@@ -43,6 +48,32 @@ idle() {
 	idle=$((10#${seconds/./}))
 }
 
+# ensemble SEEDS WORDS: runs the deck once for each seed (-var seed SEED). All outputs are in $work/output, $seconds is the
+# mean time of a run.
+ensemble() {
+	local seed sum=0 count=0 REPEATS=1
+	: >"$work/outputs"
+	for seed in $1; do
+		simulate "${@:2}" -var seed "$seed" || return 1
+		cat "$work/output" >>"$work/outputs"
+		sum=$((sum + 10#${seconds/./}))
+		count=$((count + 1))
+	done
+	mv "$work/outputs" "$work/output"
+	sum=$(((sum + count / 2) / count))
+	seconds=$(printf '%d.%03d' $((sum / 1000)) $((sum % 1000)))
+}
+
+# deviation NAME: how far the mean of all lines `VALUE NAME number` of an ensemble is from that of the finest one, and the
+# standard error of this difference, both by the latter mean
+deviation() {
+	awk -v name="$1" '$1 != "VALUE" || $2 != name { next }
+		{ f = NR == FNR; n[f]++; s[f] += $3; q[f] += $3 * $3 }
+		END { for (f = 0; f < 2; f++) { m[f] = s[f] / n[f]; v += (q[f] / n[f] - m[f]^2) / (n[f] > 1 ? n[f] - 1 : 1) }
+		      d = m[0] / m[1] - 1
+		      print (d < 0 ? -d : d), sqrt(v > 0 ? v : 0) / (m[1] < 0 ? -m[1] : m[1]) }' "$work/finest/output" "$work/output"
+}
+
 # record METHOD SETTING ERROR [SPREAD]: a point of the chart; its cost is $seconds
 record() {
 	case $problem$1$2 in *,*) echo "charts: a comma in '$problem', '$1' or '$2' of $chart" >&2; exit 1 ;; esac
@@ -50,10 +81,16 @@ record() {
 	echo "  $chart${problem:+, $problem}: $1, $2: error $(printf %.3g "$3"), $seconds s"
 }
 
-# finest WORDS: a run whose output is the reference of the points that follow. It is no point itself.
+# finest WORDS: a run that is the reference of the points that follow, and no point itself. What it prints and writes is
+# kept in $work/finest, the output as `output`.
 finest() {
 	simulate "$@" || { tail -n 5 "$work/output" >&2; exit 1; }
-	cp "$work/output" "$work/reference"
+	keep_finest
+}
+
+keep_finest() {
+	mkdir -p "$work/finest"
+	find "$work" -maxdepth 1 -type f ! -name points -exec cp {} "$work/finest" ';'
 }
 
 # difference: the root mean square of the differences between the numbers in lines `VALUE name number` of the output and
@@ -62,7 +99,7 @@ difference() {
 	awk '$1 != "VALUE" { next }
 	     NR == FNR { reference[$2] = $3; next }
 	     { d += ($3 - reference[$2])^2; r += reference[$2]^2; n++ }
-	     END { if (n && r > 0) printf "%.6g\n", sqrt(d / r); else print "nan" }' "$work/reference" "$work/output"
+	     END { if (n && r > 0) printf "%.6g\n", sqrt(d / r); else print "nan" }' "$work/finest/output" "$work/output"
 }
 
 # point METHOD SETTING WORDS: a run and its error: what its line `ERROR number [spread]` says, else its difference from
@@ -95,7 +132,7 @@ heading() {
 # load NAME: reads the definition of a chart
 load() {
 	chart=$1
-	problem= idle=0 place= spread= also= log=xy deck=$folder/$chart.in
+	problem= idle=0 place= spread= also= price= deck=$folder/$chart.in
 	unset -f points figure
 	. "$folder/$chart.sh"
 }
@@ -126,14 +163,18 @@ draw() {
 			figure "$format" "$out/$chart.$format"
 			continue
 		fi
-		plot "$out/$chart.$format" seconds 'processor time (s)'
-		[ -z "$also" ] || plot "$out/$chart-setting.$format" setting "$also"
+		if [ -n "$price" ]; then
+			plot "$out/$chart.$format" seconds-setting "$price" 'processor time (s)'
+		else
+			plot "$out/$chart.$format" error-seconds 'processor time (s)' "$error"
+		fi
+		[ -z "$also" ] || plot "$out/$chart-setting.$format" error-setting "$also" "$error"
 	done
 }
 
-plot() { # FILE COLUMN LABEL
-	awk -v file="$1" -v format="${1##*.}" -v column="$2" -v xlabel="$3" -v ylabel="$error" -v title="$title" \
-		-v log_axes="$log" -f "$here/plot.awk" "$out/$chart.csv" | gnuplot
+plot() { # FILE AXES XLABEL YLABEL
+	awk -v file="$1" -v format="${1##*.}" -v axes="$2" -v xlabel="$3" -v ylabel="$4" -v title="$title" \
+		-f "$here/plot.awk" "$out/$chart.csv" | gnuplot
 }
 
 # The page of all charts whose data there is.

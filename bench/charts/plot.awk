@@ -1,17 +1,18 @@
 # Writes the gnuplot script of a chart: a panel for each problem, a line for each method, a band along the front.
-# Set: file, format (svg or png), column (seconds or setting), xlabel, ylabel, title, log_axes (xy, x or y).
+# Set: file, format (svg or png), axes (error-seconds, error-setting or seconds-setting), xlabel, ylabel, title.
 BEGIN {
 	FS = ","
 	# colours that also those see apart who do not see all (Okabe and Ito)
 	split("#0072B2 #D55E00 #009E73 #CC79A7 #E69F00 #56B4E9 #000000 #8c8c8c", colour, " ")
 	split("6 5 9 13 11 7 1 2", mark, " ")
 }
+BEGIN { column = axes ~ /setting$/ ? "setting" : "seconds" }
 /^#/ || $1 == "chart" || $5 !~ /^[-+.0-9]/ { next }
 {
 	if (!($2 in panel)) { panel[$2] = ++panels; heading[panels] = $2 }
 	if (!($3 in line)) { line[$3] = ++lines; name[lines] = $3 }
 	n++
-	at[n] = panel[$2]; method[n] = line[$3]; error[n] = $5 + 0; spread[n] = $7 + 0; front[n] = $8; setting[n] = $4
+	at[n] = panel[$2]; method[n] = line[$3]; error[n] = (axes ~ /^seconds/ ? $6 : $5) + 0; spread[n] = axes ~ /^error/ ? $7 + 0 : 0; front[n] = $8; setting[n] = $4
 	x[n] = column == "setting" ? $4 + 0 : $6 + 0
 	drawn[at[n], method[n]] = 1
 	if (error[n] == 0) zero[at[n]] = 1
@@ -61,8 +62,7 @@ END {
 	else printf "set terminal pngcairo size %d,%d font 'Helvetica,10'\n", width, height
 	printf "set output '%s'\n", file
 	print "set border 3 lc rgb '#444444'; set grid lc rgb '#e5e5e5' lt 1; set tics nomirror"
-	if (log_axes ~ /x/) print "set logscale x"
-	if (log_axes ~ /y/) print "set logscale y"
+	print "set logscale xy"
 	printf "set xlabel \"%s\"\nset multiplot layout %d,%d title \"%s\" noenhanced\n", xlabel, rows, columns, title
 	for (p = 1; p <= panels; p++) panel_of(p)
 	print "unset multiplot\nunset output"
@@ -85,12 +85,16 @@ function panel_of(p,	i, m, text, any) {
 		printf "$p%dm%d << END\n", p, m
 		any = 0
 		for (i = 1; i <= n; i++)
-			if (at[i] == p && method[i] == m) { print x[i], shown(i), spread[i]; any = 1 }
-		if (!any) print "nan nan nan"
+			if (at[i] == p && method[i] == m) {
+				bottom = error[i] - spread[i]
+				print x[i], shown(i), (bottom > low ? bottom : low), error[i] + spread[i]
+				any = 1
+			}
+		if (!any) print "nan nan nan nan"
 		print "END"
 		text = text (text ? ", \\\n" : "") sprintf("$p%dm%d using 1:2 with linespoints lw 1.8 ps %g pt %s lc rgb '%s' title \"%s\"",
 			p, m, m == 1 ? 1.6 : 0.9, mark[(m - 1) % 8 + 1], colour[(m - 1) % 8 + 1], name[m])
-		if (bars) text = text sprintf(", $p%dm%d using 1:2:3 with yerrorbars lw 1 pt -1 lc rgb '%s' notitle", p, m,
+		if (bars) text = text sprintf(", $p%dm%d using 1:2:3:4 with yerrorbars lw 1 pt -1 lc rgb '%s' notitle", p, m,
 			colour[(m - 1) % 8 + 1])
 	}
 	if (column == "seconds") text = text ", \\\n$front" p " using 1:2:3 with labels noenhanced font ',8' tc rgb '#555555' left offset 0.4,0.7 notitle"

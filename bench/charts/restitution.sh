@@ -10,14 +10,15 @@ pick='`fix nve` (velocity Verlet); 50 steps per contact where some per cent of e
 `nve/symplectic` is as good; `nve/euler` needs several times the work for the same error and has no use but to reproduce.'
 
 points() {
-	local law e scheme steps
+	local law e method steps
 	for law in linear Hertz; do
 		for e in 1 0.6 0.2; do
 			problem "$law law with e = $e"
 			idle -var law $law -var e $e -var runs 0
-			for scheme in nve nve/symplectic nve/euler; do
-				for steps in $(levels 16 25 50 100 200 400 800 -- 1600 3200 6400 12800); do
-					point "$scheme" "$steps" -var law $law -var e $e -var scheme $scheme -var steps $steps
+			for method in nve nve/symplectic nve/euler 'nve located'; do
+				for steps in $(levels 10 16 25 50 100 200 400 800 -- 1600 3200 6400 12800); do
+					point "$method" $steps -var law $law -var e $e -var steps $steps \
+						-var scheme ${method% *} -var located $(located "$method")
 				done
 			done
 		done

@@ -1,0 +1,26 @@
+# The skin of the neighbour search
+title='Skin of the neighbour search: 2940 grains fall together in a box'
+kind=Grains
+error='relative difference of positions'
+reference='the run with a skin of 0.2 diameters'
+setting='skin by the diameter of the grains'
+price='skin by the diameter'
+budget=25
+deck=$here/collapse.in
+pick='0.1 to 0.3 diameters. The skin is a matter of cost alone: results are the same bit for bit (differences of 0 stand at the
+foot of the picture), for pairs are found before they can touch, and in one order.'
+
+difference() {
+	awk 'FNR < 10 { next }
+	     NR == FNR { for (k = 2; k <= 4; k++) reference[$1, k] = $k; next }
+	     { for (k = 2; k <= 4; k++) { d += ($k - reference[$1, k])^2; r += reference[$1, k]^2 } }
+	     END { print sqrt(d / r) }' "$work/finest/end" "$work/end"
+}
+
+points() {
+	local skin
+	finest -var skin 0.2 -var rayleigh 0.2
+	for skin in $(levels 0.01 0.02 0.05 0.1 0.2 0.3 0.5 0.8); do
+		point 'velocity Verlet' $skin -var skin $skin -var rayleigh 0.2
+	done
+}
