@@ -30,7 +30,7 @@ simulate() {
 	for ((k = 0; k < ${REPEATS:-5} && total < 500; k++)); do
 		{ time (cd "${place:-$work}" && "$tsim" -in "$deck" -log none -threads 1 "$@" \
 			>"$work/output" 2>&1 </dev/null); } \
-			2>"$work/time" || return 1
+			2>"$work/time" || { sed -n '/error:/{p;q;}' "$work/output" >&2; return 1; }
 		read -r user system <"$work/time"
 		took=$((10#${user/./} + 10#${system/./}))
 		total=$((total + took))
@@ -44,7 +44,7 @@ simulate() {
 # idle WORDS: the time of this run, one of no steps, is taken off the points that follow up to the next `problem`
 idle() {
 	idle=0
-	simulate "$@" || { tail -n 5 "$work/output" >&2; exit 1; }
+	simulate "$@" || exit 1
 	idle=$((10#${seconds/./}))
 }
 
@@ -76,6 +76,7 @@ deviation() {
 
 # record METHOD SETTING ERROR [SPREAD]: a point of the chart; its cost is $seconds
 record() {
+	case ${3-} in nan | [-+.0-9]*) ;; *) echo "charts: '${3-}' is no error, in $chart, $1, $2" >&2; exit 1 ;; esac
 	case $problem$1$2 in *,*) echo "charts: a comma in '$problem', '$1' or '$2' of $chart" >&2; exit 1 ;; esac
 	echo "$chart,$problem,$1,$2,$(printf %.6g "$3"),$seconds,$(printf %.3g "${4:-0}")" >>"$work/points"
 	echo "  $chart${problem:+, $problem}: $1, $2: error $(printf %.3g "$3"), $seconds s"
@@ -84,7 +85,7 @@ record() {
 # finest WORDS: a run that is the reference of the points that follow, and no point itself. What it prints and writes is
 # kept in $work/finest, the output as `output`.
 finest() {
-	simulate "$@" || { tail -n 5 "$work/output" >&2; exit 1; }
+	simulate "$@" || exit 1
 	keep_finest
 }
 
@@ -112,7 +113,6 @@ point() {
 		[ -n "$error" ] || error=$(difference)
 	else
 		error=nan seconds=nan
-		sed -n '/error:/{p;q;}' "$work/output" >&2
 	fi
 	record "$method" "$setting" ${error:-nan}
 }
@@ -121,10 +121,10 @@ point() {
 heading() {
 	echo "# $title"
 	echo "# error: $error"
-	echo "# reference: $reference"
-	echo "# setting: $setting"
+	echo "# reference: ${reference//$'\n'/ }"
+	echo "# setting: ${setting//$'\n'/ }"
 	echo "# seconds: processor time of one thread, user and system, least of ${REPEATS:-5} runs if they are short"
-	[ -z "${spread-}" ] || echo "# spread: $spread"
+	[ -z "$spread" ] || echo "# spread: $spread"
 	echo "# took $1 s of processor time (budget $budget s${LONG:+; long setting})"
 	echo "chart,problem,method,setting,error,seconds,spread,front"
 }

@@ -46,9 +46,12 @@ function axis_of(p) {
 	wide = log(xhi[p] / xlo[p]) / log(10)
 	if (wide <= 1.3) print "set xtics add (" ticks(below(xlo[p] * 0.95), above(xhi[p] * 1.1)) ")"
 }
-function ticks(a, b,	text, v) {
+# labels of 1, 2, 5 in each decade, and of those between where there is less than one
+function ticks(a, b,	text, v, k, some, m) {
+	m = split(b / a < 6 ? "1 1.5 2 3 4 5 7" : "1 2 5", some, " ")
 	for (v = floor10(a); v <= b; v *= 10)
-		text = text sprintf("%s'%g' %g, '%g' %g, '%g' %g", text ? ", " : "", v, v, 2 * v, 2 * v, 5 * v, 5 * v)
+		for (k = 1; k <= m; k++)
+			text = text sprintf("%s'%g' %g", text ? ", " : "", v * some[k], v * some[k])
 	return text
 }
 function shown(i) { return error[i] > 0 ? error[i] : floor_of[at[i]] }
