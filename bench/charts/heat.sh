@@ -6,9 +6,9 @@ reference='exact: the exponential of the matrix, by the eigenvectors of a chain 
 setting='steps in a time of 2.385 m c/h, h the conductance of a contact'
 also='steps'
 budget=20
-pick='`scheme exact` wherever contacts change slowly: any step, errors of round-off, at about the cost of a few hundred
-explicit steps for the whole time; `scheme euler` (that of LIGGGHTS) where the step is bound to be short anyway, as it
-is with moving grains: its error is of first order, 1 % at 128 steps here.'
+pick='`scheme exact` where a step may be long: any step, errors of round-off, for the time of about a hundred explicit steps.
+`scheme euler` (that of LIGGGHTS) where collisions keep the step short anyway: it is of first order, and even near its limit of stability
+(16 steps here) off by less than a thousandth of the initial difference.'
 
 # T = 273.15 + 500 product over the axes of sum over k of v_k(2) v_k(i) exp(-l_k t/tau), with v_k(i) = cos(pi k (i + 1/2)/5)
 # (normalised) and l_k = 2 - 2 cos(pi k/5): the matrix is the sum of those of chains along the axes.

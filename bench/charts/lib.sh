@@ -64,14 +64,15 @@ ensemble() {
 	seconds=$(printf '%d.%03d' $((sum / 1000)) $((sum % 1000)))
 }
 
-# deviation NAME: how far the mean of all lines `VALUE NAME number` of an ensemble is from that of the finest one, and the
-# standard error of this difference, both by the latter mean
+# deviation NAME: how far the mean of the lines `VALUE NAME number` of an ensemble is from that of the finest one with the
+# same seeds, and the standard error of this difference, run by run; both by the mean of the finest
 deviation() {
 	awk -v name="$1" '$1 != "VALUE" || $2 != name { next }
-		{ f = NR == FNR; n[f]++; s[f] += $3; q[f] += $3 * $3 }
-		END { for (f = 0; f < 2; f++) { m[f] = s[f] / n[f]; v += (q[f] / n[f] - m[f]^2) / (n[f] > 1 ? n[f] - 1 : 1) }
-		      d = m[0] / m[1] - 1
-		      print (d < 0 ? -d : d), sqrt(v > 0 ? v : 0) / (m[1] < 0 ? -m[1] : m[1]) }' "$work/finest/output" "$work/output"
+		NR == FNR { reference[++n] = $3; r += $3; next }
+		{ x = $3 - reference[++k]; d += x; q += x * x }
+		END { d /= n; r /= n; v = (q / n - d * d) / (n > 1 ? n - 1 : 1)
+		      print (d < 0 ? -d : d) / (r < 0 ? -r : r), sqrt(v > 0 ? v : 0) / (r < 0 ? -r : r) }' \
+		"$work/finest/output" "$work/output"
 }
 
 # record METHOD SETTING ERROR [SPREAD]: a point of the chart; its cost is $seconds

@@ -70,7 +70,7 @@ END {
 	for (p = 1; p <= panels; p++) panel_of(p)
 	print "unset multiplot\nunset output"
 }
-function panel_of(p,	i, m, text, any) {
+function panel_of(p,	i, m, text, any, look, bottom) {
 	axis_of(p)
 	printf "set title \"%s\" noenhanced\n", heading[p]
 	if ((p - 1) % columns == 0) printf "set ylabel \"%s\"\n", ylabel
@@ -95,10 +95,12 @@ function panel_of(p,	i, m, text, any) {
 			}
 		if (!any) print "nan nan nan nan"
 		print "END"
-		text = text (text ? ", \\\n" : "") sprintf("$p%dm%d using 1:2 with linespoints lw 1.8 ps %g pt %s lc rgb '%s' title \"%s\"",
-			p, m, m == 1 ? 1.6 : 0.9, mark[(m - 1) % 8 + 1], colour[(m - 1) % 8 + 1], name[m])
-		if (bars) text = text sprintf(", $p%dm%d using 1:2:3:4 with yerrorbars lw 1 pt -1 lc rgb '%s' notitle", p, m,
-			colour[(m - 1) % 8 + 1])
+		look = sprintf("lc rgb '%s'", colour[(m - 1) % 8 + 1])
+		if (bars) # first, so that they do not cross the marks out
+			text = text (text ? ", \\\n" : "") sprintf("$p%dm%d using 1:2:3:4 with yerrorbars lw 1 pt -1 %s notitle",
+				p, m, look)
+		text = text (text ? ", \\\n" : "") sprintf("$p%dm%d using 1:2 with linespoints lw 1.8 ps %g pt %s %s title \"%s\"",
+			p, m, m == 1 ? 1.6 : 0.9, mark[(m - 1) % 8 + 1], look, name[m])
 	}
 	if (column == "seconds") text = text ", \\\n$front" p " using 1:2:3 with labels noenhanced font ',8' tc rgb '#555555' left offset 0.4,0.7 notitle"
 	print "plot " text

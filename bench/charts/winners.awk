@@ -1,7 +1,8 @@
-# The table of a chart: for each problem and decade of the error, the cheapest point that is at least so exact.
+# The table of a chart: for each problem and decade of the error, the cheapest point that is at least so exact. Errors above
+# one half are not worth a row.
 BEGIN { FS = "," }
 /^#/ || $1 == "chart" { next }
-$8 == 1 {
+$8 == 1 && $5 <= 0.5 {
 	n++
 	problem[n] = $2; method[n] = $3; setting[n] = $4; error[n] = $5 + 0; seconds[n] = $6 + 0
 	if (!($2 in seen)) { seen[$2] = 1; names[++m] = $2 }
