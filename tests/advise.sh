@@ -54,7 +54,7 @@ awk '{ sub(/^[*> ]*/, "") } /^as it is:/ { a = $(NF - 3) } /^timestep 0.00125 / 
 report 'the change of the step is of second order' $? ../ratio
 [ "$(row 'timestep 0.000625')" = finest ]
 report 'the finest step is the measure' $? ../out
-grep -qE '^# of a fix that counts steps' ../out && grep -qE ' #slow( |$)' ../out
+grep -qE '^# of a fix that counts or measures steps' ../out && grep -qE ' #slow( |$)' ../out
 report 'averages over steps are marked' $? ../out
 ! grep -qE '(Step|Time|CPU)( |$)' ../out
 report 'clocks are no columns' $? ../out

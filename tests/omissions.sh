@@ -9,6 +9,7 @@
 cat >proofs <<'END'
 columns          full columns bed
 columns          full columns grains
+columns          full columns turning
 contact rows     full rows free
 contact history  full history bed
 contact history  full history grains
@@ -183,6 +184,25 @@ sed -i 's/^boundary p p p/boundary p p f/' free
 fluid '' >in.fluid
 fluid 'fix room none void_fraction' >in.fluid_room
 
+# a ball in a fluid that is sheared at the rate 1.2: it turns with half of that
+{
+	sed -e '/^create_atoms/,$d' -e 's/0 0.02 0 0.02 0 0.02/0 1 0 1 0 1/' free
+	cat <<-END
+	create_atoms 1 single 0.5 0.5 0.5 units box
+	set group all diameter 0.31 density 2.385
+	flow_style projection cells 12 12 12 viscosity 1.1 density 1.3 viscous implicit
+	flow_boundary zlo wall velocity -0.6 0 0
+	flow_boundary zhi wall velocity 0.6 0 0
+	fix ball all immersed/boundary spheres
+	fix i all nve/sphere
+	timestep 2e-3
+	compute spin all property/atom omegay
+	compute most all reduce max c_spin
+	END
+	outputs 400
+	echo 'print "spin $(c_most)"'
+} >in.turning
+
 # ---- the proofs
 # go SCENE FOLDER OPTIONS...: runs it there
 go() {
@@ -239,6 +259,9 @@ done <proofs
 "$TSIM" -log none -in in.walled_periodic >told 2>&1
 grep -q '^Nghost: [1-9]' told && awk 'NF == 10 && $8 != 0 { n++ } END { exit !(n > 8) }' d*.txt
 report 'there are images, and grains that touch' $? told
+
+"$TSIM" -log none -in in.turning >told 2>&1 && awk '/^spin/ { exit !($2 > 0.58 && $2 < 0.62) }' told
+report 'the fluid turns a ball' $? told
 
 # all at once
 go pour without -threads 2 && go pour with -threads 2 -full && diff -r without with >difference

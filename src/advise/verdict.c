@@ -298,7 +298,7 @@ static void add_table(const struct ts_board *b, struct ts_str *out)
 			"round-off grows to. * nothing is both cheaper and closer. > advised\n");
 	for (int c = 0; c < b->columns; c++)
 		if (b->counts[c]) {
-			ts_str_add(out, "# of a fix that counts steps, so it is another thing with another step: not "
+			ts_str_add(out, "# of a fix that counts or measures steps, so another thing with another step: not "
 					"judged\n");
 			break;
 		}

@@ -124,6 +124,8 @@ static enum ts_status make_spheres(struct ts_instance *self, struct tsim *sim, i
 	struct state *s = self->state;
 	char name[64];
 
+	/* the fluid turns them */
+	TS_TRY(ts_particles_need(sim, TS_NEED(OMEGA) | TS_NEED(TORQUE)));
 	snprintf(name, sizeof name, "immersed %s", self->id);
 	TS_TRY(ts_particles_add_column(sim, name, RECORD, 0, &s->column));
 	s->solid = ts_solid_of_spheres(self->group, dimensions);
