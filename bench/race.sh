@@ -68,7 +68,7 @@ mirrored() {
 
 # of_scene NAME: what its file says (see bench/scenes/*/scene), and its start in this folder
 of_scene() {
-	dialects='liggghts lammps' why='' period='0 0 0' near=1e-9 far=1e-6 energy=1e-6 column='' words=()
+	dialects='liggghts lammps' why='' period='0 0 0' near=1e-9 far=1e-6 centre='' energy=1e-6 column='' words=()
 	scene=$1
 	rm -f bonds ./*.dump ./*.usage ./*.log ./*.loop
 	# shellcheck source=/dev/null
