@@ -59,7 +59,8 @@ static void *allocate(size_t n, size_t size, size_t alignment)
 		return NULL;
 	bytes = n && size ? n * size : 1;
 	if (alignment) {
-		bytes = fill_page(bytes);
+		/* see ts_alloc_aligned */
+		bytes = fill_page((bytes / alignment + 1) * alignment);
 		if (posix_memalign(&p, bytes >= LARGE ? LARGE_PAGE : alignment, bytes) != 0)
 			p = NULL;
 		ask_for_large_pages(p, bytes);

@@ -8,7 +8,11 @@
 #if defined(__x86_64__) && defined(__gnu_linux__) && defined(__GNUC__) && !defined(__clang__) &&           \
 	defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__) && !defined(__AVX2__)
 #define TS_CLONES __attribute__((target_clones("avx512f", "avx2", "default")))
+/* For the rest of a file: small inner loops are unrolled first, also with -O2; else loops around them stay as they
+ * are. Before all other includes. */
+#define TS_UNROLLED _Pragma("GCC optimize(\"O3\")")
 #else
+#define TS_UNROLLED
 #define TS_CLONES
 #endif
 

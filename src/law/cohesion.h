@@ -11,7 +11,7 @@
 #include "law/normal.h"
 
 /* The circle in which two overlapping spheres cut each other, or a sphere and a plane. */
-static inline double ts_lens_area(const struct ts_touch *t)
+TS_INLINE double ts_lens_area(const struct ts_touch *t)
 {
 	if (t->wall)
 		return ts_lens_of_plane(t->distance, t->radius[0]);
@@ -19,7 +19,7 @@ static inline double ts_lens_area(const struct ts_touch *t)
 }
 
 /* The force to be added to F_n. */
-static inline double ts_cohesion_force(const struct ts_granular_model *m,
+TS_INLINE double ts_cohesion_force(const struct ts_granular_model *m,
 				       const struct ts_granular_pair *c, const struct ts_touch *t)
 {
 	switch (m->cohesion) {

@@ -18,19 +18,31 @@ struct ts_granular_force {
 	double normal;	/* F_n, with cohesion */
 };
 
-static inline bool ts_granular_turns(const struct ts_granular_model *m)
+TS_INLINE bool ts_granular_turns(const struct ts_granular_model *m)
 {
 	return m->tangential != TS_TANGENTIAL_OFF || m->rolling != TS_ROLLING_OFF ||
 	       m->twisting != TS_TWISTING_OFF;
 }
 
+/* Whether contacts make torques that are opposite: of rolling, of twisting. */
+TS_INLINE bool ts_granular_rolls(const struct ts_granular_model *m)
+{
+	return m->rolling != TS_ROLLING_OFF || m->twisting != TS_TWISTING_OFF;
+}
+
+/* Whether laws ask for the masses one by one. */
+TS_INLINE bool ts_granular_weighs(const struct ts_granular_model *m)
+{
+	return m->rolling > TS_ROLLING_CDT && m->rolling < TS_ROLLING_SDS;
+}
+
 /* By how much the arms of the contact fall short of the radii; then the arms. */
-static inline double ts_granular_short(const struct ts_granular_model *m, const struct ts_touch *t)
+TS_INLINE double ts_granular_short(const struct ts_granular_model *m, const struct ts_touch *t)
 {
 	return m->full_arms ? 0 : 0.5 * t->overlap;
 }
 
-static inline void ts_granular_arms(const struct ts_granular_model *m, struct ts_touch *t)
+TS_INLINE void ts_granular_arms(const struct ts_granular_model *m, struct ts_touch *t)
 {
 	double less = ts_granular_short(m, t);
 
@@ -41,31 +53,31 @@ static inline void ts_granular_arms(const struct ts_granular_model *m, struct ts
 }
 
 /* The memory of a contact: where each law keeps its part, and how many numbers in all. First the vectors. */
-static inline int ts_granular_rolling_at(const struct ts_granular_model *m)
+TS_INLINE int ts_granular_rolling_at(const struct ts_granular_model *m)
 {
 	return m->wide || ts_tangential_remembers(m) ? 3 : 0;
 }
 
 /* Overlap of hysteresis. */
-static inline int ts_granular_depth_at(const struct ts_granular_model *m)
+TS_INLINE int ts_granular_depth_at(const struct ts_granular_model *m)
 {
 	return ts_granular_rolling_at(m) + (m->wide || m->rolling > TS_ROLLING_CDT ? 3 : 0);
 }
 
 /* Angle of twisting. */
-static inline int ts_granular_twist_at(const struct ts_granular_model *m)
+TS_INLINE int ts_granular_twist_at(const struct ts_granular_model *m)
 {
 	return ts_granular_depth_at(m) + (m->normal == TS_NORMAL_HOOKE_HYSTERESIS);
 }
 
 /* Radius of the contact area in the last step. */
-static inline int ts_granular_area_at(const struct ts_granular_model *m)
+TS_INLINE int ts_granular_area_at(const struct ts_granular_model *m)
 {
 	return ts_granular_twist_at(m) + (m->wide || m->twisting != TS_TWISTING_OFF);
 }
 
 /* Whether surfaces that stick have met: then they pull beyond their touch. */
-static inline int ts_granular_met_at(const struct ts_granular_model *m)
+TS_INLINE int ts_granular_met_at(const struct ts_granular_model *m)
 {
 	return ts_granular_area_at(m) + (m->wide || ts_tangential_rescales(m));
 }
@@ -84,7 +96,7 @@ static inline int ts_granular_memory(const struct ts_granular_model *m)
 
 /* What changes sign when i and j change places: slip, and torques of rolling. The way that sds has rolled,
  * w x n, does not. */
-static inline void ts_granular_memory_signs(const struct ts_granular_model *m, signed char sign[])
+TS_INLINE void ts_granular_memory_signs(const struct ts_granular_model *m, signed char sign[])
 {
 	bool turns = !m->wide && m->rolling != TS_ROLLING_SDS;
 	int odd = turns ? ts_granular_depth_at(m) : ts_granular_rolling_at(m);
@@ -96,7 +108,7 @@ static inline void ts_granular_memory_signs(const struct ts_granular_model *m, s
 }
 
 /* The distance at which a contact ends, less the sum of the radii: > 0 for surfaces that stick and have met. */
-static inline double ts_granular_beyond(const struct ts_granular_model *m,
+TS_INLINE double ts_granular_beyond(const struct ts_granular_model *m,
 					const struct ts_granular_pair *c, double r_eff,
 					const double *memory)
 {
@@ -120,7 +132,7 @@ static inline void ts_granular_locate(const struct ts_granular_model *m, const s
 }
 
 /* `dt`: the time step; `advance`: false in the set-up of a run, when memory stands still. */
-static inline __attribute__((always_inline)) void
+TS_INLINE void
 ts_granular_contact(const struct ts_granular_model *m, const struct ts_granular_pair *c,
 		    const struct ts_touch *t, double dt, bool advance, double *memory,
 		    struct ts_granular_force *out)

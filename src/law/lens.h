@@ -2,16 +2,18 @@
 #ifndef TS_LAW_LENS_H
 #define TS_LAW_LENS_H
 
+#include "base/inline.h"
+
 #define TS_PI 3.14159265358979323846
 
 /* -pi/4 (r-Ri-Rj)(r+Ri-Rj)(r-Ri+Rj)(r+Ri+Rj)/r^2, r the distance of the centres. */
-static inline double ts_lens_of_spheres(double r, double ri, double rj)
+TS_INLINE double ts_lens_of_spheres(double r, double ri, double rj)
 {
 	return -TS_PI / 4 * (r - ri - rj) * (r + ri - rj) * (r - ri + rj) * (r + ri + rj) / (r * r);
 }
 
 /* pi (R^2 - r^2), r the distance of the centre from the plane. */
-static inline double ts_lens_of_plane(double r, double radius)
+TS_INLINE double ts_lens_of_plane(double r, double radius)
 {
 	return TS_PI * (radius * radius - r * r);
 }

@@ -23,7 +23,7 @@
 
 #define TS_SQRT_5_6 0.91287092917527685576
 
-static inline void ts_normal_hertz(const struct ts_granular_pair *c, const struct ts_touch *t,
+TS_INLINE void ts_normal_hertz(const struct ts_granular_pair *c, const struct ts_touch *t,
 				   struct ts_normal *f)
 {
 	double s = sqrt(t->r_eff * t->overlap), sn = 2 * c->young * s, st = 8 * c->shear * s;
@@ -34,14 +34,14 @@ static inline void ts_normal_hertz(const struct ts_granular_pair *c, const struc
 	f->gammat = -2 * TS_SQRT_5_6 * c->damping * sqrt(st * t->m_eff);
 }
 
-static inline double ts_hooke_stiffness(const struct ts_granular_pair *c, const struct ts_touch *t)
+TS_INLINE double ts_hooke_stiffness(const struct ts_granular_pair *c, const struct ts_touch *t)
 {
 	double a = sqrt(t->r_eff) * c->young;
 
 	return 16.0 / 15.0 * a * pow(15.0 / 16.0 * t->m_eff * c->velocity * c->velocity / a, 0.2);
 }
 
-static inline double ts_hooke_damping(double kn, double mass, double log_restitution)
+TS_INLINE double ts_hooke_damping(double kn, double mass, double log_restitution)
 {
 	double l2 = log_restitution * log_restitution;
 
@@ -50,7 +50,7 @@ static inline double ts_hooke_damping(double kn, double mass, double log_restitu
 
 /* Between wet grains the restitution falls with the Stokes number: ln e = ln e_max + St_c / St
  * (J. A. Simeonov, J. Calantoni, Granul. Matter 14 (2012) 1). */
-static inline double ts_viscous_log_restitution(const struct ts_granular_pair *c,
+TS_INLINE double ts_viscous_log_restitution(const struct ts_granular_pair *c,
 						const struct ts_touch *t)
 {
 	double stokes = t->m_eff * t->vn / (6 * TS_PI * c->viscosity * t->r_eff * t->r_eff);
@@ -58,18 +58,18 @@ static inline double ts_viscous_log_restitution(const struct ts_granular_pair *c
 	return log(c->largest_restitution) + c->critical_stokes / stokes;
 }
 
-static inline void ts_normal_hooke(const struct ts_granular_model *m,
+TS_INLINE void ts_normal_hooke(const struct ts_granular_model *m,
 				   const struct ts_granular_pair *c, const struct ts_touch *t,
 				   struct ts_normal *f)
 {
 	double log_e = m->viscous ? ts_viscous_log_restitution(c, t) : c->log_restitution;
 
-	f->kn = ts_hooke_stiffness(c, t);
+	f->kn = m->stiffness_known ? t->stiffness : ts_hooke_stiffness(c, t);
 	f->kt = m->tangential_stiffness_2_7 ? 0.285714286 * f->kn : f->kn;
 	f->gamman = f->gammat = ts_hooke_damping(f->kn, t->m_eff, log_e);
 }
 
-static inline void ts_normal_given(const struct ts_granular_model *m,
+TS_INLINE void ts_normal_given(const struct ts_granular_model *m,
 				   const struct ts_granular_pair *c, const struct ts_touch *t,
 				   double factor, struct ts_normal *f)
 {
@@ -83,7 +83,7 @@ static inline void ts_normal_given(const struct ts_granular_model *m,
 
 /* The elastic force of hooke/hysteresis. *deepest: the largest overlap so far; it changes only when
  * `advance` is set. */
-static inline double ts_hysteretic_force(const struct ts_granular_pair *c, const struct ts_touch *t,
+TS_INLINE double ts_hysteretic_force(const struct ts_granular_pair *c, const struct ts_touch *t,
 					 double k1, bool advance, double *deepest)
 {
 	double k2max = c->unloading * k1, kc = c->adhesion * k1, delta = t->overlap;
@@ -107,7 +107,7 @@ static inline double ts_hysteretic_force(const struct ts_granular_pair *c, const
 	return force;
 }
 
-static inline void ts_normal_force(const struct ts_granular_model *m,
+TS_INLINE void ts_normal_force(const struct ts_granular_model *m,
 				   const struct ts_granular_pair *c, const struct ts_touch *t,
 				   bool advance, double *deepest, struct ts_normal *f)
 {
@@ -151,7 +151,7 @@ static inline void ts_normal_force(const struct ts_granular_model *m,
 		elastic = ts_normal_area_force(m, c, t, f);
 	f->force = elastic - f->gamman * t->vn;
 	if (m->no_tension)
-		f->force = fmax(f->force, 0);
+		f->force = f->force > 0 ? f->force : 0;
 	f->limit = f->force;
 	if (m->normal == TS_NORMAL_AREA_DMT || m->normal == TS_NORMAL_AREA_JKR)
 		f->limit = elastic + 2 * ts_pull_off_force(m, c, t->r_eff);

@@ -34,31 +34,31 @@ struct ts_normal {
 	double area;  /* radius of the contact area, of laws that have one */
 };
 
-static inline bool ts_normal_by_area(const struct ts_granular_model *m)
+TS_INLINE bool ts_normal_by_area(const struct ts_granular_model *m)
 {
 	return m->normal >= TS_NORMAL_AREA_HOOKE;
 }
 
 /* Whether surfaces that have met pull each other beyond their touch. */
-static inline bool ts_normal_sticks(const struct ts_granular_model *m)
+TS_INLINE bool ts_normal_sticks(const struct ts_granular_model *m)
 {
 	return m->normal == TS_NORMAL_AREA_JKR;
 }
 
-static inline double ts_pull_off_force(const struct ts_granular_model *m,
+TS_INLINE double ts_pull_off_force(const struct ts_granular_model *m,
 				       const struct ts_granular_pair *c, double r_eff)
 {
 	return (m->normal == TS_NORMAL_AREA_JKR ? 3 : 4) * TS_PI * c->surface_energy * r_eff;
 }
 
 /* E of k = 4/3 E. */
-static inline double ts_jkr_modulus(const struct ts_granular_pair *c)
+TS_INLINE double ts_jkr_modulus(const struct ts_granular_pair *c)
 {
 	return 0.75 * c->kn;
 }
 
 /* How far beyond their touch surfaces part: -delta at the least delta that there is, a^3 = 9/4 pi w R^2/E. */
-static inline double ts_jkr_reach(const struct ts_granular_pair *c, double r_eff)
+TS_INLINE double ts_jkr_reach(const struct ts_granular_pair *c, double r_eff)
 {
 	double q = TS_PI * c->surface_energy / ts_jkr_modulus(c), a = cbrt(2.25 * q * r_eff * r_eff);
 
@@ -67,7 +67,7 @@ static inline double ts_jkr_reach(const struct ts_granular_pair *c, double r_eff
 
 /* The larger root a of delta = a^2/R - 2 sqrt(pi w a/E). With s = sqrt(a) that is a root of the convex
  * s^4 - c s - R delta; Newton's method from above comes down to it without fail. */
-static inline double ts_jkr_radius(const struct ts_granular_pair *c, double r_eff, double delta)
+TS_INLINE double ts_jkr_radius(const struct ts_granular_pair *c, double r_eff, double delta)
 {
 	double slope = 2 * r_eff * sqrt(TS_PI * c->surface_energy / ts_jkr_modulus(c));
 	double target = r_eff * delta, s = cbrt(slope) + sqrt(sqrt(fmax(target, 0))), next;
@@ -85,7 +85,7 @@ static inline double ts_jkr_radius(const struct ts_granular_pair *c, double r_ef
 	return s * s;
 }
 
-static inline double ts_damping_factor(const struct ts_granular_model *m, const struct ts_touch *t,
+TS_INLINE double ts_damping_factor(const struct ts_granular_model *m, const struct ts_touch *t,
 				       const struct ts_normal *f)
 {
 	switch (m->damping) {
@@ -101,7 +101,7 @@ static inline double ts_damping_factor(const struct ts_granular_model *m, const 
 	}
 }
 
-static inline void ts_normal_area(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+TS_INLINE void ts_normal_area(const struct ts_granular_model *m, const struct ts_granular_pair *c,
 				  const struct ts_touch *t, struct ts_normal *f)
 {
 	*f = (struct ts_normal){ .kn = c->kn, .kt = c->kt };
@@ -115,7 +115,7 @@ static inline void ts_normal_area(const struct ts_granular_model *m, const struc
 	f->gammat = c->gammat * f->gamman;
 }
 
-static inline double ts_normal_area_force(const struct ts_granular_model *m,
+TS_INLINE double ts_normal_area_force(const struct ts_granular_model *m,
 					  const struct ts_granular_pair *c, const struct ts_touch *t,
 					  const struct ts_normal *f)
 {

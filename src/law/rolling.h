@@ -19,21 +19,18 @@
 
 /* Friction of constant torque follows the elastic force k_n delta, and projects the torque after it
  * has been made from the whole of |w_r|. */
-static inline void ts_rolling_constant(const struct ts_granular_model *m,
+TS_INLINE void ts_rolling_constant(const struct ts_granular_model *m,
 				       const struct ts_granular_pair *c, const struct ts_touch *t,
 				       const struct ts_normal *n, double torque[3])
 {
-	double speed = ts_norm(t->roll);
+	double speed = ts_norm(t->roll), most = c->rolling_friction * n->kn * t->overlap * t->r_eff;
 
-	torque[0] = torque[1] = torque[2] = 0;
-	if (speed > 0)
-		ts_scale(c->rolling_friction * n->kn * t->overlap * t->r_eff / speed, t->roll,
-			 torque);
+	ts_scale(speed > 0 ? most / speed : 0, t->roll, torque);
 	if (!m->torsion)
 		ts_project(t->n, torque);
 }
 
-static inline double ts_rolling_stiffness(const struct ts_granular_model *m,
+TS_INLINE double ts_rolling_stiffness(const struct ts_granular_model *m,
 					  const struct ts_granular_pair *c,
 					  const struct ts_touch *t, const struct ts_normal *n)
 {
@@ -44,13 +41,13 @@ static inline double ts_rolling_stiffness(const struct ts_granular_model *m,
 	return (m->rolling == TS_ROLLING_EPSD3 ? c->rolling_stiffness : 2.25) * n->kn * mu2 * r2;
 }
 
-static inline bool ts_rolling_remembers_torque(const struct ts_granular_model *m)
+TS_INLINE bool ts_rolling_remembers_torque(const struct ts_granular_model *m)
 {
 	return m->rolling > TS_ROLLING_CDT && m->rolling < TS_ROLLING_SDS;
 }
 
 /* Of the rolling pair about the contact point. */
-static inline double ts_rolling_inertia(const struct ts_granular_model *m, const struct ts_touch *t)
+TS_INLINE double ts_rolling_inertia(const struct ts_granular_model *m, const struct ts_touch *t)
 {
 	double factor = m->plane ? 1.5 : 1.4;
 	double a = t->mass[0] * t->radius[0] * t->radius[0];
@@ -60,7 +57,7 @@ static inline double ts_rolling_inertia(const struct ts_granular_model *m, const
 }
 
 /* The spring is advanced in set-up too, as LIGGGHTS does, but kept only in steps. */
-static inline void ts_rolling_spring(const struct ts_granular_model *m,
+TS_INLINE void ts_rolling_spring(const struct ts_granular_model *m,
 				     const struct ts_granular_pair *c, const struct ts_touch *t,
 				     const struct ts_normal *n, double dt, bool advance,
 				     double stored[3], double torque[3])
@@ -83,7 +80,7 @@ static inline void ts_rolling_spring(const struct ts_granular_model *m,
 	ts_axpy(dashpot, roll, torque);
 }
 
-static inline void ts_rolling_slider(const struct ts_granular_pair *c, const struct ts_touch *t,
+TS_INLINE void ts_rolling_slider(const struct ts_granular_pair *c, const struct ts_touch *t,
 				     const struct ts_normal *n, double step, double stored[3],
 				     double torque[3])
 {
@@ -99,7 +96,7 @@ static inline void ts_rolling_slider(const struct ts_granular_pair *c, const str
 	ts_scale(-t->r_eff, turned, torque);
 }
 
-static inline void ts_rolling_torque(const struct ts_granular_model *m,
+TS_INLINE void ts_rolling_torque(const struct ts_granular_model *m,
 				     const struct ts_granular_pair *c, const struct ts_touch *t,
 				     const struct ts_normal *n, double dt, bool advance,
 				     double *stored, double torque[3])

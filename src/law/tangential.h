@@ -15,30 +15,28 @@
 
 #include "law/tangential_turning.h"
 
-static inline void ts_tangential_history(const struct ts_granular_pair *c, const struct ts_touch *t,
+TS_INLINE void ts_tangential_history(const struct ts_granular_pair *c, const struct ts_touch *t,
 					 const struct ts_normal *n, double step, double xi[3],
 					 double force[3])
 {
-	double limit = c->friction * fabs(n->limit), length, spring;
+	double limit = c->friction * fabs(n->limit), spring, share, gamma;
+	bool slides;
 
 	ts_axpy(step, t->slip, xi);
 	if (step > 0)
 		ts_project(t->n, xi);
-	length = ts_norm(xi);
-	spring = n->kt * length;
-	if (spring > limit) {
-		double share = limit / spring;
-
-		ts_scale(-n->kt * share, xi, force);
-		if (step > 0)
-			ts_scale(share, xi, xi);
-		return;
+	spring = n->kt * ts_norm(xi);
+	/* without branches, so that several contacts are computed at once */
+	slides = spring > limit;
+	share = slides ? limit / spring : 1;
+	gamma = slides ? 0 : n->gammat;
+	for (int k = 0; k < 3; k++) {
+		force[k] = -n->kt * share * xi[k] - gamma * t->slip[k];
+		xi[k] *= step > 0 ? share : 1;
 	}
-	for (int k = 0; k < 3; k++)
-		force[k] = -n->kt * xi[k] - n->gammat * t->slip[k];
 }
 
-static inline void ts_tangential_slider(const struct ts_granular_pair *c, const struct ts_touch *t,
+TS_INLINE void ts_tangential_slider(const struct ts_granular_pair *c, const struct ts_touch *t,
 					const struct ts_normal *n, double step, double xi[3],
 					double force[3])
 {
@@ -60,7 +58,7 @@ static inline void ts_tangential_slider(const struct ts_granular_pair *c, const 
 		xi[k] = -(force[k] + n->gammat * t->slip[k]) / n->kt;
 }
 
-static inline void ts_tangential_no_history(const struct ts_granular_pair *c,
+TS_INLINE void ts_tangential_no_history(const struct ts_granular_pair *c,
 					    const struct ts_touch *t, const struct ts_normal *n,
 					    double force[3])
 {
@@ -71,14 +69,14 @@ static inline void ts_tangential_no_history(const struct ts_granular_pair *c,
 	ts_scale(-gamma, t->slip, force);
 }
 
-static inline bool ts_tangential_remembers(const struct ts_granular_model *m)
+TS_INLINE bool ts_tangential_remembers(const struct ts_granular_model *m)
 {
 	return m->tangential != TS_TANGENTIAL_OFF && m->tangential != TS_TANGENTIAL_NO_HISTORY;
 }
 
 /* The force on i. `step`: by how much time the memory advances, 0 in set-up; *last: radius of the contact area in
  * the last step. */
-static inline void ts_tangential_force(const struct ts_granular_model *m,
+TS_INLINE void ts_tangential_force(const struct ts_granular_model *m,
 				       const struct ts_granular_pair *c, const struct ts_touch *t,
 				       const struct ts_normal *n, double step, double *xi,
 				       double *last, double force[3])

@@ -20,12 +20,12 @@ struct ts_slider {
 };
 
 /* What `xi` stands for in a force: times -k, or itself. */
-static inline double ts_slider_factor(const struct ts_slider *s)
+TS_INLINE double ts_slider_factor(const struct ts_slider *s)
 {
 	return s->force ? 1 : -s->k;
 }
 
-static inline void ts_slider_advance(const struct ts_slider *s, const double n[3],
+TS_INLINE void ts_slider_advance(const struct ts_slider *s, const double n[3],
 				     const double velocity[3], double step, double xi[3])
 {
 	double before = ts_norm(xi), after;
@@ -40,7 +40,7 @@ static inline void ts_slider_advance(const struct ts_slider *s, const double n[3
 }
 
 /* A spring without length and a dashpot beyond the limit give no force. */
-static inline void ts_slider_force(const struct ts_slider *s, const double velocity[3], double xi[3],
+TS_INLINE void ts_slider_force(const struct ts_slider *s, const double velocity[3], double xi[3],
 				   double force[3])
 {
 	double factor = ts_slider_factor(s), size;
@@ -59,13 +59,13 @@ static inline void ts_slider_force(const struct ts_slider *s, const double veloc
 		xi[d] = (force[d] + s->gamma * velocity[d]) / factor;
 }
 
-static inline bool ts_tangential_rescales(const struct ts_granular_model *m)
+TS_INLINE bool ts_tangential_rescales(const struct ts_granular_model *m)
 {
 	return m->tangential == TS_TANGENTIAL_MINDLIN_RESCALE ||
 	       m->tangential == TS_TANGENTIAL_MINDLIN_RESCALE_FORCE;
 }
 
-static inline struct ts_slider ts_tangential_slider_of(const struct ts_granular_model *m,
+TS_INLINE struct ts_slider ts_tangential_slider_of(const struct ts_granular_model *m,
 						       const struct ts_granular_pair *c,
 						       const struct ts_normal *n)
 {
@@ -77,7 +77,7 @@ static inline struct ts_slider ts_tangential_slider_of(const struct ts_granular_
 }
 
 /* *last: a in the last step. */
-static inline void ts_tangential_turning(const struct ts_granular_model *m,
+TS_INLINE void ts_tangential_turning(const struct ts_granular_model *m,
 					 const struct ts_granular_pair *c, const struct ts_touch *t,
 					 const struct ts_normal *n, double step, double xi[3],
 					 double *last, double force[3])

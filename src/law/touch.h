@@ -8,6 +8,7 @@
 
 #include <stdbool.h>
 
+#include "base/inline.h"
 #include "math/vec3.h"
 
 struct ts_touch {
@@ -23,18 +24,19 @@ struct ts_touch {
 	double slip[3];	     /* tangential velocity of i relative to j at the contact point */
 	double roll[3];	     /* relative rotation that rolling friction resists */
 	double spin[3];	     /* w_i - w_j */
+	double stiffness;    /* k_n of hooke, where the model says that it is known */
 	bool wall;
 };
 
 /* Removes the part along n. */
-static inline void ts_project(const double n[3], double v[3])
+TS_INLINE void ts_project(const double n[3], double v[3])
 {
 	ts_axpy(-ts_dot(v, n), n, v);
 }
 
 /* Velocities at the contact: slip = v_t + n x (lever_i w_i + lever_j w_j). `v` is v_i - v_j. n, lever
  * and wall are set. */
-static inline void ts_touch_motion(struct ts_touch *t, const double v[3], const double wi[3],
+TS_INLINE void ts_touch_motion(struct ts_touch *t, const double v[3], const double wi[3],
 				   const double wj[3])
 {
 	double turn[3], lift[3];

@@ -13,7 +13,7 @@ struct ts_twist {
 	double k, gamma, friction;
 };
 
-static inline struct ts_twist ts_twist_of(const struct ts_granular_model *m,
+TS_INLINE struct ts_twist ts_twist_of(const struct ts_granular_model *m,
 					  const struct ts_granular_pair *c, const struct ts_normal *n)
 {
 	double a2 = n->area * n->area;
@@ -25,7 +25,7 @@ static inline struct ts_twist ts_twist_of(const struct ts_granular_model *m,
 }
 
 /* T. `step`: by how much time the memory advances, 0 in set-up. */
-static inline double ts_twisting_torque(const struct ts_granular_model *m,
+TS_INLINE double ts_twisting_torque(const struct ts_granular_model *m,
 					const struct ts_granular_pair *c, const struct ts_touch *t,
 					const struct ts_normal *n, double step, double *phi)
 {

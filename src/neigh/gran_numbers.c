@@ -1,5 +1,8 @@
 #include "neigh/gran_numbers.h"
 
+#include "neigh/row_loop.h"
+#include "neigh/row_models.h"
+
 #include "base/banned.h"
 
 struct ts_granular_model ts_gran_numbers_model(int normal, int tangential,
@@ -47,13 +50,11 @@ enum ts_status ts_gran_numbers_init(struct ts_instance *self, struct tsim *sim, 
 	return ts_pair_init(self, sim);
 }
 
-enum ts_status ts_gran_numbers_force(struct ts_instance *self, struct tsim *sim,
-				     ts_share_fn *specialised)
+enum ts_status ts_gran_numbers_force(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_gran_numbers_pair *g = self->state;
-	bool generic = g->generic || g->pair.model.no_tension;
 
-	ts_row_loop(sim, &g->pair, generic ? ts_row_share_generic : specialised);
+	ts_row_loop(sim, &g->pair, ts_row_share_of(&g->pair.model, g->generic));
 	return TS_OK;
 }
 

@@ -5,7 +5,6 @@
 
 #include "core/arg.h"
 #include "neigh/pair.h"
-#include "neigh/row_loop.h"
 
 struct ts_gran_numbers {
 	double kn, gamman, xmu;
@@ -46,9 +45,8 @@ struct ts_gran_numbers_pair {
 };
 enum ts_status ts_gran_numbers_init(struct ts_instance *self, struct tsim *sim, int normal,
 				    int tangential);
-/* The hook of stage FORCE; `specialised` is for the model without limit_damping. */
-enum ts_status ts_gran_numbers_force(struct ts_instance *self, struct tsim *sim,
-				     ts_share_fn *specialised);
+/* The hook of stage FORCE. */
+enum ts_status ts_gran_numbers_force(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_gran_numbers_complete(struct tsim *sim, void *coeff, const struct ts_place *where);
 extern const struct ts_arg ts_gran_numbers_args[], ts_gran_numbers_coeff[];
 

@@ -21,9 +21,9 @@ struct ts_row_task {
 
 /* Rows are looked at in blocks: first which of them touch, then the forces of those. Whether a row
  * touches cannot be guessed by the processor, so the first loop does not branch on it. */
-enum { TS_ROW_BLOCK = 256 };
+enum { TS_ROW_BLOCK = 64 };
 
-static inline __attribute__((always_inline)) double
+TS_INLINE double
 ts_row_distance2(const struct ts_particles *p, size_t i, size_t j, double d[3])
 {
 	const double *xi = p->x[i], *xj = p->x[j];
@@ -35,20 +35,22 @@ ts_row_distance2(const struct ts_particles *p, size_t i, size_t j, double d[3])
 
 /* A row that does not touch has no force and no history; the gather adds it all the same. `keep`: the
  * history stays until the next rebuild. */
-static inline void ts_row_part(struct ts_rows *rows, size_t r, bool keep)
+TS_INLINE void ts_row_part(struct ts_rows *rows, size_t r, bool keep)
 {
 	rows->touching[r] = 0;
 	for (int k = 0; k < 3; k++) {
 		rows->force[r][k] = 0;
 		if (rows->turn)
-			rows->turn[r][k] = rows->roll[r][k] = 0;
+			rows->turn[r][k] = 0;
+		if (rows->roll)
+			rows->roll[r][k] = 0;
 	}
 	for (size_t k = 0; k < rows->history_width && !keep; k++)
 		rows->history[r * rows->history_width + k] = 0;
 }
 
 /* How far beyond their touch the partners of a row still pull. */
-static inline double ts_row_beyond(const struct ts_particles *p, const struct ts_pair *pair,
+TS_INLINE double ts_row_beyond(const struct ts_particles *p, const struct ts_pair *pair,
 				   const struct ts_rows *rows, size_t r)
 {
 	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
@@ -60,9 +62,9 @@ static inline double ts_row_beyond(const struct ts_particles *p, const struct ts
 }
 
 /* Lists the touching ones of the rows from .. to-1; returns how many. `each`: rows have models of their own. */
-static inline __attribute__((always_inline)) size_t
+TS_INLINE size_t
 ts_row_find(const struct ts_particles *p, const struct ts_pair *pair, bool each,
-	    struct ts_rows *rows, size_t from, size_t to, bool keep, uint32_t list[TS_ROW_BLOCK])
+	    struct ts_rows *rows, size_t from, size_t to, bool keep, uint32_t *list)
 {
 	size_t n = 0;
 
@@ -80,39 +82,71 @@ ts_row_find(const struct ts_particles *p, const struct ts_pair *pair, bool each,
 	return n;
 }
 
-/* What the laws need to know of the partners, as far as the model has laws that ask. */
-static inline __attribute__((always_inline)) void ts_row_touch(const struct ts_particles *p,
-							       size_t i, size_t j,
-							       const struct ts_granular_model *m,
-							       struct ts_touch *t)
+/* What the laws need to know of the partners i and j, as far as the model has laws that ask. */
+struct ts_row_ends {
+	double d[3], v[3]; /* x_i - x_j, v_i - v_j */
+	double omega[2][3], radius[2], mass[2];
+	double imass; /* 1/m_i + 1/m_j */
+};
+
+TS_INLINE void
+ts_row_ends(const struct ts_particles *p, size_t i, size_t j, const struct ts_granular_model *m,
+	    struct ts_row_ends *e)
 {
-	const double *vi = p->v[i], *vj = p->v[j];
-	double d[3], v[3], distance = sqrt(ts_row_distance2(p, i, j, d));
+	for (int c = 0; c < 3; c++) {
+		e->d[c] = p->x[i][c] - p->x[j][c];
+		e->v[c] = p->v[i][c] - p->v[j][c];
+	}
+	for (int c = 0; ts_granular_turns(m) && c < 3; c++) {
+		e->omega[0][c] = p->omega[i][c];
+		e->omega[1][c] = p->omega[j][c];
+	}
+	e->radius[0] = p->radius[i];
+	e->radius[1] = p->radius[j];
+	e->mass[0] = p->mass[i];
+	e->mass[1] = p->mass[j];
+	e->imass = p->imass[i] + p->imass[j];
+}
+
+TS_INLINE void ts_ends_touch(const struct ts_row_ends *e,
+								const struct ts_granular_model *m,
+								struct ts_touch *t)
+{
+	double distance = sqrt(ts_dot(e->d, e->d));
 	/* coincident centres: no direction, no force */
 	double inverse = distance > 0 ? 1 / distance : 0;
 
 	t->wall = false;
 	t->distance = distance;
-	t->radius[0] = p->radius[i];
-	t->radius[1] = p->radius[j];
+	t->radius[0] = e->radius[0];
+	t->radius[1] = e->radius[1];
 	t->overlap = t->radius[0] + t->radius[1] - distance;
 	t->r_eff = t->radius[0] * t->radius[1] / (t->radius[0] + t->radius[1]);
-	t->m_eff = 1 / (p->imass[i] + p->imass[j]);
-	t->mass[0] = p->mass[i];
-	t->mass[1] = p->mass[j];
-	for (int k = 0; k < 3; k++) {
-		t->n[k] = d[k] * inverse;
-		v[k] = vi[k] - vj[k];
-	}
+	t->m_eff = 1 / e->imass;
+	t->mass[0] = e->mass[0];
+	t->mass[1] = e->mass[1];
+	for (int k = 0; k < 3; k++)
+		t->n[k] = e->d[k] * inverse;
 	ts_granular_arms(m, t);
-	t->vn = ts_dot(v, t->n);
+	t->vn = ts_dot(e->v, t->n);
 	for (int k = 0; k < 3; k++)
 		t->slip[k] = t->roll[k] = t->spin[k] = 0;
 	if (ts_granular_turns(m))
-		ts_touch_motion(t, v, p->omega[i], p->omega[j]);
+		ts_touch_motion(t, e->v, e->omega[0], e->omega[1]);
 }
 
-static inline __attribute__((always_inline)) void ts_row_store(struct ts_rows *rows, size_t r,
+TS_INLINE void ts_row_touch(const struct ts_particles *p,
+							       size_t i, size_t j,
+							       const struct ts_granular_model *m,
+							       struct ts_touch *t)
+{
+	struct ts_row_ends e = { 0 };
+
+	ts_row_ends(p, i, j, m, &e);
+	ts_ends_touch(&e, m, t);
+}
+
+TS_INLINE void ts_row_store(struct ts_rows *rows, size_t r,
 							       const struct ts_granular_model *m,
 							       const struct ts_touch *t,
 							       const struct ts_granular_force *f)
@@ -122,15 +156,16 @@ static inline __attribute__((always_inline)) void ts_row_store(struct ts_rows *r
 		rows->force[r][k] = f->force[k];
 	if (!ts_granular_turns(m))
 		return;
-	rows->half[r] = ts_granular_short(m, t);
+	rows->force[r][3] = ts_granular_short(m, t);
 	for (int k = 0; k < 3; k++) {
 		rows->turn[r][k] = f->turn[k];
-		rows->roll[r][k] = f->roll[k];
+		if (rows->roll)
+			rows->roll[r][k] = f->roll[k];
 	}
 }
 
 /* `all`: the model of all rows; NULL: each has its own. */
-static inline __attribute__((always_inline)) void ts_row_share(const struct ts_row_task *task,
+TS_INLINE void ts_row_share(const struct ts_row_task *task,
 							       size_t from, size_t to,
 							       const struct ts_granular_model *all)
 {
@@ -167,16 +202,6 @@ void ts_row_share_generic(void *task, size_t from, size_t to);
 void ts_row_share_each(void *task, size_t from, size_t to);
 
 /* Forces of all rows by the shares, then the sum of each particle. */
-static inline void ts_row_loop(struct tsim *sim, const struct ts_pair *pair, ts_share_fn *share)
-{
-	struct ts_rows *rows = &sim->neigh->rows;
-	struct ts_row_task task = { sim->particles, rows, pair, sim->clock.dt, !sim->in_setup,
-				    sim->legacy && !pair->mixes }; /* LAMMPS forgets at once */
-
-	ts_parallel(ts_team(sim, rows->n), rows->n, share, &task);
-	ts_gather_forces(sim, &rows->gather, (const double(*)[3])rows->force);
-	if (rows->turn)
-		ts_rows_gather_torques(sim, rows);
-}
+void ts_row_loop(struct tsim *sim, const struct ts_pair *pair, ts_share_fn *share);
 
 #endif

@@ -43,11 +43,10 @@ static enum ts_status reserve(struct ts_rows *rows, size_t n)
 	RENEW_COLUMN(winding);
 	RENEW_COLUMN(force);
 	RENEW_COLUMN(touching);
-	if (rows->turn) {
+	if (rows->turn)
 		RENEW_COLUMN(turn);
+	if (rows->roll)
 		RENEW_COLUMN(roll);
-		RENEW_COLUMN(half);
-	}
 #undef RENEW_COLUMN
 	if (rows->history_width)
 		TS_TRY(TS_RENEW(rows->history, wide, capacity * width));
@@ -64,11 +63,10 @@ static void clear(struct ts_rows *rows, size_t from, size_t n)
 		return;
 	memset(rows->touching + from, 0, n);
 	memset(rows->force + from, 0, n * sizeof *rows->force);
-	if (rows->turn) {
+	if (rows->turn)
 		memset(rows->turn + from, 0, n * sizeof *rows->turn);
+	if (rows->roll)
 		memset(rows->roll + from, 0, n * sizeof *rows->roll);
-		memset(rows->half + from, 0, n * sizeof *rows->half);
-	}
 	if (width)
 		memset(rows->history + from * width, 0, n * width * sizeof *rows->history);
 }
@@ -153,13 +151,15 @@ static enum ts_status build(struct tsim *sim, struct ts_rows *rows, struct ts_ro
 	else
 		TS_TRY(ts_row_history_take(sim, rows, sim->resuming, old));
 	TS_TRY(ts_row_search(sim, found));
-	if (reserve(rows, found->n) != TS_OK)
+	if (reserve(rows, found->n) != TS_OK ||
+	    TS_GROW(rows->place, rows->place_capacity, sim->particles->n + sim->particles->nghost) != TS_OK)
 		return ts_nomem(&sim->error);
 	rows->n = found->n;
 	rows->particles = sim->particles->n;
 	ts_parallel(found->shares, (size_t)found->shares, fill_shares, &filling);
 	TS_TRY(ts_row_history_give(sim, old, rows));
-	return index_rows(sim, rows);
+	TS_TRY(index_rows(sim, rows));
+	return ts_rows_chunks(rows) == TS_OK ? TS_OK : ts_nomem(&sim->error);
 }
 
 enum ts_status ts_rows_build(struct tsim *sim, struct ts_rows *rows, double skin,
@@ -175,62 +175,25 @@ enum ts_status ts_rows_build(struct tsim *sim, struct ts_rows *rows, double skin
 	return status;
 }
 
-struct torques {
-	const struct ts_rows *rows;
-	struct ts_particles *p;
-};
-
-static void torque_share(void *context, size_t from, size_t to)
-{
-	static const double signs[] = { 1, -1 };
-	const struct torques *t = context;
-	const struct ts_rows *rows = t->rows;
-	const struct ts_gather *g = &rows->gather;
-
-	for (size_t i = from; i < to; i++) {
-		double total[3] = { 0 };
-
-		for (size_t k = g->first[i]; k < g->first[i + 1]; k++) {
-			uint32_t r = g->entry[k] >> 1;
-			double sign = signs[g->entry[k] & 1], arm = t->p->radius[i] - rows->half[r];
-
-			for (int d = 0; d < 3; d++)
-				total[d] += arm * rows->turn[r][d] + sign * rows->roll[r][d];
-		}
-		for (int d = 0; d < 3; d++)
-			t->p->torque[i][d] += total[d];
-	}
-}
-
-void ts_rows_gather_torques(struct tsim *sim, const struct ts_rows *rows)
-{
-	struct torques t = { rows, sim->particles };
-
-	ts_parallel(ts_team(sim, sim->particles->n), sim->particles->n, torque_share, &t);
-}
-
 static void free_torques(struct ts_rows *rows)
 {
 	ts_free(rows->turn);
 	ts_free(rows->roll);
-	ts_free(rows->half);
 	rows->turn = rows->roll = NULL;
-	rows->half = NULL;
 }
 
-enum ts_status ts_rows_set_torques(struct tsim *sim, struct ts_rows *rows, bool wanted)
+enum ts_status ts_rows_set_torques(struct tsim *sim, struct ts_rows *rows, bool turn, bool roll)
 {
 	size_t n = rows->capacity ? rows->capacity : 1;
 
-	if (wanted == (rows->turn != NULL))
+	if (turn == (rows->turn != NULL) && roll == (rows->roll != NULL))
 		return TS_OK;
 	free_torques(rows);
-	if (!wanted)
-		return TS_OK;
-	rows->turn = ts_alloc_aligned(n, sizeof *rows->turn);
-	rows->roll = ts_alloc_aligned(n, sizeof *rows->roll);
-	rows->half = ts_alloc_aligned(n, sizeof *rows->half);
-	if (rows->turn && rows->roll && rows->half)
+	if (turn)
+		rows->turn = ts_alloc_aligned(n, sizeof *rows->turn);
+	if (roll)
+		rows->roll = ts_alloc_aligned(n, sizeof *rows->roll);
+	if ((!turn || rows->turn) && (!roll || rows->roll))
 		return TS_OK;
 	free_torques(rows);
 	return ts_nomem(&sim->error);
@@ -248,6 +211,9 @@ void ts_rows_release(struct ts_rows *rows)
 	ts_free(rows->touching);
 	free_torques(rows);
 	ts_free(rows->history);
+	ts_free(rows->chunk);
+	ts_free(rows->gathered);
+	ts_free(rows->place);
 	ts_gather_release(&rows->gather);
 	*rows = (struct ts_rows){ 0 };
 }

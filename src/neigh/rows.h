@@ -15,6 +15,13 @@
 
 #include "core/sim.h"
 #include "neigh/gather.h"
+#include "particles/particles.h"
+
+/* Particles next to each other in memory, whose forces are added up together as soon as their rows are done. */
+enum { TS_ROW_CHUNK = 64 };
+struct ts_row_chunk {
+	size_t first, end; /* their rows lie within; 0, 0: there are none */
+};
 
 struct ts_rows {
 	size_t n, capacity;
@@ -24,16 +31,23 @@ struct ts_rows {
 	int32_t *tag[2];    /* identities of i and j */
 	uint8_t *image;	    /* which image of j: 13 = itself; see ts_image_code */
 	int32_t *winding;   /* which image, in a way that wrapping does not change; ts_winding */
-	double (*force)[3]; /* on i; j gets the opposite. Zero where not touching */
-	/* torques, NULL where contacts turn nobody: on either partner (radius - half) turn, and
-	 * roll on i, its opposite on j */
-	double (*turn)[3], (*roll)[3], *half;
+	/* on i, j gets the opposite; zero where not touching. The fourth number is half the overlap, by which the
+	 * arms of torque are shorter than the radii */
+	double (*force)[4];
+	/* torques, NULL where contacts make none: on either partner (radius - force[3]) turn, and roll on i, its
+	 * opposite on j; the fourth number is always 0 */
+	double (*turn)[4], (*roll)[4];
 	uint8_t *touching;
 	double *history; /* history_width numbers per row; zero where never touched */
 	size_t history_width;
 	const signed char *history_sign; /* +1 or -1: factor when i and j change places */
 
 	struct ts_gather gather; /* of the local particles */
+	struct ts_row_chunk *chunk; /* of particles k TS_ROW_CHUNK ... */
+	uint8_t *gathered;	    /* of each chunk, in this force evaluation */
+	size_t chunks, chunk_capacity, gathered_capacity;
+	double (*place)[4];	 /* of all particles, now: x, y, z and the radius, for the loops over rows */
+	size_t place_capacity;
 };
 
 enum { TS_IMAGE_SELF = 13 };
@@ -55,11 +69,17 @@ typedef bool ts_excluded_fn(const struct tsim *sim, size_t i, size_t j);
 enum ts_status ts_rows_build(struct tsim *sim, struct ts_rows *rows, double skin,
 			     ts_excluded_fn *excluded);
 
-/* Adds the torques of the rows to the particles' torque column. */
-void ts_rows_gather_torques(struct tsim *sim, const struct ts_rows *rows);
+/* Notes where particles from .. to-1 are. */
+void ts_rows_place(const struct ts_particles *p, struct ts_rows *rows, size_t from, size_t to);
+/* Adds the forces and torques of the rows to those of the particles from .. to-1. */
+typedef void ts_rows_gather_fn(const struct ts_rows *rows, const struct ts_particles *p, size_t from,
+			       size_t to);
+ts_rows_gather_fn *ts_rows_gatherer(const struct ts_rows *rows);
+/* Finds the chunks, after the gather lists. */
+enum ts_status ts_rows_chunks(struct ts_rows *rows);
 
 /* Makes columns of torques, or frees them. */
-enum ts_status ts_rows_set_torques(struct tsim *sim, struct ts_rows *rows, bool wanted);
+enum ts_status ts_rows_set_torques(struct tsim *sim, struct ts_rows *rows, bool turn, bool roll);
 enum ts_status ts_rows_set_history(struct tsim *sim, struct ts_rows *rows, size_t width,
 				   const signed char *sign);
 void ts_rows_release(struct ts_rows *rows);

@@ -36,7 +36,7 @@ static void add_torque(const struct tsim *sim, const struct ts_contact_view *v,
 	const struct ts_rows *rows = &sim->neigh->rows;
 
 	for (int k = 0; rows->turn && k < 3; k++)
-		f->torque[k] = (sim->particles->radius[v->a] - rows->half[v->row]) *
+		f->torque[k] = (sim->particles->radius[v->a] - rows->force[v->row][3]) *
 			       rows->turn[v->row][k];
 }
 

@@ -3,6 +3,7 @@
 #include "neigh/materials.h"
 #include "neigh/pair.h"
 #include "neigh/row_loop.h"
+#include "neigh/row_models.h"
 #include "particles/template.h"
 
 #include "base/banned.h"
@@ -12,49 +13,6 @@ struct gran {
 	struct ts_granular_words words;
 	bool generic;
 };
-
-/* The models that most scenes have get loops of their own. */
-static const struct ts_granular_model hertz_history = { .normal = TS_NORMAL_HERTZ,
-							.tangential = TS_TANGENTIAL_HISTORY };
-static const struct ts_granular_model hooke_history = { .normal = TS_NORMAL_HOOKE,
-							.tangential = TS_TANGENTIAL_HISTORY };
-
-static void share_hertz_history(void *task, size_t from, size_t to)
-{
-	ts_row_share(task, from, to, &hertz_history);
-}
-
-static void share_hooke_history(void *task, size_t from, size_t to)
-{
-	ts_row_share(task, from, to, &hooke_history);
-}
-
-static bool same_model(const struct ts_granular_model *a, const struct ts_granular_model *b)
-{
-	return a->normal == b->normal && a->tangential == b->tangential &&
-	       a->rolling == b->rolling && a->cohesion == b->cohesion &&
-	       a->no_tension == b->no_tension &&
-	       a->no_tangential_damping == b->no_tangential_damping &&
-	       a->absolute_damping == b->absolute_damping &&
-	       a->tangential_stiffness_2_7 == b->tangential_stiffness_2_7 &&
-	       a->viscous == b->viscous && a->located == b->located && a->reduce == b->reduce && a->torsion == b->torsion;
-}
-
-static ts_share_fn *share_of(const struct gran *g)
-{
-	static const struct {
-		const struct ts_granular_model *model;
-		ts_share_fn *share;
-	} fast[] = {
-		{ &hertz_history, share_hertz_history },
-		{ &hooke_history, share_hooke_history },
-	};
-
-	for (size_t k = 0; k < sizeof fast / sizeof *fast && !g->generic; k++)
-		if (same_model(&g->pair.model, fast[k].model))
-			return fast[k].share;
-	return ts_row_share_generic;
-}
 
 /* All pairs of types that particles have. */
 static enum ts_status make_table(struct ts_instance *self, struct tsim *sim)
@@ -109,7 +67,7 @@ static enum ts_status force(struct ts_instance *self, struct tsim *sim)
 {
 	const struct gran *g = self->state;
 
-	ts_row_loop(sim, &g->pair, share_of(g));
+	ts_row_loop(sim, &g->pair, ts_row_share_of(&g->pair.model, g->generic));
 	return TS_OK;
 }
 

@@ -3,24 +3,10 @@
 
 #include "base/banned.h"
 
-/* Without the words of the line. */
-static const struct ts_granular_model law = { .normal = TS_NORMAL_HERTZ_STIFFNESS,
-					      .tangential = TS_TANGENTIAL_SLIDER,
-					      .full_arms = true };
-
-static void specialised(void *task, size_t from, size_t to)
-{
-	ts_row_share(task, from, to, &law);
-}
-
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
-	return ts_gran_numbers_init(self, sim, law.normal, law.tangential);
-}
-
-static enum ts_status force(struct ts_instance *self, struct tsim *sim)
-{
-	return ts_gran_numbers_force(self, sim, specialised);
+	return ts_gran_numbers_init(self, sim, TS_NORMAL_HERTZ_STIFFNESS,
+				    TS_TANGENTIAL_SLIDER);
 }
 
 TS_STYLE(pair, ts_pair_style, ts_pair_gran_hertz_history)
@@ -45,7 +31,7 @@ const struct ts_pair_style ts_pair_gran_hertz_history = {
 		   .archive = ts_pair_archive_given,
 		   .fingerprint = ts_pair_fingerprint,
 		   .init = init,
-		   .hook = { [TS_STAGE_FORCE] = force },
+		   .hook = { [TS_STAGE_FORCE] = ts_gran_numbers_force },
 		   .energy = ts_pair_energy,
 		   .plan = ts_pair_plan,
 		   .fini = ts_pair_fini },

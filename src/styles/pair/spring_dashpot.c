@@ -3,6 +3,7 @@
 #include "neigh/energy.h"
 #include "neigh/pair.h"
 #include "neigh/row_loop.h"
+#include "neigh/row_models.h"
 
 #include "base/banned.h"
 
@@ -28,17 +29,7 @@ static enum ts_status complete(struct tsim *sim, void *coeff, const struct ts_pl
 
 static const struct ts_granular_model spring = { .normal = TS_NORMAL_SPRING };
 
-static void specialised(void *task, size_t from, size_t to)
-{
-	ts_row_share(task, from, to, &spring);
-}
-
 static const struct ts_granular_model located_spring = { .normal = TS_NORMAL_SPRING, .located = true };
-
-static void specialised_located(void *task, size_t from, size_t to)
-{
-	ts_row_share(task, from, to, &located_spring);
-}
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
@@ -52,10 +43,7 @@ static enum ts_status force(struct ts_instance *self, struct tsim *sim)
 {
 	const struct spring_dashpot *s = self->state;
 
-	ts_row_loop(sim, &s->pair,
-		    s->generic	 ? ts_row_share_generic
-		    : s->located ? specialised_located
-				 : specialised);
+	ts_row_loop(sim, &s->pair, ts_row_share_of(&s->pair.model, s->generic));
 	return TS_OK;
 }
 

@@ -1,0 +1,36 @@
+/* Four doubles at once, and the turning of rows into columns: compilers make of them what the processor has. */
+#ifndef TS_BASE_FOUR_H
+#define TS_BASE_FOUR_H
+
+#include "base/inline.h"
+
+typedef double ts_four __attribute__((vector_size(32)));
+typedef double ts_four_anywhere __attribute__((vector_size(32), aligned(8), may_alias));
+
+/* Four numbers from any place; of a row of three also the first of the next row is read: columns of particles and
+ * rows have room behind their last number. */
+#define TS_FOUR_AT(from) (*(const ts_four_anywhere *)(from))
+
+#if defined(__clang__) || __GNUC__ >= 12
+#define TS_FOUR_MIX(a, b, i, j, k, l) __builtin_shufflevector(a, b, i, j, k, l)
+#else
+typedef long long ts_four_places __attribute__((vector_size(32)));
+#define TS_FOUR_MIX(a, b, i, j, k, l) __builtin_shuffle(a, b, (ts_four_places){ i, j, k, l })
+#endif
+
+/* The first three numbers of a, the fourth of b. */
+#define TS_FOUR_LAST(a, b) TS_FOUR_MIX(a, b, 0, 1, 2, 7)
+
+/* Row k becomes column k. */
+TS_INLINE void ts_four_turn(ts_four m[4])
+{
+	ts_four a = TS_FOUR_MIX(m[0], m[1], 0, 4, 2, 6), b = TS_FOUR_MIX(m[0], m[1], 1, 5, 3, 7);
+	ts_four c = TS_FOUR_MIX(m[2], m[3], 0, 4, 2, 6), d = TS_FOUR_MIX(m[2], m[3], 1, 5, 3, 7);
+
+	m[0] = TS_FOUR_MIX(a, c, 0, 1, 4, 5);
+	m[1] = TS_FOUR_MIX(b, d, 0, 1, 4, 5);
+	m[2] = TS_FOUR_MIX(a, c, 2, 3, 6, 7);
+	m[3] = TS_FOUR_MIX(b, d, 2, 3, 6, 7);
+}
+
+#endif

@@ -1,0 +1,114 @@
+#include "base/clones.h"
+#include "base/four.h"
+#include "neigh/rows.h"
+
+#include "base/banned.h"
+
+static const double signs[] = { 1, -1 }; /* a table: which side cannot be guessed */
+
+TS_INLINE void add(double to[3], const ts_four *sum)
+{
+	for (int d = 0; d < 3; d++)
+		to[d] += (*sum)[d];
+}
+
+TS_CLONES static void gather_forces(const struct ts_rows *rows, const struct ts_particles *p,
+				    size_t from, size_t to)
+{
+	const struct ts_gather g = rows->gather;
+	const ts_four *force = (const ts_four *)rows->force;
+
+	for (size_t i = from; i < to; i++) {
+		ts_four f = { 0 };
+
+		for (size_t k = g.first[i]; k < g.first[i + 1]; k++)
+			f += signs[g.entry[k] & 1] * force[g.entry[k] >> 1];
+		add(p->f[i], &f);
+	}
+}
+
+TS_CLONES static void gather_turns(const struct ts_rows *rows, const struct ts_particles *p,
+				   size_t from, size_t to)
+{
+	const struct ts_gather g = rows->gather;
+	const ts_four *force = (const ts_four *)rows->force, *turn = (const ts_four *)rows->turn;
+
+	for (size_t i = from; i < to; i++) {
+		ts_four f = { 0 }, torque = { 0 };
+		double radius = rows->place[i][3];
+
+		for (size_t k = g.first[i]; k < g.first[i + 1]; k++) {
+			size_t r = g.entry[k] >> 1;
+
+			f += signs[g.entry[k] & 1] * force[r];
+			torque += (radius - force[r][3]) * turn[r];
+		}
+		add(p->f[i], &f);
+		add(p->torque[i], &torque);
+	}
+}
+
+TS_CLONES static void gather_rolls(const struct ts_rows *rows, const struct ts_particles *p,
+				   size_t from, size_t to)
+{
+	const struct ts_gather g = rows->gather;
+	const ts_four *force = (const ts_four *)rows->force, *turn = (const ts_four *)rows->turn;
+	const ts_four *roll = (const ts_four *)rows->roll;
+
+	for (size_t i = from; i < to; i++) {
+		ts_four f = { 0 }, torque = { 0 };
+		double radius = rows->place[i][3];
+
+		for (size_t k = g.first[i]; k < g.first[i + 1]; k++) {
+			size_t r = g.entry[k] >> 1;
+			double sign = signs[g.entry[k] & 1];
+
+			f += sign * force[r];
+			torque += (radius - force[r][3]) * turn[r] + sign * roll[r];
+		}
+		add(p->f[i], &f);
+		add(p->torque[i], &torque);
+	}
+}
+
+ts_rows_gather_fn *ts_rows_gatherer(const struct ts_rows *rows)
+{
+	return rows->roll ? gather_rolls : rows->turn ? gather_turns : gather_forces;
+}
+
+TS_CLONES void ts_rows_place(const struct ts_particles *p, struct ts_rows *rows, size_t from, size_t to)
+{
+	for (size_t i = from; i < to; i++) {
+		ts_four four = TS_FOUR_AT(p->x[i]);
+
+		four[3] = p->radius[i];
+		*(ts_four *)rows->place[i] = four;
+	}
+}
+
+/* The rows of particles from .. to-1. */
+static struct ts_row_chunk rows_of(const struct ts_gather *g, size_t from, size_t to)
+{
+	struct ts_row_chunk c = { SIZE_MAX, 0 };
+
+	for (size_t k = g->first[from]; k < g->first[to]; k++) {
+		size_t r = g->entry[k] >> 1;
+
+		c.first = r < c.first ? r : c.first;
+		c.end = r >= c.end ? r + 1 : c.end;
+	}
+	return c.end ? c : (struct ts_row_chunk){ 0 };
+}
+
+enum ts_status ts_rows_chunks(struct ts_rows *rows)
+{
+	size_t n = rows->particles;
+
+	rows->chunks = (n + TS_ROW_CHUNK - 1) / TS_ROW_CHUNK;
+	TS_TRY(TS_GROW(rows->chunk, rows->chunk_capacity, rows->chunks));
+	TS_TRY(TS_GROW(rows->gathered, rows->gathered_capacity, rows->chunks));
+	for (size_t c = 0; c < rows->chunks; c++)
+		rows->chunk[c] = rows_of(&rows->gather, c * TS_ROW_CHUNK,
+					 c + 1 < rows->chunks ? (c + 1) * TS_ROW_CHUNK : n);
+	return TS_OK;
+}
