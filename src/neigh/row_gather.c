@@ -1,3 +1,4 @@
+/* The sums of the rows' forces and torques over the particles, and where particles are. */
 #include "base/clones.h"
 #include "base/four.h"
 #include "neigh/rows.h"
