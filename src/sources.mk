@@ -12,10 +12,12 @@ library_sources = \
 	src/base/clock.c \
 	src/base/clock.h \
 	src/base/clones.h \
+	src/base/four.h \
 	src/base/hash.c \
 	src/base/hash.h \
 	src/base/hold.c \
 	src/base/hold.h \
+	src/base/inline.h \
 	src/base/log.c \
 	src/base/log.h \
 	src/base/map.c \
@@ -381,10 +383,14 @@ library_sources = \
 	src/neigh/primitive_wall.h \
 	src/neigh/region_wall.c \
 	src/neigh/region_wall.h \
+	src/neigh/row_batch.h \
+	src/neigh/row_gather.c \
 	src/neigh/row_history.c \
 	src/neigh/row_history.h \
 	src/neigh/row_loop.c \
 	src/neigh/row_loop.h \
+	src/neigh/row_models.c \
+	src/neigh/row_models.h \
 	src/neigh/row_search.c \
 	src/neigh/row_search.h \
 	src/neigh/rows.c \
