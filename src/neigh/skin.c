@@ -69,8 +69,9 @@ double ts_neigh_choose_skin(const struct tsim *sim)
 	const struct ts_particles *p = sim->particles;
 	double skin = ts_neigh_skin(sim), least, most, best;
 
-	/* as in LIGGGHTS contacts that end are remembered until a rebuild: then it matters when there is one */
-	if (sim->legacy || sim->neigh->fixed_skin || !p->n || surroundings_move(sim))
+	/* what waits for a rebuild, as in LIGGGHTS: contacts that end and are remembered, particles that have left */
+	if (sim->legacy || sim->neigh->fixed_skin || p->lost_policy == TS_LOST_IGNORE || !p->n ||
+	    surroundings_move(sim))
 		return skin;
 	radii(p, &least, &most);
 	best = sqrt(REBUILD / 5.0 * fastest(p) * sim->clock.dt * 2 * least);

@@ -43,8 +43,10 @@ const struct ts_command_style ts_command_neighbor = {
 		       "moved half the skin. A large skin means fewer searches and longer lists; results do not\n"
 		       "depend on it. What is given is the largest: at each search the skin is chosen that costs least\n"
 		       "with the speeds as they are, s = sqrt(6 v dt d), v that of the fastest particle, d the smallest\n"
-		       "diameter, at least a hundredth of it. It is as given with `fixed yes`, with `legacy yes`, and where\n"
-		       "meshes, walls or the box move.",
+		       "diameter, at least a hundredth of it. It is as given with `fixed yes`, where\n"
+		       "meshes, walls or the box move, and where it matters when neighbours are found: with `legacy yes`, and\n"
+		       "with `thermo_modify lost ignore`, as particles that have left wait for it. Positions are wrapped\n"
+		       "into a periodic box then, too.",
 		.example = "neighbor 0.001 bin\nneighbor 0.001 bin fixed yes",
 		.args = args,
 		.state_size = sizeof(struct state),
