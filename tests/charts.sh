@@ -85,4 +85,8 @@ report 'LONG=1 adds settings' $? out
 make_charts nosuch >out 2>&1
 [ $? = 1 ] && grep -q "there is no chart 'nosuch'" out
 report 'an unknown name is an error' $? out
+# all charts together: 15 minutes
+sum=$(sed -n 's/^budget=//p' "$charts"/*.sh | awk '{ s += $1 } END { print s }')
+[ "$sum" -gt 0 ] && [ "$sum" -le 900 ]
+report "the budgets sum to $sum s, at most 900" $?
 finish

@@ -6,7 +6,7 @@ reference='Hertzian contacts with tangential history and a Young modulus of 1e7 
 over four fillings with 1000 grains'
 setting='Young modulus (Pa); the step is a fifth of the time of Rayleigh and follows it'
 spread='standard error of the difference'
-budget=110
+budget=100
 pick='history, with Hertz or linear springs, and 1e6 Pa: rate and heaps agree with the stiffer grains to some per cent, about the
 scatter between fillings, for a third of the work. Leaving history out saves a few per cent of the time at most
 and is off by a tenth, in the flow and in the heaps.'
