@@ -1,4 +1,4 @@
-/* Looks come after 128 steps, then at intervals that double, up to 4096 steps, but are no longer than it would take to
+/* Looks come after the first step, 128 steps later, then at intervals that double, up to 4096 steps, but are no longer than it would take to
  * come near the limit at the rate of the last interval: together they cost less than half a per cent.
  *
  * Beyond a limit a mode z grows by |z| = 1 + 2 sqrt(2 (h/h_max - 1)) or so in every step, but a collision that is
@@ -170,9 +170,14 @@ static enum ts_status look(struct tsim *sim, const struct ts_plan_report *report
 	return TS_OK;
 }
 
-static enum ts_status limits_now(struct tsim *sim, struct ts_plan_report *report)
+double ts_guard_enough(const struct tsim *sim)
 {
-	*report = (struct ts_plan_report){ .limits_only = true };
+	return sim->clock.dt / NEAR_FROM;
+}
+
+static enum ts_status limits_now(struct tsim *sim, double enough, struct ts_plan_report *report)
+{
+	*report = (struct ts_plan_report){ .limits_only = true, .enough = enough };
 	return ts_report_collect(report, sim);
 }
 
@@ -183,12 +188,12 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	enum ts_status status;
 
 	if (!g->next || g->next > sim->clock.step + LONGEST) { /* steps may be counted anew */
-		g->interval = FIRST;
-		g->next = sim->clock.step - 1 + FIRST;
+		g->interval = FIRST / 2;
+		g->next = sim->clock.step;
 	}
 	if (sim->clock.step < g->next)
 		return TS_OK;
-	status = limits_now(sim, &report);
+	status = limits_now(sim, ts_guard_enough(sim), &report);
 	if (status == TS_OK)
 		status = look(sim, &report);
 	ts_report_release(&report);
@@ -206,7 +211,7 @@ static enum ts_status stable_fraction(struct tsim *sim, double *out)
 	*out = sim->guard->fraction;
 	if (!sim->running)
 		return TS_OK;
-	status = limits_now(sim, &report);
+	status = limits_now(sim, INFINITY, &report);
 	hard = ts_report_binding(&report, true);
 	*out = hard ? sim->clock.dt / hard->dt : 0;
 	ts_report_release(&report);

@@ -31,6 +31,9 @@ struct ts_guard {
  * is advised, of each cause once. */
 enum ts_status ts_guard_judge(struct tsim *sim, const struct ts_plan_report *report);
 
+/* Larger limits need no warning. */
+double ts_guard_enough(const struct tsim *sim);
+
 extern const struct ts_system_style ts_guard_system;
 
 #endif

@@ -102,7 +102,7 @@ enum ts_status ts_plan_compile(struct ts_plan *plan, struct tsim *sim)
 	for (int stage = 0; stage < TS_NSTAGE; stage++)
 		plan->n[stage] = 0;
 	plan->watch = (struct ts_stopwatch){ .first = ts_ticks(), .begin = ts_clock() };
-	sim->explicit_euler = false; /* its fix says so in init */
+	sim->explicit_euler = sim->clamped = false; /* their fixes say so in init */
 	TS_TRY(ts_pardon(sim, refuse_retired(sim)));
 	for (int k = 0; k < NORDER; k++) {
 		const struct ts_instances *list = &sim->instances[kind_order[k]];

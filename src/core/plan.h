@@ -71,6 +71,7 @@ struct ts_plan_report {
 	struct ts_limit *limit;
 	size_t nlimits, limit_capacity;
 	bool limits_only;      /* while running: nothing but limits is asked for */
+	double enough;	       /* limits that are surely larger need not be exact; infinite: all must */
 	struct ts_str lines;   /* "  particles    3100 ..." */
 	struct ts_left_out *left_out;
 	size_t nleft_out, left_out_capacity;

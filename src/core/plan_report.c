@@ -302,7 +302,7 @@ static bool has_price(const struct ts_plan_report *report, const struct tsim *si
 
 enum ts_status ts_plan_review(struct ts_plan *plan, struct tsim *sim, int64_t steps)
 {
-	struct ts_plan_report report = { 0 };
+	struct ts_plan_report report = { .enough = sim->explain ? INFINITY : ts_guard_enough(sim) };
 	enum ts_status status = ts_report_collect(&report, sim);
 	struct ts_price price;
 	bool priced = status == TS_OK && has_price(&report, sim);

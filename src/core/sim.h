@@ -116,6 +116,7 @@ struct tsim {
 	bool in_pieces;    /* this run is stepped from outside, its end not known: core/stepping.h */
 	bool halted;       /* by fix halt: later runs do nothing */
 	bool explicit_euler; /* a live integrator is explicit Euler, which has limits of its own */
+	bool clamped; /* a live integrator bounds how far particles move in a step */
 	bool rebuild;      /* this step exchanges particles and rebuilds the contact rows */
 	uint64_t removals; /* of instances, ever: what refers to one must look again */
 	bool in_setup;     /* forces before the first step: contact history stands still */

@@ -145,26 +145,6 @@ void ts_bond_fingerprint(const struct ts_instance *self, const struct tsim *sim,
 	ts_coeffs_fingerprint(&bond->coeffs, sim, hash);
 }
 
-/* Gershgorin: omega_max^2 <= 2 max_i sum_b k_b / m_i. */
-static double network_limit(const struct tsim *sim, const struct ts_bond_style *style,
-			    const struct ts_coeffs *coeffs)
-{
-	const struct ts_bonds *bonds = sim->bonds;
-	const struct ts_gather *g = &bonds->gather;
-	const struct ts_particles *p = sim->particles;
-	double worst = 0;
-
-	for (size_t i = 0; i < p->n; i++) {
-		double k = 0;
-
-		for (size_t e = g->first[i]; e < g->first[i + 1]; e++)
-			k += style->stiffness(
-				ts_coeff(coeffs, (size_t)bonds->type[g->entry[e] >> 1]));
-		worst = fmax(worst, k * p->imass[i]);
-	}
-	return worst > 0 ? 2 / sqrt(2 * worst) : INFINITY;
-}
-
 enum ts_status ts_bond_plan(struct ts_instance *self, struct tsim *sim,
 			    struct ts_plan_report *report)
 {
@@ -184,10 +164,8 @@ enum ts_status ts_bond_plan(struct ts_instance *self, struct tsim *sim,
 				     style->limit(ts_coeff(&bond->coeffs, (size_t)bonds->type[b]),
 						  1 / imass, sim->explicit_euler));
 	}
-	TS_TRY(ts_report_limit(report, least, !sim->explicit_euler, &self->where, "a single bond%s",
-			       sim->explicit_euler ? " under fix nve/euler" : ""));
-	return ts_report_limit(report, network_limit(sim, style, &bond->coeffs), false,
-			       &self->where, "the network of bonds (Gershgorin's bound)");
+	return ts_report_limit(report, least, !sim->explicit_euler, &self->where, "a single bond%s",
+			       sim->explicit_euler ? " under fix nve/euler" : "");
 }
 
 void ts_bond_fini(struct ts_instance *self)

@@ -24,16 +24,29 @@ static void insert(struct ts_lightest *l, double inverse_mass, double radius)
 	l->radius[k] = radius;
 }
 
+uint32_t ts_prescribed(const struct tsim *sim)
+{
+	const struct ts_instance *fix;
+	uint32_t groups = 0;
+
+	for (size_t k = 0; (fix = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_PRESCRIBED, &k));)
+		if (!((const struct ts_prescribed_motion *)fix->state)->free)
+			groups |= (uint32_t)1 << fix->group;
+	return groups;
+}
+
 struct ts_lightest *ts_lightest(const struct tsim *sim, int group)
 {
 	const struct ts_particles *p = sim->particles;
+	const uint32_t prescribed = ts_prescribed(sim);
 	struct ts_lightest *list = ts_alloc((size_t)p->ntypes + 1, sizeof *list);
 
 	for (int t = 0; list && t <= p->ntypes; t++)
 		list[t].inverse_mass[0] = list[t].inverse_mass[1] = -1;
 	for (size_t i = 0; list && i < p->n; i++)
 		if (ts_in_group(p, i, group))
-			insert(&list[p->type[i]], p->imass[i], p->radius[i]);
+			insert(&list[p->type[i]], p->mask[i] & prescribed ? 0 : p->imass[i],
+			       p->radius[i]);
 	for (int t = 1; list && t <= p->ntypes; t++) {
 		double radius, inverse_mass = ts_template_inverse_mass(sim, t, &radius);
 

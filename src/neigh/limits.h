@@ -7,6 +7,14 @@
 #include "law/granular_limit.h"
 #include "particles/particles.h"
 
+/* Family of fixes that move particles whatever acts on them, unless they are free: to contacts they are walls. */
+#define TS_FAMILY_PRESCRIBED "prescribed"
+struct ts_prescribed_motion {
+	bool free; /* some component moves as forces say; set in init */
+};
+/* The groups that these fixes move, as bits of particles->mask. */
+uint32_t ts_prescribed(const struct tsim *sim);
+
 /* The two lightest particles of a type that can move, and whether there are held ones. */
 struct ts_lightest {
 	double inverse_mass[2], radius[2]; /* -1: there is none; 0: held */

@@ -9,6 +9,7 @@
 #include "core/plan.h"
 #include "core/settings.h"
 #include "neigh/bonds.h"
+#include "neigh/network.h"
 #include "neigh/order.h"
 #include "neigh/pair.h"
 #include "particles/domain.h"
@@ -365,6 +366,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 	size_t row = 3 * sizeof(double) + 5 * sizeof(int32_t) + 2 + 2 * sizeof(uint32_t) +
 		     nb->rows.history_width * sizeof(double);
 
+	TS_TRY(ts_network_report(report, sim));
 	if (!nb->wanted) {
 		ts_report_left_out(report, "contact rows", TS_FULL_ROWS, 0, "no pair_style");
 		return TS_OK;

@@ -245,6 +245,8 @@ push(const struct ts_wall *w, struct tsim *sim, size_t k, const struct ts_wall_s
 		w->contacts.force[k][d] = f.force[d];
 	for (int d = 0; d < 3 && ts_granular_turns(model); d++)
 		p->torque[i][d] += t.arm[0] * f.turn[d] + f.roll[d];
+	w->contacts.seen[k] = (struct ts_wall_seen){ { t.n[0], t.n[1], t.n[2] }, t.overlap, t.r_eff,
+						     spot->type };
 	for (size_t d = 0; d < 3 && w->store_force; d++)
 		((double *)p->column[w->stored].data)[3 * i + d] += f.force[d];
 	if (w->contacts.report)
@@ -393,6 +395,19 @@ enum ts_status ts_wall_plan(struct ts_instance *self, struct tsim *sim, int type
 	}
 	ts_free(lightest);
 	return status;
+}
+
+bool ts_wall_case(const struct ts_wall *w, const struct tsim *sim, size_t k, struct ts_contact_case *out)
+{
+	const struct ts_wall_seen *seen = &w->contacts.seen[k];
+	size_t i = (size_t)w->contacts.row[k];
+
+	if (!(seen->overlap > 0) || !(sim->particles->imass[i] > 0))
+		return false;
+	*out = (struct ts_contact_case){ model_of(w, sim),
+					 law_of(w, sim, seen->type, sim->particles->type[i]),
+					 seen->r_eff, 1 / sim->particles->imass[i], seen->overlap, 0 };
+	return true;
 }
 
 enum ts_status ts_wall_eval_force(struct ts_instance *self, const struct tsim *sim,

@@ -119,6 +119,11 @@ void ts_wall_finish(struct ts_wall *w);
 enum ts_status ts_wall_plan(struct ts_instance *self, struct tsim *sim, int type,
 			    struct ts_plan_report *report);
 
+/* The law and the partners of contact k as they were in the last force computation; false: they did not
+ * touch, or the particle cannot move. */
+struct ts_contact_case;
+bool ts_wall_case(const struct ts_wall *w, const struct tsim *sim, size_t k, struct ts_contact_case *out);
+
 /* Whether there is a contact law at all; if not, nothing is near and the plan refuses the run. */
 bool ts_wall_has_law(const struct ts_wall *w, const struct tsim *sim);
 /* The law for particles that meet a surface of this type; before pushes, after each rebuild. */

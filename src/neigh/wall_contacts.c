@@ -21,6 +21,7 @@ enum ts_status ts_wall_contacts_add(struct tsim *sim, struct ts_wall_contacts *c
 
 	if (TS_GROW(c->row, c->row_capacity, n) != TS_OK ||
 	    TS_GROW(c->key, c->key_capacity, n) != TS_OK ||
+	    TS_GROW(c->seen, c->seen_capacity, n) != TS_OK ||
 	    TS_GROW(c->memory, c->memory_capacity, n * c->width) != TS_OK ||
 	    TS_GROW(c->force, c->force_capacity, n) != TS_OK ||
 	    (c->want_reports && TS_GROW(c->report, c->report_capacity, n) != TS_OK))
@@ -28,6 +29,7 @@ enum ts_status ts_wall_contacts_add(struct tsim *sim, struct ts_wall_contacts *c
 	c->row[c->n] = (int32_t)i;
 	c->key[c->n][0] = sim->particles->tag[i];
 	c->key[c->n][1] = element;
+	c->seen[c->n].overlap = 0;
 	for (size_t k = 0; k < c->width; k++)
 		c->memory[c->n * c->width + k] = 0;
 	ts_wall_contact_rest(c, c->n);
@@ -110,6 +112,7 @@ enum ts_status ts_wall_contacts_finish(struct tsim *sim, struct ts_wall_contacts
 void ts_wall_contact_part(struct ts_wall_contacts *c, size_t k)
 {
 	ts_wall_contact_rest(c, k);
+	c->seen[k].overlap = 0;
 	if (c->width)
 		memset(ts_wall_memory(c, k), 0, c->width * sizeof *c->memory);
 	if (c->report && c->report[k].touching > 0)
@@ -177,6 +180,7 @@ enum ts_status ts_wall_contacts_archive(struct ts_archive *archive, struct tsim 
 		c->width = (size_t)size[1];
 		if (TS_GROW(c->row, c->row_capacity, c->n) != TS_OK ||
 		    TS_GROW(c->key, c->key_capacity, c->n) != TS_OK ||
+		    TS_GROW(c->seen, c->seen_capacity, c->n) != TS_OK ||
 		    TS_GROW(c->memory, c->memory_capacity, c->n * c->width) != TS_OK ||
 		    TS_GROW(c->force, c->force_capacity, c->n) != TS_OK)
 			return ts_nomem(&sim->error);
@@ -191,6 +195,7 @@ void ts_wall_contacts_release(struct ts_wall_contacts *c)
 {
 	ts_free(c->row);
 	ts_free(c->key);
+	ts_free(c->seen);
 	ts_free(c->memory);
 	ts_free(c->force);
 	ts_free(c->report);

@@ -20,16 +20,23 @@ struct ts_wall_report {
 };
 enum { TS_WALL_REPORT = sizeof(struct ts_wall_report) / sizeof(double) };
 
+/* How a contact lay in the last force computation: what the limit of the time step needs to know. */
+struct ts_wall_seen {
+	double n[3], overlap, r_eff; /* overlap 0: it does not touch */
+	int32_t type;		     /* of the surface */
+};
+
 struct ts_wall_contacts {
 	size_t n;
 	int32_t *row;	   /* of the particle */
 	int32_t (*key)[2]; /* identity of the particle, number of the element */
+	struct ts_wall_seen *seen;
 	double *memory;	   /* width numbers each; zero where they do not touch */
 	double (*force)[3]; /* on the particle, in this step */
 	size_t width;
 	bool want_reports;
 	struct ts_wall_report *report; /* one each, if somebody wants them; else NULL */
-	size_t row_capacity, key_capacity, memory_capacity, force_capacity, report_capacity;
+	size_t row_capacity, key_capacity, seen_capacity, memory_capacity, force_capacity, report_capacity;
 };
 
 /* A rebuild: start, add those that may touch before the next one, finish. What is near again keeps

@@ -65,5 +65,68 @@ ok=1
 grep -q "warning: at step $step the time step" out || ok=0
 report 'so does one from a restart file' $ok
 
+# A grain (k = m = 1) that two others, which move as they are told, come to hold: with one the limit is 2, with both sqrt 2.
+cat >in.press <<'END'
+units si
+atom_style granular
+newton off
+communicate single vel yes
+neighbor 0.01 bin
+boundary f f f
+region box block -3 3 -3 3 -3 3 units box
+create_box 2 box
+create_atoms 1 single 0 0 0
+create_atoms 2 single 1.01 0 0
+create_atoms 2 single -1.01 0 0
+set group all diameter 1 mass 1
+fix n all property/global kn peratomtypepair 2 1 1 1 1
+fix t all property/global kt peratomtypepair 2 0 0 0 0
+fix g all property/global gamman_abs peratomtypepair 2 0 0 0 0
+fix s all property/global gammat_abs peratomtypepair 2 0 0 0 0
+fix f all property/global coefficientFriction peratomtypepair 2 0 0 0 0
+fix Y all property/global youngsModulus peratomtype 1e7 1e7
+fix P all property/global poissonsRatio peratomtype 0.25 0.25
+fix E all property/global coefficientRestitution peratomtypepair 2 1 1 1 1
+pair_style gran model hooke/stiffness tangential off absolute_damping on
+pair_coeff * *
+group right id 2
+group left id 3
+group free type 1
+fix r right move linear -1e-5 0 0
+fix l left move linear 1e-5 0 0
+fix move free nve/sphere
+timestep ${h}
+thermo 1000
+run ${n}
+run 3000 upto unsafe ${u}
+END
+press() { "$TSIM" -in in.press -log none -var h $1 -var u $2 -var n $3 >out 2>&1; }
+
+press 1.41 no 0
+status=$?
+ok=1
+[ $status = 0 ] && [ "$(grep -c 'warning:.* of the stability limit 1.41421 of all contacts together' out)" = 1 ] || ok=0
+report 'near the limit of what has come together: one warning' $ok
+
+ok=1
+press 1.5 no 0 && ok=0
+for text in 'in.press:21' 'error: at step' 'the time step 1.5 is beyond the stability limit 1.41421 of' \
+	'all contacts together, about particle 1 of type 1 (2 contacts) at (0 0 0)' 'timestep 0.14'; do
+	grep -qF -- "$text" out || { ok=0; echo "missing: $text"; }
+done
+report 'beyond it: stopped, with cause, place and what to do' $ok
+
+stopped=$(grep -E 'warning|error' out)
+press 1.5 no 500
+ok=1
+[ "$(grep -E 'warning|error' out)" = "$stopped" ] || ok=0
+report 'at the same step in a run that is cut' $ok
+
+press 1.5 yes 0
+status=$?
+ok=1
+[ $status = 0 ] && grep -q 'warning: at step .* is 106 % of the stability limit 1.41421' out || ok=0
+report 'unsafe: warned only' $ok
+
 echo "$passed passed, $failed failed"
 [ $failed = 0 ]

@@ -3,6 +3,7 @@
 
 #include "core/each.h"
 #include "math/vec3.h"
+#include "neigh/limits.h"
 #include "particles/domain.h"
 #include "particles/moments.h"
 #include "particles/reference.h"
@@ -13,6 +14,7 @@
 enum { LINEAR, WIGGLE, ROTATE, TRANSROT, VARIABLE };
 
 struct state {
+	struct ts_prescribed_motion motion;
 	int mode, units;
 	struct ts_number velocity[3], amplitude[3], shift[3], rate[3]; /* NULL: moves freely */
 	double drift[3], point[3], axis[3], period;
@@ -27,6 +29,19 @@ struct state {
 struct moment {
 	double t, sine, cosine, omega;
 };
+
+/* Whether some component moves as forces say. */
+static bool moves_freely(const struct state *s)
+{
+	const struct ts_number *given = s->mode == LINEAR ? s->velocity : s->amplitude;
+	bool some = false;
+
+	for (int k = 0; k < 3 && (s->mode == LINEAR || s->mode == WIGGLE); k++)
+		some |= given[k].null;
+	for (int k = 0; k < 3 && s->mode == VARIABLE; k++)
+		some |= s->shift[k].null && s->rate[k].null;
+	return some;
+}
 
 static double scale_of(const struct state *s, const struct tsim *sim, int dim)
 {
@@ -120,6 +135,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct state *s = self->state;
 
 	TS_TRY(check_numbers(self, sim));
+	s->motion.free = moves_freely(s);
 	ts_domain_units_said(sim, s->units, &self->where);
 	if (!s->started)
 		s->origin = ts_sim_time(sim);
@@ -362,6 +378,7 @@ const struct ts_style ts_fix_move = {
 	.archive = archive,
 	.values = values,
 	.init = init,
+	.family = TS_FAMILY_PRESCRIBED,
 	.hook = {
 		[TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,
 		[TS_STAGE_POST_BUILD] = take_in,
