@@ -1,5 +1,6 @@
 /* Looks come after the first step, 128 steps later, then at intervals that double, up to 4096 steps, but are no longer than it would take to
- * come near the limit at the rate of the last interval: together they cost less than half a per cent.
+ * come near the limit at the rate of the last interval: together they cost less than half a per cent. What is only advice is asked for at the first
+ * look and at the rarest.
  *
  * Beyond a limit a mode z grows by |z| = 1 + 2 sqrt(2 (h/h_max - 1)) or so in every step, but a collision that is
  * over in a step or two has no time for it, and a flow that starts slows down: a run is stopped only if
@@ -128,6 +129,8 @@ static enum ts_status judge_hard(struct tsim *sim, const struct ts_limit *hard)
 	struct ts_guard *g = sim->guard;
 	int level = level_of(sim, hard);
 
+	if (hard->watched)
+		level = level ? NEAR : 0;
 	if (level == BEYOND && !g->seen++)
 		g->until = sim->clock.step + WINDOW;
 	if (level == BEYOND && g->seen >= ENOUGH && !sim->unsafe)
@@ -175,9 +178,9 @@ double ts_guard_enough(const struct tsim *sim)
 	return sim->clock.dt / NEAR_FROM;
 }
 
-static enum ts_status limits_now(struct tsim *sim, double enough, struct ts_plan_report *report)
+static enum ts_status limits_now(struct tsim *sim, double enough, bool advice, struct ts_plan_report *report)
 {
-	*report = (struct ts_plan_report){ .limits_only = true, .enough = enough };
+	*report = (struct ts_plan_report){ .limits_only = true, .advice = advice, .enough = enough };
 	return ts_report_collect(report, sim);
 }
 
@@ -193,7 +196,7 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	}
 	if (sim->clock.step < g->next)
 		return TS_OK;
-	status = limits_now(sim, ts_guard_enough(sim), &report);
+	status = limits_now(sim, ts_guard_enough(sim), g->interval == FIRST / 2 || g->interval == LONGEST, &report);
 	if (status == TS_OK)
 		status = look(sim, &report);
 	ts_report_release(&report);
@@ -211,7 +214,7 @@ static enum ts_status stable_fraction(struct tsim *sim, double *out)
 	*out = sim->guard->fraction;
 	if (!sim->running)
 		return TS_OK;
-	status = limits_now(sim, INFINITY, &report);
+	status = limits_now(sim, INFINITY, false, &report);
 	hard = ts_report_binding(&report, true);
 	*out = hard ? sim->clock.dt / hard->dt : 0;
 	ts_report_release(&report);

@@ -50,6 +50,7 @@ enum ts_status ts_plan_stopped(struct tsim *sim);
 struct ts_limit {
 	double dt;           /* the largest stable step */
 	bool fatal;          /* beyond it the run is refused; else only warned */
+	bool watched;	     /* who reported it stops the run itself, at the very step */
 	uint64_t cause;      /* the same for the same sort of limit of the same line */
 	char text[160];      /* "contact of types 1-1: 2/omega0, k* = ..., m* = ..." */
 	struct ts_place where;
@@ -71,6 +72,7 @@ struct ts_plan_report {
 	struct ts_limit *limit;
 	size_t nlimits, limit_capacity;
 	bool limits_only;      /* while running: nothing but limits is asked for */
+	bool advice;	       /* limits that are advice are wanted, too */
 	double enough;	       /* limits that are surely larger need not be exact; infinite: all must */
 	struct ts_str lines;   /* "  particles    3100 ..." */
 	struct ts_left_out *left_out;
@@ -82,6 +84,8 @@ struct ts_plan_report {
 enum ts_status ts_report_limit(struct ts_plan_report *report, double dt, bool fatal,
 			       const struct ts_place *where, const char *format, ...)
 	__attribute__((format(printf, 5, 6)));
+/* Says so of the limits reported since there were n. */
+void ts_report_watched(struct ts_plan_report *report, size_t n);
 /* How many multiples of `every` lie in (first, last] of the run. */
 int64_t ts_report_times(const struct tsim *sim, int64_t every);
 /* A file that the run writes in `frames` pieces of so many bytes each, as far as can be told. */

@@ -43,6 +43,12 @@ enum ts_status ts_report_limit(struct ts_plan_report *report, double dt, bool fa
 	return TS_OK;
 }
 
+void ts_report_watched(struct ts_plan_report *report, size_t n)
+{
+	for (; n < report->nlimits; n++)
+		report->limit[n].watched = true;
+}
+
 static void add_line(struct ts_str *to, const char *name, const char *format, va_list args)
 {
 	ts_str_addf(to, "  %-16s ", name);
@@ -302,7 +308,7 @@ static bool has_price(const struct ts_plan_report *report, const struct tsim *si
 
 enum ts_status ts_plan_review(struct ts_plan *plan, struct tsim *sim, int64_t steps)
 {
-	struct ts_plan_report report = { .enough = sim->explain ? INFINITY : ts_guard_enough(sim) };
+	struct ts_plan_report report = { .advice = true, .enough = sim->explain ? INFINITY : ts_guard_enough(sim) };
 	enum ts_status status = ts_report_collect(&report, sim);
 	struct ts_price price;
 	bool priced = status == TS_OK && has_price(&report, sim);

@@ -464,17 +464,19 @@ static enum ts_status report_bound(const struct network *w, struct ts_plan_repor
 
 static enum ts_status look(struct network *w, struct ts_plan_report *report)
 {
+	const bool slip = w->turns && report->advice;
+
 	for (int k = 0; k < PLACES; k++) {
 		size_t node = 0;
 		double most = seed(w, &node), bound = 2 / sqrt(2 * most);
 
 		if (!(most > 0) || (k && bound > report->enough))
 			return TS_OK;
-		if (bound > report->enough && (!w->turns || bound / SLIP > report->enough))
+		if (bound > report->enough && (!slip || bound / SLIP > report->enough))
 			return report_bound(w, report, bound);
 		TS_TRY(gather_place(w, node));
 		TS_TRY(report_place(w, report, false));
-		if (w->turns)
+		if (slip)
 			TS_TRY(report_place(w, report, true));
 		for (int a = 0; a < w->n; a++) {
 			w->score[w->list[a]] = 0;

@@ -138,7 +138,7 @@ static bool stable(const struct scene *s, double h)
 /* What the plan would say after a step. */
 static double reported(const struct scene *s)
 {
-	struct ts_plan_report report = { .limits_only = true, .enough = INFINITY };
+	struct ts_plan_report report = { .limits_only = true, .advice = true, .enough = INFINITY };
 	struct tsim *sim = open_scene(s, 1e-3);
 	double least = INFINITY;
 

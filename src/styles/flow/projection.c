@@ -263,6 +263,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	struct ts_flow_limits limits;
 	/* steps of the simulation to one of the fluid */
 	double steps = (double)p->every / (double)(p->substeps ? p->substeps : 1);
+	size_t before = report->nlimits;
 
 	if (!report->limits_only)
 		TS_TRY(describe(self, sim, report));
@@ -274,6 +275,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 			       scheme->name));
 	TS_TRY(ts_report_limit(report, limits.courant / steps, true, &self->where,
 			       "the fluid's Courant number, %g h/u, or use substeps auto", scheme->courant));
+	ts_report_watched(report, before);
 	return ts_report_limit(report, limits.growth / steps, false, &self->where,
 			       "slow growth where convection moves waves that viscosity does not damp (time %s)",
 			       scheme->name);

@@ -77,12 +77,15 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 {
 	const struct gran *g = self->state;
 	int law = g->pair.model.normal;
-	double speed = 2 * ts_fastest(sim, 0);
+	double speed;
 	struct ts_granular_times times;
 
 	TS_TRY(ts_pair_plan(self, sim, report));
+	if (!report->advice)
+		return TS_OK;
 	if (law != TS_NORMAL_HERTZ && law != TS_NORMAL_HOOKE && law != TS_NORMAL_HOOKE_HYSTERESIS)
 		return TS_OK;
+	speed = 2 * ts_fastest(sim, 0);
 	TS_TRY(ts_granular_times(sim, 0, speed, false, "pair_style gran", &self->where, &times));
 	if (isfinite(times.rayleigh))
 		TS_TRY(ts_report_limit(report, times.rayleigh, false, &self->where,
