@@ -103,6 +103,15 @@ static const struct scene scenes[] = {
 	{ "time ab2 convection central", 0.003, 0.71, 0.37, false, 0.97, 1.3 },
 	{ "time rk2 convection central", 0.003, 0.71, 0.37, false, 0.97, 1.4 },
 	{ "time rk3 convection central", 0.001, 0.71, 0.37, false, 0.97, 1.1 },
+	{ "time ab2 convection donor gamma 1", 0.001, 0.71, 0.37, false, 0.97, 1.3 },
+	{ "time rk2 convection donor gamma 1", 0.001, 0.71, 0.37, false, 0.97, 1.3 },
+	{ "time rk3 convection donor gamma 1", 0.001, 0.71, 0.37, false, 0.97, 1.3 },
+	{ "time euler convection quick", 0.005, 0.71, 0.37, false, 0.97, 1.5 },
+	/* its limiter damps what is central otherwise */
+	{ "time euler convection cubista", 0.005, 0.71, 0.37, false, 0.97, 3.2 },
+	{ "time ab2 convection cubista", 0, 0.71, 0.37, false, 0.97, 1.5 },
+	{ "time rk2 convection cubista", 0, 0.71, 0.37, false, 0.97, 1.5 },
+	{ "time rk3 convection cubista", 0.001, 0.71, 0.37, false, 0.97, 1.5 },
 };
 
 START_TEST(limits)

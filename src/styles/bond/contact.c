@@ -76,8 +76,9 @@ const struct ts_bond_style ts_bond_contact = {
 			  "keyword brokenbonds) and listed with time and place (fix bond/breakage).\n\n"
 			  "Bonded particles that overlap also feel the pair style. A single bond is "
 			  "stable for steps below 2 sqrt(m*/K), with damping below "
-			  "2 (sqrt(w^2 + g^2) - g)/w^2, w^2 = K/m*, g = damping/(2 m*); for a network, "
-			  "Gershgorin's bound 2/sqrt(2 max_i sum K/m_i) is reported as advice.",
+			  "2 (sqrt(w^2 + g^2) - g)/w^2, w^2 = K/m*, g = damping/(2 m*); the limit of a "
+			  "network, which is lower, is found about its stiffest places, see "
+			  "doc/stability.md.",
 		   .example = "bond_style contact\n"
 			      "bond_coeff 1 stiffness 2.0e5 ultimate 3.0\n"
 			      "create_bonds many rock rock 1 0.0 1.05e-3",

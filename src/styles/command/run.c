@@ -178,8 +178,11 @@ const struct ts_command_style ts_command_run = {
 			  "commands; variables in them are substituted each time.\n\n"
 			  "What changes over a run counts from its first to its last step. With `start` and "
 			  "`stop` several runs, or one that goes on from a restart file, count as one.\n\n"
-			  "A step beyond a limit of stability is refused. `unsafe yes` only warns: for "
-			  "tests of the limits themselves.",
+			  "A step beyond a limit of stability is refused. While the run goes on limits are looked at "
+			  "again, as stiffnesses, masses and velocities change: from 80 % of one on a warning says "
+			  "so, once for each cause, and a run that stays beyond it is stopped, with the cause, the place and a step "
+			  "that is small enough (doc/stability.md; thermo keyword stable_fraction). "
+			  "`unsafe yes` only warns: for tests of the limits themselves.",
 		   .example = "run 20000\nrun 100000 upto\nrun 5000 every 1000 \"print 'step $(step)'\"",
 		   .args = args,
 		   .state_size = sizeof(struct run) },
