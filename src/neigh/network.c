@@ -35,7 +35,7 @@ struct network {
 	int32_t *place;	    /* of each node: in the list, counted from 1; 0: it is not there */
 	int32_t list[MOST]; /* nodes: particles, then rigid bodies */
 	int n;
-	uint32_t prescribed;
+	uint32_t moving, prescribed; /* groups that integrators move, and those that go as they are told */
 	bool turns; /* contacts turn particles */
 	struct ts_linkage linkage;
 };
@@ -47,7 +47,18 @@ static double inverse_mass(const struct network *w, size_t i)
 {
 	const struct ts_particles *p = w->sim->particles;
 
-	return p->mask[i] & w->prescribed ? 0 : p->imass[i];
+	return p->mask[i] & w->moving && !(p->mask[i] & w->prescribed) ? p->imass[i] : 0;
+}
+
+static uint32_t moving_groups(const struct tsim *sim)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+	uint32_t groups = 0;
+
+	for (size_t k = 0; k < fixes->n; k++)
+		if (fixes->item[k]->style->hook[TS_STAGE_INITIAL_INTEGRATE])
+			groups |= (uint32_t)1 << fixes->item[k]->group;
+	return groups;
 }
 
 static size_t local_of(const struct ts_particles *p, size_t i)
@@ -511,6 +522,7 @@ enum ts_status ts_network_report(struct ts_plan_report *report, struct tsim *sim
 
 	w.bond = sim->bonds->n ? ts_sim_only(sim, TS_KIND_BOND) : NULL;
 	w.prescribed = ts_prescribed(sim);
+	w.moving = moving_groups(sim);
 	w.turns = sim->particles->omega && sim->particles->torque;
 	if (sim->explicit_euler || (!w.pair && !w.bond) || (w.pair && sim->neigh->rows.particles != sim->particles->n))
 		return TS_OK;
