@@ -52,6 +52,28 @@ static double largest_divergence(const struct ts_fluid *fluid, int j, int k, dou
 /* Rounding of a step chosen at the limit. */
 static const double MARGIN = 1.000001;
 
+/* Centre of the cell with the largest sum |u|/h. */
+static void fastest_cell(const struct ts_fluid *fluid, double x[3])
+{
+	const struct ts_grid *grid = &fluid->grid;
+	double most = -1;
+
+	for (int k = 0; k < grid->n[2]; k++)
+		for (int j = 0; j < grid->n[1]; j++)
+			for (int i = 0; i < grid->n[0]; i++) {
+				const int at[3] = { i, j, k };
+				double sum = 0;
+
+				for (int d = 0; d < grid->dimensions; d++)
+					sum += fabs(fluid->u[d][ts_at(grid, i, j, k)]) / grid->width[d][at[d]];
+				if (!(sum > most))
+					continue;
+				most = sum;
+				for (int d = 0; d < 3; d++)
+					x[d] = 0.5 * (grid->face[d][at[d]] + grid->face[d][at[d] + 1]);
+			}
+}
+
 /* Which limit the step was beyond, for the velocities it began with, as far as can be told. */
 static enum ts_status explain(struct ts_instance *self, struct tsim *sim, bool broken, double dt)
 {
@@ -59,6 +81,7 @@ static enum ts_status explain(struct ts_instance *self, struct tsim *sim, bool b
 	const struct ts_fluid *fluid = &p->fluid;
 	struct ts_flow_limits limits = ts_flow_limits(p);
 	const char *time = ts_time_names[p->time];
+	double x[3] = { 0 };
 	char cause[256];
 
 	if (broken)
@@ -67,10 +90,13 @@ static enum ts_status explain(struct ts_instance *self, struct tsim *sim, bool b
 		snprintf(cause, sizeof cause,
 			 "viscosity %g with time %s is stable for steps up to %g only", p->viscosity, time,
 			 ts_flow_viscous_limit(p));
-	else
+	else {
+		fastest_cell(fluid, x);
 		snprintf(cause, sizeof cause,
-			 "the Courant number sum |u| dt/h is %g, and with time %s it must stay below %g",
-			 fluid->courant, time, ts_time_schemes[p->time].courant);
+			 "the Courant number sum |u| dt/h is %g in the cell at (%.4g %.4g %.4g), and with time %s it must stay "
+			 "below %g",
+			 fluid->courant, x[0], x[1], x[2], time, ts_time_schemes[p->time].courant);
+	}
 	return ts_fail(&sim->error, TS_PHYSICS, &self->where,
 		       "the fluid left the region of stable steps at time %g with a step of %g: %s%s; use a "
 		       "smaller `timestep`, or `substeps auto` in flow_style",
