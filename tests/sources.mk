@@ -179,9 +179,11 @@ unit_tests = \
 	tests/check_variables \
 	tests/check_wear \
 	tests/stability/check_contacts \
+	tests/stability/check_couplings \
 	tests/stability/check_drag_lag \
 	tests/stability/check_flow_limits \
 	tests/stability/check_limits \
+	tests/stability/check_network \
 	tests/stability/check_relaxation
 tests_common = \
 	tests/cloud.c \
@@ -361,6 +363,10 @@ tests_stability_check_contacts_SOURCES = tests/stability/check_contacts.c $(test
 tests_stability_check_contacts_CFLAGS = $(tests_cflags)
 tests_stability_check_contacts_LDADD = $(tests_ldadd)
 
+tests_stability_check_couplings_SOURCES = tests/stability/check_couplings.c $(tests_common)
+tests_stability_check_couplings_CFLAGS = $(tests_cflags)
+tests_stability_check_couplings_LDADD = $(tests_ldadd)
+
 tests_stability_check_drag_lag_SOURCES = tests/stability/check_drag_lag.c $(tests_common)
 tests_stability_check_drag_lag_CFLAGS = $(tests_cflags)
 tests_stability_check_drag_lag_LDADD = $(tests_ldadd)
@@ -372,6 +378,10 @@ tests_stability_check_flow_limits_LDADD = $(tests_ldadd)
 tests_stability_check_limits_SOURCES = tests/stability/check_limits.c $(tests_common)
 tests_stability_check_limits_CFLAGS = $(tests_cflags)
 tests_stability_check_limits_LDADD = $(tests_ldadd)
+
+tests_stability_check_network_SOURCES = tests/stability/check_network.c $(tests_common)
+tests_stability_check_network_CFLAGS = $(tests_cflags)
+tests_stability_check_network_LDADD = $(tests_ldadd)
 
 tests_stability_check_relaxation_SOURCES = tests/stability/check_relaxation.c $(tests_common)
 tests_stability_check_relaxation_CFLAGS = $(tests_cflags)
