@@ -361,6 +361,8 @@ library_sources = \
 	src/neigh/ledger_values.c \
 	src/neigh/limits.c \
 	src/neigh/limits.h \
+	src/neigh/linkage.c \
+	src/neigh/linkage.h \
 	src/neigh/located.c \
 	src/neigh/located.h \
 	src/neigh/material_words.c \
@@ -372,6 +374,8 @@ library_sources = \
 	src/neigh/mesh_wall.h \
 	src/neigh/neigh.c \
 	src/neigh/neigh.h \
+	src/neigh/network.c \
+	src/neigh/network.h \
 	src/neigh/order.c \
 	src/neigh/order.h \
 	src/neigh/pair.c \
