@@ -7,7 +7,7 @@ also='steps per contact'
 kind=Grains
 budget=60
 pick='`located yes`, with the pair style and with walls, where it matters how collisions go or what they cost: 25 steps per
-contact are then as good as 200 to 400 without, in half the processor time or less, though a step costs 1.3 to 2.5
+contact are then as good as 200 to 400 without, in half the processor time or less, though a step costs 1.3 to 3.5
 times as much (most where the default has a loop of its own). With `tangential history` and its dashpot the law itself
 jumps where slip begins: first order stays, errors of velocities are a third smaller, and smaller steps give the same for less.
 Without dashpots it changes nothing.'
