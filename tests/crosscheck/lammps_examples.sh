@@ -1,11 +1,11 @@
 #!/bin/bash
 # Inputs that come with LAMMPS, as they are but for the length: the same particles as LAMMPS has, in the same places.
-# shellcheck source=tests/lib_cases.sh
-. "$top_srcdir/tests/lib_cases.sh" || exit 99
+# shellcheck source=tests/lib_lammps.sh
+. "$top_srcdir/tests/lib_lammps.sh" || exit 99
 examples=/usr/share/lammps/examples
 [ -d $examples ] || examples=/usr/share/doc/lammps-examples/examples
-if ! command -v lmp >/dev/null || [ ! -x /usr/bin/python3 ] || [ ! -f $examples/pour/in.pour ]; then
-	echo 'skipped: needs lmp, python3 and the examples of LAMMPS (apt-get install lammps lammps-examples python3)'
+if [ ! -f $examples/pour/in.pour ]; then
+	echo 'skipped: needs the examples of LAMMPS (apt-get install lammps-examples)'
 	exit 77
 fi
 
@@ -17,15 +17,9 @@ agrees() { # FILE STEPS
 		print "run " n
 		exit
 	} { print }' "$examples/$1" >in.short
-	lmp -in in.short -var out lmp -log none -screen none >err 2>&1
-	report "$1: LAMMPS" $? err
-	"$TSIM" -legacy -in in.short -var out tsim -log none -screen none 2>err
-	report "$1: tsim" $? err
-	sed -i '/BOX BOUNDS/,+3d' lmp.dump tsim.dump
-	/usr/bin/python3 "$top_srcdir/tests/crosscheck/columns.py" lmp.dump tsim.dump 1e-10 >deviation 2>&1
-	report "$1" $? deviation
-	echo "$1, $steps steps, $(tail -n +4 tsim.dump | grep -c '^[1-9][0-9]* [12] ') rows: $(head -n 1 deviation)"
-	rm -f ./*.dump
+	both "$1" -in in.short -log none -screen none
+	echo "$1, $steps steps, $(tail -n +4 tsim.dump | grep -c '^[1-9][0-9]* [12] ') rows"
+	same_frames "$1" 1e-10
 }
 agrees pour/in.pour 600
 agrees granregion/in.granregion.funnel 400

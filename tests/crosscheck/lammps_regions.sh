@@ -1,29 +1,17 @@
 #!/bin/bash
 # fix wall/gran/region, by LAMMPS: shapes from within and without, open faces, unions, moving and turning ones (about
 # unit vectors: of others LAMMPS takes the length into the speed).
-# shellcheck source=tests/lib_cases.sh
-. "$top_srcdir/tests/lib_cases.sh" || exit 99
-if ! command -v lmp >/dev/null || [ ! -x /usr/bin/python3 ]; then
-	echo 'skipped: needs lmp and python3 (apt-get install lammps python3)'
-	exit 77
-fi
+# shellcheck source=tests/lib_lammps.sh
+. "$top_srcdir/tests/lib_lammps.sh" || exit 99
 
 agrees() { # WAY LAW REGION...
 	local way=$1 law=$2 what
 	shift 2
 	what="$law: $*"
 	printf '%s\n' "$@" >shape
-	set -- -in "$top_srcdir/tests/crosscheck/in.lammps_regions" -log none -screen none \
+	both "$what" -in "$top_srcdir/tests/crosscheck/in.lammps_regions" -log none -screen none \
 		-var way "$way" -var wall "$law" -var skin 0.02
-	lmp "$@" -var out lmp >err 2>&1
-	report "$what: LAMMPS" $? err
-	"$TSIM" -legacy "$@" -var out tsim 2>err
-	report "$what: tsim" $? err
-	sed -i '/BOX BOUNDS/,+3d' lmp.dump tsim.dump # of other precision
-	/usr/bin/python3 "$top_srcdir/tests/crosscheck/columns.py" lmp.dump tsim.dump 1e-11 >deviation 2>&1
-	report "$what" $? deviation
-	echo "$what: $(head -n 1 deviation)"
-	rm -f ./*.dump
+	same_frames "$what" 1e-11
 }
 hooke='hooke/history 1e4 NULL 50 NULL 0.5 1'
 hertz='hertz/history 1e6 NULL 50 NULL 0.5 1'

@@ -1,26 +1,12 @@
 #!/bin/bash
 # fix wall/gran in LAMMPS' words, by LAMMPS: its laws, two planes, wiggle, shear.
-# shellcheck source=tests/lib_cases.sh
-. "$top_srcdir/tests/lib_cases.sh" || exit 99
-if ! command -v lmp >/dev/null || [ ! -x /usr/bin/python3 ]; then
-	echo 'skipped: needs lmp and python3 (apt-get install lammps python3)'
-	exit 77
-fi
+# shellcheck source=tests/lib_lammps.sh
+. "$top_srcdir/tests/lib_lammps.sh" || exit 99
 
 agrees() { # FACES SKIN WALL
-	set -- "$3" -in "$top_srcdir/tests/crosscheck/in.lammps_walls" -log none -screen none \
+	both "$3" -in "$top_srcdir/tests/crosscheck/in.lammps_walls" -log none -screen none \
 		-var faces "$1" -var skin "$2" -var wall "$3"
-	local what=$1
-	shift
-	lmp "$@" -var out lmp >err 2>&1
-	report "$what: LAMMPS" $? err
-	"$TSIM" -legacy "$@" -var out tsim 2>err
-	report "$what: tsim" $? err
-	sed -i '/BOX BOUNDS/,+3d' lmp.dump tsim.dump # of other precision
-	/usr/bin/python3 "$top_srcdir/tests/crosscheck/columns.py" lmp.dump tsim.dump 1e-11 >deviation 2>&1
-	report "$what" $? deviation
-	echo "$what: $(head -n 1 deviation)"
-	rm -f ./*.dump
+	same_frames "$3" 1e-11
 }
 planes='p p f'
 cylinder='f f f'
@@ -49,13 +35,6 @@ agrees "$planes" 0.01 "granular dmt 1e7 0.7 0.3 5 ${mindlin/0.5/0} $tsuji $floor
 agrees "$cylinder" 0.01 "granular hertz/material 1e7 0.7 0.3 $mindlin $tsuji $sds twisting marshall zcylinder 0.5"
 
 # one sphere until it parts: LAMMPS' sticky walls give nan to those that do not touch
-set -- -in "$top_srcdir/tests/crosscheck/in.lammps_sticks" -log none -screen none
-lmp "$@" -var out lmp >err 2>&1
-report 'jkr: LAMMPS' $? err
-"$TSIM" -legacy "$@" -var out tsim 2>err
-report 'jkr: tsim' $? err
-sed -i '/BOX BOUNDS/,+3d' lmp.dump tsim.dump
-/usr/bin/python3 "$top_srcdir/tests/crosscheck/columns.py" lmp.dump tsim.dump 1e-12 >deviation 2>&1
-report 'jkr' $? deviation
-echo "jkr: $(head -n 1 deviation)"
+both jkr -in "$top_srcdir/tests/crosscheck/in.lammps_sticks" -log none -screen none
+same_frames jkr 1e-12
 finish
