@@ -31,7 +31,8 @@ TS_INLINE void ts_normal_hertz(const struct ts_granular_pair *c, const struct ts
 	f->kn = 4.0 / 3.0 * c->young * s;
 	f->kt = st;
 	f->gamman = -2 * TS_SQRT_5_6 * c->damping * sqrt(sn * t->m_eff);
-	f->gammat = -2 * TS_SQRT_5_6 * c->damping * sqrt(st * t->m_eff);
+	/* sqrt(S_t/S_n) is the same for all contacts of a pair of materials: a loop computes it once */
+	f->gammat = 2 * sqrt(c->shear / c->young) * f->gamman;
 }
 
 TS_INLINE double ts_hooke_stiffness(const struct ts_granular_pair *c, const struct ts_touch *t)

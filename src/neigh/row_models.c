@@ -13,6 +13,15 @@ TS_UNROLLED
 	M(hertz, .normal = TS_NORMAL_HERTZ)                                                        \
 	M(hooke_stiffness, .normal = TS_NORMAL_HOOKE_STIFFNESS)                                    \
 	M(hooke_stiffness_absolute, .normal = TS_NORMAL_HOOKE_STIFFNESS, .absolute_damping = true) \
+	M(hertz_located, .normal = TS_NORMAL_HERTZ, .located = true)                               \
+	M(hertz_history_located, .normal = TS_NORMAL_HERTZ, .tangential = TS_TANGENTIAL_HISTORY,   \
+	  .located = true)                                                                         \
+	M(hooke_stiffness_history, .normal = TS_NORMAL_HOOKE_STIFFNESS,                            \
+	  .tangential = TS_TANGENTIAL_HISTORY)                                                     \
+	M(hooke_stiffness_history_undamped, .normal = TS_NORMAL_HOOKE_STIFFNESS,                   \
+	  .tangential = TS_TANGENTIAL_HISTORY, .no_tangential_damping = true)                      \
+	M(hooke_stiffness_history_absolute, .normal = TS_NORMAL_HOOKE_STIFFNESS,                   \
+	  .tangential = TS_TANGENTIAL_HISTORY, .absolute_damping = true)                           \
 	M(hertz_history, .normal = TS_NORMAL_HERTZ, .tangential = TS_TANGENTIAL_HISTORY)           \
 	M(hertz_history_cdt, .normal = TS_NORMAL_HERTZ, .tangential = TS_TANGENTIAL_HISTORY,       \
 	  .rolling = TS_ROLLING_CDT)                                                               \
