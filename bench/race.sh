@@ -82,9 +82,10 @@ run_of() {
 	IFS=. read -r program threads dialect <<<"$1"
 	form='format float %.15g'
 	case $program in
-	tsim)
-		command=("$tsim" -threads "$threads")
-		[ "$dialect" = liggghts ] && command+=(-legacy) # its contacts that end, and runs that begin
+	tsim) command=("$tsim" -threads "$threads") ;;
+	legacy) # for the comparison with LIGGGHTS: its contacts that end, runs that begin, and skin
+		command=("$tsim" -threads "$threads" -legacy)
+		program=tsim
 		;;
 	liggghts)
 		command=(liggghts) count=$(wc -w <<<"$columns")
