@@ -12,6 +12,7 @@
 #include "base/banned.h"
 
 enum { CACHE_LINE = 64, LARGE_PAGE = 2 << 20, LARGE = 3 << 19 };
+enum { MAPPED = 1 << 20 }; /* blocks from this size on are no part of the heap: ts_alloc_tune */
 
 static atomic_long live_blocks;
 static atomic_long fail_countdown;
@@ -45,7 +46,7 @@ static void ask_for_large_pages(void *p, size_t bytes)
 void ts_alloc_tune(void)
 {
 #ifdef M_MMAP_THRESHOLD
-	(void)mallopt(M_MMAP_THRESHOLD, 1 << 20);
+	(void)mallopt(M_MMAP_THRESHOLD, MAPPED);
 #endif
 }
 
@@ -61,7 +62,9 @@ static void *allocate(size_t n, size_t size, size_t alignment)
 	if (alignment) {
 		/* see ts_alloc_aligned */
 		bytes = fill_page((bytes / alignment + 1) * alignment);
-		if (posix_memalign(&p, bytes >= LARGE ? LARGE_PAGE : alignment, bytes) != 0)
+		/* where the heap cannot grow any more there may be room for a block outside of it */
+		if (posix_memalign(&p, bytes >= LARGE ? LARGE_PAGE : alignment, bytes) != 0 &&
+		    (bytes > MAPPED || posix_memalign(&p, alignment, MAPPED) != 0))
 			p = NULL;
 		ask_for_large_pages(p, bytes);
 		if (p)

@@ -43,6 +43,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	sim->particles->describe_contacts = describe_contacts;
 	nb->wanted = ts_sim_only(sim, TS_KIND_PAIR) || sim->full & TS_FULL_ROWS;
 	nb->builds = 0;
+	nb->skin_counts = false; /* whose outputs do says so in its init */
 	return TS_OK;
 }
 

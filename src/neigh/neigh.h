@@ -28,6 +28,7 @@ struct ts_neigh {
 	bool stale;         /* a bond broke under skip_bonded: its pair needs a row */
 	int64_t builds;     /* in this run */
 	bool wanted;        /* some live style acts on contacts */
+	bool skin_counts;   /* an output depends on the skin: it is the one given */
 	struct ts_rows rows;
 	struct ts_row_history saved; /* from a restart file, for the next build */
 };

@@ -156,41 +156,53 @@ TS_INLINE void ts_batch_store(const struct ts_batch *b, const struct ts_granular
 	}
 }
 
-/* Lists the touching ones of the rows from .. to-1; returns how many. */
-TS_INLINE size_t ts_batch_find(struct ts_rows *rows, size_t from, size_t to, bool keep, uint32_t *list)
+/* Of the rows r .. r+n-1 those that no longer touch part; a bit of `now` says which touch. */
+TS_INLINE void ts_batch_part(struct ts_rows *rows, size_t r, size_t n, unsigned now, bool keep)
+{
+	for (size_t k = 0; k < n; k++)
+		if (rows->touching[r + k] && !(now >> k & 1u))
+			ts_row_part(rows, r + k, keep);
+}
+
+/* Lists the touching ones of the rows r .. r+n-1, n at most four, behind those listed; returns how many there are
+ * then. It does not branch on what touches. */
+TS_INLINE size_t ts_batch_find_four(struct ts_rows *rows, size_t r, size_t n, bool keep, uint32_t *list,
+				    size_t listed)
 {
 	static const ts_four signs = { -1, -1, -1, 1 };
 	const ts_four *place = (const ts_four *)rows->place;
-	size_t n = 0, r = from;
+	unsigned now = 0, parted = 0;
+	ts_four d[4];
 
-	for (; r + 4 <= to; r += 4) {
-		ts_four d[4];
+	for (size_t k = 0; k < 4; k++) { /* d and the sum of the radii */
+		size_t row = r + (k < n ? k : 0);
 
-		for (size_t k = 0; k < 4; k++) /* d and the sum of the radii */
-			d[k] = place[rows->i[r + k]] + signs * place[rows->j[r + k]];
-		ts_four_turn(d);
-		d[0] = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-		d[3] *= d[3];
-		for (size_t k = 0; k < 4; k++) {
-			bool touching = d[0][k] < d[3][k];
-
-			list[n] = (uint32_t)(r + k);
-			n += touching;
-			if (rows->touching[r + k] > touching)
-				ts_row_part(rows, r + k, keep);
-		}
+		d[k] = place[rows->i[row]] + signs * place[rows->j[row]];
 	}
-	for (; r < to; r++) {
-		const double *i = rows->place[rows->i[r]], *j = rows->place[rows->j[r]];
-		double d[3] = { i[0] - j[0], i[1] - j[1], i[2] - j[2] };
-		bool touching = ts_dot(d, d) < (i[3] + j[3]) * (i[3] + j[3]);
+	ts_four_turn(d);
+	d[0] = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+	d[3] *= d[3];
+	for (size_t k = 0; k < n; k++) {
+		unsigned touching = d[0][k] < d[3][k];
 
-		list[n] = (uint32_t)r;
-		n += touching;
-		if (rows->touching[r] > touching)
-			ts_row_part(rows, r, keep);
+		list[listed] = (uint32_t)(r + k);
+		listed += touching;
+		now |= touching << k;
+		parted |= rows->touching[r + k] & ~touching;
 	}
-	return n;
+	if (parted)
+		ts_batch_part(rows, r, n, now, keep);
+	return listed;
+}
+
+/* Lists the touching ones of the rows from .. to-1; returns how many. */
+TS_INLINE size_t ts_batch_find(struct ts_rows *rows, size_t from, size_t to, bool keep, uint32_t *list)
+{
+	size_t n = 0;
+
+	for (; from + 4 <= to; from += 4)
+		n = ts_batch_find_four(rows, from, 4, keep, list, n);
+	return from < to ? ts_batch_find_four(rows, from, to - from, keep, list, n) : n;
 }
 
 /* The contacts 0 .. n-1 of a batch by a constant model; the time step is positive. */

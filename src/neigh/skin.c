@@ -70,8 +70,8 @@ double ts_neigh_choose_skin(const struct tsim *sim)
 	double skin = ts_neigh_skin(sim), least, most, best;
 
 	/* what waits for a rebuild, as in LIGGGHTS: contacts that end and are remembered, particles that have left */
-	if (sim->legacy || sim->neigh->fixed_skin || p->lost_policy == TS_LOST_IGNORE || !p->n ||
-	    surroundings_move(sim))
+	if (sim->legacy || sim->neigh->fixed_skin || sim->neigh->skin_counts ||
+	    p->lost_policy == TS_LOST_IGNORE || !p->n || surroundings_move(sim))
 		return skin;
 	radii(p, &least, &most);
 	best = sqrt(REBUILD / 5.0 * fastest(p) * sim->clock.dt * 2 * least);

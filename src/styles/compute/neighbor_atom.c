@@ -1,5 +1,6 @@
 /* Compute: how many neighbours each particle has. */
 #include "neigh/contact_list.h"
+#include "neigh/neigh.h"
 
 #include "base/banned.h"
 
@@ -10,6 +11,7 @@ struct state {
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	((struct state *)self->state)->sim = sim;
+	sim->neigh->skin_counts = true;
 	return TS_OK;
 }
 
@@ -47,7 +49,7 @@ const struct ts_style ts_compute_neighbor_atom = {
 	.summary = "Number of neighbours of each particle",
 	.doc = "How many other particles, of whatever group, were nearer than the sum of the radii and the skin "
 	       "(command neighbor) when neighbours were searched last. Periodic images count, excluded pairs "
-	       "do not.",
+	       "do not. While there is this compute, searches take the skin given.",
 	.example = "compute n all neighbor/atom\ncompute mean all reduce ave c_n",
 	.args = args,
 	.state_size = sizeof(struct state),
