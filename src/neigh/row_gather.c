@@ -77,14 +77,19 @@ ts_rows_gather_fn *ts_rows_gatherer(const struct ts_rows *rows)
 	return rows->roll ? gather_rolls : rows->turn ? gather_turns : gather_forces;
 }
 
-TS_CLONES void ts_rows_place(const struct ts_particles *p, struct ts_rows *rows, size_t from, size_t to)
+TS_CLONES static void place(const struct ts_particles *p, double (*out)[4], size_t from, size_t to)
 {
 	for (size_t i = from; i < to; i++) {
 		ts_four four = TS_FOUR_AT(p->x[i]);
 
 		four[3] = p->radius[i];
-		*(ts_four *)rows->place[i] = four;
+		*(ts_four *)out[i] = four;
 	}
+}
+
+void ts_rows_place(const struct ts_particles *p, struct ts_rows *rows, size_t from, size_t to)
+{
+	place(p, rows->place, from, to);
 }
 
 /* The rows of particles from .. to-1. */

@@ -109,6 +109,17 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+/* The next run begins with these ghosts: a state that is saved and one that goes on are the same. */
+static enum ts_status finish(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_fluid *fluid = &((struct ts_projection *)self->state)->fluid;
+
+	(void)sim;
+	if (fluid->steps > 0)
+		ts_fluid_fill_ghosts(fluid, fluid->u);
+	return TS_OK;
+}
+
 static void fini(struct ts_instance *self)
 {
 	ts_projection_release(self->state);
@@ -375,7 +386,8 @@ const struct ts_flow_style ts_flow_projection = {
 		   .archive = archive,
 		   .fingerprint = fingerprint,
 		   .init = init,
-		   .hook = { [TS_STAGE_END_OF_STEP] = end_of_step },
+		   .hook = { [TS_STAGE_END_OF_STEP] = end_of_step,
+			     [TS_STAGE_FINISH] = finish },
 		   .plan = plan,
 		   .fini = fini },
 	.velocity = velocity,
