@@ -109,14 +109,13 @@ TS_INLINE void ts_batch_contact(struct ts_batch *b, size_t k, const struct ts_gr
 	ts_granular_contact(m, law, &t, dt, advance, memory, &f);
 	for (int c = 0; c < ts_granular_memory(m); c++)
 		b->memory[c][k] = memory[c];
-	for (int c = 0; c < 3; c++) {
+	for (int c = 0; c < 3; c++)
 		b->force[c][k] = f.force[c];
-		if (ts_granular_turns(m))
-			b->turn[c][k] = f.turn[c];
-		if (ts_granular_rolls(m))
-			b->roll[c][k] = f.roll[c];
-	}
 	b->force[3][k] = ts_granular_short(m, &t);
+	for (int c = 0; ts_granular_turns(m) && c < 4; c++)
+		b->turn[c][k] = c < 3 ? f.turn[c] : 0;
+	for (int c = 0; ts_granular_rolls(m) && c < 4; c++)
+		b->roll[c][k] = c < 3 ? f.roll[c] : 0;
 }
 
 /* The first of up to three numbers. */
