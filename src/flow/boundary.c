@@ -195,7 +195,7 @@ enum ts_status ts_projection_boundary(struct ts_instance *self, struct tsim *sim
 	for (int d = 0; d < p->fluid.grid.dimensions; d++)
 		for (int side = 0; side < 2; side++)
 			TS_TRY(evaluate(p, sim, d, (enum ts_side)side));
-	if (!p->before_known || (p->fluid.steps == 0 && !sim->running))
+	if (!p->before_known || (ts_projection_fresh(p) && !sim->running))
 		ts_projection_settle(p);
 	return TS_OK;
 }

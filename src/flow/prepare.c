@@ -171,7 +171,7 @@ enum ts_status ts_projection_prepare(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_projection_boundary(self, sim));
 	p->filled = false;
 	ts_projection_blend(p, 0); /* the fields are those of the last step */
-	if (fluid->steps == 0)
+	if (ts_projection_fresh(p))
 		ts_fluid_fill_velocity(fluid, fluid->u);
 	else
 		ts_fluid_fill_ghosts(fluid, fluid->u);

@@ -72,6 +72,12 @@ struct ts_projection {
 	bool weighted;		      /* for faces of different weights */
 };
 
+/* Nothing has happened yet: not a step of the simulation. */
+static inline bool ts_projection_fresh(const struct ts_projection *p)
+{
+	return p->fluid.steps == 0 && p->waited == 0;
+}
+
 /* The live flow style with its projection, for commands that change it. */
 enum ts_status ts_projection_require(struct tsim *sim, const char *who, const struct ts_place *where,
 				     struct ts_instance **instance, struct ts_projection **out);

@@ -89,7 +89,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_projection_prepare(self, sim));
 	if (is_run)
 		TS_TRY(ts_projection_solver(self, sim, 0));
-	if (p->fluid.steps == 0)
+	if (ts_projection_fresh(p))
 		p->fluid.time = ts_sim_time(sim);
 	return TS_OK;
 }
