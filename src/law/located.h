@@ -136,7 +136,7 @@ static inline double ts_located_rest(const double *memory, double h, double u)
 static inline double ts_located_within(struct ts_impact *o, const struct ts_touch *t, double h,
 				       double *memory, struct ts_located *l)
 {
-	double q = t->overlap, v = -t->vn, phi, psi, force, aim;
+	double q = t->overlap, v = -t->vn, phi, psi, force, aim = 0;
 	double ahead = memory[TS_LOCATED_AHEAD], u = v + ahead / h;
 	double k = (o->hertz ? 1.5 : 1) * o->k;
 	bool ended = false;
