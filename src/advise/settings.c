@@ -7,6 +7,7 @@
 
 #include "advise/trial.h"
 #include "core/plan.h"
+#include "neigh/limits.h"
 #include "neigh/neigh.h"
 #include "particles/particles.h"
 
@@ -239,20 +240,9 @@ static enum ts_status run_line(struct tsim *sim, const char *format, ...)
 	return status;
 }
 
-static double fastest(const struct tsim *sim)
-{
-	const struct ts_particles *p = sim->particles;
-	double most = 0;
-
-	for (size_t i = 0; i < p->n; i++)
-		most = fmax(most, p->v[i][0] * p->v[i][0] + p->v[i][1] * p->v[i][1] +
-					  p->v[i][2] * p->v[i][2]);
-	return sqrt(most);
-}
-
 static enum ts_status meet_need(struct tsim *sim, const char *property)
 {
-	double speed = fastest(sim);
+	double speed = ts_fastest(sim, 0);
 
 	if (!property || ts_property_has(sim, property))
 		return TS_OK;

@@ -12,7 +12,8 @@
 
 /* Zeroed memory for n elements of the given size, or NULL. n == 0 gives a valid pointer. */
 void *ts_alloc(size_t n, size_t size);
-/* The same, aligned to a cache line, and with at least eight bytes behind the last element, which may be read (base/four.h). Release with ts_free as well. */
+/* The same, aligned to a cache line, and with at least eight bytes behind the last element, which may be read
+ * (base/four.h). Release with ts_free as well. */
 void *ts_alloc_aligned(size_t n, size_t size);
 char *ts_strdup(const char *s);
 void ts_free(void *p);

@@ -4,11 +4,12 @@
 
 #include <math.h>
 
+#include "base/inline.h"
 #include "flow/operators.h"
 
 /* Alves, Oliveira & Pinho, Int. J. Numer. Meth. Fluids 41 (2003) 47: QUICK, bounded. From the points upstream:
  * far, near, and the one downstream. Of third order where smooth; never beyond near and downstream. */
-static inline __attribute__((always_inline)) double ts_cubista(double far, double near, double downstream)
+TS_INLINE double ts_cubista(double far, double near, double downstream)
 {
 	double a = near - far, b = downstream - near, size_a = fabs(a), size_b = fabs(b);
 	double least = 0.75 * (size_a < size_b ? size_a : size_b);
@@ -20,9 +21,9 @@ static inline __attribute__((always_inline)) double ts_cubista(double far, doubl
 
 /* Points m - 2 .. m + 1 of the line are far_low, low, high, far_high; the side m is between low and high; q is the
  * velocity through it. */
-static inline __attribute__((always_inline)) double
-ts_side_value(enum ts_convection scheme, double gamma, double q, double far_low, double low, double high,
-	      double far_high, double part, const struct ts_line *line, int m)
+TS_INLINE double ts_side_value(enum ts_convection scheme, double gamma, double q, double far_low,
+			       double low, double high, double far_high, double part,
+			       const struct ts_line *line, int m)
 {
 	double central = part * low + (1 - part) * high;
 
@@ -42,9 +43,8 @@ ts_side_value(enum ts_convection scheme, double gamma, double q, double far_low,
 
 /* - q du/dx by finite differences: gamma of it upwind, the rest central. Differences above and below the
  * point; 1/distance above = above/inverse, likewise below. */
-static inline __attribute__((always_inline)) double
-ts_advection(enum ts_convection scheme, double gamma, double q, double up, double down, double above,
-	     double below, double inverse)
+TS_INLINE double ts_advection(enum ts_convection scheme, double gamma, double q, double up,
+			      double down, double above, double below, double inverse)
 {
 	double share = scheme == TS_CONVECTION_DONOR ? gamma : 0;
 	double slope_up = up * above / inverse, slope_down = down * below / inverse;

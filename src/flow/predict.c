@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "base/clones.h"
+#include "base/inline.h"
 #include "flow/convection.h"
 #include "flow/operators.h"
 
@@ -44,8 +45,8 @@ struct direction {
 };
 
 /* Void fractions on the lower and upper side; 1 without. */
-static inline __attribute__((always_inline)) void shares(const struct direction *e, ptrdiff_t at, ptrdiff_t sc,
-							 double mass, double *low, double *high)
+TS_INLINE void shares(const struct direction *e, ptrdiff_t at, ptrdiff_t sc, double mass,
+		      double *low, double *high)
 {
 	if (e->same) {
 		*low = e->share_centre[at - sc];
@@ -57,10 +58,11 @@ static inline __attribute__((always_inline)) void shares(const struct direction 
 }
 
 /* What direction e adds to the rate of change of component c at place `at`. */
-static inline __attribute__((always_inline)) double
-along(double inverse, double below, double above, double part_low, double part_high,
-      const struct ts_line *line, int m, const struct direction *e, const double *u, ptrdiff_t at, ptrdiff_t sc,
-      double mass, double nu, double gamma, enum ts_convection scheme, enum ts_form form, bool packed)
+TS_INLINE double along(double inverse, double below, double above, double part_low,
+		       double part_high, const struct ts_line *line, int m,
+		       const struct direction *e, const double *u, ptrdiff_t at, ptrdiff_t sc,
+		       double mass, double nu, double gamma, enum ts_convection scheme,
+		       enum ts_form form, bool packed)
 {
 	const double *q = e->q;
 	const ptrdiff_t se = e->se;
@@ -104,8 +106,8 @@ struct row {
 	ptrdiff_t at; /* of i = 0 */
 };
 
-static inline __attribute__((always_inline)) struct direction
-direction(const struct row *row, int d, int c, int dimensions, bool packed)
+TS_INLINE struct direction direction(const struct row *row, int d, int c, int dimensions,
+				     bool packed)
 {
 	const struct ts_fluid *fluid = row->p->fluid;
 
@@ -118,9 +120,8 @@ direction(const struct row *row, int d, int c, int dimensions, bool packed)
 				   .same = c == d };
 }
 
-static inline __attribute__((always_inline)) void predict_row(const struct row *row, int c, int dimensions,
-							      enum ts_convection scheme,
-							      enum ts_form form, bool packed)
+TS_INLINE void predict_row(const struct row *row, int c, int dimensions, enum ts_convection scheme,
+			   enum ts_form form, bool packed)
 {
 	const struct ts_predictor *p = row->p;
 	const struct ts_operators *o = p->operators;

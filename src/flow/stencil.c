@@ -5,6 +5,7 @@
 
 #include "base/alloc.h"
 #include "base/clones.h"
+#include "base/inline.h"
 
 #include "base/banned.h"
 
@@ -228,9 +229,8 @@ void ts_stencil_ghosts(const struct ts_stencil *s, double *p)
 }
 
 /* out = A p along a row. */
-static inline __attribute__((always_inline)) void
-apply_axes(const struct ts_stencil *s, size_t at, const double *restrict p, double *restrict out,
-	   int axes)
+TS_INLINE void apply_axes(const struct ts_stencil *s, size_t at, const double *restrict p,
+			  double *restrict out, int axes)
 {
 	const double *restrict cx = s->link[0] + at, *restrict cy = s->link[1] + at;
 	const double *restrict cz = axes > 2 ? s->link[2] + at : NULL;
@@ -251,8 +251,7 @@ apply_axes(const struct ts_stencil *s, size_t at, const double *restrict p, doub
 	}
 }
 
-static inline __attribute__((always_inline)) double dot_row(const double *restrict a,
-							     const double *restrict b, int n)
+TS_INLINE double dot_row(const double *restrict a, const double *restrict b, int n)
 {
 	double part[LANES] = { 0 }, sum = 0;
 	int i = 0;
@@ -269,8 +268,7 @@ static inline __attribute__((always_inline)) double dot_row(const double *restri
 }
 
 /* NaN if there is one: a comparison with it is false. */
-static inline __attribute__((always_inline)) double largest_row(const double *restrict r,
-								 const double *restrict width, int n)
+TS_INLINE double largest_row(const double *restrict r, const double *restrict width, int n)
 {
 	double part[LANES] = { 0 }, most = 0;
 	int i = 0;
@@ -317,9 +315,8 @@ static double residual_row(const struct ts_stencil *s, size_t at, const double *
 }
 
 /* Gauss-Seidel in the cells of a row that have one colour along it, */
-static inline __attribute__((always_inline)) void
-sweep_axes(const struct ts_stencil *s, size_t at, double *p, const double *b, double wanted, double omega,
-	   int axes)
+TS_INLINE void sweep_axes(const struct ts_stencil *s, size_t at, double *p, const double *b,
+			  double wanted, double omega, int axes)
 {
 	const double *cx = s->link[0] + at, *cy = s->link[1] + at, *inverse = s->inverse + at;
 	const double *cz = axes > 2 ? s->link[2] + at : NULL;

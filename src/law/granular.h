@@ -70,12 +70,6 @@ struct ts_granular_model {
 	bool wide; /* memory has room for all laws, as contacts of other types may have others */
 };
 
-/* The models that most scenes have: loops are compiled for them. */
-static const struct ts_granular_model ts_granular_hertz_history = { .normal = TS_NORMAL_HERTZ,
-								    .tangential = TS_TANGENTIAL_HISTORY };
-static const struct ts_granular_model ts_granular_hooke_history = { .normal = TS_NORMAL_HOOKE,
-								    .tangential = TS_TANGENTIAL_HISTORY };
-
 /* Member by member: between them there may be anything. */
 static inline bool ts_granular_same_model(const struct ts_granular_model *a, const struct ts_granular_model *b)
 {

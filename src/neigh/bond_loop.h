@@ -5,6 +5,7 @@
 
 #include <math.h>
 
+#include "base/inline.h"
 #include "base/parallel.h"
 #include "geom/box.h"
 #include "neigh/bonds.h"
@@ -26,8 +27,7 @@ static inline void ts_bond_separation(const struct ts_bond_task *t, size_t i, si
 }
 
 /* Force of bond b on its first partner; false if it breaks. */
-static inline __attribute__((always_inline)) bool
-ts_bond_evaluate(const struct ts_bond_task *t, size_t b, ts_bond_law *law)
+TS_INLINE bool ts_bond_evaluate(const struct ts_bond_task *t, size_t b, ts_bond_law *law)
 {
 	struct ts_bonds *bonds = t->bonds;
 	const struct ts_particles *p = t->p;
@@ -53,8 +53,7 @@ ts_bond_evaluate(const struct ts_bond_task *t, size_t b, ts_bond_law *law)
 }
 
 /* Returns the number of bonds that break. */
-static inline __attribute__((always_inline)) long
-ts_bond_share(const struct ts_bond_task *t, size_t from, size_t to, ts_bond_law *law)
+TS_INLINE long ts_bond_share(const struct ts_bond_task *t, size_t from, size_t to, ts_bond_law *law)
 {
 	long broken = 0;
 

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/clones.h"
+#include "base/inline.h"
 #include "base/parallel.h"
 #include "neigh/row_loop.h"
 
@@ -56,8 +57,7 @@ struct task {
 };
 
 /* The area of contact at the distance d from j to i; 0: they do not touch. */
-static inline __attribute__((always_inline)) double area_of(const struct task *t, size_t i,
-							    size_t j, size_t types, double d[3])
+TS_INLINE double area_of(const struct task *t, size_t i, size_t j, size_t types, double d[3])
 {
 	double sum = t->radius[i] + t->radius[j], d2;
 
@@ -71,8 +71,7 @@ static inline __attribute__((always_inline)) double area_of(const struct task *t
 		       : 0;
 }
 
-static inline __attribute__((always_inline)) size_t types_of(const struct task *t, size_t i,
-							     size_t j)
+TS_INLINE size_t types_of(const struct task *t, size_t i, size_t j)
 {
 	return (size_t)(t->type[i] * (t->h->ntypes + 1) + t->type[j]);
 }
@@ -176,8 +175,7 @@ void ts_heat_find(const struct ts_instance *self, struct tsim *sim)
 /* Calls visit for each contact of particle i with its partner, in the order of identities. */
 typedef void visit_fn(void *context, size_t i, size_t j, double conductance);
 
-static inline __attribute__((always_inline)) void each_contact(const struct ts_heat *h, size_t i,
-							       visit_fn *visit, void *context)
+TS_INLINE void each_contact(const struct ts_heat *h, size_t i, visit_fn *visit, void *context)
 {
 	for (int l = 0; l < 2; l++) {
 		const struct ts_rows *rows = h->pairs[l].rows;
@@ -249,8 +247,7 @@ static void flow_share(void *context, size_t from, size_t to)
 }
 
 /* Adds what flows through the pairs of a list: flux and vector as four numbers. */
-static inline __attribute__((always_inline)) void gather_list(const struct ts_heat_pairs *pairs,
-							      size_t i, double sum[4])
+TS_INLINE void gather_list(const struct ts_heat_pairs *pairs, size_t i, double sum[4])
 {
 	static const double signs[2][4] = { { 1, 1, 1, 1 }, { -1, 1, 1, 1 } };
 	const struct ts_gather *g = &pairs->rows->gather;

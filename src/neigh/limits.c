@@ -63,8 +63,8 @@ double ts_fastest(const struct tsim *sim, int group)
 
 	for (size_t i = 0; i < p->n; i++)
 		if (ts_in_group(p, i, group))
-			most = fmax(most, ts_norm(p->v[i]));
-	return most;
+			most = fmax(most, ts_dot(p->v[i], p->v[i]));
+	return sqrt(most);
 }
 
 /* Where nothing integrates the motion, contacts cannot swing (heat in a packing at rest). */

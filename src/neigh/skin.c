@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "core/settings.h"
+#include "neigh/limits.h"
 #include "neigh/neigh.h"
 #include "neigh/wall.h"
 #include "particles/domain.h"
@@ -44,19 +45,6 @@ static bool surroundings_move(const struct tsim *sim)
 	return move;
 }
 
-static double fastest(const struct ts_particles *p)
-{
-	double most = 0;
-
-	for (size_t i = 0; i < p->n; i++) {
-		const double *v = p->v[i];
-		double v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-
-		most = v2 > most ? v2 : most;
-	}
-	return sqrt(most);
-}
-
 /* With a skin s a dense bed has 10 s/d rows a particle that do not touch, each to be looked at in every step; and
  * a rebuild, which costs as much as `REBUILD` such looks a particle, is due after s/2 at the speed v. Least of
  * 10 s/d + REBUILD 2 v dt/s: s = sqrt(REBUILD/5 v dt d). */
@@ -74,6 +62,6 @@ double ts_neigh_choose_skin(const struct tsim *sim)
 	    p->lost_policy == TS_LOST_IGNORE || !p->n || surroundings_move(sim))
 		return skin;
 	radii(p, &least, &most);
-	best = sqrt(REBUILD / 5.0 * fastest(p) * sim->clock.dt * 2 * least);
+	best = sqrt(REBUILD / 5.0 * ts_fastest(sim, 0) * sim->clock.dt * 2 * least);
 	return fmin(skin, fmax(best, LEAST * least));
 }

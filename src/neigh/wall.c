@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/inline.h"
 #include "core/plan.h"
 #include "neigh/limits.h"
 #include "neigh/located.h"
@@ -105,13 +106,19 @@ static enum ts_status make_law(struct ts_instance *self, struct tsim *sim, int w
 	return TS_OK;
 }
 
+/* The models that most walls have: pushes are compiled for them. */
+static const struct ts_granular_model hertz_history = { .normal = TS_NORMAL_HERTZ,
+							.tangential = TS_TANGENTIAL_HISTORY };
+static const struct ts_granular_model hooke_history = { .normal = TS_NORMAL_HOOKE,
+							.tangential = TS_TANGENTIAL_HISTORY };
+
 static ts_wall_push_fn push_hertz_history, push_hooke_history, push_any;
 
 static ts_wall_push_fn *push_of(const struct ts_granular_model *model)
 {
-	if (ts_granular_same_model(model, &ts_granular_hertz_history))
+	if (ts_granular_same_model(model, &hertz_history))
 		return push_hertz_history;
-	if (ts_granular_same_model(model, &ts_granular_hooke_history))
+	if (ts_granular_same_model(model, &hooke_history))
 		return push_hooke_history;
 	return push_any;
 }
@@ -151,9 +158,8 @@ static double effective_radius(double radius, double curvature)
 }
 
 /* The wall is the limit of an infinitely heavy partner. */
-static inline __attribute__((always_inline)) void
-touch(const struct ts_granular_model *model, const struct ts_particles *p, size_t i,
-      const struct ts_wall_spot *spot, struct ts_touch *t)
+TS_INLINE void touch(const struct ts_granular_model *model, const struct ts_particles *p, size_t i,
+		     const struct ts_wall_spot *spot, struct ts_touch *t)
 {
 	static const double at_rest[3] = { 0 };
 	double v[3];
@@ -223,13 +229,9 @@ void ts_wall_finish(struct ts_wall *w)
 		ts_sub(w->force, w->contacts.force[k], w->force);
 }
 
-/* The laws are part of the function, so that with a constant model the compiler keeps only what it has. */
-#define FLATTEN __attribute__((flatten))
-
 /* The force is noted; the sum over all contacts, in their order, is ts_wall_finish's. */
-static inline __attribute__((always_inline)) void
-push(const struct ts_wall *w, struct tsim *sim, size_t k, const struct ts_wall_spot *spot,
-     const struct ts_granular_model *model)
+TS_INLINE void push(const struct ts_wall *w, struct tsim *sim, size_t k,
+		    const struct ts_wall_spot *spot, const struct ts_granular_model *model)
 {
 	struct ts_particles *p = sim->particles;
 	size_t i = (size_t)w->contacts.row[k];
@@ -253,16 +255,16 @@ push(const struct ts_wall *w, struct tsim *sim, size_t k, const struct ts_wall_s
 		report(&w->contacts.report[k], p, i, spot, &t, &f);
 }
 
-FLATTEN static void push_hertz_history(const struct ts_wall *w, struct tsim *sim, size_t k,
-				       const struct ts_wall_spot *spot)
+static void push_hertz_history(const struct ts_wall *w, struct tsim *sim, size_t k,
+			       const struct ts_wall_spot *spot)
 {
-	push(w, sim, k, spot, &ts_granular_hertz_history);
+	push(w, sim, k, spot, &hertz_history);
 }
 
-FLATTEN static void push_hooke_history(const struct ts_wall *w, struct tsim *sim, size_t k,
-				       const struct ts_wall_spot *spot)
+static void push_hooke_history(const struct ts_wall *w, struct tsim *sim, size_t k,
+			       const struct ts_wall_spot *spot)
 {
-	push(w, sim, k, spot, &ts_granular_hooke_history);
+	push(w, sim, k, spot, &hooke_history);
 }
 
 static void push_any(const struct ts_wall *w, struct tsim *sim, size_t k,

@@ -1,6 +1,7 @@
 #include "particles/integrate.h"
 
 #include "base/clones.h"
+#include "base/inline.h"
 #include "base/parallel.h"
 #include "particles/body.h"
 
@@ -23,8 +24,7 @@ struct factors {
 	int64_t in[3 * BLOCK]; /* belongs to the group; not filled for the group of all */
 };
 
-static inline __attribute__((always_inline)) void make_factors(const struct task *t, size_t from,
-							       size_t n, struct factors *f)
+TS_INLINE void make_factors(const struct task *t, size_t from, size_t n, struct factors *f)
 {
 	const double *mass = t->p->mass + from, *radius = t->p->radius + from;
 	double kick = t->step->kick, turn = t->step->turn, inertia = t->inertia;
@@ -40,8 +40,7 @@ static inline __attribute__((always_inline)) void make_factors(const struct task
 			turn / mass[i] / (inertia * radius[i] * radius[i]);
 }
 
-static inline __attribute__((always_inline)) void find_members(const struct task *t, size_t from,
-							       size_t n, struct factors *f)
+TS_INLINE void find_members(const struct task *t, size_t from, size_t n, struct factors *f)
 {
 	const uint32_t *mask = t->p->mask + from;
 
@@ -51,9 +50,8 @@ static inline __attribute__((always_inline)) void find_members(const struct task
 }
 
 /* to += factor * from, a factor for each number, or one for all where the list is NULL. */
-static inline __attribute__((always_inline)) void add(double *restrict to, const double *restrict from,
-						      const double *restrict factors, double factor,
-						      const int64_t *restrict in, size_t n)
+TS_INLINE void add(double *restrict to, const double *restrict from, const double *restrict factors,
+		   double factor, const int64_t *restrict in, size_t n)
 {
 #pragma omp simd
 	for (size_t k = 0; k < n; k++) {
@@ -63,8 +61,8 @@ static inline __attribute__((always_inline)) void add(double *restrict to, const
 	}
 }
 
-static inline __attribute__((always_inline)) void advance(const struct task *t, size_t from, size_t n,
-							  const struct factors *f, const int64_t *in)
+TS_INLINE void advance(const struct task *t, size_t from, size_t n, const struct factors *f,
+		       const int64_t *in)
 {
 	const struct ts_particles *p = t->p;
 	const struct ts_integration *s = t->step;
