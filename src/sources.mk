@@ -397,6 +397,8 @@ library_sources = \
 	src/neigh/row_models.h \
 	src/neigh/row_search.c \
 	src/neigh/row_search.h \
+	src/neigh/row_slots.c \
+	src/neigh/row_slots.h \
 	src/neigh/rows.c \
 	src/neigh/rows.h \
 	src/neigh/skin.c \

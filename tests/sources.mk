@@ -172,6 +172,7 @@ unit_tests = \
 	tests/check_poisson \
 	tests/check_price \
 	tests/check_rigid \
+	tests/check_row_slots \
 	tests/check_scalar \
 	tests/check_script \
 	tests/check_styles \
@@ -334,6 +335,10 @@ tests_check_price_LDADD = $(tests_ldadd)
 tests_check_rigid_SOURCES = tests/check_rigid.c $(tests_common)
 tests_check_rigid_CFLAGS = $(tests_cflags)
 tests_check_rigid_LDADD = $(tests_ldadd)
+
+tests_check_row_slots_SOURCES = tests/check_row_slots.c $(tests_common)
+tests_check_row_slots_CFLAGS = $(tests_cflags)
+tests_check_row_slots_LDADD = $(tests_ldadd)
 
 tests_check_scalar_SOURCES = tests/check_scalar.c $(tests_common)
 tests_check_scalar_CFLAGS = $(tests_cflags)

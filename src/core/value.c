@@ -213,6 +213,23 @@ static enum ts_status resolve_variable(struct tsim *sim, const char *name,
 	return TS_OK;
 }
 
+void ts_keywords_named(struct tsim *sim, const char *text)
+{
+	char name[16];
+
+	for (size_t n; *text; text += n ? n : 1) {
+		const struct ts_keyword *keyword;
+
+		n = strspn(text, "abcdefghijklmnopqrstuvwxyz");
+		if (!n || n >= sizeof name)
+			continue;
+		memcpy(name, text, n);
+		name[n] = '\0';
+		keyword = ts_keyword_find(sim, name);
+		sim->shows_contacts |= keyword && keyword->flags & TS_KEYWORD_CONTACTS;
+	}
+}
+
 static enum ts_status resolve_keyword(struct tsim *sim, const char *name,
 				      const struct ts_place *where, struct ts_ref *ref)
 {
@@ -220,8 +237,10 @@ static enum ts_status resolve_keyword(struct tsim *sim, const char *name,
 
 	ref->kind = TS_REF_KEYWORD;
 	ref->keyword = ts_keyword_find(sim, name);
-	if (ref->keyword)
+	if (ref->keyword) {
+		sim->shows_contacts |= (ref->keyword->flags & TS_KEYWORD_CONTACTS) != 0;
 		return TS_OK;
+	}
 	for (const struct ts_system_style *const *s = ts_system_table; *s; s++)
 		for (const struct ts_keyword *k = (*s)->keywords; k && k->name; k++)
 			ts_suggest_try(&suggest, k->name);

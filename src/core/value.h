@@ -89,15 +89,22 @@ enum ts_status ts_ref_local(struct tsim *sim, const struct ts_ref *ref,
 /* Which of the shapes a ref can give: bit (1 << shape) set. */
 unsigned ts_ref_shapes(const struct tsim *sim, const struct ts_ref *ref);
 
+enum ts_keyword_flags {
+	TS_KEYWORD_INTEGER = 1,	 /* printed as %8ld */
+	TS_KEYWORD_CONTACTS = 2, /* looks at the forces of contacts */
+};
+
 /* A named number of a system, usable in thermo_style and expressions; closed by .name NULL. */
 struct ts_keyword {
 	const char *name;  /* "vol" */
 	const char *title; /* thermo column title: "Volume" */
 	const char *unit, *help;
-	int integer; /* printed as %8ld */
+	int flags; /* enum ts_keyword_flags */
 	enum ts_status (*eval)(struct tsim *sim, double *out);
 };
 const struct ts_keyword *ts_keyword_find(const struct tsim *sim, const char *name);
+/* Notes what keywords in a line of the script may look at later: see sim->shows_contacts. */
+void ts_keywords_named(struct tsim *sim, const char *text);
 
 /* Per-particle numbers by script name (x, vy, radius ...), from whichever system has them. */
 bool ts_quantity_has(const struct tsim *sim, const char *name);

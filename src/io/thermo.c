@@ -54,7 +54,7 @@ enum ts_status ts_thermo_columns(struct tsim *sim, struct ts_words names, bool m
 
 static bool is_integer(const struct ts_thermo_column *c)
 {
-	return c->input.ref.kind == TS_REF_KEYWORD && c->input.ref.keyword->integer;
+	return c->input.ref.kind == TS_REF_KEYWORD && c->input.ref.keyword->flags & TS_KEYWORD_INTEGER;
 }
 
 static enum ts_status set_formats(struct ts_thermo *t, struct tsim *sim)
@@ -62,7 +62,7 @@ static enum ts_status set_formats(struct ts_thermo *t, struct tsim *sim)
 	for (size_t k = 0; k < t->n; k++) {
 		struct ts_thermo_column *c = &t->column[k];
 		const struct ts_keyword *keyword = ts_keyword_find(sim, c->input.name);
-		bool integer = keyword && keyword->integer;
+		bool integer = keyword && keyword->flags & TS_KEYWORD_INTEGER;
 		const char *fallback = t->multi ? (integer ? "%14d" : "%14.4f")
 						: (integer ? "%8d" : "%14.8g");
 

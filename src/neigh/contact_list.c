@@ -1,7 +1,10 @@
 #include "neigh/contact_list.h"
 
+#include <inttypes.h>
+
 #include "math/vec3.h"
 #include "neigh/bonds.h"
+#include "neigh/row_slots.h"
 #include "particles/domain.h"
 #include "particles/moments.h"
 
@@ -46,6 +49,25 @@ enum ts_status ts_contacts_require(struct tsim *sim, const struct ts_instance *s
 		       ts_kind_name(self->style->kind), self->id, self->style->name);
 }
 
+enum ts_status ts_contacts_kept(struct tsim *sim, const struct ts_instance *self)
+{
+	struct ts_rows *rows = &sim->neigh->rows;
+
+	if (rows->results == TS_RESULTS_NONE)
+		return ts_rows_prepare(sim, rows, true);
+	if (rows->results == TS_RESULTS_KEPT)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, &self->where,
+		       "%s %s %s: forces of contacts were not kept at step %" PRId64 "; `run 0` finds them",
+		       ts_kind_name(self->style->kind), self->id, self->style->name, sim->clock.step);
+}
+
+enum ts_status ts_contacts_forces(struct tsim *sim, const struct ts_instance *self)
+{
+	TS_TRY(ts_contacts_require(sim, self));
+	return ts_contacts_kept(sim, self);
+}
+
 bool ts_contact_counts(const struct tsim *sim, size_t r, int group)
 {
 	const struct ts_rows *rows = &sim->neigh->rows;
@@ -74,7 +96,7 @@ void ts_contact_view(const struct tsim *sim, size_t r, struct ts_contact_view *v
 	view->sign = swap ? -1 : 1;
 	ts_sub(p->x[i], p->x[j], view->d);
 	ts_scale(view->sign, view->d, view->d);
-	ts_scale(view->sign, rows->force[r], view->force);
+	ts_scale(view->sign, ts_row_force(rows, r), view->force);
 	view->distance = ts_norm(view->d);
 }
 
@@ -120,7 +142,7 @@ static void add_contacts(const struct tsim *sim, size_t i, double w[6])
 
 		ts_sub(p->x[rows->i[r]], p->x[rows->j[r]], d);
 		if (rows->touching[r])
-			add_product(w, d, rows->force[r]);
+			add_product(w, d, ts_row_force(rows, r));
 	}
 }
 

@@ -10,6 +10,12 @@
  * memory since they were found. `what` for the message: "compute stress/atom". */
 enum ts_status ts_contacts_require(struct tsim *sim, const struct ts_instance *self);
 
+/* Refuses to speak of the forces of contacts where they were not kept. Whoever asks says so in its init, by
+ * sim->neigh->shown. */
+enum ts_status ts_contacts_kept(struct tsim *sim, const struct ts_instance *self);
+/* Both. */
+enum ts_status ts_contacts_forces(struct tsim *sim, const struct ts_instance *self);
+
 /* One pair. a, b: rows of the particle columns, b perhaps a ghost's original. */
 struct ts_contact_view {
 	size_t row; /* of contact rows or bonds */

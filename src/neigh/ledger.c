@@ -291,6 +291,7 @@ enum ts_status ts_ledger_init(struct ts_instance *self, struct tsim *sim)
 			       "fix %s: bond style %s has no potential energy", self->style->name,
 			       bond->style->name);
 	l->name = self->id;
+	sim->neigh->shown = true;
 	for (size_t a = 0; a < l->nactors; a++)
 		l->actor[a].by = NULL;
 	for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)

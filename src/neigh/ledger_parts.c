@@ -93,8 +93,8 @@ static void book_row(struct row_work *w, size_t r, int side, size_t own)
 	struct ts_touch t;
 
 	ts_row_touch(p, i, j, m, &t);
-	ts_contact_split(m, ts_pair_law(w->pair, p->type[i], p->type[j]), &t, memory, rows->force[r],
-			 rows->roll ? rows->roll[r] : still, &parts);
+	ts_contact_split(m, ts_pair_law(w->pair, p->type[i], p->type[j]), &t, memory, ts_row_force(rows, r),
+			 rows->parts > 2 ? ts_row_roll(rows, r) : still, &parts);
 	if (j >= p->n) { /* an image may move as its original does not; the other half is the mirror row's */
 		ts_sub(p->v[j], p->v[p->ghost_owner[j - p->n]], drive);
 		ts_scale(0.5, drive, drive);

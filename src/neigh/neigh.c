@@ -12,6 +12,7 @@
 #include "neigh/network.h"
 #include "neigh/order.h"
 #include "neigh/pair.h"
+#include "math/vec3.h"
 #include "particles/domain.h"
 #include "particles/exchange.h"
 #include "particles/particles.h"
@@ -27,12 +28,11 @@ static void describe_contacts(struct tsim *sim, size_t i, struct ts_str *out)
 	for (size_t r = 0; r < rows->n; r++) {
 		bool is_i = rows->tag[0][r] == p->tag[i], is_j = rows->tag[1][r] == p->tag[i];
 
-		if (rows->touching[r] && (is_i || is_j))
-			ts_str_addf(out, "%sparticle %d (force %g)", out->length ? ", " : "",
-				    rows->tag[is_i ? 1 : 0][r],
-				    sqrt(rows->force[r][0] * rows->force[r][0] +
-					 rows->force[r][1] * rows->force[r][1] +
-					 rows->force[r][2] * rows->force[r][2]));
+		if (!rows->touching[r] || !(is_i || is_j))
+			continue;
+		ts_str_addf(out, "%sparticle %d", out->length ? ", " : "", rows->tag[is_i ? 1 : 0][r]);
+		if (rows->results == TS_RESULTS_KEPT)
+			ts_str_addf(out, " (force %g)", ts_norm(ts_row_force(rows, r)));
 	}
 }
 
@@ -43,7 +43,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	sim->particles->describe_contacts = describe_contacts;
 	nb->wanted = ts_sim_only(sim, TS_KIND_PAIR) || sim->full & TS_FULL_ROWS;
 	nb->builds = 0;
-	nb->skin_counts = false; /* whose outputs do says so in its init */
+	nb->skin_counts = nb->shown = false; /* whose outputs do says so in its init */
+	nb->show_every = 0;
 	return TS_OK;
 }
 
@@ -236,6 +237,28 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+void ts_neigh_show_every(struct ts_neigh *nb, int64_t every)
+{
+	int64_t a = nb->show_every, b = every;
+
+	while (b) { /* the greatest common divisor: at least all of these steps */
+		int64_t rest = a % b;
+
+		a = b;
+		b = rest;
+	}
+	nb->show_every = a;
+}
+
+bool ts_neigh_shows(const struct tsim *sim)
+{
+	const struct ts_neigh *nb = sim->neigh;
+	int64_t step = sim->clock.step;
+
+	return nb->shown || sim->shows_contacts || sim->in_setup || step == sim->clock.last_step ||
+	       sim->timeout > 0 || (nb->show_every && step % nb->show_every == 0);
+}
+
 static enum ts_status forward(struct ts_instance *self, struct tsim *sim)
 {
 	(void)self;
@@ -364,22 +387,22 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 			   struct ts_plan_report *report)
 {
 	const struct ts_neigh *nb = self->state;
-	size_t row = 3 * sizeof(double) + 5 * sizeof(int32_t) + 2 + 2 * sizeof(uint32_t) +
-		     nb->rows.history_width * sizeof(double);
+	size_t rows = nb->rows.n;
 
 	TS_TRY(ts_network_report(report, sim));
 	if (!nb->wanted) {
 		ts_report_left_out(report, "contact rows", TS_FULL_ROWS, 0, "no pair_style");
 		return TS_OK;
 	}
-	report->bytes += (double)(nb->rows.n * row);
+	report->bytes += (double)ts_rows_bytes(&nb->rows);
 	ts_report_line(
 		report, "contact rows", "%zu within the skin %g (%.1f a particle), %zu bytes each",
-		nb->rows.n, nb->built_skin,
-		sim->particles->n ? (double)nb->rows.n / (double)sim->particles->n : 0.0, row);
+		rows, nb->built_skin,
+		sim->particles->n ? (double)rows / (double)sim->particles->n : 0.0,
+		rows ? ts_rows_bytes(&nb->rows) / rows : 0);
 	if (!nb->rows.history_width)
 		ts_report_left_out(report, "contact history", TS_FULL_HISTORY,
-				   3.0 * sizeof(double) * (double)nb->rows.n,
+				   3.0 * sizeof(double) * (double)rows,
 				   "the contact law remembers nothing");
 	if (nb->skip_bonded)
 		ts_report_line(report, "contacts", "none between bonded particles (special_bonds)");

@@ -29,6 +29,8 @@ struct ts_neigh {
 	int64_t builds;     /* in this run */
 	bool wanted;        /* some live style acts on contacts */
 	bool skin_counts;   /* an output depends on the skin: it is the one given */
+	bool shown;	    /* an output may look at the forces of contacts at any step: they are kept */
+	int64_t show_every; /* at these steps too; 0: none */
 	struct ts_rows rows;
 	struct ts_row_history saved; /* from a restart file, for the next build */
 };
@@ -38,6 +40,10 @@ struct ts_neigh {
 double ts_neigh_skin(const struct tsim *sim);
 /* The one that costs least with the speeds and the step as they are now; not more than that. */
 double ts_neigh_choose_skin(const struct tsim *sim);
+/* For the init of outputs and of what may end a run: they look at forces of contacts at multiples of `every`. */
+void ts_neigh_show_every(struct ts_neigh *neigh, int64_t every);
+/* Whether forces of contacts that are computed now may be looked at: at the ends of runs always. */
+bool ts_neigh_shows(const struct tsim *sim);
 /* Whether neigh_modify names the group of this bit. */
 bool ts_neigh_uses_group(const struct ts_neigh *neigh, int bit);
 

@@ -8,15 +8,37 @@
 
 #include "base/banned.h"
 
-/* About as many cells as particles, of equal edges, numbered along x, then y, then z. */
+/* About as many cells as particles, of equal edges, numbered along the shortest way first, along the longest last: so
+ * partners are as near each other as layers are small. */
 struct grid {
 	double lo[3], inverse;
-	size_t cells[3], n;
+	size_t cells[3], stride[3], n;
 };
+
+static void number_cells(struct grid *g)
+{
+	int way[3] = { 0, 1, 2 };
+
+	for (int pass = 0; pass < 2; pass++) {
+		for (int k = 0; k < 2; k++) {
+			if (g->cells[way[k]] > g->cells[way[k + 1]]) {
+				int swap = way[k];
+
+				way[k] = way[k + 1];
+				way[k + 1] = swap;
+			}
+		}
+	}
+	g->n = 1;
+	for (int k = 0; k < 3; k++) {
+		g->stride[way[k]] = g->n;
+		g->n *= g->cells[way[k]];
+	}
+}
 
 static struct grid grid_of(const struct ts_particles *p)
 {
-	struct grid g = { .lo = { INFINITY, INFINITY, INFINITY }, .n = 1 };
+	struct grid g = { .lo = { INFINITY, INFINITY, INFINITY } };
 	double hi[3] = { -INFINITY, -INFINITY, -INFINITY }, volume = 1, longest = 0, edge;
 
 	for (size_t i = 0; i < p->n; i++) {
@@ -33,20 +55,19 @@ static struct grid grid_of(const struct ts_particles *p)
 		volume *= fmax(hi[d] - g.lo[d], 1e-3 * longest);
 	edge = cbrt(volume / (double)p->n);
 	g.inverse = edge > 0 ? 1 / edge : 0;
-	for (int d = 0; d < 3; d++) {
+	for (int d = 0; d < 3; d++)
 		g.cells[d] = (size_t)((hi[d] - g.lo[d]) * g.inverse) + 1;
-		g.n *= g.cells[d];
-	}
+	number_cells(&g);
 	return g;
 }
 
 static size_t cell_of(const struct grid *g, const double x[3])
 {
-	size_t c[3];
+	size_t cell = 0;
 
 	for (int d = 0; d < 3; d++)
-		c[d] = (size_t)((x[d] - g->lo[d]) * g->inverse);
-	return c[0] + g->cells[0] * (c[1] + g->cells[1] * c[2]);
+		cell += g->stride[d] * (size_t)((x[d] - g->lo[d]) * g->inverse);
+	return cell;
 }
 
 /* Counting sort, the particles taken by identity. */

@@ -192,8 +192,8 @@ enum ts_status ts_pair_init(struct ts_instance *self, struct tsim *sim)
 	if (!memory && sim->full & TS_FULL_HISTORY)
 		memory = 3;
 	TS_TRY(ts_rows_set_history(sim, &sim->neigh->rows, memory, pair->memory_sign));
-	TS_TRY(ts_rows_set_torques(sim, &sim->neigh->rows, ts_granular_turns(&pair->model),
-				   ts_granular_rolls(&pair->model)));
+	ts_rows_set_torques(&sim->neigh->rows, ts_granular_turns(&pair->model),
+				   ts_granular_rolls(&pair->model));
 	if (ts_granular_turns(&pair->model))
 		TS_TRY(ts_particles_need(sim, TS_NEED(OMEGA) | TS_NEED(TORQUE)));
 	return check_given(sim, self);

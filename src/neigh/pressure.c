@@ -13,7 +13,7 @@ static enum ts_status tensor(struct tsim *sim, double out[6])
 	double kinetic[7], volume = ts_pressure_volume(sim);
 
 	if (pair)
-		TS_TRY(ts_contacts_require(sim, pair));
+		TS_TRY(ts_contacts_forces(sim, pair));
 	ts_virial_total(sim, &parts, out);
 	ts_kinetic_tensor(sim, 0, NULL, kinetic);
 	for (int k = 0; k < 6; k++)
@@ -74,13 +74,13 @@ static enum ts_status ndanger(struct tsim *sim, double *out)
 }
 
 const struct ts_keyword ts_neigh_keywords[] = {
-	{ "press", "Press", "pressure", "pressure of all particles, see compute pressure", 0, press },
-	{ "pxx", "Pxx", "pressure", "its tensor, xx", 0, pxx },
-	{ "pyy", "Pyy", "pressure", "its tensor, yy", 0, pyy },
-	{ "pzz", "Pzz", "pressure", "its tensor, zz", 0, pzz },
-	{ "pxy", "Pxy", "pressure", "its tensor, xy", 0, pxy },
-	{ "pxz", "Pxz", "pressure", "its tensor, xz", 0, pxz },
-	{ "pyz", "Pyz", "pressure", "its tensor, yz", 0, pyz },
+	{ "press", "Press", "pressure", "pressure of all particles, see compute pressure", TS_KEYWORD_CONTACTS, press },
+	{ "pxx", "Pxx", "pressure", "its tensor, xx", TS_KEYWORD_CONTACTS, pxx },
+	{ "pyy", "Pyy", "pressure", "its tensor, yy", TS_KEYWORD_CONTACTS, pyy },
+	{ "pzz", "Pzz", "pressure", "its tensor, zz", TS_KEYWORD_CONTACTS, pzz },
+	{ "pxy", "Pxy", "pressure", "its tensor, xy", TS_KEYWORD_CONTACTS, pxy },
+	{ "pxz", "Pxz", "pressure", "its tensor, xz", TS_KEYWORD_CONTACTS, pxz },
+	{ "pyz", "Pyz", "pressure", "its tensor, yz", TS_KEYWORD_CONTACTS, pyz },
 	{ "nbuild", "Nbuild", "", "how often neighbours were searched in this run", 1, nbuild },
 	{ "ndanger", "Ndanger", "", "searches that came too late: 0", 1, ndanger },
 	{ .name = NULL },

@@ -125,28 +125,37 @@ TS_INLINE void ts_batch_keep(const ts_four *from, int n, double *to)
 		to[c] = (*from)[c];
 }
 
+/* As rows->parts. */
+TS_INLINE size_t ts_batch_parts(const struct ts_granular_model *m)
+{
+	return ts_granular_rolls(m) ? 3 : ts_granular_turns(m) ? 2 : 1;
+}
+
+/* One part of the results of the contacts at .. at+3. */
+TS_INLINE void ts_batch_result(const double (*column)[TS_ROW_BLOCK], size_t at, ts_four *const to[4], size_t part)
+{
+	ts_four row[4];
+
+	ts_batch_rows(column, at, row);
+	for (size_t k = 0; k < 4; k++)
+		to[k][part] = row[k];
+}
+
 /* The contacts at .. at+3; of those behind the last only what does no harm. */
 TS_INLINE void ts_batch_store(const struct ts_batch *b, const struct ts_granular_model *m,
 			      const uint32_t *list, size_t at, struct ts_rows *rows)
 {
 	int width = ts_granular_memory(m);
-	ts_four row[4];
+	size_t parts = ts_batch_parts(m);
+	ts_four row[4], *to[4];
 
-	ts_batch_rows(b->force, at, row);
-	for (size_t k = 0; k < 4; k++) {
-		rows->touching[list[at + k]] = 1;
-		*(ts_four *)rows->force[list[at + k]] = row[k];
-	}
-	if (ts_granular_turns(m)) {
-		ts_batch_rows(b->turn, at, row);
-		for (size_t k = 0; k < 4; k++)
-			*(ts_four *)rows->turn[list[at + k]] = row[k];
-	}
-	if (ts_granular_rolls(m)) {
-		ts_batch_rows(b->roll, at, row);
-		for (size_t k = 0; k < 4; k++)
-			*(ts_four *)rows->roll[list[at + k]] = row[k];
-	}
+	for (size_t k = 0; k < 4; k++)
+		to[k] = (ts_four *)rows->result[rows->slot[list[at + k]] * parts];
+	ts_batch_result(b->force, at, to, 0);
+	if (parts > 1)
+		ts_batch_result(b->turn, at, to, 1);
+	if (parts > 2)
+		ts_batch_result(b->roll, at, to, 2);
 	for (int c = 0; c < width; c += 3) {
 		ts_batch_rows(b->memory + c, at, row);
 		for (size_t k = 0; k < 4; k++)
@@ -155,22 +164,11 @@ TS_INLINE void ts_batch_store(const struct ts_batch *b, const struct ts_granular
 	}
 }
 
-/* Of the rows r .. r+n-1 those that no longer touch part; a bit of `now` says which touch. */
-TS_INLINE void ts_batch_part(struct ts_rows *rows, size_t r, size_t n, unsigned now, bool keep)
-{
-	for (size_t k = 0; k < n; k++)
-		if (rows->touching[r + k] && !(now >> k & 1u))
-			ts_row_part(rows, r + k, keep);
-}
-
-/* Lists the touching ones of the rows r .. r+n-1, n at most four, behind those listed; returns how many there are
- * then. It does not branch on what touches. */
-TS_INLINE size_t ts_batch_find_four(struct ts_rows *rows, size_t r, size_t n, bool keep, uint32_t *list,
-				    size_t listed)
+/* Marks which of the rows r .. r+n-1, n at most four, touch. */
+TS_INLINE void ts_batch_touch(const struct ts_rows *rows, size_t r, size_t n, ts_four_marks *touch)
 {
 	static const ts_four signs = { -1, -1, -1, 1 };
 	const ts_four *place = (const ts_four *)rows->place;
-	unsigned now = 0, parted = 0;
 	ts_four d[4];
 
 	for (size_t k = 0; k < 4; k++) { /* d and the sum of the radii */
@@ -179,29 +177,56 @@ TS_INLINE size_t ts_batch_find_four(struct ts_rows *rows, size_t r, size_t n, bo
 		d[k] = place[rows->i[row]] + signs * place[rows->j[row]];
 	}
 	ts_four_turn(d);
-	d[0] = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-	d[3] *= d[3];
-	for (size_t k = 0; k < n; k++) {
-		unsigned touching = d[0][k] < d[3][k];
-
-		list[listed] = (uint32_t)(r + k);
-		listed += touching;
-		now |= touching << k;
-		parted |= rows->touching[r + k] & ~touching;
-	}
-	if (parted)
-		ts_batch_part(rows, r, n, now, keep);
-	return listed;
+	*touch = d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < d[3] * d[3];
+	for (size_t k = n; k < 4; k++)
+		(*touch)[k] = 0;
 }
 
-/* Lists the touching ones of the rows from .. to-1; returns how many. */
-TS_INLINE size_t ts_batch_find(struct ts_rows *rows, size_t from, size_t to, bool keep, uint32_t *list)
+/* Notes for the rows from r on which of them touch, eight at a time: mostly nothing has changed. */
+TS_INLINE void ts_batch_note(struct ts_rows *rows, size_t r, size_t n, const long long *touch, bool keep)
 {
-	size_t n = 0;
+	uint8_t now[TS_ROW_BLOCK];
 
-	for (; from + 4 <= to; from += 4)
-		n = ts_batch_find_four(rows, from, 4, keep, list, n);
-	return from < to ? ts_batch_find_four(rows, from, to - from, keep, list, n) : n;
+	for (size_t k = 0; k < n; k++)
+		now[k] = (uint8_t)(touch[k] & 1);
+	for (size_t at = 0; at < n; at += 8) {
+		size_t most = n - at < 8 ? n - at : 8;
+
+		if (most == 8 && !memcmp(now + at, rows->touching + r + at, 8))
+			continue;
+		for (size_t k = at; k < at + most; k++) {
+			if (rows->touching[r + k] > now[k])
+				ts_row_part(rows, r + k, keep);
+			rows->touching[r + k] = now[k];
+		}
+	}
+}
+
+/* Lists the touching ones of the rows from .. to-1; returns how many. The others have no force. It does not branch on
+ * what touches. */
+TS_INLINE size_t ts_batch_find(struct ts_rows *rows, size_t from, size_t to, size_t parts, bool keep,
+			       uint32_t *list)
+{
+	union {
+		ts_four_marks four[TS_ROW_BLOCK / 4];
+		long long one[TS_ROW_BLOCK];
+	} touch;
+	uint32_t rest[TS_ROW_BLOCK];
+	size_t n = 0, rows_n = to - from;
+
+	for (size_t k = 0; k + 4 <= rows_n; k += 4)
+		ts_batch_touch(rows, from + k, 4, &touch.four[k / 4]);
+	if (rows_n % 4)
+		ts_batch_touch(rows, to - rows_n % 4, rows_n % 4, &touch.four[rows_n / 4]);
+	for (size_t k = 0; k < rows_n; k += 4) /* by four, which compilers unroll; behind the last nothing touches */
+		for (size_t at = k; at < k + 4; at++) {
+			list[n] = rest[at - n] = (uint32_t)(from + at);
+			n -= (size_t)touch.one[at];
+		}
+	ts_batch_note(rows, from, rows_n, touch.one, keep);
+	for (size_t k = 0; k < rows_n - n; k++)
+		ts_row_still(rows, rest[k], parts);
+	return n;
 }
 
 /* The contacts 0 .. n-1 of a batch by a constant model; the time step is positive. */
@@ -269,7 +294,7 @@ TS_INLINE void ts_row_share_batched(const struct ts_row_task *task, size_t from,
 
 	for (; from < to; from += TS_ROW_BLOCK) {
 		size_t end = to - from < TS_ROW_BLOCK ? to : from + TS_ROW_BLOCK;
-		size_t n = ts_batch_find(&rows, from, end, task->keep, list), run;
+		size_t n = ts_batch_find(&rows, from, end, ts_batch_parts(m), task->keep, list), run;
 
 		for (size_t k = 0; k < n; k += run) {
 			int a = p->type[rows.i[list[k]]], b = p->type[rows.j[list[k]]];

@@ -13,68 +13,46 @@ TS_INLINE void add(double to[3], const ts_four *sum)
 		to[d] += (*sum)[d];
 }
 
-TS_CLONES static void gather_forces(const struct ts_rows *rows, const struct ts_particles *p,
-				    size_t from, size_t to)
+/* `parts` as in struct ts_rows. */
+TS_INLINE void gather(const struct ts_rows *rows, const struct ts_particles *p, size_t from, size_t to, size_t parts)
 {
-	const struct ts_gather g = rows->gather;
-	const ts_four *force = (const ts_four *)rows->force;
-
-	for (size_t i = from; i < to; i++) {
-		ts_four f = { 0 };
-
-		for (size_t k = g.first[i]; k < g.first[i + 1]; k++)
-			f += signs[g.entry[k] & 1] * force[g.entry[k] >> 1];
-		add(p->f[i], &f);
-	}
-}
-
-TS_CLONES static void gather_turns(const struct ts_rows *rows, const struct ts_particles *p,
-				   size_t from, size_t to)
-{
-	const struct ts_gather g = rows->gather;
-	const ts_four *force = (const ts_four *)rows->force, *turn = (const ts_four *)rows->turn;
+	const size_t *first = rows->gather.first;
+	const uint32_t *sum = rows->sum;
+	const ts_four *results = (const ts_four *)rows->result;
 
 	for (size_t i = from; i < to; i++) {
 		ts_four f = { 0 }, torque = { 0 };
 		double radius = rows->place[i][3];
 
-		for (size_t k = g.first[i]; k < g.first[i + 1]; k++) {
-			size_t r = g.entry[k] >> 1;
+		for (size_t k = first[i]; k < first[i + 1]; k++) {
+			const ts_four *result = results + parts * (sum[k] >> 1);
+			double sign = signs[sum[k] & 1];
 
-			f += signs[g.entry[k] & 1] * force[r];
-			torque += (radius - force[r][3]) * turn[r];
+			f += sign * result[0];
+			if (parts > 2)
+				torque += (radius - result[0][3]) * result[1] + sign * result[2];
+			else if (parts > 1)
+				torque += (radius - result[0][3]) * result[1];
 		}
 		add(p->f[i], &f);
-		add(p->torque[i], &torque);
+		if (parts > 1)
+			add(p->torque[i], &torque);
 	}
 }
 
-TS_CLONES static void gather_rolls(const struct ts_rows *rows, const struct ts_particles *p,
-				   size_t from, size_t to)
-{
-	const struct ts_gather g = rows->gather;
-	const ts_four *force = (const ts_four *)rows->force, *turn = (const ts_four *)rows->turn;
-	const ts_four *roll = (const ts_four *)rows->roll;
-
-	for (size_t i = from; i < to; i++) {
-		ts_four f = { 0 }, torque = { 0 };
-		double radius = rows->place[i][3];
-
-		for (size_t k = g.first[i]; k < g.first[i + 1]; k++) {
-			size_t r = g.entry[k] >> 1;
-			double sign = signs[g.entry[k] & 1];
-
-			f += sign * force[r];
-			torque += (radius - force[r][3]) * turn[r] + sign * roll[r];
-		}
-		add(p->f[i], &f);
-		add(p->torque[i], &torque);
+#define GATHER(name, parts)                                                                                  \
+	TS_CLONES static void name(const struct ts_rows *rows, const struct ts_particles *p, size_t from,    \
+				   size_t to)                                                                \
+	{                                                                                                    \
+		gather(rows, p, from, to, parts);                                                            \
 	}
-}
+GATHER(gather_forces, 1)
+GATHER(gather_turns, 2)
+GATHER(gather_rolls, 3)
 
 ts_rows_gather_fn *ts_rows_gatherer(const struct ts_rows *rows)
 {
-	return rows->roll ? gather_rolls : rows->turn ? gather_turns : gather_forces;
+	return rows->parts > 2 ? gather_rolls : rows->parts > 1 ? gather_turns : gather_forces;
 }
 
 TS_CLONES static void place(const struct ts_particles *p, double (*out)[4], size_t from, size_t to)

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "neigh/row_loop.h"
+#include "neigh/row_slots.h"
 #include "particles/identity.h"
 
 #include "base/banned.h"
@@ -72,6 +73,7 @@ static enum ts_status take(struct tsim *sim, const struct ts_rows *rows, bool fo
 	size_t n = 0;
 
 	*h = (struct ts_row_history){ .width = rows->history_width, .overlapping = memories };
+	forces = forces && rows->results == TS_RESULTS_KEPT;
 	for (size_t r = 0; (h->width || forces) && r < rows->n; r++)
 		n += taken(rows, r, memories);
 	if (!n)
@@ -84,7 +86,7 @@ static enum ts_status take(struct tsim *sim, const struct ts_rows *rows, bool fo
 			continue;
 		h->key[h->n] = key_of(rows, r, &swapped);
 		if (forces)
-			copy_force(h->force[h->n], rows->force[r], swapped);
+			copy_force(h->force[h->n], ts_row_force(rows, r), swapped);
 		if (h->width)
 			copy_signed(h->value + h->n * h->width, rows->history + r * h->width,
 				    h->width, rows->history_sign, swapped);
@@ -184,7 +186,7 @@ static void give_share(void *context, size_t from, size_t to)
 				    h->value + (size_t)(k - 1) * h->width, h->width,
 				    rows->history_sign, swapped);
 		if (h->force)
-			copy_force(rows->force[r], h->force[k - 1], swapped);
+			copy_force(ts_row_force(rows, r), h->force[k - 1], swapped);
 	}
 }
 
@@ -196,6 +198,8 @@ enum ts_status ts_row_history_give(struct tsim *sim, const struct ts_row_history
 
 	if (!h->n || !rows->n)
 		return TS_OK;
+	if (h->force)
+		TS_TRY(ts_rows_prepare(sim, rows, true));
 	status = make_chains(sim, &g);
 	if (status == TS_OK)
 		ts_parallel(ts_team(sim, rows->n), rows->n, give_share, &g);

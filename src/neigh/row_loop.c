@@ -2,16 +2,93 @@
 
 #include <string.h>
 
+#include "neigh/row_batch.h"
+#include "neigh/row_slots.h"
+
 #include "base/banned.h"
 
-void ts_row_share_generic(void *task, size_t from, size_t to)
+/* How far beyond their touch the partners of a row still pull. */
+static double beyond(const struct ts_particles *p, const struct ts_pair *pair, const struct ts_rows *rows,
+		     size_t r)
 {
-	ts_row_share(task, from, to, &((const struct ts_row_task *)task)->pair->model);
+	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
+	double a = p->radius[i], b = p->radius[j];
+
+	return ts_granular_beyond(ts_pair_model(pair, p->type[i], p->type[j]),
+				  ts_pair_law(pair, p->type[i], p->type[j]), a * b / (a + b),
+				  rows->history + r * rows->history_width);
 }
 
-void ts_row_share_each(void *task, size_t from, size_t to)
+/* As ts_batch_find, where laws may pull. */
+static size_t find_each(const struct ts_row_task *task, size_t from, size_t to, uint32_t *list)
 {
-	ts_row_share(task, from, to, NULL);
+	const struct ts_particles *p = task->p;
+	struct ts_rows *rows = task->rows;
+	size_t n = 0;
+
+	for (size_t r = from; r < to; r++) {
+		size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
+		double d[3], sum = p->radius[i] + p->radius[j] + beyond(p, task->pair, rows, r);
+		bool touching = ts_row_distance2(p, i, j, d) < sum * sum;
+
+		if (touching)
+			list[n++] = (uint32_t)r;
+		else
+			ts_row_still(rows, r, (size_t)rows->parts);
+		if (rows->touching[r] > touching)
+			ts_row_part(rows, r, task->keep);
+		rows->touching[r] = touching;
+	}
+	return n;
+}
+
+static void store(struct ts_rows *rows, size_t r, const struct ts_granular_model *m, const struct ts_touch *t,
+		  const struct ts_granular_force *f)
+{
+	size_t slot = rows->slot[r];
+	double *force = ts_row_force(rows, slot), *turn = ts_row_turn(rows, slot), *roll = ts_row_roll(rows, slot);
+
+	force[3] = turn ? ts_granular_short(m, t) : 0;
+	for (int k = 0; k < 3; k++) {
+		force[k] = f->force[k];
+		if (turn)
+			turn[k] = f->turn[k];
+		if (roll)
+			roll[k] = f->roll[k];
+	}
+}
+
+static void work(const struct ts_row_task *task, size_t r)
+{
+	const struct ts_particles *p = task->p;
+	const struct ts_pair *pair = task->pair;
+	struct ts_rows *rows = task->rows;
+	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
+	const struct ts_granular_model *m = ts_pair_model(pair, p->type[i], p->type[j]);
+	struct ts_granular_force f;
+	struct ts_touch t;
+
+	ts_row_touch(p, i, j, m, &t);
+	ts_granular_contact(m, ts_pair_law(pair, p->type[i], p->type[j]), &t, task->dt, task->advance,
+			    rows->history_width ? rows->history + r * rows->history_width : NULL, &f);
+	store(rows, r, m, &t, &f);
+}
+
+void ts_row_share_generic(void *context, size_t from, size_t to)
+{
+	const struct ts_row_task *task = context;
+	size_t parts = (size_t)task->rows->parts;
+	uint32_t list[TS_ROW_BLOCK];
+
+	for (; from < to; from += TS_ROW_BLOCK) {
+		size_t end = to - from < TS_ROW_BLOCK ? to : from + TS_ROW_BLOCK;
+		size_t n = task->pair->model_offset ? find_each(task, from, end, list)
+						    : ts_batch_find(task->rows, from, end, parts, task->keep,
+								    list);
+
+		for (size_t k = 0; k < n; k++)
+			work(task, list[k]);
+	}
 }
 
 struct loop {
@@ -38,21 +115,26 @@ static void gather_chunk(const struct loop *loop, size_t c)
 
 /* Rows are computed some at a time, and particles whose rows are all done are gathered while these are still near
  * in the caches. Chunks whose rows lie in the shares of several threads wait for the end. */
-static void rows_share(void *context, size_t from, size_t to)
+static void rows_share(const struct loop *loop, size_t k)
 {
-	enum { SOME = 8 * TS_ROW_BLOCK };
-	struct loop *loop = context;
-	struct ts_rows *rows = loop->task.rows;
-	size_t c = 0;
+	struct ts_row_task task = loop->task;
+	const struct ts_rows *rows = task.rows;
+	size_t from, to, c = 0, done;
 
-	for (size_t r = from; r < to; r += SOME) {
-		size_t end = to - r < SOME ? to : r + SOME;
+	ts_row_range(rows, k, &from, &to);
+	for (size_t r = from; r < to; r += TS_ROW_TURN) {
+		size_t end = to - r < TS_ROW_TURN ? to : r + TS_ROW_TURN;
 
-		loop->share(&loop->task, r, end);
-		for (; c < rows->chunks && rows->chunk[c].end <= end; c++)
-			if (rows->chunk[c].first >= from && rows->chunk[c].end > 0)
-				gather_chunk(loop, c);
+		loop->share(&task, r, end);
+		while ((done = ts_row_chunk_done(rows, from, end, &c)) < rows->chunks)
+			gather_chunk(loop, done);
 	}
+}
+
+static void rows_shares(void *context, size_t from, size_t to)
+{
+	for (size_t k = from; k < to; k++)
+		rows_share(context, k);
 }
 
 static void rest_share(void *context, size_t from, size_t to)
@@ -64,21 +146,23 @@ static void rest_share(void *context, size_t from, size_t to)
 			gather_chunk(loop, c);
 }
 
-void ts_row_loop(struct tsim *sim, const struct ts_pair *pair, ts_share_fn *share)
+enum ts_status ts_row_loop(struct tsim *sim, const struct ts_pair *pair, ts_share_fn *share)
 {
 	struct ts_rows *rows = &sim->neigh->rows;
 	const struct ts_particles *p = sim->particles;
 	struct loop loop = { .task = { p, rows, pair, sim->clock.dt, !sim->in_setup,
 				       sim->legacy && !pair->mixes }, /* LAMMPS forgets at once */
-			     .share = share,
-			     .gather = ts_rows_gatherer(rows) };
+			     .share = share };
 
+	TS_TRY(ts_rows_prepare(sim, rows, ts_neigh_shows(sim)));
+	loop.gather = ts_rows_gatherer(rows);
 	/* where memory does not advance, there is no loop of its own */
 	if (!loop.task.advance || !(loop.task.dt > 0))
-		loop.share = share == ts_row_share_each ? share : ts_row_share_generic;
+		loop.share = ts_row_share_generic;
 	ts_parallel(ts_team(sim, p->n + p->nghost), p->n + p->nghost, place_share, &loop);
 	if (rows->chunks)
 		memset(rows->gathered, 0, rows->chunks);
-	ts_parallel(ts_team(sim, rows->n), rows->n, rows_share, &loop);
+	ts_parallel(rows->shares, (size_t)rows->shares, rows_shares, &loop);
 	ts_parallel(ts_team(sim, rows->chunks), rows->chunks, rest_share, &loop);
+	return TS_OK;
 }

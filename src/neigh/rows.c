@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "neigh/row_history.h"
 #include "neigh/row_search.h"
+#include "neigh/row_slots.h"
 #include "particles/particles.h"
 
 #include "base/banned.h"
@@ -41,12 +42,8 @@ static enum ts_status reserve(struct ts_rows *rows, size_t n)
 	RENEW_COLUMN(tag[1]);
 	RENEW_COLUMN(image);
 	RENEW_COLUMN(winding);
-	RENEW_COLUMN(force);
+	RENEW_COLUMN(slot);
 	RENEW_COLUMN(touching);
-	if (rows->turn)
-		RENEW_COLUMN(turn);
-	if (rows->roll)
-		RENEW_COLUMN(roll);
 #undef RENEW_COLUMN
 	if (rows->history_width)
 		TS_TRY(TS_RENEW(rows->history, wide, capacity * width));
@@ -62,11 +59,6 @@ static void clear(struct ts_rows *rows, size_t from, size_t n)
 	if (!n)
 		return;
 	memset(rows->touching + from, 0, n);
-	memset(rows->force + from, 0, n * sizeof *rows->force);
-	if (rows->turn)
-		memset(rows->turn + from, 0, n * sizeof *rows->turn);
-	if (rows->roll)
-		memset(rows->roll + from, 0, n * sizeof *rows->roll);
 	if (width)
 		memset(rows->history + from * width, 0, n * width * sizeof *rows->history);
 }
@@ -155,11 +147,15 @@ static enum ts_status build(struct tsim *sim, struct ts_rows *rows, struct ts_ro
 	    TS_GROW(rows->place, rows->place_capacity, sim->particles->n + sim->particles->nghost) != TS_OK)
 		return ts_nomem(&sim->error);
 	rows->n = found->n;
+	rows->results = TS_RESULTS_NONE;
 	rows->particles = sim->particles->n;
 	ts_parallel(found->shares, (size_t)found->shares, fill_shares, &filling);
-	TS_TRY(ts_row_history_give(sim, old, rows));
 	TS_TRY(index_rows(sim, rows));
-	return ts_rows_chunks(rows) == TS_OK ? TS_OK : ts_nomem(&sim->error);
+	if (ts_rows_chunks(rows) != TS_OK)
+		return ts_nomem(&sim->error);
+	if (sim->resuming) /* shown without being computed */
+		TS_TRY(ts_rows_prepare(sim, rows, true));
+	return ts_row_history_give(sim, old, rows);
 }
 
 enum ts_status ts_rows_build(struct tsim *sim, struct ts_rows *rows, double skin,
@@ -175,28 +171,23 @@ enum ts_status ts_rows_build(struct tsim *sim, struct ts_rows *rows, double skin
 	return status;
 }
 
-static void free_torques(struct ts_rows *rows)
+void ts_rows_set_torques(struct ts_rows *rows, bool turn, bool roll)
 {
-	ts_free(rows->turn);
-	ts_free(rows->roll);
-	rows->turn = rows->roll = NULL;
+	int parts = roll ? 3 : turn ? 2 : 1;
+
+	if (parts != rows->parts)
+		rows->results = TS_RESULTS_NONE;
+	rows->parts = parts;
 }
 
-enum ts_status ts_rows_set_torques(struct tsim *sim, struct ts_rows *rows, bool turn, bool roll)
+size_t ts_rows_bytes(const struct ts_rows *rows)
 {
-	size_t n = rows->capacity ? rows->capacity : 1;
+	size_t entry = sizeof *rows->gather.entry + sizeof *rows->sum;
+	size_t row = sizeof *rows->i + sizeof *rows->j + 2 * sizeof *rows->tag[0] + sizeof *rows->image +
+		     sizeof *rows->winding + sizeof *rows->slot + sizeof *rows->touching +
+		     rows->history_width * sizeof *rows->history + 2 * entry;
 
-	if (turn == (rows->turn != NULL) && roll == (rows->roll != NULL))
-		return TS_OK;
-	free_torques(rows);
-	if (turn)
-		rows->turn = ts_alloc_aligned(n, sizeof *rows->turn);
-	if (roll)
-		rows->roll = ts_alloc_aligned(n, sizeof *rows->roll);
-	if ((!turn || rows->turn) && (!roll || rows->roll))
-		return TS_OK;
-	free_torques(rows);
-	return ts_nomem(&sim->error);
+	return rows->n * row + rows->room * sizeof *rows->result;
 }
 
 void ts_rows_release(struct ts_rows *rows)
@@ -207,9 +198,10 @@ void ts_rows_release(struct ts_rows *rows)
 	ts_free(rows->tag[1]);
 	ts_free(rows->image);
 	ts_free(rows->winding);
-	ts_free(rows->force);
+	ts_free(rows->slot);
+	ts_free(rows->sum);
+	ts_free(rows->result);
 	ts_free(rows->touching);
-	free_torques(rows);
 	ts_free(rows->history);
 	ts_free(rows->chunk);
 	ts_free(rows->gathered);

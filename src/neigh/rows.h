@@ -23,6 +23,13 @@ struct ts_row_chunk {
 	size_t first, end; /* their rows lie within; 0, 0: there are none */
 };
 
+/* What becomes of forces and torques; see row_slots.h. */
+enum ts_row_results {
+	TS_RESULTS_NONE,   /* not computed since the rows were built */
+	TS_RESULTS_PASSED, /* to the partners, and gone */
+	TS_RESULTS_KEPT,   /* those of row r stand in slot r */
+};
+
 struct ts_rows {
 	size_t n, capacity;
 	bool both_held;	    /* the pairs of which neither can move, instead of all others */
@@ -31,21 +38,23 @@ struct ts_rows {
 	int32_t *tag[2];    /* identities of i and j */
 	uint8_t *image;	    /* which image of j: 13 = itself; see ts_image_code */
 	int32_t *winding;   /* which image, in a way that wrapping does not change; ts_winding */
-	/* on i, j gets the opposite; zero where not touching. The fourth number is half the overlap, by which the
-	 * arms of torque are shorter than the radii */
-	double (*force)[4];
-	/* torques, NULL where contacts make none: on either partner (radius - force[3]) turn, and roll on i, its
-	 * opposite on j; the fourth number is always 0 */
-	double (*turn)[4], (*roll)[4];
+	enum ts_row_results results;
+	uint32_t *slot; /* of each row */
+	/* Forces, see ts_row_force, and behind each, as far as contacts make torques (parts 2, 3), turn and roll */
+	double (*result)[4];
+	int parts;
+	size_t room;
 	uint8_t *touching;
 	double *history; /* history_width numbers per row; zero where never touched */
 	size_t history_width;
 	const signed char *history_sign; /* +1 or -1: factor when i and j change places */
 
 	struct ts_gather gather; /* of the local particles */
+	uint32_t *sum;		 /* as gather.entry, of slots in place of rows */
 	struct ts_row_chunk *chunk; /* of particles k TS_ROW_CHUNK ... */
 	uint8_t *gathered;	    /* of each chunk, in this force evaluation */
-	size_t chunks, chunk_capacity, gathered_capacity;
+	size_t chunks, chunk_capacity, gathered_capacity, sum_capacity;
+	int shares;		 /* rows are computed in so many ranges, side by side */
 	double (*place)[4];	 /* of all particles, now: x, y, z and the radius, for the loops over rows */
 	size_t place_capacity;
 };
@@ -78,10 +87,31 @@ ts_rows_gather_fn *ts_rows_gatherer(const struct ts_rows *rows);
 /* Finds the chunks, after the gather lists. */
 enum ts_status ts_rows_chunks(struct ts_rows *rows);
 
-/* Makes columns of torques, or frees them. */
-enum ts_status ts_rows_set_torques(struct tsim *sim, struct ts_rows *rows, bool turn, bool roll);
+/* The force in a slot: on i, j gets the opposite; zero where not touching. The fourth number is half the overlap, by
+ * which the arms of torque are shorter than the radii. */
+static inline double *ts_row_force(const struct ts_rows *rows, size_t slot)
+{
+	return rows->result[slot * (size_t)rows->parts];
+}
+
+/* Torques, or NULL: on either partner (radius - force[3]) turn, and roll on i, its opposite on j; the fourth number is
+ * always 0. */
+static inline double *ts_row_turn(const struct ts_rows *rows, size_t slot)
+{
+	return rows->parts > 1 ? rows->result[slot * (size_t)rows->parts + 1] : NULL;
+}
+
+static inline double *ts_row_roll(const struct ts_rows *rows, size_t slot)
+{
+	return rows->parts > 2 ? rows->result[slot * (size_t)rows->parts + 2] : NULL;
+}
+
+/* What contacts make besides forces. */
+void ts_rows_set_torques(struct ts_rows *rows, bool turn, bool roll);
 enum ts_status ts_rows_set_history(struct tsim *sim, struct ts_rows *rows, size_t width,
 				   const signed char *sign);
+/* What they take in memory. */
+size_t ts_rows_bytes(const struct ts_rows *rows);
 void ts_rows_release(struct ts_rows *rows);
 
 #endif

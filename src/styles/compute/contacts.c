@@ -1,9 +1,21 @@
+#include "neigh/contact_list.h"
 #include "neigh/neigh.h"
 #include "particles/particles.h"
 
 #include <math.h>
 
 #include "base/banned.h"
+
+struct state {
+	struct tsim *sim;
+};
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	((struct state *)self->state)->sim = sim;
+	sim->neigh->shown = true;
+	return TS_OK;
+}
 
 /* What is counted and listed: contacts whose partners are both in the group. A contact across a
  * periodic face has a row on either side; the one of the smaller identity counts. */
@@ -65,6 +77,7 @@ static void list_row(const struct tsim *sim, size_t r, double row[COLUMNS])
 	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
 	bool swap = rows->tag[0][r] > rows->tag[1][r]; /* the smaller identity first */
 	size_t a = swap ? j : i, b = swap ? i : j;
+	const double *force = ts_row_force(rows, r);
 	double d2 = 0;
 
 	row[0] = p->tag[a];
@@ -75,7 +88,7 @@ static void list_row(const struct tsim *sim, size_t r, double row[COLUMNS])
 		d2 += d * d;
 		row[3 + k] = p->x[a][k];
 		row[6 + k] = p->x[b][k];
-		row[9 + k] = swap ? -rows->force[r][k] : rows->force[r][k];
+		row[9 + k] = swap ? -force[k] : force[k];
 		row[12 + k] = 0.5 * (p->x[a][k] + p->x[b][k]);
 	}
 	row[2] = p->radius[i] + p->radius[j] - sqrt(d2);
@@ -87,6 +100,7 @@ static enum ts_status eval_local(struct ts_instance *self, const struct tsim *si
 	const struct ts_rows *rows = &sim->neigh->rows;
 	size_t n = 0;
 
+	TS_TRY(ts_contacts_kept(((const struct state *)self->state)->sim, self));
 	TS_TRY(ts_table_resize(out, count(self, sim), COLUMNS));
 	for (size_t r = 0; r < rows->n; r++)
 		if (counts(self, sim->particles, rows, r))
@@ -105,6 +119,8 @@ static const struct ts_value values[] = {
 	{ .name = NULL },
 };
 
+static const struct ts_arg args[] = { TS_ARGS_END };
+
 TS_STYLE(compute, ts_style, ts_compute_contacts)
 const struct ts_style ts_compute_contacts = {
 	.name = "contacts",
@@ -115,5 +131,8 @@ const struct ts_style ts_compute_contacts = {
 	       "positions, force on the first, middle. Contacts are those of the last force "
 	       "computation.",
 	.example = "compute nc all contacts\ndump c all local 1000 post/contacts*.txt c_nc[1] c_nc[2]",
+	.args = args,
+	.state_size = sizeof(struct state),
 	.values = values,
+	.init = init,
 };

@@ -13,6 +13,7 @@ struct state {
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
+	sim->neigh->shown = true;
 	((struct state *)self->state)->sim = sim;
 	return TS_OK;
 }
@@ -37,7 +38,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	struct ts_exactsum sum[3];
 	struct ts_contact_view view;
 
-	TS_TRY(ts_contacts_require(s->sim, self));
+	TS_TRY(ts_contacts_forces(s->sim, self));
 	for (int k = 0; k < 3; k++)
 		sum[k] = ts_exactsum_start();
 	for (size_t r = 0; s->pair && r < rows->n; r++) {

@@ -17,6 +17,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct state *s = self->state;
 
 	s->sim = sim;
+	sim->neigh->shown = true;
 	TS_TRY(ts_contact_columns_init(self, sim));
 	if (s->columns.wanted[TS_CONTACT_HEAT] && !ts_heat_of(sim))
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "heatFlux"),
@@ -35,9 +36,9 @@ static void add_torque(const struct tsim *sim, const struct ts_contact_view *v,
 {
 	const struct ts_rows *rows = &sim->neigh->rows;
 
-	for (int k = 0; rows->turn && k < 3; k++)
-		f->torque[k] = (sim->particles->radius[v->a] - rows->force[v->row][3]) *
-			       rows->turn[v->row][k];
+	for (int k = 0; rows->parts > 1 && k < 3; k++)
+		f->torque[k] = (sim->particles->radius[v->a] - ts_row_force(rows, v->row)[3]) *
+			       ts_row_turn(rows, v->row)[k];
 }
 
 /* By the conductance of the last step, with the temperatures of now. */
@@ -73,7 +74,7 @@ static void compute_anew(const struct tsim *sim, const struct ts_contact_view *v
 			    sim->clock.dt, false, memory, &acting);
 	for (int k = 0; k < 3; k++) {
 		f->force[k] = v->sign * acting.force[k];
-		if (rows->turn)
+		if (rows->parts > 1)
 			f->torque[k] = (p->radius[v->a] - ts_granular_short(model, &t)) *
 				       acting.turn[k];
 	}
@@ -119,7 +120,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	size_t width = ts_contact_columns_width(&s->columns, history);
 	struct ts_contact_facts facts;
 
-	TS_TRY(ts_contacts_require(s->sim, self));
+	TS_TRY(ts_contacts_forces(s->sim, self));
 	for (size_t r = 0; r < sim->neigh->rows.n; r++)
 		n += listed(self, sim, r);
 	TS_TRY(ts_table_resize(out, n, width));

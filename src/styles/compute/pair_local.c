@@ -19,6 +19,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct state *s = self->state;
 
 	s->sim = sim;
+	sim->neigh->shown = true;
 	return ts_name_list_read(sim, "compute pair/local", &self->arena, s->words, columns,
 				 sizeof *columns, &s->list);
 }
@@ -33,7 +34,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	const struct state *s = self->state;
 	size_t rows = sim->neigh->rows.n, n = 0;
 
-	TS_TRY(ts_contacts_require(s->sim, self));
+	TS_TRY(ts_contacts_forces(s->sim, self));
 	TS_TRY(ts_table_resize(out, rows, s->list.n));
 	for (size_t r = 0; r < rows; r++) {
 		struct ts_contact_view view;

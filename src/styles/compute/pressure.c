@@ -31,6 +31,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct ts_instance *inst;
 
 	s->sim = sim;
+	sim->neigh->shown = true;
 	if (self->group != 0)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "compute pressure is that of all particles: its group must be all");
@@ -69,7 +70,7 @@ static enum ts_status tensor(struct ts_instance *self, double out[6])
 	const struct tsim *sim = s->sim;
 	double volume = ts_pressure_volume(sim);
 
-	TS_TRY(ts_contacts_require(s->sim, self));
+	TS_TRY(ts_contacts_forces(s->sim, self));
 	ts_virial_total(sim, &s->parts, out);
 	if (s->parts.kinetic)
 		TS_TRY(add_kinetic(s, out));

@@ -59,6 +59,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct property *s = self->state;
 
 	s->sim = sim;
+	sim->neigh->shown = true;
 	TS_TRY(ts_name_list_read(sim, "compute property/local", &self->arena, s->words, columns,
 				 sizeof *columns, &s->list));
 	for (size_t k = 1; k < s->list.n; k++)
@@ -86,7 +87,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	enum list list = columns[s->list.item[0]].list;
 	size_t rows = list == BONDS ? sim->bonds->n : sim->neigh->rows.n, n = 0;
 
-	TS_TRY(ts_contacts_require(s->sim, self));
+	TS_TRY(ts_contacts_forces(s->sim, self));
 	TS_TRY(ts_table_resize(out, rows, s->list.n));
 	for (size_t r = 0; r < rows; r++) {
 		struct ts_contact_view view;

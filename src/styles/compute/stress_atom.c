@@ -25,6 +25,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct ts_words words = s->words;
 
 	s->sim = sim;
+	sim->neigh->shown = true;
 	if (words.n && names_temperature(sim, words.word[0].text))
 		words = ts_words_from(words, 1);
 	return ts_virial_read(sim, self, words, &s->parts);
@@ -35,7 +36,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	const struct stress *s = self->state;
 	const struct ts_particles *p = sim->particles;
 
-	TS_TRY(ts_contacts_require(s->sim, self));
+	TS_TRY(ts_contacts_forces(s->sim, self));
 	TS_TRY(ts_table_resize(out, p->n, 6));
 	for (size_t i = 0; i < p->n; i++) {
 		double w[6] = { 0 }, m = s->parts.kinetic ? p->mass[i] : 0;

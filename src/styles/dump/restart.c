@@ -3,6 +3,7 @@
 #include "core/sim.h"
 #include "io/dump.h"
 #include "io/restart.h"
+#include "neigh/neigh.h"
 
 #include "base/banned.h"
 
@@ -15,8 +16,9 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	const struct state *s = self->state;
 
-	(void)sim;
 	self->every = s->common.every;
+	/* a run that goes on shows the contacts of this step */
+	ts_neigh_show_every(sim->neigh, s->common.variable ? 1 : self->every);
 	return TS_OK;
 }
 

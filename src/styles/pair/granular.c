@@ -81,8 +81,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 static enum ts_status force(struct ts_instance *self, struct tsim *sim)
 {
-	ts_row_loop(sim, self->state, ts_row_share_each);
-	return TS_OK;
+	return ts_row_loop(sim, self->state, ts_row_share_generic);
 }
 
 static const struct ts_arg args[] = {
