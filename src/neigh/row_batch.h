@@ -283,25 +283,62 @@ TS_INLINE void ts_batch_work(const struct ts_row_task *task, const struct ts_gra
 		ts_batch_store(&b, m, whole, at, &rows);
 }
 
-/* The share of a constant model; see ts_row_share. */
+/* What the listed rows will need of their second partners and their history is sent for, so that many come at a time;
+ * first partners follow each other in memory. */
+TS_INLINE void ts_batch_send_for(const struct ts_particles *p, const struct ts_rows *rows,
+				 const struct ts_granular_model *m, const uint32_t *list, size_t n)
+{
+	size_t width = (size_t)ts_granular_memory(m);
+
+	for (size_t k = 0; k < n; k++) {
+		size_t j = (size_t)rows->j[list[k]];
+
+		__builtin_prefetch(p->v[j]);
+		if (ts_granular_turns(m))
+			__builtin_prefetch(p->omega[j]);
+		if (width)
+			__builtin_prefetch(rows->history + list[k] * width, 1);
+	}
+}
+
+/* Where the second partners of the block of rows from `from` are. */
+TS_INLINE void ts_batch_send_places(const struct ts_rows *rows, size_t from)
+{
+	size_t to = rows->n - from < TS_ROW_BLOCK ? rows->n : from + TS_ROW_BLOCK;
+
+	for (size_t r = from; r < to; r++)
+		__builtin_prefetch(rows->place[rows->j[r]]);
+}
+
+/* The listed rows, law by law. */
+TS_INLINE void ts_batch_list(const struct ts_row_task *task, const struct ts_granular_model *m,
+			     ts_batch_fn *contacts, uint32_t *list, size_t n)
+{
+	const struct ts_particles *p = task->p;
+	const struct ts_rows *rows = task->rows;
+
+	for (size_t k = 0, run; k < n; k += run) {
+		int a = p->type[rows->i[list[k]]], b = p->type[rows->j[list[k]]];
+
+		run = ts_batch_alike(p, task->pair, rows, a, b, list + k, n - k);
+		ts_batch_work(task, m, contacts, ts_pair_law(task->pair, a, b), list + k, run);
+	}
+}
+
+/* The share of a constant model; see ts_row_share_generic. */
 TS_INLINE void ts_row_share_batched(const struct ts_row_task *task, size_t from, size_t to,
 				    const struct ts_granular_model *m, ts_batch_fn *contacts)
 {
-	const struct ts_particles *p = task->p;
-	const struct ts_pair *pair = task->pair;
 	struct ts_rows rows = *task->rows;
 	uint32_t list[TS_ROW_BLOCK];
 
 	for (; from < to; from += TS_ROW_BLOCK) {
 		size_t end = to - from < TS_ROW_BLOCK ? to : from + TS_ROW_BLOCK;
-		size_t n = ts_batch_find(&rows, from, end, ts_batch_parts(m), task->keep, list), run;
+		size_t n = ts_batch_find(&rows, from, end, ts_batch_parts(m), task->keep, list);
 
-		for (size_t k = 0; k < n; k += run) {
-			int a = p->type[rows.i[list[k]]], b = p->type[rows.j[list[k]]];
-
-			run = ts_batch_alike(p, pair, &rows, a, b, list + k, n - k);
-			ts_batch_work(task, m, contacts, ts_pair_law(pair, a, b), list + k, run);
-		}
+		ts_batch_send_for(task->p, &rows, m, list, n);
+		ts_batch_send_places(&rows, end);
+		ts_batch_list(task, m, contacts, list, n);
 	}
 }
 
