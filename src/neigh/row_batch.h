@@ -248,8 +248,11 @@ TS_INLINE size_t ts_batch_alike(const struct ts_particles *p, const struct ts_pa
 				const struct ts_rows *rows, int a, int b, uint32_t *list, size_t n)
 {
 	size_t alike = 0;
+	int other = 0;
 
-	if (pair->ntypes == 1)
+	for (size_t k = 0; k < n && pair->ntypes > 1; k++)
+		other |= (p->type[rows->i[list[k]]] ^ a) | (p->type[rows->j[list[k]]] ^ b);
+	if (!other) /* mostly */
 		return n;
 	for (size_t k = 0; k < n; k++) {
 		uint32_t r = list[k];
