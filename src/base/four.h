@@ -2,6 +2,8 @@
 #ifndef TS_BASE_FOUR_H
 #define TS_BASE_FOUR_H
 
+#include <stddef.h>
+
 #include "base/inline.h"
 
 typedef double ts_four __attribute__((vector_size(32)));
@@ -33,6 +35,31 @@ TS_INLINE void ts_four_turn(ts_four m[4])
 	m[1] = TS_FOUR_MIX(b, d, 0, 1, 4, 5);
 	m[2] = TS_FOUR_MIX(a, c, 2, 3, 6, 7);
 	m[3] = TS_FOUR_MIX(b, d, 2, 3, 6, 7);
+}
+
+/* Columns of so many numbers, for loops over several elements at once. */
+enum { TS_COLUMN = 64 };
+
+/* Four rows of numbers to the places at .. at+3 of four columns, or back. */
+TS_INLINE void ts_four_columns(ts_four row[4], double (*column)[TS_COLUMN], size_t at)
+{
+	ts_four_turn(row);
+	for (int c = 0; c < 4; c++)
+		*(ts_four *)&column[c][at] = row[c];
+}
+
+TS_INLINE void ts_four_rows(const double (*column)[TS_COLUMN], size_t at, ts_four row[4])
+{
+	for (int c = 0; c < 4; c++)
+		row[c] = *(const ts_four *)&column[c][at];
+	ts_four_turn(row);
+}
+
+/* The first of up to three numbers. */
+TS_INLINE void ts_four_keep(const ts_four *from, int n, double *to)
+{
+	for (int c = 0; c < 3 && c < n; c++)
+		to[c] = (*from)[c];
 }
 
 #endif

@@ -1,5 +1,7 @@
 #include "neigh/gather.h"
 
+#include "base/clones.h"
+#include "base/four.h"
 #include "base/parallel.h"
 #include "particles/particles.h"
 
@@ -11,20 +13,18 @@ struct task {
 	double (*f)[3];
 };
 
-static void share(void *context, size_t from, size_t to)
+TS_CLONES static void share(void *context, size_t from, size_t to)
 {
 	static const double signs[] = { 1, -1 }; /* a table: which side cannot be guessed */
 	const struct task t = *(const struct task *)context;
 
 	for (size_t i = from; i < to; i++) {
-		double f[3] = { 0 };
+		ts_four f = { 0 };
 
 		for (size_t k = t.gather->first[i]; k < t.gather->first[i + 1]; k++) {
 			uint32_t entry = t.gather->entry[k];
-			const double *force = t.force[entry >> 1];
 
-			for (int d = 0; d < 3; d++)
-				f[d] += signs[entry & 1] * force[d];
+			f += signs[entry & 1] * TS_FOUR_AT(t.force[entry >> 1]);
 		}
 		for (int d = 0; d < 3; d++)
 			t.f[i][d] += f[d];

@@ -18,21 +18,6 @@ struct ts_batch {
 	double force[4][TS_ROW_BLOCK], turn[4][TS_ROW_BLOCK], roll[4][TS_ROW_BLOCK];
 } __attribute__((aligned(64)));
 
-/* Four rows of numbers to the places at .. at+3 of four columns, or back. */
-TS_INLINE void ts_batch_columns(ts_four row[4], double (*column)[TS_ROW_BLOCK], size_t at)
-{
-	ts_four_turn(row);
-	for (int c = 0; c < 4; c++)
-		*(ts_four *)&column[c][at] = row[c];
-}
-
-TS_INLINE void ts_batch_rows(const double (*column)[TS_ROW_BLOCK], size_t at, ts_four row[4])
-{
-	for (int c = 0; c < 4; c++)
-		row[c] = *(const ts_four *)&column[c][at];
-	ts_four_turn(row);
-}
-
 /* The contacts at .. at+3. */
 TS_INLINE void ts_batch_load(const struct ts_particles *p, const struct ts_rows *rows,
 			     const struct ts_granular_model *m, const uint32_t *list, size_t at,
@@ -58,15 +43,15 @@ TS_INLINE void ts_batch_load(const struct ts_particles *p, const struct ts_rows 
 			b->mass[1][at + k] = p->mass[j];
 		}
 	}
-	ts_batch_columns(d, b->d, at);
-	ts_batch_columns(v, b->v, at);
-	ts_batch_columns(wi, b->omega[0], at);
+	ts_four_columns(d, b->d, at);
+	ts_four_columns(v, b->v, at);
+	ts_four_columns(wi, b->omega[0], at);
 	if (ts_granular_turns(m))
-		ts_batch_columns(wj, b->omega[1], at);
+		ts_four_columns(wj, b->omega[1], at);
 	for (int c = 0; c < width; c += 3) {
 		for (size_t k = 0; k < 4; k++)
 			d[k] = TS_FOUR_AT(rows->history + list[at + k] * (size_t)width + c);
-		ts_batch_columns(d, b->memory + c, at);
+		ts_four_columns(d, b->memory + c, at);
 	}
 }
 
@@ -118,13 +103,6 @@ TS_INLINE void ts_batch_contact(struct ts_batch *b, size_t k, const struct ts_gr
 		b->roll[c][k] = c < 3 ? f.roll[c] : 0;
 }
 
-/* The first of up to three numbers. */
-TS_INLINE void ts_batch_keep(const ts_four *from, int n, double *to)
-{
-	for (int c = 0; c < 3 && c < n; c++)
-		to[c] = (*from)[c];
-}
-
 /* As rows->parts. */
 TS_INLINE size_t ts_batch_parts(const struct ts_granular_model *m)
 {
@@ -136,7 +114,7 @@ TS_INLINE void ts_batch_result(const double (*column)[TS_ROW_BLOCK], size_t at, 
 {
 	ts_four row[4];
 
-	ts_batch_rows(column, at, row);
+	ts_four_rows(column, at, row);
 	for (size_t k = 0; k < 4; k++)
 		to[k][part] = row[k];
 }
@@ -157,9 +135,9 @@ TS_INLINE void ts_batch_store(const struct ts_batch *b, const struct ts_granular
 	if (parts > 2)
 		ts_batch_result(b->roll, at, to, 2);
 	for (int c = 0; c < width; c += 3) {
-		ts_batch_rows(b->memory + c, at, row);
+		ts_four_rows(b->memory + c, at, row);
 		for (size_t k = 0; k < 4; k++)
-			ts_batch_keep(&row[k], width - c,
+			ts_four_keep(&row[k], width - c,
 				      rows->history + list[at + k] * (size_t)width + c);
 	}
 }

@@ -21,7 +21,7 @@ struct ts_row_task {
 
 /* Rows are looked at in blocks: first which of them touch, then the forces of those. Whether a row
  * touches cannot be guessed by the processor, so the first loop does not branch on it. */
-enum { TS_ROW_BLOCK = 64 };
+enum { TS_ROW_BLOCK = TS_COLUMN };
 
 TS_INLINE double
 ts_row_distance2(const struct ts_particles *p, size_t i, size_t j, double d[3])

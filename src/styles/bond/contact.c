@@ -1,8 +1,10 @@
-#include "neigh/bond_loop.h"
+#include "base/clones.h"
+TS_UNROLLED
 
 #include <math.h>
 
 #include "law/spring_dashpot.h"
+#include "neigh/bond_loop.h"
 #include "neigh/energy.h"
 
 #include "base/banned.h"
@@ -23,18 +25,22 @@ static enum ts_status complete(struct tsim *sim, void *coeff, const struct ts_pl
 
 static bool law(const void *coeff, const struct ts_bond_state *state, double *tension)
 {
-	const struct coeff *c = coeff;
+	const struct coeff c = *(const struct coeff *)coeff;
+	double pull = c.stiffness * state->extension, damped = pull + c.damping * state->rate;
+	bool holds = !(fabs(pull) > c.ultimate);
 
-	*tension = c->stiffness * state->extension;
-	if (fabs(*tension) > c->ultimate)
-		return false;
-	*tension += c->damping * state->rate;
-	return true;
+	*tension = holds ? damped : pull;
+	return holds;
 }
 
-static long share(void *task, size_t from, size_t to)
+TS_CLONES static void laws(struct ts_bond_batch *restrict b, size_t n, const void *restrict coeff)
 {
-	return ts_bond_share(task, from, to, law);
+	ts_bond_laws(b, n, coeff, law);
+}
+
+TS_CLONES static long share(void *task, size_t from, size_t to)
+{
+	return ts_bond_share(task, from, to, laws);
 }
 
 static double stiffness(const void *coeff)
