@@ -155,6 +155,29 @@ START_TEST(looked_at)
 }
 END_TEST
 
+static int stop(struct tsim *sim, void *data)
+{
+	(void)data;
+	if (sim->clock.step == 7)
+		tsim_stop(sim);
+	return 0;
+}
+
+/* A run that is stopped does one more step, of which all is there. */
+START_TEST(stopped)
+{
+	struct tsim *sim = shake("f f f", 1, "");
+
+	ck_assert_int_eq(tsim_on_step(sim, TSIM_END_OF_STEP, stop, NULL), 0);
+	sim->shows_contacts = false; /* the function does not look at any */
+	ck_assert(!deck_accepts(sim, "run 40"));
+	tsim_error_clear(sim);
+	ck_assert_int_eq(sim->clock.step, 8);
+	ck_assert_int_eq(sim->neigh->rows.results, TS_RESULTS_KEPT);
+	tsim_close(sim);
+}
+END_TEST
+
 int main(void)
 {
 	Suite *suite = suite_create("slots of rows");
@@ -164,6 +187,7 @@ int main(void)
 	tcase_add_loop_test(tests, one_row_at_a_time, 0, 6);
 	tcase_add_loop_test(tests, same_bits, 0, 2);
 	tcase_add_test(tests, looked_at);
+	tcase_add_test(tests, stopped);
 	suite_add_tcase(suite, tests);
 	return deck_main(suite);
 }

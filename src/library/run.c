@@ -209,6 +209,7 @@ int tsim_on_step(struct tsim *sim, enum tsim_stage stage, tsim_step_fn *fn, void
 
 	if (status == TS_OK)
 		status = add_call(sim, stage, (struct ts_library_call){ fn, data });
+	sim->shows_contacts = true; /* the function may ask for any formula */
 	return ts_library_settle(sim, status);
 }
 

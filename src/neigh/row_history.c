@@ -70,10 +70,10 @@ static bool taken(const struct ts_rows *rows, size_t r, bool memories)
 static enum ts_status take(struct tsim *sim, const struct ts_rows *rows, bool forces, bool memories,
 			   struct ts_row_history *h)
 {
+	bool kept = rows->results == TS_RESULTS_KEPT; /* not after a step that has failed: zero */
 	size_t n = 0;
 
 	*h = (struct ts_row_history){ .width = rows->history_width, .overlapping = memories };
-	forces = forces && rows->results == TS_RESULTS_KEPT;
 	for (size_t r = 0; (h->width || forces) && r < rows->n; r++)
 		n += taken(rows, r, memories);
 	if (!n)
@@ -85,7 +85,7 @@ static enum ts_status take(struct tsim *sim, const struct ts_rows *rows, bool fo
 		if (!taken(rows, r, memories))
 			continue;
 		h->key[h->n] = key_of(rows, r, &swapped);
-		if (forces)
+		if (forces && kept)
 			copy_force(h->force[h->n], ts_row_force(rows, r), swapped);
 		if (h->width)
 			copy_signed(h->value + h->n * h->width, rows->history + r * h->width,
