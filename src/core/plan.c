@@ -261,6 +261,8 @@ enum ts_status ts_plan_steps(struct ts_plan *plan, struct tsim *sim)
 	sim->running = true;
 	plan->watch.last = ts_ticks();
 	while (status == TS_OK && sim->clock.step < sim->clock.last_step) {
+		if (sim->stop && sim->complete)
+			break;
 		if (sim->stop) /* one more, of which all know that it is the last */
 			sim->clock.last_step = sim->clock.step + 1;
 		status = step(plan, sim);

@@ -119,6 +119,7 @@ struct tsim {
 	bool clamped; /* a live integrator bounds how far particles move in a step */
 	bool rebuild;      /* this step exchanges particles and rebuilds the contact rows */
 	uint64_t removals; /* of instances, ever: what refers to one must look again */
+	bool complete;     /* this step leaves all that may be looked at when a run has ended */
 	bool shows_contacts; /* a keyword was named that looks at the forces of contacts, or a program may name one */
 	bool in_setup;     /* forces before the first step: contact history stands still */
 	bool resuming;     /* nothing forces depend on has changed since the last step: the run

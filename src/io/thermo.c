@@ -205,8 +205,8 @@ static enum ts_status is_due(struct ts_thermo *t, struct tsim *sim, bool *due)
 	bool asked = (!t->variable && t->every && c->step % t->every == 0) ||
 		     (t->variable && c->step == t->next);
 
-	*due = asked || c->step == c->first_step ||
-	       (c->step == c->last_step && (!sim->in_pieces || sim->stop));
+	*due = asked || c->step == c->first_step || (c->step == c->last_step && !sim->in_pieces) ||
+	       (sim->stop && sim->complete);
 	sim->looking = !asked || t->counted == c->step + 1;
 	if (asked)
 		t->counted = c->step + 1;

@@ -250,7 +250,8 @@ void ts_neigh_show_every(struct ts_neigh *nb, int64_t every)
 	nb->show_every = a;
 }
 
-bool ts_neigh_shows(const struct tsim *sim)
+/* Whether forces of contacts that are computed in this step may be looked at: at the ends of runs always. */
+static bool shows(const struct tsim *sim)
 {
 	const struct ts_neigh *nb = sim->neigh;
 	int64_t step = sim->clock.step;
@@ -271,6 +272,7 @@ static enum ts_status clear_forces(struct ts_instance *self, struct tsim *sim)
 	struct ts_particles *p = sim->particles;
 
 	(void)self;
+	sim->complete = shows(sim);
 	if (p->n)
 		memset(p->f, 0, p->n * sizeof *p->f);
 	if (p->n && p->torque)

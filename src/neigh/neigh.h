@@ -42,8 +42,6 @@ double ts_neigh_skin(const struct tsim *sim);
 double ts_neigh_choose_skin(const struct tsim *sim);
 /* For the init of outputs and of what may end a run: they look at forces of contacts at multiples of `every`. */
 void ts_neigh_show_every(struct ts_neigh *neigh, int64_t every);
-/* Whether forces of contacts that are computed now may be looked at: at the ends of runs always. */
-bool ts_neigh_shows(const struct tsim *sim);
 /* Whether neigh_modify names the group of this bit. */
 bool ts_neigh_uses_group(const struct ts_neigh *neigh, int bit);
 

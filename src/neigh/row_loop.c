@@ -154,7 +154,7 @@ enum ts_status ts_row_loop(struct tsim *sim, const struct ts_pair *pair, ts_shar
 				       sim->legacy && !pair->mixes }, /* LAMMPS forgets at once */
 			     .share = share };
 
-	TS_TRY(ts_rows_prepare(sim, rows, ts_neigh_shows(sim)));
+	TS_TRY(ts_rows_prepare(sim, rows, sim->complete));
 	loop.gather = ts_rows_gatherer(rows);
 	/* where memory does not advance, there is no loop of its own */
 	if (!loop.task.advance || !(loop.task.dt > 0))
