@@ -186,8 +186,9 @@ size_t ts_rows_bytes(const struct ts_rows *rows)
 	size_t row = sizeof *rows->i + sizeof *rows->j + 2 * sizeof *rows->tag[0] + sizeof *rows->image +
 		     sizeof *rows->winding + sizeof *rows->slot + sizeof *rows->touching +
 		     rows->history_width * sizeof *rows->history + 2 * entry;
+	size_t results = rows->n * (size_t)rows->parts; /* at the ends of runs all are kept */
 
-	return rows->n * row + rows->room * sizeof *rows->result;
+	return rows->n * row + (results > rows->room ? results : rows->room) * sizeof *rows->result;
 }
 
 void ts_rows_release(struct ts_rows *rows)

@@ -110,7 +110,7 @@ static inline double *ts_row_roll(const struct ts_rows *rows, size_t slot)
 void ts_rows_set_torques(struct ts_rows *rows, bool turn, bool roll);
 enum ts_status ts_rows_set_history(struct tsim *sim, struct ts_rows *rows, size_t width,
 				   const signed char *sign);
-/* What they take in memory. */
+/* What they take in memory, or will. */
 size_t ts_rows_bytes(const struct ts_rows *rows);
 void ts_rows_release(struct ts_rows *rows);
 
