@@ -143,15 +143,18 @@ START_TEST(looked_at)
 	struct tsim *asked = shake("f f f", 1,
 				   "variable p equal press\nfix m all ave/time 1 1 3 v_p\nrun 12\n"
 				   "variable m equal f_m");
+	struct tsim *table = shake("f f f", 1, "thermo_style custom step enthalpy\nthermo 5\nrun 12");
 
 	deck(kept, "compute s all reduce sum c_c");
 	deck(late, "compute s all reduce sum c_c");
 	ck_assert_double_gt(deck_value(kept, "c_s"), 0);
 	ck_assert_double_eq(deck_value(kept, "c_s"), deck_value(late, "c_s"));
 	ck_assert_double_eq(deck_value(asked, "f_m"), deck_value(late, "press"));
+	ck_assert_double_eq(deck_value(table, "press"), deck_value(late, "press"));
 	tsim_close(kept);
 	tsim_close(late);
 	tsim_close(asked);
+	tsim_close(table);
 }
 END_TEST
 

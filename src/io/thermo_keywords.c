@@ -285,7 +285,7 @@ const struct ts_keyword ts_thermo_keywords[] = {
 	{ "evdwl", "E_vdwl", "energy", "the same as epair", 0, epair },
 	{ "emol", "E_mol", "energy", "elastic energy of bonds", 0, ebond },
 	{ "ebond", "E_bond", "energy", "the same as emol", 0, ebond },
-	{ "enthalpy", "Enthalpy", "energy", "etotal + press vol", 0, enthalpy },
+	{ "enthalpy", "Enthalpy", "energy", "etotal + press vol", TS_KEYWORD_CONTACTS, enthalpy },
 	{ "ecouple", "Ecouple", "energy", "handed over by thermostats: 0, none counts it", 0, zero },
 	{ "econserve", "Econserve", "energy", "etotal + ecouple", 0, etotal },
 	{ "ecoul", "E_coul", "energy", "of charges: 0", 0, zero },
