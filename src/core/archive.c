@@ -103,6 +103,30 @@ static enum ts_status find_typed(struct ts_archive *a, const char *name, enum ts
 	return TS_OK;
 }
 
+static enum ts_status find_counted(struct ts_archive *a, const char *name, enum ts_saved_type type,
+				   size_t count, const struct field **out)
+{
+	TS_TRY(find_typed(a, name, type, out));
+	if ((*out)->count != count)
+		return ts_fail(&a->sim->error, TS_DAMAGED, NULL,
+			       "saved state: field '%s' has %zu elements, expected %zu", name,
+			       (*out)->count, count);
+	return TS_OK;
+}
+
+enum ts_status ts_archive_expect(struct ts_archive *archive, const char *name,
+				 enum ts_saved_type type, size_t count)
+{
+	size_t next = archive->next;
+	const struct field *field;
+
+	if (archive->writing)
+		return TS_OK;
+	TS_TRY(find_counted(archive, name, type, count, &field));
+	archive->next = next;
+	return TS_OK;
+}
+
 enum ts_status ts_archive_fixed(struct ts_archive *archive, const char *name,
 				enum ts_saved_type type, void *data, size_t count)
 {
@@ -110,11 +134,7 @@ enum ts_status ts_archive_fixed(struct ts_archive *archive, const char *name,
 
 	if (archive->writing)
 		return write_field(archive, name, type, data, count);
-	TS_TRY(find_typed(archive, name, type, &field));
-	if (field->count != count)
-		return ts_fail(&archive->sim->error, TS_DAMAGED, NULL,
-			       "saved state: field '%s' has %zu elements, expected %zu", name,
-			       field->count, count);
+	TS_TRY(find_counted(archive, name, type, count, &field));
 	if (count)
 		memcpy(data, archive->block + field->data, count * element_size(type));
 	return TS_OK;

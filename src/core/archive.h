@@ -37,6 +37,11 @@ bool ts_archive_writing(const struct ts_archive *archive);
 enum ts_status ts_archive_fixed(struct ts_archive *archive, const char *name, enum ts_saved_type type,
 				void *data, size_t count);
 
+/* Before memory is taken for what a number in the file promises: is the field there with as many
+ * elements? TS_DAMAGED where not; when writing always TS_OK. */
+enum ts_status ts_archive_expect(struct ts_archive *archive, const char *name,
+				 enum ts_saved_type type, size_t count);
+
 /* Writes *count elements of *data; or reads as many as there are, growing *data as ts_grow does and
  * setting *count. */
 enum ts_status ts_archive_array(struct ts_archive *archive, const char *name,

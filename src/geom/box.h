@@ -29,6 +29,9 @@ static inline double ts_box_length(const struct ts_box *box, int dim)
 	return box->hi[dim] - box->lo[dim];
 }
 
+/* The most lengths of the box that a particle is followed over: differences still fit an int32_t. */
+enum { TS_TURNS_MOST = 1 << 29 };
+
 /* Wraps a coordinate into a periodic box and counts the lengths it had to be moved by. False if these
  * cannot be counted, as for what is not a number: nothing is done then. */
 static inline bool ts_box_wrap(const struct ts_box *box, int dim, double *x, int32_t *image)
@@ -37,7 +40,7 @@ static inline bool ts_box_wrap(const struct ts_box *box, int dim, double *x, int
 
 	if (turns == 0)
 		return true;
-	if (!(fabs(turns + *image) < INT32_MAX))
+	if (!(fabs(turns + *image) <= TS_TURNS_MOST))
 		return false;
 	*x -= turns * length;
 	if (*x < box->lo[dim]) /* rounding */

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "geom/box.h"
+
 #include "base/banned.h"
 
 /* Identities index a table, so there is a largest one. */
@@ -285,7 +287,8 @@ static enum ts_status atom(struct reader *r)
 	for (size_t k = 0; r->l->nwords > n && k < 3; k++) {
 		int64_t image;
 
-		TS_TRY(ts_lines_int(r->l, n + k, images[k], -(1 << 30), 1 << 30, &image));
+		TS_TRY(ts_lines_int(r->l, n + k, images[k], -TS_TURNS_MOST, TS_TURNS_MOST,
+				    &image));
 		a->image[k] = (int32_t)image;
 	}
 	d->n++;

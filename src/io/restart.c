@@ -2,6 +2,7 @@
 
 #include <errno.h>
 #include <limits.h>
+#include <math.h>
 #include <string.h>
 #include <zlib.h>
 
@@ -393,6 +394,9 @@ static enum ts_status restore_clock(struct reader *r)
 	TS_TRY(with_archive(r, &r->section[0], &s, NULL));
 	if (s.units < 0 || s.units > TS_UNITS_MICRO || (s.dimension != 2 && s.dimension != 3))
 		return refuse(r, "is damaged: unknown units or dimension");
+	if (s.clock.base_step < 0 || s.clock.step < s.clock.base_step ||
+	    !isfinite(s.clock.base_time) || !isfinite(s.clock.dt))
+		return refuse(r, "is damaged: impossible step or time");
 	if (sim->units != TS_UNITS_LJ && (int32_t)sim->units != s.units)
 		return ts_fail(&sim->error, TS_STATE, r->where,
 			       "restart file '%s' is in units %s, but the script says units %s",

@@ -187,6 +187,8 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	b->ntypes = ntypes;
 	if (n[0] < 0 || n[0] > INT32_MAX || n[1] < 0 || n[1] > INT32_MAX)
 		return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible number of bonds");
+	TS_TRY(ts_archive_expect(a, "tag", TS_SAVED_I32, 2 * (size_t)n[0]));
+	TS_TRY(ts_archive_expect(a, "events", TS_SAVED_U8, (size_t)n[1] * sizeof *b->event));
 	if (reserve(b, (size_t)n[0]) != TS_OK ||
 	    TS_GROW(b->event, b->event_capacity, (size_t)n[1]) != TS_OK)
 		return ts_nomem(&sim->error);

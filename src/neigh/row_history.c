@@ -243,6 +243,9 @@ enum ts_status ts_row_history_archive(struct ts_archive *archive, struct tsim *s
 	TS_TRY(ts_archive_fixed(archive, "history_size", TS_SAVED_I64, size, 2));
 	if (size[0] < 0 || size[0] > INT32_MAX || size[1] < 0 || size[1] > 1024)
 		return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible contact history");
+	TS_TRY(ts_archive_expect(archive, "history_keys", TS_SAVED_I32, 3 * (size_t)size[0]));
+	TS_TRY(ts_archive_expect(archive, "history", TS_SAVED_F64,
+				 (size_t)size[0] * (size_t)size[1]));
 	if (!ts_archive_writing(archive)) {
 		ts_row_history_release(h);
 		h->width = (size_t)size[1];

@@ -174,6 +174,9 @@ enum ts_status ts_wall_contacts_archive(struct ts_archive *archive, struct tsim 
 	TS_TRY(ts_archive_fixed(archive, "contacts", TS_SAVED_I64, size, 2));
 	if (size[0] < 0 || size[0] > INT32_MAX || size[1] < 0 || size[1] > 1024)
 		return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible contacts with a wall");
+	TS_TRY(ts_archive_expect(archive, "contact_keys", TS_SAVED_I32, 2 * (size_t)size[0]));
+	TS_TRY(ts_archive_expect(archive, "contact_memory", TS_SAVED_F64,
+				 (size_t)size[0] * (size_t)size[1]));
 	if (!ts_archive_writing(archive)) {
 		ts_wall_contacts_release(c);
 		c->n = (size_t)size[0];

@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "geom/box.h"
+
 #include "base/banned.h"
 
 typedef void assign_fn(struct ts_particles *p, size_t i, double value);
@@ -94,7 +96,7 @@ static const char *problem(const struct ts_particles *p, const struct target *ta
 
 	if (!isfinite(value))
 		return "a finite number";
-	if (!is_real && !(value == rint(value) && fabs(value) <= INT32_MAX))
+	if (!is_real && !(value == rint(value) && fabs(value) <= TS_TURNS_MOST))
 		return "a whole number";
 	if (target->column == TS_COL_TYPE && !(value >= 1 && value <= p->ntypes))
 		return "a type from 1 to the number in create_box";

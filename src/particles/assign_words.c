@@ -112,7 +112,8 @@ enum ts_status ts_assign_image(struct tsim *sim, struct ts_words words, const un
 				       "set: image takes three integers, or NULL to leave one");
 		if (ts_streq(word->text, "NULL"))
 			continue;
-		if (!ts_parse_int(word->text, &flag) || flag < -(1 << 30) || flag > 1 << 30)
+		if (!ts_parse_int(word->text, &flag) || flag < -TS_TURNS_MOST ||
+		    flag > TS_TURNS_MOST)
 			return ts_fail(&sim->error, TS_SYNTAX, &word->place,
 				       "set: image is '%s', expected an integer or NULL", word->text);
 		if (flag && !ts_box_periodic(&sim->domain->box, d))

@@ -1,6 +1,7 @@
 #include "particles/particles.h"
 
 #include "core/plan.h"
+#include "geom/box.h"
 #include "particles/group_dynamic.h"
 #include "particles/property.h"
 
@@ -94,10 +95,13 @@ static enum ts_status check_particles(struct tsim *sim, const struct ts_particle
 {
 	for (size_t i = 0; i < p->n; i++) {
 		double sum = p->radius[i] + p->mass[i];
+		bool far = false;
 
-		for (int d = 0; d < 3; d++)
+		for (int d = 0; d < 3; d++) {
 			sum += p->x[i][d] + p->v[i][d];
-		if (p->type[i] < 1 || p->type[i] > p->ntypes || p->tag[i] < 1 ||
+			far |= p->image[i][d] < -TS_TURNS_MOST || p->image[i][d] > TS_TURNS_MOST;
+		}
+		if (far || p->type[i] < 1 || p->type[i] > p->ntypes || p->tag[i] < 1 ||
 		    p->tag[i] > p->max_tag || !(p->radius[i] > 0) || !(p->mass[i] > 0) ||
 		    !isfinite(sum))
 			return ts_fail(&sim->error, TS_DAMAGED, NULL,
@@ -123,6 +127,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 		    (count && count != (size_t)ntypes + 1))
 			return ts_fail(&sim->error, TS_DAMAGED, NULL,
 				       "impossible number of particles or types");
+		TS_TRY(ts_archive_expect(a, "tag", TS_SAVED_I32, (size_t)n));
 		p->n = p->nghost = 0;
 		TS_TRY(ts_particles_reserve(sim, (size_t)n));
 		p->n = (size_t)n;
