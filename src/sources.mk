@@ -395,6 +395,8 @@ library_sources = \
 	src/neigh/row_loop.h \
 	src/neigh/row_models.c \
 	src/neigh/row_models.h \
+	src/neigh/row_near.c \
+	src/neigh/row_near.h \
 	src/neigh/row_search.c \
 	src/neigh/row_search.h \
 	src/neigh/row_slots.c \

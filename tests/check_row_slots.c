@@ -6,6 +6,7 @@
 #include "base/alloc.h"
 #include "core/sim.h"
 #include "neigh/neigh.h"
+#include "neigh/row_near.h"
 #include "neigh/row_slots.h"
 #include "particles/particles.h"
 
@@ -36,56 +37,70 @@ static struct tsim *shake(const char *boundary, int threads, const char *more)
 
 struct watch {
 	const struct ts_rows *rows;
-	size_t *row;	  /* in each slot: the row there + 1, 0: none */
+	size_t *place;	  /* in each slot: the place of a near row in the list + 1, 0: none */
 	uint8_t *waiting; /* of each row: partners that have not added it */
 };
 
+/* Entries of the gather without far rows are those of the sum. */
 static void add_chunk(const struct watch *w, size_t c)
 {
 	const struct ts_rows *rows = w->rows;
 	size_t last = (c + 1) * TS_ROW_CHUNK < rows->particles ? (c + 1) * TS_ROW_CHUNK : rows->particles;
+	size_t at = rows->sum_first[c * TS_ROW_CHUNK];
 
 	for (size_t k = rows->gather.first[c * TS_ROW_CHUNK]; k < rows->gather.first[last]; k++) {
-		size_t r = rows->gather.entry[k] >> 1, slot = rows->sum[k] >> 1;
+		size_t r = rows->gather.entry[k] >> 1, slot = rows->sum[at] >> 1;
 
-		ck_assert_uint_eq(rows->sum[k] & 1, rows->gather.entry[k] & 1);
-		ck_assert_uint_eq(slot, rows->slot[r]);
-		ck_assert_uint_eq(w->row[slot], r + 1); /* nobody has written over it */
+		if (!w->waiting[r]) /* far */
+			continue;
+		ck_assert_uint_eq(rows->sum[at++] & 1, rows->gather.entry[k] & 1);
+		ck_assert_uint_ne(w->place[slot], 0); /* nobody has written over it */
+		ck_assert_uint_eq(rows->near[w->place[slot] - 1].row, r);
 		if (!--w->waiting[r])
-			w->row[slot] = 0;
+			w->place[slot] = 0;
 	}
+	ck_assert_uint_eq(at, rows->sum_first[last]);
 }
 
 /* The loop over rows, without forces. */
 static void follow(const struct watch *w, size_t share)
 {
 	const struct ts_rows *rows = w->rows;
-	size_t from, to, c = 0, done;
+	const struct ts_row_span *span = &rows->span[share];
+	size_t c = 0, done;
 
-	ts_row_range(rows, share, &from, &to);
-	for (size_t r = from; r < to; r += TS_ROW_TURN) {
-		size_t end = to - r < TS_ROW_TURN ? to : r + TS_ROW_TURN;
+	for (size_t b = span->block; b < span->block_end; b++) {
+		const struct ts_row_block *block = &rows->block[b];
+		size_t end = (size_t)block->first + block->n;
 
-		for (size_t k = r; k < end; k++) {
-			ck_assert_uint_lt(rows->slot[k] * (size_t)rows->parts, rows->room);
-			ck_assert_uint_eq(w->row[rows->slot[k]], 0);
-			w->row[rows->slot[k]] = k + 1;
-			w->waiting[k] = (uint8_t)(1 + ((size_t)rows->j[k] < rows->particles));
+		for (size_t k = block->first; k < end; k++) {
+			const struct ts_row_near *near = &rows->near[k];
+
+			ck_assert_uint_lt(near->slot * (size_t)rows->parts, rows->room);
+			ck_assert_uint_eq(w->place[near->slot], 0);
+			w->place[near->slot] = k + 1;
+			w->waiting[near->row] = (uint8_t)(1 + ((size_t)near->j < rows->particles));
 		}
-		while ((done = ts_row_chunk_done(rows, from, end, &c)) < rows->chunks)
+		if (b + 1 < span->block_end && (b + 1 - span->block) % TS_ROW_TURN)
+			continue;
+		while ((done = ts_row_chunk_done(rows, span->near, end, &c)) < rows->chunks)
 			add_chunk(w, done);
 	}
+	ck_assert_uint_eq(span->near_end, span->block_end > span->block
+						  ? (size_t)rows->block[span->block_end - 1].first +
+							    rows->block[span->block_end - 1].n
+						  : span->near);
 }
 
 static void check_slots(struct tsim *sim)
 {
 	struct ts_rows *rows = &sim->neigh->rows;
-	struct watch w = { rows, ts_alloc(rows->n, sizeof *w.row), ts_alloc(rows->n, 1) };
+	struct watch w = { rows, ts_alloc(rows->n, sizeof *w.place), ts_alloc(rows->n, 1) };
 	size_t most = 0;
 
 	ck_assert_int_eq(ts_rows_prepare(sim, rows, false), TS_OK);
-	for (size_t r = 0; r < rows->n; r++)
-		most = rows->slot[r] >= most ? rows->slot[r] + 1 : most;
+	for (size_t k = rows->span[0].near; k < rows->span[0].near_end; k++)
+		most = rows->near[k].slot >= most ? rows->near[k].slot + 1 : most;
 	if (rows->shares == 1)
 		ck_assert_uint_lt(most, rows->n / 2);
 	for (int share = 0; share < rows->shares; share++)
@@ -93,7 +108,7 @@ static void check_slots(struct tsim *sim)
 	/* what is left belongs to chunks whose rows are in the shares of several threads */
 	for (size_t r = 0; r < rows->n && rows->shares == 1; r++)
 		ck_assert_int_eq(w.waiting[r], 0);
-	ts_free(w.row);
+	ts_free(w.place);
 	ts_free(w.waiting);
 }
 
@@ -121,6 +136,30 @@ static void same(const struct tsim *one, const struct tsim *other)
 	ck_assert(!memcmp(a->f, b->f, a->n * sizeof *a->f));
 	ck_assert(!memcmp(a->torque, b->torque, a->n * sizeof *a->torque));
 }
+
+/* Of rows that are not looked at none touches, though particles have moved since these were chosen. */
+START_TEST(none_missed)
+{
+	struct tsim *sim = shake(boundaries[_i], 2, "run 1");
+	const struct ts_rows *rows = &sim->neigh->rows;
+	size_t far = 0;
+
+	for (int step = 0; step < 40; step++) {
+		deck(sim, "run 1 pre no post no");
+		ck_assert(rows->looked && !ts_rows_outdated(rows));
+		for (size_t r = 0; r < rows->n; r++) {
+			const double *a = sim->particles->x[rows->i[r]], *b = sim->particles->x[rows->j[r]];
+			double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
+
+			ck_assert_int_eq(rows->touching[r], x * x + y * y + z * z < 0.072 * 0.072);
+		}
+		for (int k = 0; k < rows->shares; k++)
+			far += rows->n / (size_t)rows->shares - (rows->span[k].near_end - rows->span[k].near);
+	}
+	ck_assert_uint_gt(far, 40 * rows->n / 20);
+	tsim_close(sim);
+}
+END_TEST
 
 /* Steps are the same whether an output may look at contacts or not. */
 START_TEST(same_bits)
@@ -188,6 +227,7 @@ int main(void)
 
 	tcase_set_timeout(tests, 60);
 	tcase_add_loop_test(tests, one_row_at_a_time, 0, 6);
+	tcase_add_loop_test(tests, none_missed, 0, 2);
 	tcase_add_loop_test(tests, same_bits, 0, 2);
 	tcase_add_test(tests, looked_at);
 	tcase_add_test(tests, stopped);

@@ -17,6 +17,10 @@ rebuilds         full rebuilds bed
 rebuilds         full rebuilds grains
 rebuilds         full rebuilds bonded
 rebuilds         full rebuilds pour
+looks            full looks bed
+looks            full looks grains
+looks            full looks bonded
+looks            full looks walled
 threads          full threads grains
 ghosts           pair walled walled_periodic
 fluid solver     bound uniform solved 1e-10

@@ -22,6 +22,15 @@ typedef long long ts_four_places __attribute__((vector_size(32)));
 #define TS_FOUR_MIX(a, b, i, j, k, l) __builtin_shuffle(a, b, (ts_four_places){ i, j, k, l })
 #endif
 
+/* Each number of `most` becomes that of x where this is larger. */
+TS_INLINE void ts_four_most(ts_four *most, const ts_four *x)
+{
+	for (int k = 0; k < 4; k++)
+		(*most)[k] = (*x)[k] > (*most)[k] ? (*x)[k] : (*most)[k];
+}
+
+#define TS_FOUR_ALL(x) ((ts_four){ x, x, x, x })
+
 /* The first three numbers of a, the fourth of b. */
 #define TS_FOUR_LAST(a, b) TS_FOUR_MIX(a, b, 0, 1, 2, 7)
 

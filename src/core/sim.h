@@ -89,7 +89,8 @@ enum ts_full {
 	TS_FULL_HISTORY = 4,  /* their history, where the law remembers nothing */
 	TS_FULL_REBUILDS = 8, /* rows are found anew in each step */
 	TS_FULL_THREADS = 16, /* the shortest loops are shared among threads */
-	TS_FULL_ALL = 31
+	TS_FULL_LOOKS = 32,   /* all rows are looked at in each step */
+	TS_FULL_ALL = 63
 };
 
 struct tsim {

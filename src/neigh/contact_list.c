@@ -54,7 +54,7 @@ enum ts_status ts_contacts_kept(struct tsim *sim, const struct ts_instance *self
 	struct ts_rows *rows = &sim->neigh->rows;
 
 	if (rows->results == TS_RESULTS_NONE)
-		return ts_rows_prepare(sim, rows, true);
+		return ts_rows_keep(sim, rows);
 	if (rows->results == TS_RESULTS_KEPT)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, &self->where,

@@ -45,6 +45,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	nb->builds = 0;
 	nb->skin_counts = nb->shown = false; /* whose outputs do says so in its init */
 	nb->show_every = 0;
+	nb->rows.looked = false; /* types may have been changed */
 	return TS_OK;
 }
 
@@ -273,6 +274,8 @@ static enum ts_status clear_forces(struct ts_instance *self, struct tsim *sim)
 
 	(void)self;
 	sim->complete = shows(sim);
+	if (sim->outside) /* the program around may do anything */
+		sim->neigh->rows.looked = false;
 	if (p->n)
 		memset(p->f, 0, p->n * sizeof *p->f);
 	if (p->n && p->torque)
@@ -410,6 +413,8 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 		ts_report_line(report, "contacts", "none between bonded particles (special_bonds)");
 	ts_report_left_out(report, "rebuilds", TS_FULL_REBUILDS, 0,
 			   "rows stay until a particle has moved half the skin");
+	ts_report_left_out(report, "looks", TS_FULL_LOOKS, 0,
+			   "rows are not looked at until particles may have come near enough to touch");
 	if (!is_periodic(&sim->domain->box))
 		ts_report_left_out(report, "ghosts", 0, image_bytes(sim), "no periodic faces");
 	if (sim->threads > 1 && ts_team(sim, sim->particles->n) < sim->threads)

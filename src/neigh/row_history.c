@@ -199,7 +199,7 @@ enum ts_status ts_row_history_give(struct tsim *sim, const struct ts_row_history
 	if (!h->n || !rows->n)
 		return TS_OK;
 	if (h->force)
-		TS_TRY(ts_rows_prepare(sim, rows, true));
+		TS_TRY(ts_rows_keep(sim, rows));
 	status = make_chains(sim, &g);
 	if (status == TS_OK)
 		ts_parallel(ts_team(sim, rows->n), rows->n, give_share, &g);

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "neigh/row_batch.h"
+#include "neigh/row_near.h"
 #include "neigh/row_slots.h"
 
 #include "base/banned.h"
@@ -19,33 +19,9 @@ static double beyond(const struct ts_particles *p, const struct ts_pair *pair, c
 				  rows->history + r * rows->history_width);
 }
 
-/* As ts_batch_find, where laws may pull. */
-static size_t find_each(const struct ts_row_task *task, size_t from, size_t to, uint32_t *list)
+static void store(const struct ts_rows *rows, size_t slot, const struct ts_granular_model *m,
+		  const struct ts_touch *t, const struct ts_granular_force *f)
 {
-	const struct ts_particles *p = task->p;
-	struct ts_rows *rows = task->rows;
-	size_t n = 0;
-
-	for (size_t r = from; r < to; r++) {
-		size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
-		double d[3], sum = p->radius[i] + p->radius[j] + beyond(p, task->pair, rows, r);
-		bool touching = ts_row_distance2(p, i, j, d) < sum * sum;
-
-		if (touching)
-			list[n++] = (uint32_t)r;
-		else
-			ts_row_still(rows, r, (size_t)rows->parts);
-		if (rows->touching[r] > touching)
-			ts_row_part(rows, r, task->keep);
-		rows->touching[r] = touching;
-	}
-	return n;
-}
-
-static void store(struct ts_rows *rows, size_t r, const struct ts_granular_model *m, const struct ts_touch *t,
-		  const struct ts_granular_force *f)
-{
-	size_t slot = rows->slot[r];
 	double *force = ts_row_force(rows, slot), *turn = ts_row_turn(rows, slot), *roll = ts_row_roll(rows, slot);
 
 	force[3] = turn ? ts_granular_short(m, t) : 0;
@@ -58,36 +34,46 @@ static void store(struct ts_rows *rows, size_t r, const struct ts_granular_model
 	}
 }
 
-static void work(const struct ts_row_task *task, size_t r)
+static void store_nothing(const struct ts_rows *rows, size_t slot)
+{
+	memset(ts_row_force(rows, slot), 0, (size_t)rows->parts * sizeof *rows->result);
+}
+
+/* Whether the row touches; if so, its force. */
+static bool work(const struct ts_row_task *task, const struct ts_row_near *near)
 {
 	const struct ts_particles *p = task->p;
 	const struct ts_pair *pair = task->pair;
 	struct ts_rows *rows = task->rows;
-	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
+	size_t i = (size_t)near->i, j = (size_t)near->j;
 	const struct ts_granular_model *m = ts_pair_model(pair, p->type[i], p->type[j]);
+	double d[3], sum = p->radius[i] + p->radius[j] + (pair->model_offset ? beyond(p, pair, rows, near->row) : 0);
 	struct ts_granular_force f;
 	struct ts_touch t;
 
+	if (!(ts_row_distance2(p, i, j, d) < sum * sum)) {
+		store_nothing(rows, near->slot);
+		return false;
+	}
 	ts_row_touch(p, i, j, m, &t);
 	ts_granular_contact(m, ts_pair_law(pair, p->type[i], p->type[j]), &t, task->dt, task->advance,
-			    rows->history_width ? rows->history + r * rows->history_width : NULL, &f);
-	store(rows, r, m, &t, &f);
+			    rows->history_width ? rows->history + near->row * rows->history_width : NULL, &f);
+	store(rows, near->slot, m, &t, &f);
+	return true;
 }
 
 void ts_row_share_generic(void *context, size_t from, size_t to)
 {
 	const struct ts_row_task *task = context;
-	size_t parts = (size_t)task->rows->parts;
-	uint32_t list[TS_ROW_BLOCK];
+	struct ts_rows *rows = task->rows;
 
-	for (; from < to; from += TS_ROW_BLOCK) {
-		size_t end = to - from < TS_ROW_BLOCK ? to : from + TS_ROW_BLOCK;
-		size_t n = task->pair->model_offset ? find_each(task, from, end, list)
-						    : ts_batch_find(task->rows, from, end, parts, task->keep,
-								    list);
+	for (size_t b = from; b < to; b++) {
+		struct ts_row_block *block = &rows->block[b];
+		uint64_t touching = 0;
 
-		for (size_t k = 0; k < n; k++)
-			work(task, list[k]);
+		for (size_t k = 0; k < block->n; k++)
+			touching |= (uint64_t)work(task, &rows->near[block->first + k]) << k;
+		ts_row_block_note(rows, block, touching, task->keep);
 	}
 }
 
@@ -96,13 +82,6 @@ struct loop {
 	ts_share_fn *share;
 	ts_rows_gather_fn *gather;
 };
-
-static void place_share(void *context, size_t from, size_t to)
-{
-	const struct loop *loop = context;
-
-	ts_rows_place(loop->task.p, loop->task.rows, from, to);
-}
 
 static void gather_chunk(const struct loop *loop, size_t c)
 {
@@ -119,14 +98,15 @@ static void rows_share(const struct loop *loop, size_t k)
 {
 	struct ts_row_task task = loop->task;
 	const struct ts_rows *rows = task.rows;
-	size_t from, to, c = 0, done;
+	const struct ts_row_span *span = &rows->span[k];
+	size_t c = 0, done;
 
-	ts_row_range(rows, k, &from, &to);
-	for (size_t r = from; r < to; r += TS_ROW_TURN) {
-		size_t end = to - r < TS_ROW_TURN ? to : r + TS_ROW_TURN;
+	for (size_t b = span->block; b < span->block_end; b += TS_ROW_TURN) {
+		size_t end = span->block_end - b < TS_ROW_TURN ? span->block_end : b + TS_ROW_TURN;
+		const struct ts_row_block *last = &rows->block[end - 1];
 
-		loop->share(&task, r, end);
-		while ((done = ts_row_chunk_done(rows, from, end, &c)) < rows->chunks)
+		loop->share(&task, b, end);
+		while ((done = ts_row_chunk_done(rows, span->near, (size_t)last->first + last->n, &c)) < rows->chunks)
 			gather_chunk(loop, done);
 	}
 }
@@ -154,12 +134,13 @@ enum ts_status ts_row_loop(struct tsim *sim, const struct ts_pair *pair, ts_shar
 				       sim->legacy && !pair->mixes }, /* LAMMPS forgets at once */
 			     .share = share };
 
+	ts_rows_place(sim, rows);
+	rows->all = pair->model_offset != 0; /* laws that pull beyond touch */
 	TS_TRY(ts_rows_prepare(sim, rows, sim->complete));
 	loop.gather = ts_rows_gatherer(rows);
 	/* where memory does not advance, there is no loop of its own */
 	if (!loop.task.advance || !(loop.task.dt > 0))
 		loop.share = ts_row_share_generic;
-	ts_parallel(ts_team(sim, p->n + p->nghost), p->n + p->nghost, place_share, &loop);
 	if (rows->chunks)
 		memset(rows->gathered, 0, rows->chunks);
 	ts_parallel(rows->shares, (size_t)rows->shares, rows_shares, &loop);

@@ -19,10 +19,6 @@ struct ts_row_task {
 	bool keep;    /* a pair that parts remembers until the next rebuild */
 };
 
-/* Rows are looked at in blocks: first which of them touch, then the forces of those. Whether a row
- * touches cannot be guessed by the processor, so the first loop does not branch on it. */
-enum { TS_ROW_BLOCK = TS_COLUMN };
-
 TS_INLINE double
 ts_row_distance2(const struct ts_particles *p, size_t i, size_t j, double d[3])
 {
@@ -33,26 +29,21 @@ ts_row_distance2(const struct ts_particles *p, size_t i, size_t j, double d[3])
 	return d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
 }
 
-/* A row that does not touch has no force and no history; the gather adds it all the same. `keep`: the
- * history stays until the next rebuild. */
-TS_INLINE void ts_row_part(struct ts_rows *rows, size_t r, bool keep)
+/* What has become of the touches of near rows since they were looked at last; where `keep` says so the history of a pair
+ * that parts stays until the next rebuild. */
+TS_INLINE void ts_row_block_note(struct ts_rows *rows, struct ts_row_block *block, uint64_t touching, bool keep)
 {
-	rows->touching[r] = 0;
-	for (size_t k = 0; k < rows->history_width && !keep; k++)
-		rows->history[r * rows->history_width + k] = 0;
-}
+	const struct ts_row_near *near = rows->near + block->first;
 
-/* No force, no torque; `parts` as in struct ts_rows. */
-TS_INLINE void ts_row_still(const struct ts_rows *rows, size_t r, size_t parts)
-{
-	const ts_four zero = { 0 };
-	ts_four *result = (ts_four *)rows->result[rows->slot[r] * parts];
+	for (size_t k = 0; touching != block->touching && k < block->n; k++) {
+		size_t r = near[k].row;
 
-	result[0] = zero;
-	if (parts > 1)
-		result[1] = zero;
-	if (parts > 2)
-		result[2] = zero;
+		if (rows->touching[r] > (touching >> k & 1) && !keep)
+			for (size_t c = 0; c < rows->history_width; c++)
+				rows->history[r * rows->history_width + c] = 0;
+		rows->touching[r] = touching >> k & 1;
+	}
+	block->touching = touching;
 }
 
 /* What the laws need to know of the partners i and j, as far as the model has laws that ask. */
@@ -117,7 +108,7 @@ TS_INLINE void ts_row_touch(const struct ts_particles *p, size_t i, size_t j,
 	ts_ends_touch(&e, m, t);
 }
 
-/* The generic instance: for any model, that of the pair, or those that its types have. */
+/* The blocks from .. to-1, for any model: that of the pair, or those that its types have. */
 void ts_row_share_generic(void *task, size_t from, size_t to);
 
 /* Forces of all rows by the shares, then the sum of each particle. */

@@ -3,32 +3,94 @@
 #include <string.h>
 
 #include "base/parallel.h"
+#include "neigh/row_near.h"
 #include "particles/particles.h"
 
 #include "base/banned.h"
 
-struct slots {
-	struct ts_rows *rows;
-	uint8_t *waiting;   /* of each row: how many of its partners have not added it */
-	uint32_t *free;	    /* slots that may be used again, the last first; of each share at its first row */
-	uint32_t *used;	    /* how many slots a share needs */
-};
+/* ---- the sums of near rows: at first of their places in the list */
 
 static size_t particles_end(const struct ts_rows *rows, size_t c)
 {
 	return c + 1 < rows->chunks ? (c + 1) * TS_ROW_CHUNK : rows->particles;
 }
 
-/* Chunk c has added its rows: slots nobody waits for are free. Returns how many there are now. */
-static size_t release(const struct slots *s, size_t c, uint32_t *free, size_t n)
+static void count_share(void *context, size_t from, size_t to)
 {
-	const struct ts_gather *g = &s->rows->gather;
+	const struct ts_rows *rows = context;
+	const struct ts_gather *g = &rows->gather;
 
-	for (size_t k = g->first[c * TS_ROW_CHUNK]; k < g->first[particles_end(s->rows, c)]; k++) {
-		size_t r = g->entry[k] >> 1;
+	for (size_t i = from; i < to; i++) {
+		uint32_t n = 0;
 
-		if (!--s->waiting[r])
-			free[n++] = s->rows->slot[r];
+		for (size_t k = g->first[i]; k < g->first[i + 1]; k++)
+			n += rows->at[g->entry[k] >> 1] != (uint32_t)TS_ROW_FAR;
+		rows->sum_first[i + 1] = n;
+	}
+}
+
+static struct ts_row_chunk sum_chunk(const struct ts_rows *rows, size_t from, size_t to)
+{
+	const struct ts_gather *g = &rows->gather;
+	struct ts_row_chunk c = { SIZE_MAX, 0 };
+	uint32_t *out = rows->sum + rows->sum_first[from];
+
+	for (size_t k = g->first[from]; k < g->first[to]; k++) {
+		uint32_t at = rows->at[g->entry[k] >> 1];
+
+		if (at == (uint32_t)TS_ROW_FAR)
+			continue;
+		*out++ = 2 * at | (g->entry[k] & 1);
+		c.first = at < c.first ? at : c.first;
+		c.end = at >= c.end ? at + 1 : c.end;
+	}
+	return c.end ? c : (struct ts_row_chunk){ 0 };
+}
+
+static void sum_share(void *context, size_t from, size_t to)
+{
+	const struct ts_rows *rows = context;
+
+	for (size_t c = from; c < to; c++)
+		rows->chunk[c] = sum_chunk(rows, c * TS_ROW_CHUNK, particles_end(rows, c));
+}
+
+static enum ts_status list_sums(struct tsim *sim, struct ts_rows *rows)
+{
+	size_t n = rows->particles;
+
+	rows->chunks = rows->n ? (n + TS_ROW_CHUNK - 1) / TS_ROW_CHUNK : 0;
+	TS_TRY(TS_RENEW(rows->chunk, rows->chunk_capacity, rows->chunks));
+	TS_TRY(TS_RENEW(rows->gathered, rows->gathered_capacity, rows->chunks));
+	TS_TRY(TS_RENEW(rows->sum_first, rows->sum_first_capacity, n + 1));
+	if (!rows->n)
+		return TS_OK;
+	ts_parallel(ts_team(sim, n), n, count_share, rows);
+	rows->sum_first[0] = 0;
+	for (size_t i = 0; i < n; i++)
+		rows->sum_first[i + 1] += rows->sum_first[i];
+	TS_TRY(TS_RENEW(rows->sum, rows->sum_capacity, rows->sum_first[n]));
+	ts_parallel(ts_team(sim, rows->chunks), rows->chunks, sum_share, rows);
+	return TS_OK;
+}
+
+/* ---- slots that are used again */
+
+struct slots {
+	struct ts_rows *rows;
+	uint32_t *used; /* how many slots a share needs */
+};
+
+/* Chunk c has added its rows: slots nobody waits for are free. Returns how many there are now. */
+static size_t release(const struct ts_rows *rows, size_t c, uint32_t *free, size_t n)
+{
+	size_t end = rows->sum_first[particles_end(rows, c)];
+
+	for (size_t k = rows->sum_first[c * TS_ROW_CHUNK]; k < end; k++) {
+		size_t at = rows->sum[k] >> 1;
+
+		if (!--rows->waiting[at])
+			free[n++] = rows->near[at].slot;
 	}
 	return n;
 }
@@ -37,18 +99,22 @@ static size_t release(const struct slots *s, size_t c, uint32_t *free, size_t n)
 static void assign(const struct slots *s, size_t share)
 {
 	struct ts_rows *rows = s->rows;
-	size_t from, to, c = 0, done, n = 0;
-	uint32_t used = 0, *free;
+	const struct ts_row_span *span = &rows->span[share];
+	uint32_t used = 0, *free = rows->at + span->near; /* places have been noted in the sums */
+	size_t c = 0, done, n = 0;
 
-	ts_row_range(rows, share, &from, &to);
-	free = s->free + from;
-	for (size_t r = from; r < to; r++) {
-		s->waiting[r] = (uint8_t)(1 + ((size_t)rows->j[r] < rows->particles));
-		rows->slot[r] = n ? free[--n] : used++;
-		if (r + 1 < to && (r + 1 - from) % TS_ROW_TURN)
+	for (size_t b = span->block; b < span->block_end; b++) {
+		const struct ts_row_block *block = &rows->block[b];
+		size_t end = (size_t)block->first + block->n;
+
+		for (size_t at = block->first; at < end; at++) {
+			rows->waiting[at] = (uint8_t)(1 + ((size_t)rows->near[at].j < rows->particles));
+			rows->near[at].slot = n ? free[--n] : used++;
+		}
+		if (b + 1 < span->block_end && (b + 1 - span->block) % TS_ROW_TURN)
 			continue;
-		while ((done = ts_row_chunk_done(rows, from, r + 1, &c)) < rows->chunks)
-			n = release(s, done, free, n);
+		while ((done = ts_row_chunk_done(rows, span->near, end, &c)) < rows->chunks)
+			n = release(rows, done, free, n);
 	}
 	s->used[share] = used;
 }
@@ -62,12 +128,12 @@ static void assign_shares(void *context, size_t from, size_t to)
 /* Shares take their slots one behind the other. */
 static size_t place_shares(const struct slots *s)
 {
-	size_t n = 0, from, to;
+	struct ts_rows *rows = s->rows;
+	size_t n = 0;
 
-	for (size_t k = 0; k < (size_t)s->rows->shares; k++) {
-		ts_row_range(s->rows, k, &from, &to);
-		for (size_t r = from; r < to && n; r++)
-			s->rows->slot[r] += (uint32_t)n;
+	for (size_t k = 0; k < (size_t)rows->shares; k++) {
+		for (size_t at = rows->span[k].near; at < rows->span[k].near_end && n; at++)
+			rows->near[at].slot += (uint32_t)n;
 		n += s->used[k];
 	}
 	return n;
@@ -75,41 +141,32 @@ static size_t place_shares(const struct slots *s)
 
 static enum ts_status pass_on(struct ts_rows *rows, size_t *room)
 {
-	struct slots s = { .rows = rows, .waiting = ts_alloc(rows->n, 1),
-			   .free = ts_alloc(rows->n, sizeof *s.free),
-			   .used = ts_alloc((size_t)rows->shares, sizeof *s.used) };
-	enum ts_status status = s.waiting && s.free && s.used ? TS_OK : TS_NOMEM;
+	struct slots s = { rows, ts_alloc((size_t)rows->shares, sizeof *s.used) };
 
-	if (status == TS_OK) {
-		ts_parallel(rows->shares, (size_t)rows->shares, assign_shares, &s);
-		*room = place_shares(&s);
+	if (!s.used || TS_RENEW(rows->waiting, rows->waiting_capacity, rows->n) != TS_OK) {
+		ts_free(s.used);
+		return TS_NOMEM;
 	}
-	ts_free(s.waiting);
-	ts_free(s.free);
+	ts_parallel(rows->shares, (size_t)rows->shares, assign_shares, &s);
+	*room = place_shares(&s);
 	ts_free(s.used);
-	return status;
+	return TS_OK;
 }
 
-static void sum_share(void *context, size_t from, size_t to)
+static void slots_share(void *context, size_t from, size_t to)
 {
 	const struct ts_rows *rows = context;
-	const uint32_t *entry = rows->gather.entry;
 
 	for (size_t k = from; k < to; k++)
-		rows->sum[k] = 2 * rows->slot[entry[k] >> 1] | (entry[k] & 1);
+		rows->sum[k] = 2 * rows->near[rows->sum[k] >> 1].slot | (rows->sum[k] & 1);
 }
 
-static enum ts_status prepare(struct tsim *sim, struct ts_rows *rows, bool kept)
-{
-	size_t entries = rows->n ? rows->gather.first[rows->particles] : 0, room = rows->n;
+/* ---- */
 
-	TS_TRY(TS_RENEW(rows->sum, rows->sum_capacity, entries));
-	if (kept)
-		for (size_t r = 0; r < rows->n; r++)
-			rows->slot[r] = (uint32_t)r;
-	else
-		TS_TRY(pass_on(rows, &room));
-	ts_parallel(ts_team(sim, entries), entries, sum_share, rows);
+/* Room for so many results, all zero. */
+static enum ts_status clear(struct ts_rows *rows, size_t room)
+{
+	rows->parts = rows->parts ? rows->parts : 1;
 	room *= (size_t)rows->parts;
 	TS_TRY(TS_RENEW(rows->result, rows->room, room));
 	if (room)
@@ -117,16 +174,39 @@ static enum ts_status prepare(struct tsim *sim, struct ts_rows *rows, bool kept)
 	return TS_OK;
 }
 
+static enum ts_status prepare(struct tsim *sim, struct ts_rows *rows, bool kept)
+{
+	size_t room = rows->n, sums;
+
+	TS_TRY(list_sums(sim, rows));
+	if (!kept)
+		TS_TRY(pass_on(rows, &room));
+	sums = rows->n ? rows->sum_first[rows->particles] : 0;
+	ts_parallel(ts_team(sim, sums), sums, slots_share, rows);
+	return clear(rows, room);
+}
+
 enum ts_status ts_rows_prepare(struct tsim *sim, struct ts_rows *rows, bool kept)
 {
 	enum ts_row_results results = kept ? TS_RESULTS_KEPT : TS_RESULTS_PASSED;
 
-	if (rows->results == results)
+	if (rows->results == results && !ts_rows_outdated(rows))
 		return TS_OK;
-	rows->parts = rows->parts ? rows->parts : 1;
+	rows->looked = false; /* should it fail */
 	rows->shares = ts_team(sim, rows->n);
+	TS_TRY(ts_rows_choose(sim, rows));
 	if (prepare(sim, rows, kept) != TS_OK)
 		return ts_nomem(&sim->error);
 	rows->results = results;
+	rows->looked = true;
+	return TS_OK;
+}
+
+enum ts_status ts_rows_keep(struct tsim *sim, struct ts_rows *rows)
+{
+	rows->looked = false;
+	if (clear(rows, rows->n) != TS_OK)
+		return ts_nomem(&sim->error);
+	rows->results = TS_RESULTS_KEPT;
 	return TS_OK;
 }

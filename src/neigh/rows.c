@@ -42,7 +42,6 @@ static enum ts_status reserve(struct ts_rows *rows, size_t n)
 	RENEW_COLUMN(tag[1]);
 	RENEW_COLUMN(image);
 	RENEW_COLUMN(winding);
-	RENEW_COLUMN(slot);
 	RENEW_COLUMN(touching);
 #undef RENEW_COLUMN
 	if (rows->history_width)
@@ -147,14 +146,15 @@ static enum ts_status build(struct tsim *sim, struct ts_rows *rows, struct ts_ro
 	    TS_GROW(rows->place, rows->place_capacity, sim->particles->n + sim->particles->nghost) != TS_OK)
 		return ts_nomem(&sim->error);
 	rows->n = found->n;
+	rows->skin = found->skin;
 	rows->results = TS_RESULTS_NONE;
+	rows->looked = false;
 	rows->particles = sim->particles->n;
+	memset(rows->place, 0, rows->place_capacity * sizeof *rows->place);
 	ts_parallel(found->shares, (size_t)found->shares, fill_shares, &filling);
 	TS_TRY(index_rows(sim, rows));
-	if (ts_rows_chunks(rows) != TS_OK)
-		return ts_nomem(&sim->error);
 	if (sim->resuming) /* shown without being computed */
-		TS_TRY(ts_rows_prepare(sim, rows, true));
+		TS_TRY(ts_rows_keep(sim, rows));
 	return ts_row_history_give(sim, old, rows);
 }
 
@@ -184,8 +184,8 @@ size_t ts_rows_bytes(const struct ts_rows *rows)
 {
 	size_t entry = sizeof *rows->gather.entry + sizeof *rows->sum;
 	size_t row = sizeof *rows->i + sizeof *rows->j + 2 * sizeof *rows->tag[0] + sizeof *rows->image +
-		     sizeof *rows->winding + sizeof *rows->slot + sizeof *rows->touching +
-		     rows->history_width * sizeof *rows->history + 2 * entry;
+		     sizeof *rows->winding + sizeof *rows->touching + sizeof *rows->near +
+		     sizeof *rows->at + sizeof *rows->waiting + rows->history_width * sizeof *rows->history + 2 * entry;
 	size_t results = rows->n * (size_t)rows->parts; /* at the ends of runs all are kept */
 
 	return rows->n * row + (results > rows->room ? results : rows->room) * sizeof *rows->result;
@@ -199,14 +199,19 @@ void ts_rows_release(struct ts_rows *rows)
 	ts_free(rows->tag[1]);
 	ts_free(rows->image);
 	ts_free(rows->winding);
-	ts_free(rows->slot);
-	ts_free(rows->sum);
 	ts_free(rows->result);
 	ts_free(rows->touching);
 	ts_free(rows->history);
+	ts_free(rows->place);
+	ts_free(rows->span);
+	ts_free(rows->near);
+	ts_free(rows->block);
+	ts_free(rows->at);
+	ts_free(rows->waiting);
+	ts_free(rows->sum_first);
+	ts_free(rows->sum);
 	ts_free(rows->chunk);
 	ts_free(rows->gathered);
-	ts_free(rows->place);
 	ts_gather_release(&rows->gather);
 	*rows = (struct ts_rows){ 0 };
 }

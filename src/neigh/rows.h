@@ -17,10 +17,28 @@
 #include "neigh/gather.h"
 #include "particles/particles.h"
 
+/* A row that is looked at. */
+struct ts_row_near {
+	uint32_t row, slot;
+	int32_t i, j;
+};
+
+/* Near rows of one law that are computed together. */
+struct ts_row_block {
+	uint32_t first, n; /* at most TS_COLUMN */
+	int32_t type[2];   /* of i, of j */
+	uint64_t touching; /* bit k: row first + k, when it was looked at last */
+};
+
+/* What belongs to one of the shares that are computed side by side. */
+struct ts_row_span {
+	size_t near, near_end, block, block_end;
+};
+
 /* Particles next to each other in memory, whose forces are added up together as soon as their rows are done. */
 enum { TS_ROW_CHUNK = 64 };
 struct ts_row_chunk {
-	size_t first, end; /* their rows lie within; 0, 0: there are none */
+	size_t first, end; /* their near rows lie within; 0, 0: there are none */
 };
 
 /* What becomes of forces and torques; see row_slots.h. */
@@ -39,7 +57,6 @@ struct ts_rows {
 	uint8_t *image;	    /* which image of j: 13 = itself; see ts_image_code */
 	int32_t *winding;   /* which image, in a way that wrapping does not change; ts_winding */
 	enum ts_row_results results;
-	uint32_t *slot; /* of each row */
 	/* Forces, see ts_row_force, and behind each, as far as contacts make torques (parts 2, 3), turn and roll */
 	double (*result)[4];
 	int parts;
@@ -50,13 +67,28 @@ struct ts_rows {
 	const signed char *history_sign; /* +1 or -1: factor when i and j change places */
 
 	struct ts_gather gather; /* of the local particles */
-	uint32_t *sum;		 /* as gather.entry, of slots in place of rows */
-	struct ts_row_chunk *chunk; /* of particles k TS_ROW_CHUNK ... */
-	uint8_t *gathered;	    /* of each chunk, in this force evaluation */
-	size_t chunks, chunk_capacity, gathered_capacity, sum_capacity;
-	int shares;		 /* rows are computed in so many ranges, side by side */
 	double (*place)[4];	 /* of all particles, now: x, y, z and the radius, for the loops over rows */
 	size_t place_capacity;
+
+	/* The rows that are looked at, see row_near.h */
+	bool looked;	  /* they have been chosen */
+	bool all;	  /* all are looked at: laws may pull from farther away */
+	double skin, gap; /* of all rows, of those that are looked at */
+	double travelled; /* since they were chosen: how far two particles have come nearer at most */
+	double pace;	  /* the longest way of a particle in the last step */
+	int shares;
+	struct ts_row_span *span; /* of each share */
+	struct ts_row_near *near;
+	struct ts_row_block *block;
+	uint32_t *at; /* where in `near` each row is, or TS_ROW_FAR; later slots that are free */
+	uint8_t *waiting; /* of each near row: how many of its partners have not added it */
+	size_t span_capacity, near_capacity, block_capacity, at_capacity, waiting_capacity;
+
+	/* Their sums: as first and entry of the gather, of near rows' slots in place of rows */
+	uint32_t *sum_first, *sum;
+	struct ts_row_chunk *chunk; /* of particles k TS_ROW_CHUNK ... */
+	uint8_t *gathered;	    /* of each chunk, in this force evaluation */
+	size_t chunks, sum_first_capacity, sum_capacity, chunk_capacity, gathered_capacity;
 };
 
 enum { TS_IMAGE_SELF = 13 };
@@ -78,14 +110,17 @@ typedef bool ts_excluded_fn(const struct tsim *sim, size_t i, size_t j);
 enum ts_status ts_rows_build(struct tsim *sim, struct ts_rows *rows, double skin,
 			     ts_excluded_fn *excluded);
 
-/* Notes where particles from .. to-1 are. */
-void ts_rows_place(const struct ts_particles *p, struct ts_rows *rows, size_t from, size_t to);
+/* The rows of share k of rows->shares: from .. to-1. */
+static inline void ts_row_range(const struct ts_rows *rows, size_t k, size_t *from, size_t *to)
+{
+	*from = rows->n * k / (size_t)rows->shares;
+	*to = rows->n * (k + 1) / (size_t)rows->shares;
+}
+
 /* Adds the forces and torques of the rows to those of the particles from .. to-1. */
 typedef void ts_rows_gather_fn(const struct ts_rows *rows, const struct ts_particles *p, size_t from,
 			       size_t to);
 ts_rows_gather_fn *ts_rows_gatherer(const struct ts_rows *rows);
-/* Finds the chunks, after the gather lists. */
-enum ts_status ts_rows_chunks(struct ts_rows *rows);
 
 /* The force in a slot: on i, j gets the opposite; zero where not touching. The fourth number is half the overlap, by
  * which the arms of torque are shorter than the radii. */

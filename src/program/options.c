@@ -106,7 +106,7 @@ static int set_threads(struct tsim *sim, const char *text)
 /* No parts: all. */
 static int set_full(struct tsim *sim, char *const *value, int n)
 {
-	static const char *const parts[] = { "columns", "rows", "history", "rebuilds", "threads", NULL };
+	static const char *const parts[] = { "columns", "rows", "history", "rebuilds", "threads", "looks", NULL };
 
 	sim->full |= n ? 0 : TS_FULL_ALL;
 	for (int k = 0; k < n; k++) {
@@ -115,7 +115,7 @@ static int set_full(struct tsim *sim, char *const *value, int n)
 		while (parts[part] && !ts_streq(parts[part], value[k]))
 			part++;
 		if (!parts[part])
-			return ts_usage_error("expected columns, rows, history, rebuilds or threads after -full, "
+			return ts_usage_error("expected columns, rows, history, rebuilds, threads or looks after -full, "
 					      "found '%s'%s", value[k], "");
 		sim->full |= 1u << part;
 	}

@@ -1,0 +1,201 @@
+#include "neigh/row_near.h"
+
+#include <math.h>
+
+#include "base/clones.h"
+#include "base/four.h"
+#include "base/parallel.h"
+#include "particles/particles.h"
+
+#include "base/banned.h"
+
+/* ---- how far particles go */
+
+/* The squares of the largest steps from the places noted before, in each direction and of the radius. */
+TS_CLONES static void place(const struct ts_particles *p, double (*out)[4], size_t from, size_t to, double most[4])
+{
+	ts_four all = { 0 };
+
+	for (size_t i = from; i < to; i++) {
+		ts_four now = TS_FOUR_AT(p->x[i]), step;
+
+		now[3] = p->radius[i];
+		step = now - *(ts_four *)out[i];
+		step *= step;
+		*(ts_four *)out[i] = now;
+		ts_four_most(&all, &step);
+	}
+	for (int k = 0; k < 4; k++)
+		most[k] = all[k];
+}
+
+struct placing {
+	const struct ts_particles *p;
+	struct ts_rows *rows;
+	double pace;
+};
+
+static void place_share(void *context, size_t from, size_t to)
+{
+	struct placing *g = context;
+	double most[4], pace;
+
+	place(g->p, g->rows->place, from, to, most);
+	/* after a particle has grown nothing is known */
+	pace = most[3] > 0 ? INFINITY : sqrt(most[0] + most[1] + most[2]);
+#pragma omp critical
+	g->pace = fmax(g->pace, pace);
+}
+
+void ts_rows_place(const struct tsim *sim, struct ts_rows *rows)
+{
+	size_t n = sim->particles->n + sim->particles->nghost;
+	struct placing g = { sim->particles, rows, 0 };
+
+	ts_parallel(ts_team(sim, n), n, place_share, &g);
+	if (rows->looked) {
+		rows->pace = g.pace;
+		rows->travelled += 2 * g.pace;
+	}
+}
+
+/* Rounding of places counts for much less than the rest of the gap. */
+bool ts_rows_outdated(const struct ts_rows *rows)
+{
+	return !rows->looked || !(rows->travelled <= 0.999 * rows->gap);
+}
+
+/* ---- which rows are near */
+
+/* Rows are sorted by laws so many at a time. */
+enum { GROUP = 8 * TS_COLUMN };
+
+struct choice {
+	struct ts_rows *rows;
+	const struct ts_particles *p;
+	size_t kinds; /* of pairs of types */
+};
+
+/* The next near ones of the rows *r .. end-1; those that touched are looked at once more. */
+static size_t collect(const struct ts_rows *rows, size_t *r, size_t end, uint32_t *list)
+{
+	size_t n = 0, k = *r;
+
+	for (; k < end && n < GROUP; k++) {
+		const double *a = rows->place[rows->i[k]], *b = rows->place[rows->j[k]];
+		double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2], reach = a[3] + b[3] + rows->gap;
+
+		list[n] = (uint32_t)k;
+		rows->at[k] = (uint32_t)TS_ROW_FAR;
+		n += (x * x + y * y + z * z < reach * reach) | rows->touching[k];
+	}
+	*r = k;
+	return n;
+}
+
+/* Brings those of the listed rows whose partners are of types a and b to the front; returns how many. */
+static size_t alike(const struct choice *c, const int32_t type[2], uint32_t *list, size_t n)
+{
+	size_t same = 0;
+
+	for (size_t k = 0; k < n; k++) {
+		uint32_t r = list[k];
+
+		list[k] = list[same];
+		list[same] = r;
+		same += c->p->type[c->rows->i[r]] == type[0] && c->p->type[c->rows->j[r]] == type[1];
+	}
+	return same;
+}
+
+/* The listed rows, which have one law, as blocks at the end of the span. */
+static void add_blocks(struct ts_rows *rows, struct ts_row_span *span, const int32_t type[2],
+		       const uint32_t *list, size_t n)
+{
+	for (size_t from = 0; from < n; from += TS_COLUMN) {
+		size_t some = n - from < TS_COLUMN ? n - from : TS_COLUMN;
+		struct ts_row_block *block = &rows->block[span->block_end++];
+
+		*block = (struct ts_row_block){ .first = (uint32_t)span->near_end, .n = (uint32_t)some,
+						.type = { type[0], type[1] } };
+		for (size_t k = 0; k < some; k++) {
+			uint32_t r = list[from + k];
+
+			block->touching |= (uint64_t)rows->touching[r] << k;
+			rows->at[r] = (uint32_t)span->near_end;
+			rows->near[span->near_end++] =
+				(struct ts_row_near){ r, r, rows->i[r], rows->j[r] };
+		}
+	}
+}
+
+static void choose(const struct choice *c, size_t share)
+{
+	struct ts_rows *rows = c->rows;
+	struct ts_row_span *span = &rows->span[share];
+	uint32_t list[GROUP];
+	size_t r, end;
+
+	ts_row_range(rows, share, &r, &end);
+	while (r < end) {
+		size_t n = collect(rows, &r, end, list);
+
+		for (size_t k = 0, some; k < n; k += some) {
+			int32_t type[2] = { c->p->type[rows->i[list[k]]], c->p->type[rows->j[list[k]]] };
+
+			some = c->kinds == 1 ? n : alike(c, type, list + k, n - k);
+			add_blocks(rows, span, type, list + k, some);
+		}
+	}
+}
+
+static void choose_shares(void *context, size_t from, size_t to)
+{
+	for (size_t k = from; k < to; k++)
+		choose(context, k);
+}
+
+/* Makes room for the lists of the shares: of near rows as many as there are rows, and of blocks as many as their
+ * groups can have. */
+static enum ts_status spread(const struct choice *c)
+{
+	struct ts_rows *rows = c->rows;
+	size_t most = c->kinds < GROUP ? c->kinds : GROUP, blocks = 0;
+
+	TS_TRY(TS_RENEW(rows->span, rows->span_capacity, (size_t)rows->shares));
+	for (size_t k = 0; k < (size_t)rows->shares; k++) {
+		size_t from, to;
+
+		ts_row_range(rows, k, &from, &to);
+		rows->span[k] = (struct ts_row_span){ from, from, blocks, blocks };
+		blocks += (to - from) / TS_COLUMN + ((to - from) / GROUP + 1) * most;
+	}
+	TS_TRY(TS_RENEW(rows->near, rows->near_capacity, rows->n));
+	TS_TRY(TS_RENEW(rows->at, rows->at_capacity, rows->n));
+	return TS_RENEW(rows->block, rows->block_capacity, blocks);
+}
+
+/* With a gap g some share g/skin of the rows is looked at in vain in each step, and all are looked at again after
+ * g/2 at the present pace, which costs as much as `LOOK` vain looks at all: least of g/skin + LOOK 2 pace/g. */
+static const double LOOK = 6;
+static const double LEAST = 0.02, MOST = 0.7; /* of the skin; beyond the most it is not worth it */
+
+static double choose_gap(const struct tsim *sim, const struct ts_rows *rows)
+{
+	double gap = fmax(sqrt(2 * LOOK * rows->pace * rows->skin), LEAST * rows->skin);
+
+	return rows->all || sim->full & TS_FULL_LOOKS || !(gap < MOST * rows->skin) ? INFINITY : gap;
+}
+
+enum ts_status ts_rows_choose(struct tsim *sim, struct ts_rows *rows)
+{
+	size_t ntypes = (size_t)sim->particles->ntypes;
+	struct choice c = { rows, sim->particles, ntypes * ntypes };
+
+	rows->gap = choose_gap(sim, rows);
+	rows->travelled = 0;
+	if (spread(&c) != TS_OK)
+		return ts_nomem(&sim->error);
+	ts_parallel(rows->shares, (size_t)rows->shares, choose_shares, &c);
+	return TS_OK;
+}
