@@ -84,6 +84,8 @@ library_sources = \
 	src/core/stepping.c \
 	src/core/stepping.h \
 	src/core/style.h \
+	src/core/sweep.c \
+	src/core/sweep.h \
 	src/core/units.h \
 	src/core/uses.c \
 	src/core/uses.h \

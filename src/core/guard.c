@@ -196,6 +196,7 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	}
 	if (sim->clock.step < g->next)
 		return TS_OK;
+	ts_sweep(sim);
 	status = limits_now(sim, ts_guard_enough(sim), g->interval == FIRST / 2 || g->interval == LONGEST, &report);
 	if (status == TS_OK)
 		status = look(sim, &report);
@@ -242,7 +243,8 @@ const struct ts_system_style ts_guard_system = {
 		   .summary = "looks whether the time step stays below the limits of stability",
 		   .state_size = sizeof(struct ts_guard),
 		   .saved = saved,
-		   .hook = { [TS_STAGE_END_OF_STEP] = end_of_step } },
+		   .hook = { [TS_STAGE_END_OF_STEP] = end_of_step },
+		   .waits = TS_WAITS(END_OF_STEP) },
 	.slot = offsetof(struct tsim, guard),
 	.keywords = keywords,
 };

@@ -36,7 +36,8 @@ static enum ts_status add_action(struct ts_plan *plan, struct tsim *sim, struct 
 	if (TS_GROW(plan->actions[stage], plan->capacity[stage], plan->n[stage] + 1) != TS_OK)
 		return ts_nomem(&sim->error);
 	plan->actions[stage][plan->n[stage]++] = (struct ts_action){
-		hook, inst, ts_plan_site(inst, stage), hook == inst->style->watch
+		hook, inst, ts_plan_site(inst, stage), hook == inst->style->watch,
+		hook != inst->style->watch && inst->style->waits >> stage & 1u
 	};
 	return TS_OK;
 }
@@ -135,14 +136,16 @@ static void begin_action(struct tsim *sim, const struct ts_action *action, enum 
 		sim->epoch = ++sim->epochs;
 }
 
-/* The time since the last look was spent in this stage: one look a stage, for steps of few particles are
- * short. */
-static void look_at_watch(struct ts_stopwatch *watch, enum ts_stage stage)
+/* The time since the last look was spent in this stage, but for passes that have waited: these mostly move
+ * particles. One look a stage, for steps of few particles are short. */
+static void look_at_watch(struct ts_stopwatch *watch, struct tsim *sim, enum ts_stage stage)
 {
 	uint64_t now = ts_ticks();
 
-	watch->spent[stage] += now - watch->last;
+	watch->spent[stage] += now - watch->last - sim->sweep.spent;
+	watch->spent[TS_STAGE_INITIAL_INTEGRATE] += sim->sweep.spent;
 	watch->last = now;
+	sim->sweep.spent = 0;
 }
 
 double ts_plan_seconds(const struct ts_plan *plan, enum ts_stage stage)
@@ -153,7 +156,7 @@ double ts_plan_seconds(const struct ts_plan *plan, enum ts_stage stage)
 	return ticks > 0 ? (double)watch->spent[stage] / ticks * (ts_clock() - watch->begin) : 0;
 }
 
-enum ts_status ts_plan_stage(struct ts_plan *plan, struct tsim *sim, enum ts_stage stage)
+static enum ts_status act(struct ts_plan *plan, struct tsim *sim, enum ts_stage stage)
 {
 	enum ts_status status = TS_OK;
 
@@ -163,6 +166,8 @@ enum ts_status ts_plan_stage(struct ts_plan *plan, struct tsim *sim, enum ts_sta
 	for (size_t k = 0; k < plan->n[stage] && status == TS_OK; k++) {
 		const struct ts_action *action = &plan->actions[stage][k];
 
+		if (!action->waits)
+			ts_sweep(sim);
 		begin_action(sim, action, stage);
 		status = action->hook(action->self, sim);
 		if (!action->watches)
@@ -170,16 +175,29 @@ enum ts_status ts_plan_stage(struct ts_plan *plan, struct tsim *sim, enum ts_sta
 	}
 	sim->draws = (struct ts_draws){ 0 };
 	sim->epoch = 0;
-	look_at_watch(&plan->watch, stage);
+	look_at_watch(&plan->watch, sim, stage);
 	return status;
+}
+
+static enum ts_status act_in(struct ts_plan *plan, struct tsim *sim, enum ts_stage first, enum ts_stage last)
+{
+	for (int stage = (int)first; stage <= (int)last; stage++)
+		TS_TRY(act(plan, sim, (enum ts_stage)stage));
+	return TS_OK;
+}
+
+enum ts_status ts_plan_stage(struct ts_plan *plan, struct tsim *sim, enum ts_stage stage)
+{
+	return ts_plan_stages(plan, sim, stage, stage);
 }
 
 enum ts_status ts_plan_stages(struct ts_plan *plan, struct tsim *sim, enum ts_stage first,
 			      enum ts_stage last)
 {
-	for (int stage = (int)first; stage <= (int)last; stage++)
-		TS_TRY(ts_plan_stage(plan, sim, (enum ts_stage)stage));
-	return TS_OK;
+	enum ts_status status = act_in(plan, sim, first, last);
+
+	ts_sweep(sim);
+	return status;
 }
 
 /* Rows are always built anew; forces only if something they depend on has changed since the last
@@ -208,19 +226,20 @@ static enum ts_status set_up(struct ts_plan *plan, struct tsim *sim)
 static enum ts_status step(struct ts_plan *plan, struct tsim *sim)
 {
 	sim->clock.step++;
-	TS_TRY(ts_plan_stages(plan, sim, TS_STAGE_INITIAL_INTEGRATE, TS_STAGE_CHECK));
+	TS_TRY(act_in(plan, sim, TS_STAGE_INITIAL_INTEGRATE, TS_STAGE_CHECK));
 	sim->rebuild |= (sim->full & TS_FULL_REBUILDS) != 0;
 	if (sim->rebuild)
-		TS_TRY(ts_plan_stages(plan, sim, TS_STAGE_PRE_EXCHANGE, TS_STAGE_POST_BUILD));
+		TS_TRY(act_in(plan, sim, TS_STAGE_PRE_EXCHANGE, TS_STAGE_POST_BUILD));
 	else
-		TS_TRY(ts_plan_stage(plan, sim, TS_STAGE_FORWARD));
+		TS_TRY(act(plan, sim, TS_STAGE_FORWARD));
 	sim->rebuild = false;
-	return ts_plan_stages(plan, sim, TS_STAGE_PRE_FORCE, TS_STAGE_OUTPUT);
+	return act_in(plan, sim, TS_STAGE_PRE_FORCE, TS_STAGE_OUTPUT);
 }
 
 /* What holds only inside a run. */
 static enum ts_status leave_run(struct tsim *sim, enum ts_status status)
 {
+	ts_sweep(sim);
 	sim->running = sim->in_setup = sim->resuming = sim->rebuild = false;
 	return status;
 }

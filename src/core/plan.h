@@ -10,6 +10,7 @@ struct ts_action {
 	struct ts_instance *self;
 	uint64_t site; /* for random numbers: ts_draws in core/sim.h */
 	bool watches;  /* what others do */
+	bool waits;    /* with what it does: see core/sweep.h */
 };
 
 struct ts_plan {

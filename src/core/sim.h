@@ -11,6 +11,7 @@
 #include "base/str.h"
 #include "core/host.h"
 #include "core/style.h"
+#include "core/sweep.h"
 
 /* Systems, owned by the folders of their names; the core knows them by pointer only. */
 struct ts_domain;
@@ -126,6 +127,7 @@ struct tsim {
 	bool resuming;     /* nothing forces depend on has changed since the last step: the run
 			    * goes on with the forces and the rows of that step */
 	bool looking;      /* a value is read that does not count: next() stays where it is */
+	struct ts_sweep sweep;
 	struct ts_draws draws;
 	struct ts_acted acted;
 	int64_t era; /* how often steps have begun to be counted anew, by reset_timestep or clear: random

@@ -59,6 +59,7 @@ const char *ts_kind_name(enum ts_kind kind);
 #define TS_STAGE_ENUM(name) TS_STAGE_##name,
 enum ts_stage { TS_STAGE_LIST(TS_STAGE_ENUM) TS_NSTAGE };
 #undef TS_STAGE_ENUM
+#define TS_WAITS(stage) (1u << TS_STAGE_##stage)
 
 typedef enum ts_status ts_hook_fn(struct ts_instance *self, struct tsim *sim);
 
@@ -91,6 +92,7 @@ struct ts_style {
 	unsigned columns; /* particle columns it needs: bits of particles/particles.h */
 	ts_hook_fn *init;
 	ts_hook_fn *hook[TS_NSTAGE];
+	unsigned waits; /* TS_WAITS of stages in whose hooks passes over particles may wait: core/sweep.h */
 	/* Fixes: looks on, from INITIAL_INTEGRATE to END_OF_STEP, as each stage begins and after each action of
 	 * others in it: sim->acted says which. It changes nothing. */
 	ts_hook_fn *watch;

@@ -38,6 +38,8 @@ enum ts_status ts_dump_due(struct ts_instance *self, struct tsim *sim, bool *due
 	int64_t step = sim->clock.step;
 
 	*due = d->variable ? d->next > 0 && step == d->next : step % d->every == 0;
+	if (*due || d->variable || d->frames == 0)
+		ts_sweep(sim);
 	if (d->variable && (*due || step == sim->clock.first_step || d->next <= step))
 		TS_TRY(ask_next(self, sim));
 	*due = ((*due && step >= d->delay) || (d->first && d->frames == 0)) &&

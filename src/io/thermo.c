@@ -239,6 +239,8 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 	bool first = c->step == c->first_step, due;
 	enum ts_status status;
 
+	if (first || t->variable)
+		ts_sweep(sim);
 	if (first) {
 		t->last_row_step = c->step;
 		t->last_row_time = t->progress_due = 0;
@@ -247,6 +249,8 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 			TS_TRY(header(t, sim));
 	}
 	TS_TRY(is_due(t, sim, &due));
+	if (due)
+		ts_sweep(sim);
 	status = due ? row(t, sim) : TS_OK;
 	sim->looking = false;
 	if (sim->log.progress || sim->log.sink)
@@ -295,6 +299,7 @@ const struct ts_system_style ts_thermo_system = {
 			[TS_STAGE_OUTPUT] = output,
 			[TS_STAGE_FINISH] = finish,
 		},
+		.waits = TS_WAITS(OUTPUT),
 		.fini = fini,
 	},
 	.slot = offsetof(struct tsim, thermo),

@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "core/plan.h"
 #include "core/settings.h"
+#include "core/sweep.h"
 #include "math/vec3.h"
 #include "neigh/bonds.h"
 #include "neigh/network.h"
@@ -84,6 +85,7 @@ struct limits {
 	double moved2; /* since the last build */
 	double dt2;
 	double lo[3], hi[3]; /* see ts_exchange_limits */
+	long *beyond;	     /* how many */
 };
 
 static bool runs_away(const struct ts_particles *p, size_t i, double dt2)
@@ -96,7 +98,7 @@ static bool runs_away(const struct ts_particles *p, size_t i, double dt2)
 
 /* Counts particles beyond a limit; written without branches, as it runs every step. */
 TS_CLONES
-static long check_share(void *context, size_t from, size_t to)
+static void check_share(void *context, size_t from, size_t to)
 {
 	const struct limits l = *(const struct limits *)context;
 	const struct ts_particles *p = l.p;
@@ -117,7 +119,8 @@ static long check_share(void *context, size_t from, size_t to)
 
 		beyond += 1 - within;
 	}
-	return (long)beyond;
+#pragma omp atomic
+	*l.beyond += (long)beyond;
 }
 
 static enum ts_status check(struct ts_instance *self, struct tsim *sim)
@@ -125,13 +128,17 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 	const struct ts_neigh *nb = self->state;
 	const struct ts_particles *p = sim->particles;
 	double reach = nb->built_skin - ts_domain_moved(sim->domain); /* < 0: rebuild at once */
+	long beyond = 0;
 	struct limits limits = { .p = p,
+				 .beyond = &beyond,
 				 .moved2 = reach < 0 ? -1 : reach * reach / 4,
 				 .dt2 = sim->clock.dt * sim->clock.dt };
 
 	ts_exchange_limits(sim, limits.lo, limits.hi);
 	sim->rebuild |= nb->stale;
-	if (!ts_parallel_count(ts_team(sim, p->n), p->n, check_share, &limits))
+	TS_SWEEP_ADD(sim, p->n, check_share, &limits);
+	ts_sweep(sim);
+	if (!beyond)
 		return TS_OK;
 	for (size_t i = 0; i < p->n; i++)
 		if (runs_away(p, i, limits.dt2))
@@ -465,6 +472,7 @@ const struct ts_system_style ts_neigh_system = {
 			     [TS_STAGE_BUILD] = build,
 			     [TS_STAGE_FORWARD] = forward,
 			     [TS_STAGE_PRE_FORCE] = clear_forces },
+		   .waits = TS_WAITS(CHECK),
 		   .plan = plan,
 		   .fini = fini },
 	.slot = offsetof(struct tsim, neigh),

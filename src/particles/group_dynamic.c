@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "core/sweep.h"
 #include "core/value.h"
 #include "particles/particles.h"
 #include "particles/region.h"
@@ -75,8 +76,10 @@ static enum ts_status choose_due(struct tsim *sim, bool all)
 
 	for (int bit = 1; bit < TS_MAX_GROUPS; bit++)
 		if (p->dynamic[bit].every &&
-		    (all || sim->clock.step % p->dynamic[bit].every == 0))
+		    (all || sim->clock.step % p->dynamic[bit].every == 0)) {
+			ts_sweep(sim);
 			TS_TRY(ts_group_choose(sim, bit));
+		}
 	return TS_OK;
 }
 

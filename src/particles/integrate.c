@@ -2,7 +2,7 @@
 
 #include "base/clones.h"
 #include "base/inline.h"
-#include "base/parallel.h"
+#include "core/sweep.h"
 #include "particles/body.h"
 
 #include "base/banned.h"
@@ -13,7 +13,7 @@ enum { BLOCK = 128 };
 
 struct task {
 	const struct ts_particles *p;
-	const struct ts_integration *step;
+	struct ts_integration step;
 	double inertia;
 	int group;
 };
@@ -27,7 +27,7 @@ struct factors {
 TS_INLINE void make_factors(const struct task *t, size_t from, size_t n, struct factors *f)
 {
 	const double *mass = t->p->mass + from, *radius = t->p->radius + from;
-	double kick = t->step->kick, turn = t->step->turn, inertia = t->inertia;
+	double kick = t->step.kick, turn = t->step.turn, inertia = t->inertia;
 
 #pragma omp simd
 	for (size_t i = 0; i < n; i++)
@@ -65,7 +65,7 @@ TS_INLINE void advance(const struct task *t, size_t from, size_t n, const struct
 		       const int64_t *in)
 {
 	const struct ts_particles *p = t->p;
-	const struct ts_integration *s = t->step;
+	const struct ts_integration *s = &t->step;
 
 	if (s->early != 0)
 		add(p->x[from], p->v[from], NULL, s->early, in, 3 * n);
@@ -113,10 +113,9 @@ static void share(void *context, size_t from, size_t to)
 void ts_integrate(struct tsim *sim, int group, const struct ts_integration *step)
 {
 	const struct ts_particles *p = sim->particles;
-	struct ts_integration done = *step;
-	struct task task = { p, &done, ts_inertia_factor(sim), group };
+	struct task task = { p, *step, ts_inertia_factor(sim), group };
 
 	if (!p->omega || !p->torque)
-		done.turn = 0;
-	ts_parallel(ts_team(sim, p->n), p->n, share, &task);
+		task.step.turn = 0;
+	TS_SWEEP_ADD(sim, p->n, share, &task);
 }

@@ -202,6 +202,7 @@ const struct ts_system_style ts_particles_system = {
 		   .plan = plan,
 		   .hook = { [TS_STAGE_POST_INTEGRATE] = ts_group_step,
 			     [TS_STAGE_EXCHANGE] = ts_group_start },
+		   .waits = TS_WAITS(POST_INTEGRATE),
 		   .fini = fini },
 	.slot = offsetof(struct tsim, particles),
 	.crowd = ts_particles_crowd,

@@ -362,6 +362,7 @@ const struct ts_system_style ts_rigid_system = {
 			     [TS_STAGE_PRE_FORCE] = ts_rigid_clear,
 			     [TS_STAGE_FINAL_INTEGRATE] = ts_rigid_final,
 			     [TS_STAGE_SETUP] = ts_rigid_setup },
+		   .waits = TS_WAITS(INITIAL_INTEGRATE) | TS_WAITS(FINAL_INTEGRATE),
 		   .plan = plan,
 		   .fini = fini },
 	.slot = offsetof(struct tsim, rigid),

@@ -121,6 +121,7 @@ enum ts_status ts_rigid_initial(struct ts_instance *self, struct tsim *sim)
 
 	if (!r->n)
 		return TS_OK;
+	ts_sweep(sim);
 	TS_TRY(ts_rigid_list(sim));
 	for (size_t k = 0; k < r->n; k++) {
 		struct ts_body *b = &r->body[k];
@@ -148,6 +149,7 @@ enum ts_status ts_rigid_final(struct ts_instance *self, struct tsim *sim)
 
 	if (!r->n)
 		return TS_OK;
+	ts_sweep(sim);
 	TS_TRY(ts_rigid_list(sim));
 	gather(sim);
 	for (size_t b = 0; b < r->n; b++)

@@ -51,5 +51,6 @@ const struct ts_style ts_dump_local = {
 	.init = init,
 	.plan = plan,
 	.hook[TS_STAGE_OUTPUT] = output,
+	.waits = TS_WAITS(OUTPUT),
 	.fini = ts_dump_fini,
 };

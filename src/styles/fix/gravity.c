@@ -1,10 +1,10 @@
 #include "core/energy.h"
 #include "core/plan.h"
+#include "core/sweep.h"
 
 #include <math.h>
 
 #include "base/clones.h"
-#include "base/parallel.h"
 #include "math/vec3.h"
 #include "particles/gravity.h"
 #include "particles/moments.h"
@@ -73,7 +73,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 struct task {
 	const struct ts_particles *p;
-	const double *a;
+	double a[3];
 	int group;
 };
 
@@ -109,15 +109,13 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 {
 	const struct gravity *g = self->state;
 	struct ts_particles *p = sim->particles;
-	double magnitude, a[3];
-	struct task task = { p, a, self->group };
+	struct task task = { .p = p, .group = self->group };
+	double magnitude;
 
 	TS_TRY(ts_number_now(sim, &g->base.magnitude, &self->where, &magnitude));
-	for (int k = 0; k < 3; k++)
-		a[k] = magnitude * g->base.direction[k];
-	ts_parallel(ts_team(sim, p->n), p->n,
-		    self->group == 0 && !p->body ? add_to_all : add_to_some, &task);
-	return ts_rigid_accelerate(sim, self->group, a);
+	ts_scale(magnitude, g->base.direction, task.a);
+	TS_SWEEP_ADD(sim, p->n, self->group == 0 && !p->body ? add_to_all : add_to_some, &task);
+	return ts_rigid_accelerate(sim, self->group, task.a); /* of bodies alone */
 }
 
 struct weights {
@@ -199,5 +197,6 @@ const struct ts_style ts_fix_gravity = {
 	.values = values,
 	.init = init,
 	.hook = { [TS_STAGE_POST_FORCE] = post_force },
+	.waits = TS_WAITS(POST_FORCE),
 	.energy = ts_energy_output,
 };

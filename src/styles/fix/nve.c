@@ -28,4 +28,5 @@ const struct ts_style ts_fix_nve = {
 	.cite = "W. C. Swope et al., J. Chem. Phys. 76 (1982) 637",
 	.hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,
 		  [TS_STAGE_FINAL_INTEGRATE] = final_integrate },
+	.waits = TS_WAITS(INITIAL_INTEGRATE) | TS_WAITS(FINAL_INTEGRATE),
 };

@@ -31,4 +31,5 @@ const struct ts_style ts_fix_nve_euler = {
 	.example = "fix move rock nve/euler",
 	.init = init,
 	.hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate },
+	.waits = TS_WAITS(INITIAL_INTEGRATE),
 };

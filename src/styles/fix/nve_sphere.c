@@ -88,4 +88,5 @@ const struct ts_style ts_fix_nve_sphere = {
 	.init = init,
 	.hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,
 		  [TS_STAGE_FINAL_INTEGRATE] = final_integrate },
+	.waits = TS_WAITS(INITIAL_INTEGRATE) | TS_WAITS(FINAL_INTEGRATE),
 };

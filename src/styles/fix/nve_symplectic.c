@@ -20,4 +20,5 @@ const struct ts_style ts_fix_nve_symplectic = {
 	.example = "fix move rock nve/symplectic",
 	.cite = "E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration (2006), I.1",
 	.hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate },
+	.waits = TS_WAITS(INITIAL_INTEGRATE),
 };
