@@ -4,8 +4,6 @@
 #ifndef TS_NEIGH_ROW_BATCH_H
 #define TS_NEIGH_ROW_BATCH_H
 
-#include <string.h>
-
 #include "base/four.h"
 #include "neigh/row_loop.h"
 
@@ -179,9 +177,9 @@ TS_INLINE void ts_batch_contacts(struct ts_batch *restrict b, size_t n,
 		ts_batch_contact(b, k, m, law, dt);
 }
 
-/* Which of the first n rows touch, as bits. These come from a table: the oldest processors cannot shift several numbers
- * by different widths at once. */
-TS_INLINE uint64_t ts_batch_touching(const struct ts_batch *b, size_t n)
+/* The first n of up to 64 marks as bits. These come from a table: the oldest processors cannot shift several numbers by
+ * different widths at once. */
+TS_INLINE uint64_t ts_batch_bits(const long long *mark, size_t n)
 {
 #define BIT(n) (uint64_t)1 << (n)
 #define BITS(n) BIT(n), BIT(n + 1), BIT(n + 2), BIT(n + 3), BIT(n + 4), BIT(n + 5), BIT(n + 6), BIT(n + 7)
@@ -193,18 +191,73 @@ TS_INLINE uint64_t ts_batch_touching(const struct ts_batch *b, size_t n)
 
 #pragma omp simd reduction(| : bits)
 	for (size_t k = 0; k < n; k++)
-		bits |= (uint64_t)b->touch[k] & bit[k];
+		bits |= (uint64_t)mark[k] & bit[k];
 	return bits;
 }
 
-/* What the rows will need of their second partners and their history is sent for, so that many come at a time; first
- * partners follow each other in memory. */
-TS_INLINE void ts_batch_send_for(const struct ts_particles *p, const struct ts_rows *rows,
-				 const struct ts_granular_model *m, const struct ts_row_near *near, size_t n)
+/* Marks which of the rows near[0 .. n-1], n at most four, touch. */
+TS_INLINE void ts_batch_touch(const struct ts_rows *rows, const struct ts_row_near *near, size_t n,
+			      ts_four_marks *touch)
 {
+	static const ts_four signs = { -1, -1, -1, 1 };
+	const ts_four *place = (const ts_four *)rows->place;
+	ts_four d[4];
+
+	for (size_t k = 0; k < 4; k++) { /* d and the sum of the radii */
+		const struct ts_row_near *row = near + (k < n ? k : 0);
+
+		d[k] = place[row->i] + signs * place[row->j];
+	}
+	ts_four_turn(d);
+	*touch = d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < d[3] * d[3];
+	for (size_t k = n; k < 4; k++)
+		(*touch)[k] = 0;
+}
+
+/* Rows that have waited and touch now become active. */
+TS_INLINE void ts_batch_meet(const struct ts_rows *rows, struct ts_row_block *block)
+{
+	const struct ts_row_near *near = rows->near + block->first;
+
+	for (size_t from = block->active; from < block->n; from += TS_COLUMN) {
+		size_t n = block->n - from < TS_COLUMN ? block->n - from : TS_COLUMN;
+		union {
+			ts_four_marks four[TS_COLUMN / 4];
+			long long one[TS_COLUMN];
+		} touch;
+
+		for (size_t k = 0; k < n; k += 4)
+			ts_batch_touch(rows, near + from + k, n - k, &touch.four[k / 4]);
+		for (uint64_t bits = ts_batch_bits(touch.one, n); bits; bits &= bits - 1)
+			ts_row_meet(rows, block, from + (size_t)__builtin_ctzll(bits));
+	}
+}
+
+/* Active rows that do not touch any more wait again, the last first; the bits say which of them touch. */
+TS_INLINE void ts_batch_part(const struct ts_rows *rows, struct ts_row_block *block, const uint64_t *bits, bool keep)
+{
+	for (size_t part = TS_ROW_BLOCK / TS_COLUMN, active = block->active; part-- > 0;) {
+		size_t n = active > part * TS_COLUMN ? active - part * TS_COLUMN : 0;
+		uint64_t gone = n ? ~bits[part] & ~(uint64_t)0 >> (n < TS_COLUMN ? TS_COLUMN - n : 0) : 0;
+
+		while (gone) {
+			int last = 63 - __builtin_clzll(gone);
+
+			ts_row_part(rows, block, part * TS_COLUMN + (size_t)last, keep);
+			gone ^= (uint64_t)1 << last;
+		}
+	}
+}
+
+/* What active rows will need of their second partners and their history is sent for, so that many come at a time, and
+ * where those of the others are; first partners follow each other in memory. */
+TS_INLINE void ts_batch_send_for(const struct ts_particles *p, const struct ts_rows *rows,
+				 const struct ts_granular_model *m, const struct ts_row_block *block)
+{
+	const struct ts_row_near *near = rows->near + block->first;
 	size_t width = (size_t)ts_granular_memory(m);
 
-	for (size_t k = 0; k < n; k++) {
+	for (size_t k = 0; k < block->active; k++) {
 		size_t j = (size_t)near[k].j;
 
 		__builtin_prefetch(rows->place[j]);
@@ -214,6 +267,37 @@ TS_INLINE void ts_batch_send_for(const struct ts_particles *p, const struct ts_r
 		if (width)
 			__builtin_prefetch(rows->history + near[k].row * width, 1);
 	}
+	for (size_t k = block->active; k < block->n; k++)
+		__builtin_prefetch(rows->place[near[k].j]);
+}
+
+/* The active rows of a part of a block; says which of them touch, as bits. */
+TS_INLINE uint64_t ts_batch_work(const struct ts_row_task *task, const struct ts_particles *p,
+				 const struct ts_rows *rows, const struct ts_granular_model *m, ts_batch_fn *contacts,
+				 const struct ts_row_block *block, size_t part)
+{
+	const struct ts_row_near *near = rows->near + block->first + part * TS_COLUMN;
+	const struct ts_granular_pair *law = ts_pair_law(task->pair, block->type[0], block->type[1]);
+	size_t some = block->active - part * TS_COLUMN, n;
+	struct ts_row_near whole[TS_COLUMN];
+	struct ts_batch b;
+
+	some = some < TS_COLUMN ? some : TS_COLUMN;
+	n = (some + 7) & ~(size_t)7;
+	if (n > some) { /* whole vectors: the last row again and again */
+		for (size_t at = 0; at < n; at++)
+			whole[at] = near[at < some ? at : some - 1];
+		near = whole;
+	}
+	for (size_t at = 0; at < n; at += 4)
+		ts_batch_load(p, rows, m, near, at, &b);
+	ts_batch_stiffness(m, law, n, &b);
+	contacts(&b, n, law, task->dt);
+	for (size_t at = 0; at < n; at += 4) {
+		ts_batch_store(&b, m, near, at, rows);
+		ts_batch_remember(&b, m, near, at, rows, task->keep);
+	}
+	return ts_batch_bits(b.touch, some);
 }
 
 /* The share of a constant model; see ts_row_share_generic. */
@@ -221,33 +305,21 @@ TS_INLINE void ts_row_share_batched(const struct ts_row_task *task, size_t from,
 				    const struct ts_granular_model *m, ts_batch_fn *contacts)
 {
 	const struct ts_particles p = *task->p;
-	struct ts_rows rows = *task->rows;
-	struct ts_batch b;
+	const struct ts_rows rows = *task->rows;
 
 	for (size_t k = from; k < to; k++) {
 		struct ts_row_block *block = &rows.block[k];
 		const struct ts_row_near *near = rows.near + block->first;
-		const struct ts_granular_pair *law = ts_pair_law(task->pair, block->type[0], block->type[1]);
-		struct ts_row_near whole[TS_COLUMN];
-		size_t n = (block->n + 7u) & ~(size_t)7;
+		uint64_t touching[TS_ROW_BLOCK / TS_COLUMN];
 
-		if (block->n % 8) { /* whole vectors: the last row again and again */
-			memcpy(whole, near, block->n * sizeof *near);
-			for (size_t at = block->n; at < n; at++)
-				whole[at] = near[block->n - 1];
-			near = whole;
-		}
 		if (k + 1 < to)
-			ts_batch_send_for(&p, &rows, m, rows.near + block[1].first, block[1].n);
-		for (size_t at = 0; at < n; at += 4)
-			ts_batch_load(&p, &rows, m, near, at, &b);
-		ts_batch_stiffness(m, law, n, &b);
-		contacts(&b, n, law, task->dt);
-		ts_row_block_note(&rows, block, ts_batch_touching(&b, block->n), task->keep);
-		for (size_t at = 0; at < n; at += 4) {
-			ts_batch_store(&b, m, near, at, &rows);
-			ts_batch_remember(&b, m, near, at, &rows, task->keep);
-		}
+			ts_batch_send_for(&p, &rows, m, block + 1);
+		ts_batch_meet(&rows, block);
+		for (size_t at = block->active; at < block->n; at++)
+			ts_row_still(&rows, near[at].slot, ts_batch_parts(m));
+		for (size_t part = 0; part * TS_COLUMN < block->active; part++)
+			touching[part] = ts_batch_work(task, &p, &rows, m, contacts, block, part);
+		ts_batch_part(&rows, block, touching, task->keep);
 	}
 }
 

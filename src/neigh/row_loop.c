@@ -34,46 +34,53 @@ static void store(const struct ts_rows *rows, size_t slot, const struct ts_granu
 	}
 }
 
-static void store_nothing(const struct ts_rows *rows, size_t slot)
+static bool touches(const struct ts_row_task *task, const struct ts_row_near *near)
 {
-	memset(ts_row_force(rows, slot), 0, (size_t)rows->parts * sizeof *rows->result);
+	const struct ts_particles *p = task->p;
+	size_t i = (size_t)near->i, j = (size_t)near->j;
+	double d[3], sum = p->radius[i] + p->radius[j];
+
+	if (task->pair->model_offset)
+		sum += beyond(p, task->pair, task->rows, near->row);
+	return ts_row_distance2(p, i, j, d) < sum * sum;
 }
 
-/* Whether the row touches; if so, its force. */
-static bool work(const struct ts_row_task *task, const struct ts_row_near *near)
+static void work(const struct ts_row_task *task, const struct ts_row_near *near)
 {
 	const struct ts_particles *p = task->p;
 	const struct ts_pair *pair = task->pair;
 	struct ts_rows *rows = task->rows;
 	size_t i = (size_t)near->i, j = (size_t)near->j;
 	const struct ts_granular_model *m = ts_pair_model(pair, p->type[i], p->type[j]);
-	double d[3], sum = p->radius[i] + p->radius[j] + (pair->model_offset ? beyond(p, pair, rows, near->row) : 0);
 	struct ts_granular_force f;
 	struct ts_touch t;
 
-	if (!(ts_row_distance2(p, i, j, d) < sum * sum)) {
-		store_nothing(rows, near->slot);
-		return false;
-	}
 	ts_row_touch(p, i, j, m, &t);
 	ts_granular_contact(m, ts_pair_law(pair, p->type[i], p->type[j]), &t, task->dt, task->advance,
 			    rows->history_width ? rows->history + near->row * rows->history_width : NULL, &f);
 	store(rows, near->slot, m, &t, &f);
-	return true;
 }
 
 void ts_row_share_generic(void *context, size_t from, size_t to)
 {
 	const struct ts_row_task *task = context;
-	struct ts_rows *rows = task->rows;
+	const struct ts_rows *rows = task->rows;
 
 	for (size_t b = from; b < to; b++) {
 		struct ts_row_block *block = &rows->block[b];
-		uint64_t touching = 0;
+		const struct ts_row_near *near = rows->near + block->first;
 
+		for (size_t k = block->active; k < block->n; k++)
+			if (touches(task, &near[k]))
+				ts_row_meet(rows, block, k);
+		for (size_t k = block->active; k-- > 0;)
+			if (!touches(task, &near[k]))
+				ts_row_part(rows, block, k, task->keep);
 		for (size_t k = 0; k < block->n; k++)
-			touching |= (uint64_t)work(task, &rows->near[block->first + k]) << k;
-		ts_row_block_note(rows, block, touching, task->keep);
+			if (k < block->active)
+				work(task, &near[k]);
+			else
+				ts_row_still(rows, near[k].slot, (size_t)rows->parts);
 	}
 }
 

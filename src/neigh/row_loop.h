@@ -29,21 +29,40 @@ ts_row_distance2(const struct ts_particles *p, size_t i, size_t j, double d[3])
 	return d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
 }
 
-/* What has become of the touches of near rows since they were looked at last; where `keep` says so the history of a pair
- * that parts stays until the next rebuild. */
-TS_INLINE void ts_row_block_note(struct ts_rows *rows, struct ts_row_block *block, uint64_t touching, bool keep)
+/* The waiting row of the block that stands at `at` touches: it becomes the last of the active ones. */
+TS_INLINE void ts_row_meet(const struct ts_rows *rows, struct ts_row_block *block, size_t at)
 {
-	const struct ts_row_near *near = rows->near + block->first;
+	struct ts_row_near *near = rows->near + block->first, row = near[at];
 
-	for (size_t k = 0; touching != block->touching && k < block->n; k++) {
-		size_t r = near[k].row;
+	near[at] = near[block->active];
+	near[block->active++] = row;
+	rows->touching[row.row] = 1;
+}
 
-		if (rows->touching[r] > (touching >> k & 1) && !keep)
-			for (size_t c = 0; c < rows->history_width; c++)
-				rows->history[r * rows->history_width + c] = 0;
-		rows->touching[r] = touching >> k & 1;
-	}
-	block->touching = touching;
+/* The active row that stands at `at` does not touch any more: it becomes the first of the waiting ones. Its history is
+ * gone; where `keep` says so it stays until the next rebuild. */
+TS_INLINE void ts_row_part(const struct ts_rows *rows, struct ts_row_block *block, size_t at, bool keep)
+{
+	struct ts_row_near *near = rows->near + block->first, row = near[at];
+
+	near[at] = near[--block->active];
+	near[block->active] = row;
+	rows->touching[row.row] = 0;
+	for (size_t c = 0; c < rows->history_width && !keep; c++)
+		rows->history[row.row * rows->history_width + c] = 0;
+}
+
+/* No force, no torque; `parts` as in struct ts_rows. */
+TS_INLINE void ts_row_still(const struct ts_rows *rows, size_t slot, size_t parts)
+{
+	const ts_four zero = { 0 };
+	ts_four *result = (ts_four *)rows->result[slot * parts];
+
+	result[0] = zero;
+	if (parts > 1)
+		result[1] = zero;
+	if (parts > 2)
+		result[2] = zero;
 }
 
 /* What the laws need to know of the partners i and j, as far as the model has laws that ask. */

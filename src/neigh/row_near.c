@@ -1,6 +1,7 @@
 #include "neigh/row_near.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "base/clones.h"
 #include "base/four.h"
@@ -68,7 +69,7 @@ bool ts_rows_outdated(const struct ts_rows *rows)
 /* ---- which rows are near */
 
 /* Rows are sorted by laws so many at a time. */
-enum { GROUP = 8 * TS_COLUMN };
+enum { GROUP = 512 };
 
 struct choice {
 	struct ts_rows *rows;
@@ -108,24 +109,53 @@ static size_t alike(const struct choice *c, const int32_t type[2], uint32_t *lis
 	return same;
 }
 
-/* The listed rows, which have one law, as blocks at the end of the span. */
-static void add_blocks(struct ts_rows *rows, struct ts_row_span *span, const int32_t type[2],
-		       const uint32_t *list, size_t n)
+/* Those that touch come first; returns how many. Both parts stay in order. */
+static size_t touching_first(const struct ts_rows *rows, uint32_t *list, size_t n)
 {
-	for (size_t from = 0; from < n; from += TS_COLUMN) {
-		size_t some = n - from < TS_COLUMN ? n - from : TS_COLUMN;
-		struct ts_row_block *block = &rows->block[span->block_end++];
+	uint32_t waiting[GROUP];
+	size_t active = 0;
 
-		*block = (struct ts_row_block){ .first = (uint32_t)span->near_end, .n = (uint32_t)some,
-						.type = { type[0], type[1] } };
-		for (size_t k = 0; k < some; k++) {
-			uint32_t r = list[from + k];
+	for (size_t k = 0; k < n; k++) {
+		uint32_t r = list[k];
 
-			block->touching |= (uint64_t)rows->touching[r] << k;
-			rows->at[r] = (uint32_t)span->near_end;
-			rows->near[span->near_end++] =
-				(struct ts_row_near){ r, r, rows->i[r], rows->j[r] };
-		}
+		list[active] = waiting[k - active] = r;
+		active += rows->touching[r];
+	}
+	memcpy(list + active, waiting, (n - active) * sizeof *list);
+	return active;
+}
+
+static void add_near(struct ts_rows *rows, struct ts_row_span *span, const uint32_t *list, size_t n)
+{
+	for (size_t k = 0; k < n; k++) {
+		uint32_t r = list[k];
+
+		rows->at[r] = (uint32_t)span->near_end;
+		rows->near[span->near_end++] = (struct ts_row_near){ r, r, rows->i[r], rows->j[r] };
+	}
+}
+
+/* The listed rows, which have one law, as blocks at the end of the span: of so many that touch that some can join
+ * them and the columns of a batch are full all the same. */
+enum { ACTIVE = TS_COLUMN - 8, WAITING = TS_ROW_BLOCK - ACTIVE };
+
+static void add_blocks(struct ts_rows *rows, struct ts_row_span *span, const int32_t type[2], uint32_t *list,
+		       size_t n)
+{
+	size_t active = touching_first(rows, list, n), waiting = n - active;
+	size_t blocks = (active + ACTIVE - 1) / ACTIVE, least = (waiting + WAITING - 1) / WAITING;
+
+	blocks = blocks > least ? blocks : least;
+	for (size_t b = 0; b < blocks; b++) {
+		size_t from = active * b / blocks, some = active * (b + 1) / blocks - from;
+		size_t rest = waiting * b / blocks, others = waiting * (b + 1) / blocks - rest;
+
+		rows->block[span->block_end++] = (struct ts_row_block){
+			.first = (uint32_t)span->near_end, .n = (uint32_t)(some + others),
+			.active = (uint32_t)some, .type = { type[0], type[1] },
+		};
+		add_near(rows, span, list + from, some);
+		add_near(rows, span, list + active + rest, others);
 	}
 }
 
@@ -168,7 +198,7 @@ static enum ts_status spread(const struct choice *c)
 
 		ts_row_range(rows, k, &from, &to);
 		rows->span[k] = (struct ts_row_span){ from, from, blocks, blocks };
-		blocks += (to - from) / TS_COLUMN + ((to - from) / GROUP + 1) * most;
+		blocks += (to - from) / ACTIVE + ((to - from) / GROUP + 1) * most;
 	}
 	TS_TRY(TS_RENEW(rows->near, rows->near_capacity, rows->n));
 	TS_TRY(TS_RENEW(rows->at, rows->at_capacity, rows->n));

@@ -23,11 +23,12 @@ struct ts_row_near {
 	int32_t i, j;
 };
 
-/* Near rows of one law that are computed together. */
+/* Near rows of one law. The first `active` ones touched when they were looked at last, the others wait for it. */
+enum { TS_ROW_BLOCK = 128 };
 struct ts_row_block {
-	uint32_t first, n; /* at most TS_COLUMN */
-	int32_t type[2];   /* of i, of j */
-	uint64_t touching; /* bit k: row first + k, when it was looked at last */
+	uint32_t first, n; /* at most TS_ROW_BLOCK */
+	uint32_t active;
+	int32_t type[2]; /* of i, of j */
 };
 
 /* What belongs to one of the shares that are computed side by side. */
