@@ -355,6 +355,8 @@ library_sources = \
 	src/neigh/heat.h \
 	src/neigh/heat_contacts.c \
 	src/neigh/heat_step.c \
+	src/neigh/leaving.c \
+	src/neigh/leaving.h \
 	src/neigh/ledger.c \
 	src/neigh/ledger.h \
 	src/neigh/ledger_heat.c \

@@ -11,6 +11,7 @@
 #include "core/sweep.h"
 #include "math/vec3.h"
 #include "neigh/bonds.h"
+#include "neigh/leaving.h"
 #include "neigh/network.h"
 #include "neigh/order.h"
 #include "neigh/pair.h"
@@ -47,7 +48,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	nb->skin_counts = nb->shown = false; /* whose outputs do says so in its init */
 	nb->show_every = 0;
 	nb->rows.looked = false; /* types may have been changed */
-	return TS_OK;
+	return ts_leaving_init(sim);
 }
 
 /* Stops a run that has gone wrong before anything more is written. */
@@ -128,7 +129,7 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 	const struct ts_neigh *nb = self->state;
 	const struct ts_particles *p = sim->particles;
 	double reach = nb->built_skin - ts_domain_moved(sim->domain); /* < 0: rebuild at once */
-	long beyond = 0;
+	long beyond = 0, moved = 0;
 	struct limits limits = { .p = p,
 				 .beyond = &beyond,
 				 .moved2 = reach < 0 ? -1 : reach * reach / 4,
@@ -137,7 +138,9 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 	ts_exchange_limits(sim, limits.lo, limits.hi);
 	sim->rebuild |= nb->stale;
 	TS_SWEEP_ADD(sim, p->n, check_share, &limits);
+	ts_leaving_watch(sim, &moved);
 	ts_sweep(sim);
+	sim->rebuild |= moved && ts_leaving_due(sim);
 	if (!beyond)
 		return TS_OK;
 	for (size_t i = 0; i < p->n; i++)
@@ -227,13 +230,16 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 
 	if (!sim->resuming)
 		TS_TRY(ts_order_by_place(sim));
+	nb->given_skin = ts_neigh_skin(sim);
 	/* a run that goes on keeps the positions and skin of its last build, and so builds the same rows */
 	if (!sim->resuming || !(nb->built_skin > 0))
 		nb->built_skin = ts_neigh_choose_skin(sim);
-	if (!sim->resuming)
+	if (!sim->resuming) {
 		ts_exchange_hold(sim);
+		ts_leaving_hold(sim);
+	}
 	TS_TRY(ts_exchange_borders(sim, 2 * largest + nb->built_skin + reach,
-				   2 * largest + ts_neigh_skin(sim) + reach));
+				   2 * largest + fmax(nb->given_skin, nb->built_skin) + reach));
 	nb->builds++;
 	nb->stale &= sim->resuming; /* a run that goes on rebuilds where the whole would */
 	if (!nb->wanted)

@@ -21,6 +21,7 @@ struct ts_neigh {
 	double skin;        /* at most; <= 0: chosen from the particles, see ts_neigh_skin */
 	bool fixed_skin;    /* not less either */
 	double built_skin;  /* of the rows now in use */
+	double given_skin;  /* at that time, see ts_neigh_skin */
 	int32_t include; /* bit of the group whose members touch each other; 0: all */
 	int32_t nexclude;
 	struct ts_exclude exclude[TS_MAX_EXCLUDE];

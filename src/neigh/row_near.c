@@ -207,7 +207,7 @@ static enum ts_status spread(const struct choice *c)
 
 /* With a gap g some share g/skin of the rows is looked at in vain in each step, and all are looked at again after
  * g/2 at the present pace, which costs as much as `LOOK` vain looks at all: least of g/skin + LOOK 2 pace/g. */
-static const double LOOK = 6;
+static const double LOOK = 12;
 static const double LEAST = 0.02, MOST = 0.7; /* of the skin; beyond the most it is not worth it */
 
 static double choose_gap(const struct tsim *sim, const struct ts_rows *rows)

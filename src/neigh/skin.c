@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "core/settings.h"
+#include "neigh/leaving.h"
 #include "neigh/limits.h"
 #include "neigh/neigh.h"
 #include "neigh/wall.h"
@@ -45,23 +46,44 @@ static bool surroundings_move(const struct tsim *sim)
 	return move;
 }
 
-/* With a skin s a dense bed has 10 s/d rows a particle that do not touch, each to be looked at in every step; and
- * a rebuild, which costs as much as `REBUILD` such looks a particle, is due after s/2 at the speed v. Least of
- * 10 s/d + REBUILD 2 v dt/s: s = sqrt(REBUILD/5 v dt d). */
-enum { REBUILD = 30 };
+/* Where a particle goes v dt in a step, a rebuild is due after s/2. Rows that do not touch, 10 s/d a particle in a dense
+ * bed, are looked at in a part of the steps only, the rarer the slower particles are (see choose_gap in row_near.c):
+ * the sum of rebuilds and looks is least about BEST d (v dt/d)^(1/4), and changes little below. As rows take memory,
+ * the skin is smaller than that, sqrt(ROWS v dt d), where rebuilds are seldom, and never more than the one given; but
+ * where one would be due every few steps, it is larger. */
+static const double BEST = 1.6, ROWS = 6;
+enum { SELDOM = 40 };
 /* Where everything rests now, it may begin to move. */
 static const double LEAST = 0.02; /* of the smallest radius */
+
+/* Periodic boxes have room for images of particles that far outside. */
+static double most_skin(const struct tsim *sim, double radius)
+{
+	const struct ts_box *box = &sim->domain->box;
+	double most = INFINITY;
+
+	for (int d = 0; d < sim->dimension; d++)
+		if (ts_box_periodic(box, d))
+			most = fmin(most, ts_box_length(box, d) / 4 - 2 * radius);
+	return most;
+}
 
 double ts_neigh_choose_skin(const struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
-	double skin = ts_neigh_skin(sim), least, most, best;
+	double skin = ts_neigh_skin(sim), least, most, pace, size, small, quick;
+	bool waits = p->lost_policy == TS_LOST_IGNORE;
 
 	/* what waits for a rebuild, as in LIGGGHTS: contacts that end and are remembered, particles that have left */
-	if (sim->legacy || sim->neigh->fixed_skin || sim->neigh->skin_counts ||
-	    p->lost_policy == TS_LOST_IGNORE || !p->n || surroundings_move(sim))
+	if (sim->legacy || sim->neigh->fixed_skin || sim->neigh->skin_counts || (waits && !ts_leaving_apart(sim)) ||
+	    !p->n)
 		return skin;
 	radii(p, &least, &most);
-	best = sqrt(REBUILD / 5.0 * ts_fastest(sim, 0) * sim->clock.dt * 2 * least);
-	return fmin(skin, fmax(best, LEAST * least));
+	pace = ts_fastest(sim, 0) * sim->clock.dt;
+	size = 2 * least;
+	small = waits || surroundings_move(sim) ? skin : fmin(skin, sqrt(ROWS * pace * size));
+	quick = fmin(2 * SELDOM * pace, BEST * size * pow(pace / size, 0.25));
+	if (waits && quick > skin) /* whole times, and the last step of each: see ts_leaving_due */
+		quick = 1.1 * skin * ceil(quick / skin);
+	return fmax(small, fmax(fmin(quick, most_skin(sim, most)), fmin(skin, LEAST * least)));
 }

@@ -53,14 +53,22 @@ static int left_through(const struct ts_box *box, const double x[3])
 	return -1;
 }
 
-void ts_exchange_limits(const struct tsim *sim, double lo[3], double hi[3])
+void ts_exchange_fixed(const struct tsim *sim, double lo[3], double hi[3])
 {
 	const struct ts_box *box = &sim->domain->box;
-	bool waits = sim->particles->lost_policy == TS_LOST_IGNORE;
 
 	for (int d = 0; d < 3; d++) {
-		lo[d] = !waits && box->face[d][0] == TS_FACE_FIXED ? box->lo[d] : -INFINITY;
-		hi[d] = !waits && box->face[d][1] == TS_FACE_FIXED ? box->hi[d] : INFINITY;
+		lo[d] = box->face[d][0] == TS_FACE_FIXED ? box->lo[d] : -INFINITY;
+		hi[d] = box->face[d][1] == TS_FACE_FIXED ? box->hi[d] : INFINITY;
+	}
+}
+
+void ts_exchange_limits(const struct tsim *sim, double lo[3], double hi[3])
+{
+	ts_exchange_fixed(sim, lo, hi);
+	for (int d = 0; d < 3 && sim->particles->lost_policy == TS_LOST_IGNORE; d++) {
+		lo[d] = -INFINITY;
+		hi[d] = INFINITY;
 	}
 }
 

@@ -25,5 +25,7 @@ void ts_exchange_forward(struct tsim *sim);
  * where there is none, and where `thermo_modify lost ignore` lets it wait for the next build of neighbours: in an
  * outflow there would be one for each that leaves. */
 void ts_exchange_limits(const struct tsim *sim, double lo[3], double hi[3]);
+/* The fixed faces; infinite where there is none. */
+void ts_exchange_fixed(const struct tsim *sim, double lo[3], double hi[3]);
 
 #endif

@@ -26,6 +26,7 @@
 	C(MASS, mass, double, 1, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_BORDER)                     \
 	C(IMASS, imass, double, 1, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_BORDER)                               \
 	C(XHOLD, xhold, double, 3, TS_COL_ALWAYS | TS_COL_SAVED | TS_COL_BORDER | TS_COL_RESULT)   \
+	C(XSEEN, xseen, double, 3, TS_COL_SAVED | TS_COL_RESULT)                                   \
 	C(OMEGA, omega, double, 3, TS_COL_SAVED | TS_COL_BORDER | TS_COL_FORWARD)                  \
 	C(TORQUE, torque, double, 3, TS_COL_SAVED | TS_COL_RESULT)                                 \
 	C(BODY, body, int32_t, 1, TS_COL_SAVED | TS_COL_BORDER)                                    \
@@ -81,6 +82,7 @@ struct ts_particles {
 	double *radius, *mass;
 	double *imass; /* 1/mass; 0 for frozen and prescribed particles: infinite mass */
 	double (*xhold)[3]; /* positions at the last build of the contact rows */
+	double (*xseen)[3]; /* when particles that have left were looked for: neigh/leaving.h */
 	double (*omega)[3], (*torque)[3];
 	int32_t *body;	     /* id of the rigid body it belongs to, or 0; see particles/rigid.h */
 	double (*body_x)[3]; /* its place there, along the principal axes */

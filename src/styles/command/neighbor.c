@@ -41,12 +41,14 @@ const struct ts_command_style ts_command_neighbor = {
 		.summary = "Sets the extra distance of the neighbour search",
 		.doc = "Pairs nearer than the sum of their radii plus the skin are remembered until a particle has\n"
 		       "moved half the skin. A large skin means fewer searches and longer lists; results do not\n"
-		       "depend on it. What is given is the largest: at each search the skin is chosen that costs least\n"
-		       "with the speeds as they are, s = sqrt(6 v dt d), v that of the fastest particle, d the smallest\n"
-		       "diameter, at least a hundredth of it. It is as given with `fixed yes`, where\n"
-		       "meshes, walls or the box move, and where it matters when neighbours are found: with `legacy yes`, and\n"
-		       "with `thermo_modify lost ignore`, as particles that have left wait for it. Positions are wrapped\n"
-		       "into a periodic box then, too.",
+		       "depend on it. At each search the skin is chosen that suits the speeds as they are, v dt being the\n"
+		       "way of the fastest particle in a step and d the smallest diameter: s = sqrt(6 v dt d), at least a\n"
+		       "hundredth of d and at most what is given; but where a search would be due again in less than 40\n"
+		       "steps, up to s = 1.6 d (v dt/d)^(1/4), also if that is more than given. Not less than given where\n"
+		       "meshes, walls or the box move, and with `thermo_modify lost ignore`, as particles that have left\n"
+		       "are deleted when some particle has moved half the skin given. As given with `fixed yes`, with\n"
+		       "`legacy yes`, and where outputs depend on it. Positions are wrapped into a periodic box at\n"
+		       "searches, too.",
 		.example = "neighbor 0.001 bin\nneighbor 0.001 bin fixed yes",
 		.args = args,
 		.state_size = sizeof(struct state),
