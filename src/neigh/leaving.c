@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "base/clones.h"
-#include "geom/box.h"
 #include "neigh/neigh.h"
 #include "particles/domain.h"
 #include "particles/exchange.h"
@@ -12,20 +11,10 @@
 
 #include "base/banned.h"
 
-/* Faces that follow the particles are fitted at rebuilds, too. */
-static bool faces_stay(const struct ts_box *box)
-{
-	bool stay = true;
-
-	for (int k = 0; k < 6; k++)
-		stay &= box->face[k / 2][k % 2] == TS_FACE_FIXED || box->face[k / 2][k % 2] == TS_FACE_PERIODIC;
-	return stay;
-}
-
 bool ts_leaving_apart(const struct tsim *sim)
 {
 	return sim->particles->lost_policy == TS_LOST_IGNORE && sim->particles->xseen &&
-	       faces_stay(&sim->domain->box);
+	       ts_neigh_all_fixed(sim);
 }
 
 enum ts_status ts_leaving_init(struct tsim *sim)

@@ -38,6 +38,17 @@ static void describe_contacts(struct tsim *sim, size_t i, struct ts_str *out)
 	}
 }
 
+/* Whether nobody acts on forces or looks at them before the loop over rows: then this need not add to zeros. */
+static bool rows_come_first(const struct tsim *sim)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+	bool first = ts_sim_only(sim, TS_KIND_PAIR) && !sim->outside;
+
+	for (size_t k = 0; k < fixes->n; k++)
+		first &= !fixes->item[k]->style->watch;
+	return first;
+}
+
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_neigh *nb = self->state;
@@ -48,6 +59,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	nb->skin_counts = nb->shown = false; /* whose outputs do says so in its init */
 	nb->show_every = 0;
 	nb->rows.looked = false; /* types may have been changed */
+	nb->rows_first = rows_come_first(sim);
 	return ts_leaving_init(sim);
 }
 
@@ -284,14 +296,16 @@ static enum ts_status forward(struct ts_instance *self, struct tsim *sim)
 static enum ts_status clear_forces(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_particles *p = sim->particles;
+	struct ts_rows *rows = &sim->neigh->rows;
 
 	(void)self;
 	sim->complete = shows(sim);
 	if (sim->outside) /* the program around may do anything */
-		sim->neigh->rows.looked = false;
-	if (p->n)
+		rows->looked = false;
+	rows->sets = sim->neigh->rows_first && rows->n;
+	if (p->n && !rows->sets)
 		memset(p->f, 0, p->n * sizeof *p->f);
-	if (p->n && p->torque)
+	if (p->n && p->torque && !(rows->sets && rows->parts > 1))
 		memset(p->torque, 0, p->n * sizeof *p->torque);
 	return TS_OK;
 }

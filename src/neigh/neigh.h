@@ -29,6 +29,7 @@ struct ts_neigh {
 	bool stale;         /* a bond broke under skip_bonded: its pair needs a row */
 	int64_t builds;     /* in this run */
 	bool wanted;        /* some live style acts on contacts */
+	bool rows_first;    /* of all that act on forces */
 	bool skin_counts;   /* an output depends on the skin: it is the one given */
 	bool shown;	    /* an output may look at the forces of contacts at any step: they are kept */
 	int64_t show_every; /* at these steps too; 0: none */
@@ -39,8 +40,9 @@ struct ts_neigh {
 /* The largest skin: as given by `neighbor`, else 0.4 of the smallest radius (at least 0.05 of the
  * largest). */
 double ts_neigh_skin(const struct tsim *sim);
-/* The one that costs least with the speeds and the step as they are now; not more than that. */
+/* The one that suits the speeds and the step as they are now; more than that only if all faces are fixed. */
 double ts_neigh_choose_skin(const struct tsim *sim);
+bool ts_neigh_all_fixed(const struct tsim *sim);
 /* For the init of outputs and of what may end a run: they look at forces of contacts at multiples of `every`. */
 void ts_neigh_show_every(struct ts_neigh *neigh, int64_t every);
 /* Whether neigh_modify names the group of this bit. */

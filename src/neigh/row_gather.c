@@ -7,10 +7,10 @@
 
 static const double signs[] = { 1, -1 }; /* a table: which side cannot be guessed */
 
-TS_INLINE void add(double to[3], const ts_four *sum)
+TS_INLINE void add(double to[3], const ts_four *sum, bool sets)
 {
 	for (int d = 0; d < 3; d++)
-		to[d] += (*sum)[d];
+		to[d] = sets ? (*sum)[d] : to[d] + (*sum)[d];
 }
 
 /* `parts` as in struct ts_rows. */
@@ -18,6 +18,7 @@ TS_INLINE void gather(const struct ts_rows *rows, const struct ts_particles *p, 
 {
 	const uint32_t *first = rows->sum_first, *sum = rows->sum;
 	const ts_four *results = (const ts_four *)rows->result;
+	bool sets = rows->sets;
 
 	for (size_t i = from; i < to; i++) {
 		ts_four f = { 0 }, torque = { 0 };
@@ -33,9 +34,9 @@ TS_INLINE void gather(const struct ts_rows *rows, const struct ts_particles *p, 
 			else if (parts > 1)
 				torque += (radius - result[0][3]) * result[1];
 		}
-		add(p->f[i], &f);
+		add(p->f[i], &f, sets);
 		if (parts > 1)
-			add(p->torque[i], &torque);
+			add(p->torque[i], &torque, sets);
 	}
 }
 

@@ -129,7 +129,7 @@ static void rest_share(void *context, size_t from, size_t to)
 	const struct loop *loop = context;
 
 	for (size_t c = from; c < to; c++)
-		if (!loop->task.rows->gathered[c] && loop->task.rows->chunk[c].end > 0)
+		if (!loop->task.rows->gathered[c] && (loop->task.rows->chunk[c].end > 0 || loop->task.rows->sets))
 			gather_chunk(loop, c);
 }
 
@@ -152,5 +152,6 @@ enum ts_status ts_row_loop(struct tsim *sim, const struct ts_pair *pair, ts_shar
 		memset(rows->gathered, 0, rows->chunks);
 	ts_parallel(rows->shares, (size_t)rows->shares, rows_shares, &loop);
 	ts_parallel(ts_team(sim, rows->chunks), rows->chunks, rest_share, &loop);
+	rows->sets = false;
 	return TS_OK;
 }

@@ -58,6 +58,7 @@ struct ts_rows {
 	uint8_t *image;	    /* which image of j: 13 = itself; see ts_image_code */
 	int32_t *winding;   /* which image, in a way that wrapping does not change; ts_winding */
 	enum ts_row_results results;
+	bool sets; /* the next sums are the first forces of their step: nobody has set these to zero */
 	/* Forces, see ts_row_force, and behind each, as far as contacts make torques (parts 2, 3), turn and roll */
 	double (*result)[4];
 	int parts;
@@ -118,7 +119,7 @@ static inline void ts_row_range(const struct ts_rows *rows, size_t k, size_t *fr
 	*to = rows->n * (k + 1) / (size_t)rows->shares;
 }
 
-/* Adds the forces and torques of the rows to those of the particles from .. to-1. */
+/* Adds the forces and torques of the rows to those of the particles from .. to-1, or sets them (rows->sets). */
 typedef void ts_rows_gather_fn(const struct ts_rows *rows, const struct ts_particles *p, size_t from,
 			       size_t to);
 ts_rows_gather_fn *ts_rows_gatherer(const struct ts_rows *rows);

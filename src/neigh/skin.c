@@ -56,22 +56,32 @@ enum { SELDOM = 40 };
 /* Where everything rests now, it may begin to move. */
 static const double LEAST = 0.02; /* of the smallest radius */
 
-/* Periodic boxes have room for images of particles that far outside. */
-static double most_skin(const struct tsim *sim, double radius)
+bool ts_neigh_all_fixed(const struct tsim *sim)
 {
-	const struct ts_box *box = &sim->domain->box;
-	double most = INFINITY;
+	bool fixed = true;
 
-	for (int d = 0; d < sim->dimension; d++)
-		if (ts_box_periodic(box, d))
-			most = fmin(most, ts_box_length(box, d) / 4 - 2 * radius);
-	return most;
+	for (int k = 0; k < 2 * sim->dimension; k++)
+		fixed &= sim->domain->box.face[k / 2][k % 2] == TS_FACE_FIXED;
+	return fixed;
+}
+
+/* At other faces rebuilds do what can be seen, particles are wrapped and faces fitted: if they are more seldom than
+ * with the skin given, this is a surprise. */
+static double quick_skin(const struct tsim *sim, double skin, double pace, double size)
+{
+	double quick = fmin(2 * SELDOM * pace, BEST * size * pow(pace / size, 0.25));
+
+	if (!ts_neigh_all_fixed(sim) || quick <= skin)
+		return 0;
+	if (sim->particles->lost_policy == TS_LOST_IGNORE) /* whole times, and the last step of each: ts_leaving_due */
+		return 1.1 * skin * ceil(quick / skin);
+	return quick;
 }
 
 double ts_neigh_choose_skin(const struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
-	double skin = ts_neigh_skin(sim), least, most, pace, size, small, quick;
+	double skin = ts_neigh_skin(sim), least, most, pace, small;
 	bool waits = p->lost_policy == TS_LOST_IGNORE;
 
 	/* what waits for a rebuild, as in LIGGGHTS: contacts that end and are remembered, particles that have left */
@@ -80,10 +90,7 @@ double ts_neigh_choose_skin(const struct tsim *sim)
 		return skin;
 	radii(p, &least, &most);
 	pace = ts_fastest(sim, 0) * sim->clock.dt;
-	size = 2 * least;
-	small = waits || surroundings_move(sim) ? skin : fmin(skin, sqrt(ROWS * pace * size));
-	quick = fmin(2 * SELDOM * pace, BEST * size * pow(pace / size, 0.25));
-	if (waits && quick > skin) /* whole times, and the last step of each: see ts_leaving_due */
-		quick = 1.1 * skin * ceil(quick / skin);
-	return fmax(small, fmax(fmin(quick, most_skin(sim, most)), fmin(skin, LEAST * least)));
+	small = sqrt(ROWS * pace * 2 * least);
+	small = waits || surroundings_move(sim) ? skin : fmin(skin, fmax(small, LEAST * least));
+	return fmax(small, quick_skin(sim, skin, pace, 2 * least));
 }

@@ -43,12 +43,12 @@ const struct ts_command_style ts_command_neighbor = {
 		       "moved half the skin. A large skin means fewer searches and longer lists; results do not\n"
 		       "depend on it. At each search the skin is chosen that suits the speeds as they are, v dt being the\n"
 		       "way of the fastest particle in a step and d the smallest diameter: s = sqrt(6 v dt d), at least a\n"
-		       "hundredth of d and at most what is given; but where a search would be due again in less than 40\n"
-		       "steps, up to s = 1.6 d (v dt/d)^(1/4), also if that is more than given. Not less than given where\n"
-		       "meshes, walls or the box move, and with `thermo_modify lost ignore`, as particles that have left\n"
-		       "are deleted when some particle has moved half the skin given. As given with `fixed yes`, with\n"
-		       "`legacy yes`, and where outputs depend on it. Positions are wrapped into a periodic box at\n"
-		       "searches, too.",
+		       "hundredth of d and at most what is given. Where a search would be due again in less than 40\n"
+		       "steps, and all faces are fixed, it is more than given, up to s = 1.6 d (v dt/d)^(1/4). It is not\n"
+		       "less than given where meshes, walls or the box move, and as given with `fixed yes`, with `legacy\n"
+		       "yes`, where outputs depend on it, and with `thermo_modify lost ignore`: particles that have left\n"
+		       "are deleted, and others wrapped into a periodic box, when some particle has moved half the skin\n"
+		       "given; if all faces are fixed, that is watched apart from searches.",
 		.example = "neighbor 0.001 bin\nneighbor 0.001 bin fixed yes",
 		.args = args,
 		.state_size = sizeof(struct state),

@@ -146,6 +146,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct ts_word mesh = { .text = s->mesh, .place = *ts_instance_word(self, s->mesh) };
 
 	TS_TRY(check_words(self, sim));
+	sim->neigh->skin_counts |= s->deletes; /* at rebuilds */
 	TS_TRY(ts_mesh_surface_require(sim, &mesh, &s->surface));
 	ts_mesh_tree_release(&s->tree);
 	if (has_side(s))
