@@ -159,6 +159,7 @@ unit_tests = \
 	tests/check_insertion \
 	tests/check_io \
 	tests/check_law \
+	tests/check_leaving \
 	tests/check_library \
 	tests/check_library_steps \
 	tests/check_math \
@@ -176,6 +177,7 @@ unit_tests = \
 	tests/check_scalar \
 	tests/check_script \
 	tests/check_styles \
+	tests/check_sweep \
 	tests/check_unbreakable \
 	tests/check_variables \
 	tests/check_wear \
@@ -284,6 +286,10 @@ tests_check_law_SOURCES = tests/check_law.c $(tests_common)
 tests_check_law_CFLAGS = $(tests_cflags)
 tests_check_law_LDADD = $(tests_ldadd)
 
+tests_check_leaving_SOURCES = tests/check_leaving.c $(tests_common)
+tests_check_leaving_CFLAGS = $(tests_cflags)
+tests_check_leaving_LDADD = $(tests_ldadd)
+
 tests_check_library_SOURCES = tests/check_library.c $(tests_common)
 tests_check_library_CFLAGS = $(tests_cflags)
 tests_check_library_LDADD = $(tests_ldadd)
@@ -351,6 +357,10 @@ tests_check_script_LDADD = $(tests_ldadd)
 tests_check_styles_SOURCES = tests/check_styles.c $(tests_common)
 tests_check_styles_CFLAGS = $(tests_cflags)
 tests_check_styles_LDADD = $(tests_ldadd)
+
+tests_check_sweep_SOURCES = tests/check_sweep.c $(tests_common)
+tests_check_sweep_CFLAGS = $(tests_cflags)
+tests_check_sweep_LDADD = $(tests_ldadd)
 
 tests_check_unbreakable_SOURCES = tests/check_unbreakable.c $(tests_common)
 tests_check_unbreakable_CFLAGS = $(tests_cflags)
