@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "base/parallel.h"
 #include "geom/mesh_touch.h"
 #include "particles/domain.h"
 
@@ -48,7 +49,6 @@ void ts_mesh_wall_release(struct ts_mesh_wall *mw)
 {
 	drop_trees(mw);
 	ts_free(mw->near);
-	ts_free(mw->list.item);
 	ts_free(mw->touching);
 	*mw = (struct ts_mesh_wall){ 0 };
 }
@@ -98,14 +98,44 @@ static void reaching(const struct ts_box *box, const struct ts_mesh_tree *tree, 
 	range[1] = (int)floor(fmin(1e6, (x + r - tree->lo[1][dim]) / length));
 }
 
-static enum ts_status list_images(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw,
-				  size_t mesh, size_t i)
+/* What is near to a particle: a triangle, and the image of the mesh by box lengths. */
+struct found {
+	size_t i;
+	int32_t mesh, triangle;
+	int shift[3];
+};
+
+/* What the particles of one share have near, in their order. */
+struct search {
+	struct found *found;
+	size_t n, capacity;
+	struct ts_mesh_list list;
+	bool failed;
+};
+
+static void find_image(struct search *s, const struct ts_mesh_part_of_wall *part, const double at[3], double r,
+		       const struct found *what)
+{
+	if (ts_mesh_tree_near(&part->tree, &part->surface->mesh, at, r, &s->list) != TS_OK ||
+	    TS_GROW(s->found, s->capacity, s->n + s->list.n) != TS_OK) {
+		s->failed = true;
+		return;
+	}
+	for (size_t k = 0; k < s->list.n; k++) {
+		s->found[s->n] = *what;
+		s->found[s->n++].triangle = s->list.item[k];
+	}
+}
+
+static void find_images(const struct tsim *sim, const struct ts_mesh_wall *mw, size_t mesh, size_t i,
+			struct search *found)
 {
 	const struct ts_box *box = &sim->domain->box;
 	const struct ts_mesh_part_of_wall *part = &mw->mesh[mesh];
 	const double *x = sim->particles->xhold[i];
 	double r = sim->particles->radius[i] + sim->neigh->built_skin;
-	int range[3][2], s[3];
+	struct found what = { .i = i, .mesh = (int32_t)mesh };
+	int range[3][2], *s = what.shift;
 
 	for (int d = 0; d < 3; d++)
 		reaching(box, &part->tree, d, x[d], r, range[d]);
@@ -116,32 +146,80 @@ static enum ts_status list_images(struct tsim *sim, struct ts_wall *w, struct ts
 
 				for (int d = 0; d < 3; d++)
 					at[d] = x[d] - s[d] * ts_box_length(box, d);
-				if (ts_mesh_tree_near(&part->tree, &part->surface->mesh, at, r,
-						      &mw->list) != TS_OK)
-					return ts_nomem(&sim->error);
-				for (size_t k = 0; k < mw->list.n; k++)
-					TS_TRY(add(sim, w, mw, i, (int32_t)mesh, mw->list.item[k], s));
+				find_image(found, part, at, r, &what);
 			}
 		}
 	}
-	return TS_OK;
 }
 
+struct searching {
+	struct ts_instance *self;
+	struct tsim *sim;
+	const struct ts_mesh_wall *mw;
+	struct search *share;
+	size_t shares;
+};
+
 /* A particle that is held does not feel the wall, but who sums forces on the mesh wants to know. */
+static bool concerns(const struct searching *s, size_t mesh, size_t i)
+{
+	const struct ts_mesh_part_of_wall *part = &s->mw->mesh[mesh];
+	const struct ts_particles *p = s->sim->particles;
+
+	return ts_in_group(p, i, part->by->group) &&
+	       (ts_wall_meets(s->self, s->sim, i, !isnan(part->surface->temperature)) ||
+		(part->surface->stress && ts_in_group(p, i, s->self->group)));
+}
+
+static void search_share(void *context, size_t from, size_t to)
+{
+	const struct searching *s = context;
+	size_t n = s->sim->particles->n;
+
+	for (size_t t = from; t < to; t++)
+		for (size_t i = n * t / s->shares; i < n * (t + 1) / s->shares; i++)
+			for (size_t mesh = 0; mesh < s->mw->nmeshes && !s->share[t].failed; mesh++)
+				if (concerns(s, mesh, i))
+					find_images(s->sim, s->mw, mesh, i, &s->share[t]);
+}
+
+/* Takes what a share has found, and releases it. */
+static enum ts_status take(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw, struct search *share)
+{
+	enum ts_status status = share->failed ? ts_nomem(&sim->error) : TS_OK;
+
+	for (size_t k = 0; k < share->n && status == TS_OK; k++) {
+		const struct found *f = &share->found[k];
+
+		status = add(sim, w, mw, f->i, f->mesh, f->triangle, f->shift);
+	}
+	ts_free(share->found);
+	ts_free(share->list.item);
+	return status;
+}
+
 enum ts_status ts_mesh_wall_list(struct ts_instance *self, struct tsim *sim, struct ts_wall *w,
 				 struct ts_mesh_wall *mw)
 {
-	const struct ts_particles *p = sim->particles;
+	size_t n = sim->particles->n;
+	/* a search is worth many particles of other loops */
+	int team = ts_team(sim, 16 * n);
+	struct searching s = { self, sim, mw, NULL, (size_t)team };
+	enum ts_status status = TS_OK;
 
 	for (size_t k = 0; k < mw->nmeshes; k++)
 		TS_TRY(update_tree(sim, &mw->mesh[k]));
-	for (size_t i = 0; i < p->n; i++)
-		for (size_t k = 0; k < mw->nmeshes; k++)
-			if (ts_in_group(p, i, mw->mesh[k].by->group) &&
-			    (ts_wall_meets(self, sim, i, !isnan(mw->mesh[k].surface->temperature)) ||
-			     (mw->mesh[k].surface->stress && ts_in_group(p, i, self->group))))
-				TS_TRY(list_images(sim, w, mw, k, i));
-	return TS_OK;
+	s.share = ts_alloc(s.shares, sizeof *s.share);
+	if (!s.share)
+		return ts_nomem(&sim->error);
+	ts_parallel(team, s.shares, search_share, &s);
+	for (size_t t = 0; t < s.shares; t++) {
+		enum ts_status taken = take(sim, w, mw, &s.share[t]);
+
+		status = status == TS_OK ? taken : status;
+	}
+	ts_free(s.share);
+	return status;
 }
 
 /* Particles are listed with a skin: they and the mesh may each use half of it. */

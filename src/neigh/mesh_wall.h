@@ -38,7 +38,6 @@ struct ts_mesh_wall {
 	size_t nmeshes;
 	struct ts_mesh_near *near; /* of each contact */
 	size_t near_capacity;
-	struct ts_mesh_list list; /* for searches */
 	struct ts_mesh_touching *touching; /* for sums over contacts */
 	size_t touching_capacity;
 };

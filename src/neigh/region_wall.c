@@ -104,11 +104,11 @@ enum ts_status ts_region_wall_list(struct ts_instance *self, struct tsim *sim, s
 	return TS_OK;
 }
 
-static const struct ts_region_spot *spot_of(const struct ts_region_wall *w, int n, int face)
+static const struct ts_region_spot *spot_of(const struct ts_region_spot *spot, int n, int face)
 {
 	for (int k = 0; k < n; k++)
-		if (w->spot[k].face == face)
-			return &w->spot[k];
+		if (spot[k].face == face)
+			return &spot[k];
 	return NULL;
 }
 
@@ -134,26 +134,54 @@ static void push_face(struct tsim *sim, struct ts_wall *wall, const struct ts_re
 	ts_wall_push(wall, sim, k, &spot);
 }
 
+struct task {
+	struct tsim *sim;
+	struct ts_wall *wall;
+	const struct ts_region_wall *w;
+	int type;
+	bool far; /* particles that are far are listed, too */
+};
+
+/* The faces of a particle follow one another. */
+static void push_contacts(const struct task *t, size_t from, size_t to, struct ts_region_spot *spot)
+{
+	const struct ts_wall_contacts *c = &t->wall->contacts;
+	int n = 0;
+
+	for (size_t k = from; k < to; k++) {
+		const double *x = t->sim->particles->x[c->row[k]];
+		int face = c->key[k][1];
+
+		if (face == 0)
+			n = t->far && !is_near(t->w, t->sim, t->wall, (size_t)c->row[k], x, 0)
+				    ? 0
+				    : ts_region_spots(t->w->region, x, spot);
+		push_face(t->sim, t->wall, t->w, k, spot_of(spot, n, face), t->type);
+	}
+}
+
+/* Regions of more faces are looked at by one thread. */
+enum { SPOTS = 24 };
+
+static void push_share(void *context, size_t from, size_t to)
+{
+	struct ts_region_spot spot[SPOTS];
+
+	push_contacts(context, from, to, spot);
+}
+
 enum ts_status ts_region_wall_push(struct tsim *sim, struct ts_wall *wall, struct ts_region_wall *w,
 				   int type)
 {
-	const struct ts_wall_contacts *c = &wall->contacts;
-	bool far = ts_region_varies(w->region); /* particles that are far are listed, too */
-	int n = 0;
+	struct task task = { sim, wall, w, type, ts_region_varies(w->region) };
 
 	TS_TRY(ts_region_update(w->region, sim));
 	for (int k = 0; k < w->nmovers; k++)
 		look_at_motion(w->mover[k], &w->motion[k], sim);
-	for (size_t k = 0; k < c->n; k++) { /* the faces of a particle follow one another */
-		const double *x = sim->particles->x[c->row[k]];
-		int face = c->key[k][1];
-
-		if (face == 0)
-			n = far && !is_near(w, sim, wall, (size_t)c->row[k], x, 0)
-				    ? 0
-				    : ts_region_spots(w->region, x, w->spot);
-		push_face(sim, wall, w, k, spot_of(w, n, face), type);
-	}
+	if (w->faces <= SPOTS)
+		ts_wall_contacts_parallel(sim, &wall->contacts, push_share, &task);
+	else
+		push_contacts(&task, 0, wall->contacts.n, w->spot);
 	ts_wall_finish(wall);
 	return TS_OK;
 }

@@ -20,20 +20,29 @@ static const struct ts_motion *motion_of(const struct ts_mesh_surface *s)
 	return s->nmotions == 1 ? &s->motion[0].now : &s->carried;
 }
 
-/* Returns how far a corner has gone, at most. */
-static double place(struct ts_mesh_surface *s)
+/* Returns how far a corner has gone, squared. */
+static double place_triangle(struct ts_mesh_surface *s, size_t t)
 {
 	double most = 0;
 
-	for (size_t t = 0; t < s->mesh.n; t++) {
-		for (int k = 0; k < 3; k++) {
-			double *x = s->mesh.x[t][k], was[3] = { x[0], x[1], x[2] };
+	for (int k = 0; k < 3; k++) {
+		double *x = s->mesh.x[t][k], was[3] = { x[0], x[1], x[2] };
 
-			ts_motion_apply(motion_of(s), s->home[t][k], x);
-			most = fmax(most, ts_distance2(x, was));
-		}
-		ts_mesh_triangle_moved(&s->mesh, t);
+		ts_motion_apply(motion_of(s), s->home[t][k], x);
+		most = fmax(most, ts_distance2(x, was));
 	}
+	ts_mesh_triangle_moved(&s->mesh, t);
+	return most;
+}
+
+/* Returns how far a corner has gone, at most. */
+static double place(const struct tsim *sim, struct ts_mesh_surface *s)
+{
+	double most = 0;
+
+#pragma omp parallel for num_threads(ts_team(sim, 8 * s->mesh.n)) schedule(static) reduction(max : most)
+	for (size_t t = 0; t < s->mesh.n; t++)
+		most = fmax(most, place_triangle(s, t));
 	ts_motion_apply(motion_of(s), s->anchor_home, s->anchor);
 	s->moves++;
 	return sqrt(most);
@@ -178,7 +187,7 @@ enum ts_status ts_mesh_mover_move(struct ts_instance *self, struct tsim *sim,
 	ts_scale(1, centre, s->motion[k].centre);
 	if (s->nmotions > 1)
 		advance(s, k, sim->clock.dt);
-	s->travelled += place(s);
+	s->travelled += place(sim, s);
 	add_velocity(s, k);
 	return TS_OK;
 }
@@ -207,7 +216,7 @@ enum ts_status ts_mesh_surface_carry(struct tsim *sim, struct ts_mesh_surface *s
 	if (leave_home(s) != TS_OK)
 		return ts_nomem(&sim->error);
 	s->carried = *motion;
-	s->travelled += place(s);
+	s->travelled += place(sim, s);
 	return TS_OK;
 }
 
@@ -299,6 +308,6 @@ enum ts_status ts_mesh_motions_archive(struct ts_mesh_surface *s, struct tsim *s
 		ts_free(s->v);
 		s->v = NULL;
 	}
-	place(s);
+	place(sim, s);
 	return TS_OK;
 }
