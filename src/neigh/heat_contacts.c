@@ -51,6 +51,7 @@ struct task {
 	const struct ts_particles *p;
 	const struct ts_heat_pairs *pairs;
 	int group;
+	bool known; /* which rows touch: the forces of this step have been computed */
 	const double (*x)[3];
 	const double *radius;
 	const int *type;
@@ -76,45 +77,58 @@ TS_INLINE size_t types_of(const struct task *t, size_t i, size_t j)
 	return (size_t)(t->type[i] * (t->h->ntypes + 1) + t->type[j]);
 }
 
-/* A number of rows at once. */
-enum { BLOCK = 64 };
-
+/* A number of rows at once, of those of a range that may touch. */
 struct block {
 	size_t n;
-	const int32_t *i, *j;
-	double h[BLOCK], d[3][BLOCK]; /* conductance, vector from j to i */
-};
+	uint32_t row[TS_COLUMN + 8];
+	double d[4][TS_COLUMN], other[TS_COLUMN]; /* vector from j to i and radius of i; radius of j */
+	double pair[TS_COLUMN], softening[TS_COLUMN], h[TS_COLUMN]; /* by types; conductance */
+} __attribute__((aligned(64)));
+
+static void load_block(const struct task *t, size_t n, struct block *b)
+{
+	const struct ts_rows *rows = t->pairs->rows;
+	const double *softening = t->h->softening;
+
+	for (size_t at = 0; at < n; at += 4) {
+		ts_four d[4];
+
+		for (size_t k = 0; k < 4; k++) {
+			size_t i = (size_t)rows->i[b->row[at + k]], j = (size_t)rows->j[b->row[at + k]];
+			size_t types = types_of(t, i, j);
+
+			d[k] = TS_FOUR_AT(t->x[i]) - TS_FOUR_AT(t->x[j]);
+			d[k][3] = t->radius[i];
+			b->other[at + k] = t->radius[j];
+			b->pair[at + k] = t->h->pair[types];
+			b->softening[at + k] = softening ? softening[types] : 1;
+		}
+		ts_four_columns(d, b->d, at);
+	}
+}
 
 /* Where surfaces cut each other, in a loop without branches; the same numbers as area_of. */
-TS_CLONES static void overlap_block(const struct task *task, struct block *b)
+TS_CLONES static void overlap_block(size_t n, struct block *b)
 {
-	const struct task t = *task;
-	const double *x = t.x[0], *pair = t.h->pair, *softening = t.h->softening;
-	int types = t.h->ntypes + 1;
-
 #pragma omp simd
-	for (size_t r = 0; r < b->n; r++) {
-		int i = b->i[r], j = b->j[r], k = t.type[i] * types + t.type[j];
-		double ri = t.radius[i], rj = t.radius[j], sum = ri + rj;
-		double d0 = x[3 * i] - x[3 * j], d1 = x[3 * i + 1] - x[3 * j + 1];
-		double d2 = x[3 * i + 2] - x[3 * j + 2], square = d0 * d0 + d1 * d1 + d2 * d2;
-		double distance = sum - (softening ? softening[k] : 1) * (sum - sqrt(square));
+	for (size_t r = 0; r < n; r++) {
+		double ri = b->d[3][r], rj = b->other[r], sum = ri + rj;
+		double square = b->d[0][r] * b->d[0][r] + b->d[1][r] * b->d[1][r] + b->d[2][r] * b->d[2][r];
+		double distance = sum - b->softening[r] * (sum - sqrt(square));
 		double larger = ri > rj ? ri : rj, smaller = ri > rj ? rj : ri;
 		double lens = ts_lens_of_spheres(distance, ri, rj);
 		double area = distance < larger ? TS_PI * smaller * smaller : lens;
 
 		area = square < sum * sum ? area : 0;
-		b->h[r] = ts_heat_conductance(pair[k], area > 0 ? area : 0);
-		b->d[0][r] = d0;
-		b->d[1][r] = d1;
-		b->d[2][r] = d2;
+		b->h[r] = ts_heat_conductance(b->pair[r], area > 0 ? area : 0);
 	}
 }
 
 static void other_block(const struct task *t, struct block *b)
 {
 	for (size_t r = 0; r < b->n; r++) {
-		size_t i = (size_t)b->i[r], j = (size_t)b->j[r], types = types_of(t, i, j);
+		size_t i = (size_t)t->pairs->rows->i[b->row[r]], j = (size_t)t->pairs->rows->j[b->row[r]];
+		size_t types = types_of(t, i, j);
 		double d[3];
 
 		b->h[r] = ts_heat_conductance(t->h->pair[types], area_of(t, i, j, types, d));
@@ -123,28 +137,53 @@ static void other_block(const struct task *t, struct block *b)
 	}
 }
 
+/* The rows of from .. to-1 that may touch; behind them the last again and again. */
+static void list_block(const struct task *t, size_t from, size_t to, struct block *b)
+{
+	const uint8_t *touching = t->pairs->rows->touching;
+
+	b->n = 0;
+	for (size_t r = from; r < to; r++) {
+		b->row[b->n] = (uint32_t)r;
+		b->n += !t->known || touching[r];
+	}
+	for (size_t k = b->n; k < b->n + 8; k++)
+		b->row[k] = b->n ? b->row[b->n - 1] : (uint32_t)from;
+}
+
 static void find_block(const struct task *t, size_t from, size_t to, struct block *b)
 {
-	b->n = to - from < BLOCK ? to - from : BLOCK;
-	b->i = t->pairs->rows->i + from;
-	b->j = t->pairs->rows->j + from;
-	if (t->h->contact.kind == TS_HEAT_OVERLAP)
-		overlap_block(t, b);
-	else
+	const struct ts_rows *rows = t->pairs->rows;
+	double *conductance = t->pairs->conductance;
+
+	list_block(t, from, to, b);
+	if (t->h->contact.kind == TS_HEAT_OVERLAP) {
+		size_t n = (b->n + 7) & ~(size_t)7;
+
+		load_block(t, n, b);
+		overlap_block(n, b);
+	} else {
 		other_block(t, b);
-	for (size_t r = 0; t->group && r < b->n; r++)
-		if (!ts_in_group(t->p, (size_t)b->i[r], t->group) &&
-		    !ts_in_group(t->p, (size_t)b->j[r], t->group))
-			b->h[r] = 0;
-	memcpy(t->pairs->conductance + from, b->h, b->n * sizeof *b->h);
+	}
+	memset(conductance + from, 0, (to - from) * sizeof *conductance);
+	for (size_t k = 0; k < b->n; k++) {
+		size_t r = b->row[k];
+
+		if (t->group && !ts_in_group(t->p, (size_t)rows->i[r], t->group) &&
+		    !ts_in_group(t->p, (size_t)rows->j[r], t->group))
+			b->h[k] = 0;
+		conductance[r] = b->h[k];
+	}
 }
 
 static void find_share(void *context, size_t from, size_t to)
 {
 	struct block b;
 
-	for (; from < to; from += BLOCK)
-		find_block(context, from, to, &b);
+	for (size_t end; from < to; from = end) {
+		end = to - from < TS_COLUMN ? to : from + TS_COLUMN;
+		find_block(context, from, end, &b);
+	}
 }
 
 static struct task task_of(const struct ts_heat *h, const struct tsim *sim,
@@ -152,10 +191,10 @@ static struct task task_of(const struct ts_heat *h, const struct tsim *sim,
 {
 	const struct ts_particles *p = sim->particles;
 
-	return (struct task){ h, p, pairs, group, (const double (*)[3])p->x, p->radius, p->type };
+	return (struct task){ h, p, pairs, group, false, (const double (*)[3])p->x, p->radius, p->type };
 }
 
-static void for_rows(const struct ts_instance *self, struct tsim *sim, ts_share_fn *share)
+static void for_rows(const struct ts_instance *self, struct tsim *sim, bool known, ts_share_fn *share)
 {
 	const struct ts_heat *h = self->state;
 
@@ -163,13 +202,14 @@ static void for_rows(const struct ts_instance *self, struct tsim *sim, ts_share_
 		struct task task = task_of(h, sim, &h->pairs[k], self->group);
 		size_t n = h->pairs[k].rows->n;
 
+		task.known = known && k == 0;
 		ts_parallel(ts_team(sim, n), n, share, &task);
 	}
 }
 
 void ts_heat_find(const struct ts_instance *self, struct tsim *sim)
 {
-	for_rows(self, sim, find_share);
+	for_rows(self, sim, false, find_share);
 }
 
 /* Calls visit for each contact of particle i with its partner, in the order of identities. */
@@ -232,15 +272,19 @@ static void flow_share(void *context, size_t from, size_t to)
 {
 	const struct task t = *(const struct task *)context;
 	const double *temperature = t.p->column[t.h->temperature].data;
+	const struct ts_rows *rows = t.pairs->rows;
 	struct block b;
 
-	for (; from < to; from += BLOCK) {
-		find_block(&t, from, to, &b);
-		for (size_t r = 0; r < b.n; r++) {
-			double q = b.h[r] * (temperature[b.j[r]] - temperature[b.i[r]]);
+	for (size_t end; from < to; from = end) {
+		end = to - from < TS_COLUMN ? to : from + TS_COLUMN;
+		find_block(&t, from, end, &b);
+		memset(t.pairs->flow + from, 0, (end - from) * sizeof *t.pairs->flow);
+		for (size_t k = 0; k < b.n; k++) {
+			size_t r = b.row[k];
+			double q = b.h[k] * (temperature[rows->j[r]] - temperature[rows->i[r]]);
 
-			t.pairs->flow[from + r] = (struct ts_heat_flow){
-				{ q, 0.5 * q * b.d[0][r], 0.5 * q * b.d[1][r], 0.5 * q * b.d[2][r] }
+			t.pairs->flow[r] = (struct ts_heat_flow){
+				{ q, 0.5 * q * b.d[0][k], 0.5 * q * b.d[1][k], 0.5 * q * b.d[2][k] }
 			};
 		}
 	}
@@ -329,7 +373,7 @@ enum ts_status ts_heat_conduct(struct ts_instance *self, struct tsim *sim)
 
 	if (sim->in_setup)
 		return TS_OK;
-	for_rows(self, sim, flow_share);
+	for_rows(self, sim, ts_sim_only(sim, TS_KIND_PAIR) != NULL, flow_share);
 	ts_parallel(ts_team(sim, n), n, gather_share, &task);
 	if (h->store)
 		store_contacts(h, sim);

@@ -192,10 +192,13 @@ static enum ts_status write(struct ts_instance *self, struct tsim *sim)
 	return ts_textfile_flush(&s->file);
 }
 
+/* Of books that were begun before the row of this step has been written. */
 static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
 {
+	bool begun = ((struct ledger *)self->state)->books.open != 0;
+
 	TS_TRY(ts_ledger_setup(self, sim));
-	return sim->clock.step == ((struct ledger *)self->state)->books.first ? write(self, sim) : TS_OK;
+	return begun ? TS_OK : write(self, sim);
 }
 
 static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
