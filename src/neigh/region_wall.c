@@ -22,10 +22,12 @@ enum ts_status ts_region_wall_init(struct ts_instance *self, struct tsim *sim,
 	w->nmovers = ts_region_movers(w->region, NULL, 0);
 	w->spot = ts_arena_alloc(&self->arena, (size_t)w->faces, sizeof *w->spot);
 	w->mover = ts_arena_alloc(&self->arena, (size_t)w->nmovers + 1, sizeof *w->mover);
+	w->listed = ts_arena_alloc(&self->arena, (size_t)w->nmovers + 1, sizeof *w->listed);
 	if (!w->motion)
 		w->motion = ts_arena_alloc(&self->arena, (size_t)w->nmovers + 1, sizeof *w->motion);
-	if (!w->spot || !w->mover || !w->motion)
+	if (!w->spot || !w->mover || !w->motion || !w->listed)
 		return ts_nomem(&sim->error);
+	w->quick = false;
 	ts_region_movers(w->region, w->mover, w->nmovers);
 	if (w->nmovers < 2 || w->mover[0] != w->region)
 		return TS_OK;
@@ -86,17 +88,67 @@ static bool is_near(const struct ts_region_wall *w, const struct tsim *sim, cons
 		 radius + further + ts_wall_reach(wall, radius));
 }
 
-/* Lists particles near a surface that stands still, all of them where it moves. */
+/* Where the movers are now, and how far from their pivots particles are until they are listed again. */
+static void note_poses(struct ts_region_wall *w, const struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+
+	for (int k = 0; k < w->nmovers; k++) {
+		const struct ts_region *r = w->mover[k]->state;
+		struct ts_region_pose *pose = &w->listed[k];
+		double pivot[3], far2 = 0;
+
+		ts_add(r->pivot, r->shift, pivot);
+		for (size_t i = 0; i < p->n; i++)
+			far2 = fmax(far2, ts_distance2(p->xhold[i], pivot));
+		pose->far = sqrt(far2) + sim->neigh->built_skin + w->margin;
+		pose->angle = r->turned;
+		ts_scale(1, r->shift, pose->shift);
+	}
+	w->listed_step = sim->clock.step;
+}
+
+/* How far the surface has come towards any particle since, at most: turning it is turning the particle back. */
+static double gone(const struct ts_region_wall *w)
+{
+	double sum = 0;
+
+	for (int k = 0; k < w->nmovers; k++) {
+		const struct ts_region *r = w->mover[k]->state;
+		const struct ts_region_pose *pose = &w->listed[k];
+
+		sum += sqrt(ts_distance2(r->shift, pose->shift)) + fabs(r->turned - pose->angle) * pose->far;
+	}
+	return sum;
+}
+
+/* Where it must be done again within some steps, listing all particles is cheaper. */
+enum { QUICK = 8 };
+
+enum ts_status ts_region_wall_follow(struct tsim *sim, struct ts_region_wall *w, bool *list)
+{
+	TS_TRY(ts_region_update(w->region, sim));
+	*list = gone(w) > w->margin;
+	w->quick |= *list && sim->clock.step - w->listed_step < QUICK;
+	return TS_OK;
+}
+
+/* Lists particles near the surface: of one that moves also those somewhat farther, of one that changes otherwise
+ * all. */
 enum ts_status ts_region_wall_list(struct ts_instance *self, struct tsim *sim, struct ts_wall *wall,
 				   struct ts_region_wall *w)
 {
 	const struct ts_particles *p = sim->particles;
-	bool all = ts_region_varies(w->region);
+	bool all = w->quick || ts_region_reshapes(w->region);
+	double further;
 
 	TS_TRY(ts_region_update(w->region, sim));
+	w->margin = all ? INFINITY : w->nmovers ? sim->neigh->built_skin : 0;
+	note_poses(w, sim);
+	further = sim->neigh->built_skin + w->margin;
 	for (size_t i = 0; i < p->n; i++) {
 		if (!ts_wall_meets(self, sim, i, false) ||
-		    !(all || is_near(w, sim, wall, i, p->xhold[i], sim->neigh->built_skin)))
+		    !(all || is_near(w, sim, wall, i, p->xhold[i], further)))
 			continue;
 		for (int k = 0; k < w->faces; k++)
 			TS_TRY(ts_wall_contacts_add(sim, &wall->contacts, i, k));

@@ -12,6 +12,12 @@ struct ts_region_motion {
 };
 enum { TS_REGION_MOTION = sizeof(struct ts_region_motion) / sizeof(double) };
 
+/* How a region that moves stood as particles near it were listed. */
+struct ts_region_pose {
+	double shift[3], angle;
+	double far; /* the distance of the farthest particle from the pivot */
+};
+
 struct ts_region_wall {
 	struct ts_instance *region;
 	struct ts_region_spot *spot; /* room for those of a particle */
@@ -19,6 +25,10 @@ struct ts_region_wall {
 	int nmovers; /* the region or those that it is made of */
 	const struct ts_instance **mover;
 	struct ts_region_motion *motion; /* of each; saved */
+	struct ts_region_pose *listed;	 /* of each */
+	double margin;	     /* the surface may go so far before particles are listed anew; infinite: all are listed */
+	int64_t listed_step;
+	bool quick;	     /* it goes so fast that all are listed */
 };
 
 /* In init, when the region is known. */
@@ -27,6 +37,8 @@ enum ts_status ts_region_wall_init(struct ts_instance *self, struct tsim *sim,
 /* Between ts_wall_rebuild_start and _finish: lists particles of the group. */
 enum ts_status ts_region_wall_list(struct ts_instance *self, struct tsim *sim, struct ts_wall *wall,
 				   struct ts_region_wall *w);
+/* Before the forces: whether a region that moves has gone so far that particles must be listed anew. */
+enum ts_status ts_region_wall_follow(struct tsim *sim, struct ts_region_wall *w, bool *list);
 /* All forces; the surface has the material of this type. */
 enum ts_status ts_region_wall_push(struct tsim *sim, struct ts_wall *wall, struct ts_region_wall *w,
 				   int type);

@@ -169,6 +169,11 @@ bool ts_region_varies(const struct ts_instance *region)
 	return ((const struct ts_region *)region->state)->varies;
 }
 
+bool ts_region_reshapes(const struct ts_instance *region)
+{
+	return ((const struct ts_region *)region->state)->reshapes;
+}
+
 /* The box around the turned and shifted box of the shape. */
 static void move_bounds(const struct ts_region *r, double lo[3], double hi[3])
 {
@@ -280,6 +285,15 @@ static enum ts_status define_open(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+static size_t count_variables(struct ts_words words)
+{
+	size_t n = 0;
+
+	for (size_t k = 0; k < words.n; k++)
+		n += strncmp(words.word[k].text, "v_", 2) == 0;
+	return n;
+}
+
 enum ts_status ts_region_init(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_domain *domain = sim->domain;
@@ -297,9 +311,9 @@ enum ts_status ts_region_init(struct ts_instance *self, struct tsim *sim)
 	}
 	TS_TRY(define_motion(self, sim));
 	TS_TRY(define_open(self, sim));
-	r->varies = r->moves;
-	for (size_t k = 0; k < self->words.n; k++)
-		r->varies |= strncmp(self->words.word[k].text, "v_", 2) == 0;
+	r->reshapes = count_variables(self->words) >
+		      count_variables(r->move_words) + count_variables(r->rotate_words);
+	r->varies = r->moves || r->reshapes;
 	r->defined = true;
 	return TS_OK;
 }

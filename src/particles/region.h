@@ -29,7 +29,8 @@ struct ts_region {
 	bool moves;
 	double shift[3], turn[3][3], turned; /* by the angle */
 
-	bool varies; /* the surface may change with time */
+	bool varies;   /* the surface may change with time */
+	bool reshapes; /* not only by moving */
 };
 #define TS_REGION_ARGS(T)                                                                          \
 	TS_ENUM("side", T, region.side, ts_region_sides, .fallback = "in",                         \
@@ -94,6 +95,8 @@ int ts_region_spots(const struct ts_instance *region, const double x[3], struct 
 int ts_region_spots_all(const struct ts_instance *region, const double x[3],
 			struct ts_region_spot *out);
 bool ts_region_varies(const struct ts_instance *region);
+/* Whether it may otherwise than by moving. */
+bool ts_region_reshapes(const struct ts_instance *region);
 /* The region and those that it is made of that have move or rotate, at most `room`; returns how many there are. */
 int ts_region_movers(const struct ts_instance *region, const struct ts_instance **out, int room);
 

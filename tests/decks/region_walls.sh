@@ -82,6 +82,43 @@ run 1
 variable d equal 0.1-z[1]-3*2e-6
 print \"is f \$(fz[1]:%.9g) \$(1e5*v_d-40*mass(all)*(vz[1]-0.5e-6*fz[1]/mass(all)+3):%.9g)\""
 
+# surfaces that come from far, by steps in which particles need no rebuild: those that meet them are listed in time,
+# as where the skin is so large that all are listed from the start
+come() { # NAME SKIN MOTION
+	cat >in.come <<-END
+	units si
+	atom_style sphere
+	boundary f f f
+	region box block -1 1 -1 1 -1 1 units box
+	create_box 1 box
+	lattice sc 0.2
+	region some block -0.9 0.9 -0.1 0.1 -0.9 0.9 units box
+	create_atoms 1 region some
+	set type 1 diameter 0.1 density 1000
+	pair_style spring/dashpot
+	pair_coeff * * stiffness 1e3 damping 0
+	neighbor $2 bin fixed yes
+	$3
+	fix w all wall/gran/region hooke/history 1e4 0 10 0 0.5 1 region w
+	fix move all nve/sphere
+	timestep 1e-4
+	dump d all custom 50 $1.dump id x y z vx vy vz
+	dump_modify d sort id format float %.17g
+	run 500
+	END
+	"$TSIM" -in in.come -log $1.log -screen none || cat $1.log
+}
+for way in 'move NULL NULL v_far' 'rotate v_far 0 0 -1 0 1 0' 'move NULL NULL v_jump'; do
+	motion="variable far equal 20*time
+	variable jump equal 0.6*(step>250)
+	region w plane 0 0 -1 0 0 1 $way units box"
+	come near 0.004 "$motion"
+	come all 0.4 "$motion"
+	same "a surface that comes: $way" all.dump near.dump
+	[ "$(sort -k 7 -g all.dump | tail -n 1 | awk '{ print ($7 > 1) }')" = 1 ]
+	report "it meets: $way" $? /dev/null
+done
+
 rejects "$(at 0 0 'region w ellipsoid 0 0 0 1 1 1 units box' "$hooke")
 run 0" 'whose surface is no wall'
 rejects "$(at 0 0 'region w sphere 0 0 0 1 units box')

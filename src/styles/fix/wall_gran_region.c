@@ -27,23 +27,34 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return ts_wall_init(self, sim);
 }
 
-static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
+static enum ts_status list(struct ts_instance *self, struct tsim *sim)
 {
 	struct wall *w = self->state;
 	struct ts_wall_rebuild rebuild;
 
-	if (!ts_wall_has_law(&w->wall, sim))
-		return TS_OK; /* refused by the plan */
-	TS_TRY(ts_wall_make_law(self, sim, (int)w->type));
 	ts_wall_rebuild_start(&w->wall, sim, 0, &rebuild);
 	return ts_wall_rebuild_finish(&w->wall, sim, &rebuild,
 				      ts_region_wall_list(self, sim, &w->wall, &w->region));
 }
 
-static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
 {
 	struct wall *w = self->state;
 
+	if (!ts_wall_has_law(&w->wall, sim))
+		return TS_OK; /* refused by the plan */
+	TS_TRY(ts_wall_make_law(self, sim, (int)w->type));
+	return list(self, sim);
+}
+
+static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+{
+	struct wall *w = self->state;
+	bool far;
+
+	TS_TRY(ts_region_wall_follow(sim, &w->region, &far));
+	if (far)
+		TS_TRY(list(self, sim));
 	ts_wall_start(&w->wall, sim);
 	return ts_region_wall_push(sim, &w->wall, &w->region, (int)w->type);
 }

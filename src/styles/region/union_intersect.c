@@ -36,6 +36,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	for (size_t k = 0; k < s->names.n; k++) {
 		TS_TRY(ts_sim_require(sim, TS_KIND_REGION, &s->names.word[k], &s->member[k]));
 		s->region.varies |= ts_region_varies(s->member[k]);
+		s->region.reshapes |= ts_region_reshapes(s->member[k]);
 	}
 	return TS_OK;
 }
