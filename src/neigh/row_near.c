@@ -87,7 +87,7 @@ static size_t collect(const struct ts_rows *rows, size_t *r, size_t end, uint32_
 		double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2], reach = a[3] + b[3] + rows->gap;
 
 		list[n] = (uint32_t)k;
-		rows->at[k] = (uint32_t)TS_ROW_FAR;
+		rows->at[k] = TS_ROW_FAR;
 		n += (x * x + y * y + z * z < reach * reach) | rows->touching[k];
 	}
 	*r = k;

@@ -16,7 +16,7 @@ void ts_rows_place(const struct tsim *sim, struct ts_rows *rows);
 bool ts_rows_outdated(const struct ts_rows *rows);
 
 /* Lists the near rows of each of rows->shares shares, with slots that are their own numbers; rows->at says where. */
-enum { TS_ROW_FAR = -1 };
+#define TS_ROW_FAR UINT32_MAX
 enum ts_status ts_rows_choose(struct tsim *sim, struct ts_rows *rows);
 
 #endif

@@ -24,7 +24,7 @@ static void count_share(void *context, size_t from, size_t to)
 		uint32_t n = 0;
 
 		for (size_t k = g->first[i]; k < g->first[i + 1]; k++)
-			n += rows->at[g->entry[k] >> 1] != (uint32_t)TS_ROW_FAR;
+			n += rows->at[g->entry[k] >> 1] != TS_ROW_FAR;
 		rows->sum_first[i + 1] = n;
 	}
 }
@@ -38,7 +38,7 @@ static struct ts_row_chunk sum_chunk(const struct ts_rows *rows, size_t from, si
 	for (size_t k = g->first[from]; k < g->first[to]; k++) {
 		uint32_t at = rows->at[g->entry[k] >> 1];
 
-		if (at == (uint32_t)TS_ROW_FAR)
+		if (at == TS_ROW_FAR)
 			continue;
 		*out++ = 2 * at | (g->entry[k] & 1);
 		c.first = at < c.first ? at : c.first;
