@@ -79,10 +79,10 @@ TS_INLINE size_t types_of(const struct task *t, size_t i, size_t j)
 
 /* A number of rows at once, of those of a range that may touch. */
 struct block {
-	size_t n;
-	uint32_t row[TS_COLUMN + 8];
 	double d[4][TS_COLUMN], other[TS_COLUMN]; /* vector from j to i and radius of i; radius of j */
 	double pair[TS_COLUMN], softening[TS_COLUMN], h[TS_COLUMN]; /* by types; conductance */
+	size_t n;
+	uint32_t row[TS_COLUMN + 8];
 } __attribute__((aligned(64)));
 
 static void load_block(const struct task *t, size_t n, struct block *b)

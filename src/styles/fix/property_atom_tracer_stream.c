@@ -150,9 +150,11 @@ static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
 
 	if (s->seen == stream->age)
 		return TS_OK;
-	s->seen = stream->age;
 	TS_TRY(list_passages(self, sim, &n));
-	if (n && s->every)
+	if (!n) /* a rebuild without an event */
+		return TS_OK;
+	s->seen = stream->age;
+	if (s->every)
 		TS_TRY(renew_requests(self, sim, stream->base.every));
 	for (size_t k = 0; k < s->nrequests; k++) {
 		struct request *r = &s->request[k];
