@@ -142,7 +142,6 @@ enum ts_status ts_region_wall_list(struct ts_instance *self, struct tsim *sim, s
 	bool all = w->quick || ts_region_reshapes(w->region);
 	double further;
 
-	TS_TRY(ts_region_update(w->region, sim));
 	w->margin = all ? INFINITY : w->nmovers ? sim->neigh->built_skin : 0;
 	note_poses(w, sim);
 	further = sim->neigh->built_skin + w->margin;
@@ -222,12 +221,10 @@ static void push_share(void *context, size_t from, size_t to)
 	push_contacts(context, from, to, spot);
 }
 
-enum ts_status ts_region_wall_push(struct tsim *sim, struct ts_wall *wall, struct ts_region_wall *w,
-				   int type)
+void ts_region_wall_push(struct tsim *sim, struct ts_wall *wall, struct ts_region_wall *w, int type)
 {
 	struct task task = { sim, wall, w, type, ts_region_varies(w->region) };
 
-	TS_TRY(ts_region_update(w->region, sim));
 	for (int k = 0; k < w->nmovers; k++)
 		look_at_motion(w->mover[k], &w->motion[k], sim);
 	if (w->faces <= SPOTS)
@@ -235,7 +232,6 @@ enum ts_status ts_region_wall_push(struct tsim *sim, struct ts_wall *wall, struc
 	else
 		push_contacts(&task, 0, wall->contacts.n, w->spot);
 	ts_wall_finish(wall);
-	return TS_OK;
 }
 
 enum ts_status ts_region_wall_archive(struct ts_archive *a, struct ts_region_wall *w)

@@ -34,14 +34,13 @@ struct ts_region_wall {
 /* In init, when the region is known. */
 enum ts_status ts_region_wall_init(struct ts_instance *self, struct tsim *sim,
 				   struct ts_region_wall *w);
-/* Between ts_wall_rebuild_start and _finish: lists particles of the group. */
+/* Between ts_wall_rebuild_start and _finish, of the region as it was last updated: lists particles of the group. */
 enum ts_status ts_region_wall_list(struct ts_instance *self, struct tsim *sim, struct ts_wall *wall,
 				   struct ts_region_wall *w);
-/* Before the forces: whether a region that moves has gone so far that particles must be listed anew. */
+/* Before the forces: updates the region, and says whether it has gone so far that particles must be listed anew. */
 enum ts_status ts_region_wall_follow(struct tsim *sim, struct ts_region_wall *w, bool *list);
 /* All forces; the surface has the material of this type. */
-enum ts_status ts_region_wall_push(struct tsim *sim, struct ts_wall *wall, struct ts_region_wall *w,
-				   int type);
+void ts_region_wall_push(struct tsim *sim, struct ts_wall *wall, struct ts_region_wall *w, int type);
 enum ts_status ts_region_wall_archive(struct ts_archive *a, struct ts_region_wall *w);
 
 #endif

@@ -44,6 +44,7 @@ static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
 	if (!ts_wall_has_law(&w->wall, sim))
 		return TS_OK; /* refused by the plan */
 	TS_TRY(ts_wall_make_law(self, sim, (int)w->type));
+	TS_TRY(ts_region_update(w->region.region, sim));
 	return list(self, sim);
 }
 
@@ -56,7 +57,8 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	if (far)
 		TS_TRY(list(self, sim));
 	ts_wall_start(&w->wall, sim);
-	return ts_region_wall_push(sim, &w->wall, &w->region, (int)w->type);
+	ts_region_wall_push(sim, &w->wall, &w->region, (int)w->type);
+	return TS_OK;
 }
 
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
