@@ -112,6 +112,8 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	struct task task = { .p = p, .group = self->group };
 	double magnitude;
 
+	if (g->base.magnitude.variable) /* it may look at forces */
+		ts_sweep(sim);
 	TS_TRY(ts_number_now(sim, &g->base.magnitude, &self->where, &magnitude));
 	ts_scale(magnitude, g->base.direction, task.a);
 	TS_SWEEP_ADD(sim, p->n, self->group == 0 && !p->body ? add_to_all : add_to_some, &task);
