@@ -1,8 +1,6 @@
 /* Forces of contacts that nobody looks at stand in few slots, each used by one row at a time, and are the same. */
 #include "deck.h"
 
-#include <string.h>
-
 #include "base/alloc.h"
 #include "core/sim.h"
 #include "neigh/neigh.h"
@@ -124,19 +122,6 @@ START_TEST(one_row_at_a_time)
 }
 END_TEST
 
-static void same(const struct tsim *one, const struct tsim *other)
-{
-	const struct ts_particles *a = one->particles, *b = other->particles;
-
-	ck_assert_uint_eq(a->n, b->n);
-	ck_assert(!memcmp(a->tag, b->tag, a->n * sizeof *a->tag));
-	ck_assert(!memcmp(a->x, b->x, a->n * sizeof *a->x));
-	ck_assert(!memcmp(a->v, b->v, a->n * sizeof *a->v));
-	ck_assert(!memcmp(a->omega, b->omega, a->n * sizeof *a->omega));
-	ck_assert(!memcmp(a->f, b->f, a->n * sizeof *a->f));
-	ck_assert(!memcmp(a->torque, b->torque, a->n * sizeof *a->torque));
-}
-
 /* Of rows that are not looked at none touches, though particles have moved since these were chosen. */
 START_TEST(none_missed)
 {
@@ -168,7 +153,7 @@ START_TEST(same_bits)
 	struct tsim *kept = shake(boundaries[_i], 1, "compute c all pair/gran/local force\nrun 40");
 
 	ck_assert_int_gt(kept->neigh->builds, 1);
-	same(kept, passed);
+	deck_same(kept, passed);
 	tsim_close(passed);
 	tsim_close(kept);
 }

@@ -3,8 +3,11 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
+#include <string.h>
 
+#include "core/sim.h"
 #include "math/fit.h"
+#include "particles/particles.h"
 
 enum { LONGEST = 1 << 16, MOST = 4096 };
 
@@ -80,6 +83,19 @@ void deck_column(struct tsim *sim, const char *name, double *out, size_t n, int 
 		ck_assert_int_le(tag, (int)n);
 		out[tag - 1] = value[i];
 	}
+}
+
+void deck_same(const struct tsim *one, const struct tsim *other)
+{
+	const struct ts_particles *a = one->particles, *b = other->particles;
+
+	ck_assert_uint_eq(a->n, b->n);
+	ck_assert(!memcmp(a->tag, b->tag, a->n * sizeof *a->tag));
+	ck_assert(!memcmp(a->x, b->x, a->n * sizeof *a->x));
+	ck_assert(!memcmp(a->v, b->v, a->n * sizeof *a->v));
+	ck_assert(!memcmp(a->omega, b->omega, a->n * sizeof *a->omega));
+	ck_assert(!memcmp(a->f, b->f, a->n * sizeof *a->f));
+	ck_assert(!memcmp(a->torque, b->torque, a->n * sizeof *a->torque));
 }
 
 double deck_order(const double *step, const double *error, size_t n)

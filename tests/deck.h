@@ -22,6 +22,9 @@ double deck_value(struct tsim *sim, const char *formula);
  * live must be the n smallest after `skip`. */
 void deck_column(struct tsim *sim, const char *name, double *out, size_t n, int skip);
 
+/* Of two simulations of spheres that turn all particles are the same, bit for bit and in the same order. */
+void deck_same(const struct tsim *one, const struct tsim *other);
+
 /* Slope of log error against log step: the order of a scheme. */
 double deck_order(const double *step, const double *error, size_t n);
 

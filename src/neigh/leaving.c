@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/clones.h"
+#include "math/vec3.h"
 #include "neigh/neigh.h"
 #include "particles/domain.h"
 #include "particles/exchange.h"
@@ -64,24 +65,25 @@ void ts_leaving_watch(struct tsim *sim, long *moved)
 		TS_SWEEP_ADD(sim, sim->particles->n, share, &w);
 }
 
+/* Of each look some is lost, as it comes in the step after half the skin has been passed; from one to the next there is
+ * to be a little more room than that. */
+static const double LOOK = 1.1, NEXT = 1.08;
+
+double ts_leaving_skin(double given, double wanted)
+{
+	return LOOK * given * ceil(wanted / given);
+}
+
 bool ts_leaving_due(struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
-	double far2 = 0, skin = sim->neigh->given_skin, lo[3], hi[3];
+	double far2 = 0, skin = sim->neigh->given_skin;
 	bool left = false;
 
-	ts_exchange_fixed(sim, lo, hi);
 	for (size_t i = 0; i < p->n; i++) {
-		double moved2 = 0;
-
-		for (int d = 0; d < 3; d++) {
-			double step = p->x[i][d] - p->xhold[i][d];
-
-			moved2 += step * step;
-			left |= p->x[i][d] < lo[d] || p->x[i][d] > hi[d];
-		}
-		far2 = moved2 > far2 ? moved2 : far2;
+		left |= ts_exchange_left(&sim->domain->box, p->x[i]) >= 0;
+		far2 = fmax(far2, ts_distance2(p->x[i], p->xhold[i]));
 	}
 	ts_leaving_hold(sim);
-	return left || 2 * sqrt(far2) + 1.08 * skin > sim->neigh->built_skin;
+	return left || 2 * sqrt(far2) + NEXT * skin > sim->neigh->built_skin;
 }

@@ -14,6 +14,8 @@ bool ts_leaving_apart(const struct tsim *sim);
 void ts_leaving_hold(struct tsim *sim);
 /* Adds a pass (core/sweep.h) that counts particles which have moved half the skin given. */
 void ts_leaving_watch(struct tsim *sim, long *moved);
+/* The skin, for one that is wanted larger than given, in which whole numbers of looks have room. */
+double ts_leaving_skin(double given, double wanted);
 /* When some have: whether to rebuild, as one has left or there will not be time enough for another such look. */
 bool ts_leaving_due(struct tsim *sim);
 

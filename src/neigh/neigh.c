@@ -225,21 +225,14 @@ ts_excluded_fn *ts_neigh_excluded(const struct tsim *sim)
 	return nb->include || nb->nexclude || nb->skip_bonded || sim->rigid->n ? excluded : NULL;
 }
 
-static double largest_radius(const struct ts_particles *p)
-{
-	double most = 0;
-
-	for (size_t i = 0; i < p->n; i++)
-		most = fmax(most, p->radius[i]);
-	return most;
-}
-
 static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_neigh *nb = self->state;
 	struct ts_particles *p = sim->particles;
-	double largest = largest_radius(p), reach = nb->wanted ? ts_pair_reach(sim, largest) : 0;
+	double least, largest, reach;
 
+	ts_neigh_radii(p, &least, &largest);
+	reach = nb->wanted ? ts_pair_reach(sim, largest) : 0;
 	if (!sim->resuming)
 		TS_TRY(ts_order_by_place(sim));
 	nb->given_skin = ts_neigh_skin(sim);
@@ -400,8 +393,10 @@ static double image_bytes(const struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_box *box = &sim->domain->box;
-	double reach = 2 * largest_radius(p) + sim->neigh->built_skin, images = 0, bytes = 0;
+	double least, largest, reach, images = 0, bytes = 0;
 
+	ts_neigh_radii(p, &least, &largest);
+	reach = 2 * largest + sim->neigh->built_skin;
 	for (size_t k = 0; k < p->ncolumns; k++)
 		if (p->column[k].active)
 			bytes += (double)(p->column[k].width * p->column[k].element);

@@ -37,6 +37,8 @@ struct ts_neigh {
 	struct ts_row_history saved; /* from a restart file, for the next build */
 };
 
+/* Of the smallest and the largest particle; infinite and 0 where there are none. */
+void ts_neigh_radii(const struct ts_particles *p, double *least, double *most);
 /* The largest skin: as given by `neighbor`, else 0.4 of the smallest radius (at least 0.05 of the
  * largest). */
 double ts_neigh_skin(const struct tsim *sim);

@@ -12,7 +12,7 @@
 
 #include "base/banned.h"
 
-static void radii(const struct ts_particles *p, double *least, double *most)
+void ts_neigh_radii(const struct ts_particles *p, double *least, double *most)
 {
 	*least = INFINITY;
 	*most = 0;
@@ -28,7 +28,7 @@ double ts_neigh_skin(const struct tsim *sim)
 
 	if (sim->neigh->skin > 0)
 		return sim->neigh->skin;
-	radii(sim->particles, &least, &most);
+	ts_neigh_radii(sim->particles, &least, &most);
 	return sim->particles->n ? fmax(0.4 * least, 0.05 * most) : 1;
 }
 
@@ -73,9 +73,7 @@ static double quick_skin(const struct tsim *sim, double skin, double pace, doubl
 
 	if (!ts_neigh_all_fixed(sim) || quick <= skin)
 		return 0;
-	if (sim->particles->lost_policy == TS_LOST_IGNORE) /* whole times, and the last step of each: ts_leaving_due */
-		return 1.1 * skin * ceil(quick / skin);
-	return quick;
+	return sim->particles->lost_policy == TS_LOST_IGNORE ? ts_leaving_skin(skin, quick) : quick;
 }
 
 double ts_neigh_choose_skin(const struct tsim *sim)
@@ -88,7 +86,7 @@ double ts_neigh_choose_skin(const struct tsim *sim)
 	if (sim->legacy || sim->neigh->fixed_skin || sim->neigh->skin_counts || (waits && !ts_leaving_apart(sim)) ||
 	    !p->n)
 		return skin;
-	radii(p, &least, &most);
+	ts_neigh_radii(p, &least, &most);
 	pace = ts_fastest(sim, 0) * sim->clock.dt;
 	small = sqrt(ROWS * pace * 2 * least);
 	small = waits || surroundings_move(sim) ? skin : fmin(skin, fmax(small, LEAST * least));

@@ -41,8 +41,7 @@ static enum ts_status wrap(struct tsim *sim, int dim)
 	return TS_OK;
 }
 
-/* Number of the fixed face (2 dim + side) through which x has left, or -1. */
-static int left_through(const struct ts_box *box, const double x[3])
+int ts_exchange_left(const struct ts_box *box, const double x[3])
 {
 	for (int dim = 0; dim < 3; dim++) {
 		if (box->face[dim][0] == TS_FACE_FIXED && x[dim] < box->lo[dim])
@@ -53,22 +52,14 @@ static int left_through(const struct ts_box *box, const double x[3])
 	return -1;
 }
 
-void ts_exchange_fixed(const struct tsim *sim, double lo[3], double hi[3])
-{
-	const struct ts_box *box = &sim->domain->box;
-
-	for (int d = 0; d < 3; d++) {
-		lo[d] = box->face[d][0] == TS_FACE_FIXED ? box->lo[d] : -INFINITY;
-		hi[d] = box->face[d][1] == TS_FACE_FIXED ? box->hi[d] : INFINITY;
-	}
-}
-
 void ts_exchange_limits(const struct tsim *sim, double lo[3], double hi[3])
 {
-	ts_exchange_fixed(sim, lo, hi);
-	for (int d = 0; d < 3 && sim->particles->lost_policy == TS_LOST_IGNORE; d++) {
-		lo[d] = -INFINITY;
-		hi[d] = INFINITY;
+	const struct ts_box *box = &sim->domain->box;
+	bool waits = sim->particles->lost_policy == TS_LOST_IGNORE;
+
+	for (int d = 0; d < 3; d++) {
+		lo[d] = !waits && box->face[d][0] == TS_FACE_FIXED ? box->lo[d] : -INFINITY;
+		hi[d] = !waits && box->face[d][1] == TS_FACE_FIXED ? box->hi[d] : INFINITY;
 	}
 }
 
@@ -112,7 +103,7 @@ static enum ts_status drop_lost(struct tsim *sim)
 	enum ts_status status = TS_OK;
 
 	for (size_t i = 0; i < p->n && status == TS_OK; i++) {
-		int face = left_through(&sim->domain->box, p->x[i]);
+		int face = ts_exchange_left(&sim->domain->box, p->x[i]);
 
 		if (face < 0)
 			continue;

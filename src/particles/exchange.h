@@ -6,6 +6,7 @@
 #define TS_PARTICLES_EXCHANGE_H
 
 #include "core/sim.h"
+#include "geom/box.h"
 
 /* Wraps periodic coordinates and deletes (or reports, see enum ts_lost) particles outside fixed
  * faces; fits `s` and `m` faces. Drops the ghosts. */
@@ -25,7 +26,7 @@ void ts_exchange_forward(struct tsim *sim);
  * where there is none, and where `thermo_modify lost ignore` lets it wait for the next build of neighbours: in an
  * outflow there would be one for each that leaves. */
 void ts_exchange_limits(const struct tsim *sim, double lo[3], double hi[3]);
-/* The fixed faces; infinite where there is none. */
-void ts_exchange_fixed(const struct tsim *sim, double lo[3], double hi[3]);
+/* Number of the fixed face (2 dim + side) through which x has left, or -1. */
+int ts_exchange_left(const struct ts_box *box, const double x[3]);
 
 #endif
