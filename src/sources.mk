@@ -397,6 +397,8 @@ library_sources = \
 	src/neigh/row_history.h \
 	src/neigh/row_loop.c \
 	src/neigh/row_loop.h \
+	src/neigh/row_memory.c \
+	src/neigh/row_memory.h \
 	src/neigh/row_models.c \
 	src/neigh/row_models.h \
 	src/neigh/row_near.c \

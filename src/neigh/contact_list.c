@@ -4,6 +4,7 @@
 
 #include "math/vec3.h"
 #include "neigh/bonds.h"
+#include "neigh/row_memory.h"
 #include "neigh/row_slots.h"
 #include "particles/domain.h"
 #include "particles/moments.h"
@@ -40,6 +41,7 @@ enum ts_status ts_contacts_require(struct tsim *sim, const struct ts_instance *s
 {
 	bool rows_wanted = sim->neigh->wanted || ts_sim_only(sim, TS_KIND_PAIR);
 
+	ts_rows_settle(sim, &sim->neigh->rows);
 	if ((!rows_wanted || rows_current(&sim->neigh->rows, sim->particles)) &&
 	    bonds_current(sim->bonds, sim->particles))
 		return TS_OK;

@@ -5,6 +5,7 @@
 #include "neigh/contact_list.h"
 #include "neigh/ledger.h"
 #include "neigh/row_loop.h"
+#include "neigh/row_memory.h"
 #include "neigh/wall.h"
 #include "particles/identity.h"
 
@@ -125,8 +126,9 @@ static enum ts_status hold(struct tsim *sim, const double *from, size_t n, doubl
 
 enum ts_status ts_ledger_hold_rows(struct tsim *sim, struct ts_ledger *l)
 {
-	const struct ts_rows *rows = &sim->neigh->rows;
+	struct ts_rows *rows = &sim->neigh->rows;
 
+	ts_rows_settle(sim, rows);
 	l->memory_n = 0;
 	return hold(sim, rows->history, rows->n * rows->history_width, &l->memory, &l->memory_n,
 		    &l->memory_capacity);
@@ -159,12 +161,13 @@ static const double *held_memory(const struct tsim *sim, const struct ts_ledger 
 
 enum ts_status ts_ledger_take_pairs(struct tsim *sim, struct ts_ledger *l)
 {
-	const struct ts_rows *rows = &sim->neigh->rows;
+	struct ts_rows *rows = &sim->neigh->rows;
 	const struct ts_gather *g = &rows->gather;
 	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
 	struct row_work w = { .sim = sim, .l = l, .pair = pair ? pair->state : NULL };
 
 	start_sums(&w.sums);
+	ts_rows_settle(sim, rows);
 	l->rows = rows->n;
 	if (TS_GROW(l->row_energy, l->row_capacity, rows->n + 1) != TS_OK)
 		return ts_nomem(&sim->error);

@@ -15,6 +15,7 @@
 #include "neigh/network.h"
 #include "neigh/order.h"
 #include "neigh/pair.h"
+#include "neigh/row_memory.h"
 #include "particles/domain.h"
 #include "particles/exchange.h"
 #include "particles/particles.h"
@@ -293,8 +294,10 @@ static enum ts_status clear_forces(struct ts_instance *self, struct tsim *sim)
 
 	(void)self;
 	sim->complete = shows(sim);
-	if (sim->outside) /* the program around may do anything */
+	if (sim->outside) { /* the program around may do anything */
+		ts_rows_settle(sim, rows);
 		rows->looked = false;
+	}
 	rows->sets = sim->neigh->rows_first && rows->n;
 	if (p->n && !rows->sets)
 		memset(p->f, 0, p->n * sizeof *p->f);

@@ -11,7 +11,7 @@ struct ts_batch {
 	/* the ends, see struct ts_row_ends; the fourth columns: radius of i, of j, nothing, and 1/m_i + 1/m_j */
 	double d[4][TS_COLUMN], omega[2][4][TS_COLUMN], v[4][TS_COLUMN];
 	double mass[2][TS_COLUMN], stiffness[TS_COLUMN];
-	double memory[TS_GRANULAR_MEMORY + 3][TS_COLUMN];
+	double *memory[TS_GRANULAR_MEMORY]; /* columns of the block */
 	/* the results, of rows that touch: these have all bits set in touch, others none */
 	long long touch[TS_COLUMN];
 	double force[4][TS_COLUMN], turn[4][TS_COLUMN], roll[4][TS_COLUMN];
@@ -23,7 +23,6 @@ TS_INLINE void ts_batch_load(const struct ts_particles *p, const struct ts_rows 
 			     struct ts_batch *b)
 {
 	const ts_four *place = (const ts_four *)rows->place;
-	int width = ts_granular_memory(m);
 	ts_four d[4], v[4], wi[4] = { 0 }, wj[4] = { 0 };
 
 	for (size_t k = 0; k < 4; k++) {
@@ -47,11 +46,6 @@ TS_INLINE void ts_batch_load(const struct ts_particles *p, const struct ts_rows 
 	ts_four_columns(wi, b->omega[0], at);
 	if (ts_granular_turns(m))
 		ts_four_columns(wj, b->omega[1], at);
-	for (int c = 0; c < width; c += 3) {
-		for (size_t k = 0; k < 4; k++)
-			d[k] = TS_FOUR_AT(rows->history + near[at + k].row * (size_t)width + c);
-		ts_four_columns(d, b->memory + c, at);
-	}
 }
 
 /* The stiffness of hooke has a fifth root in it: it is computed anew only for partners of other size or mass
@@ -85,6 +79,7 @@ TS_INLINE void ts_batch_contact(struct ts_batch *b, size_t k, const struct ts_gr
 	double memory[TS_GRANULAR_MEMORY], sum = e.radius[0] + e.radius[1];
 	struct ts_granular_force f;
 	struct ts_touch t;
+	bool touches;
 
 	for (int c = 0; c < ts_granular_memory(m); c++)
 		memory[c] = b->memory[c][k];
@@ -92,9 +87,10 @@ TS_INLINE void ts_batch_contact(struct ts_batch *b, size_t k, const struct ts_gr
 	if (m->stiffness_known)
 		t.stiffness = b->stiffness[k];
 	ts_granular_contact(m, law, &t, dt, true, memory, &f);
-	for (int c = 0; c < ts_granular_memory(m); c++)
-		b->memory[c][k] = memory[c];
-	b->touch[k] = -(long long)(ts_dot(e.d, e.d) < sum * sum);
+	touches = ts_dot(e.d, e.d) < sum * sum;
+	for (int c = 0; c < ts_granular_memory(m); c++) /* what has parted may have to remember what it did */
+		b->memory[c][k] = touches ? memory[c] : b->memory[c][k];
+	b->touch[k] = -(long long)touches;
 	for (int c = 0; c < 3; c++)
 		b->force[c][k] = f.force[c];
 	b->force[3][k] = ts_granular_short(m, &t);
@@ -129,22 +125,6 @@ TS_INLINE void ts_batch_result(const struct ts_batch *b, const double (*column)[
 	ts_batch_rows(b, column, at, row);
 	for (size_t k = 0; k < 4; k++)
 		to[k][part] = row[k];
-}
-
-/* History, three numbers at a time; that of rows that do not touch stays if `keep` says so. */
-TS_INLINE void ts_batch_remember(const struct ts_batch *b, const struct ts_granular_model *m,
-				 const struct ts_row_near *near, size_t at, const struct ts_rows *rows, bool keep)
-{
-	int width = ts_granular_memory(m);
-
-	for (int c = 0; c < width; c += 3) {
-		ts_four row[4];
-
-		ts_batch_rows(b, b->memory + c, at, row);
-		for (size_t k = 0; k < 4; k++)
-			if (!keep || b->touch[at + k])
-				ts_four_keep(&row[k], width - c, rows->history + near[at + k].row * (size_t)width + c);
-	}
 }
 
 /* The rows at .. at+3. */
@@ -249,13 +229,12 @@ TS_INLINE void ts_batch_part(const struct ts_rows *rows, struct ts_row_block *bl
 	}
 }
 
-/* What active rows will need of their second partners and their history is sent for, so that many come at a time, and
- * where those of the others are; first partners follow each other in memory. */
+/* What active rows will need of their second partners and remember is sent for, so that many come at a time, and where
+ * those of the others are; first partners follow each other in memory. */
 TS_INLINE void ts_batch_send_for(const struct ts_particles *p, const struct ts_rows *rows,
 				 const struct ts_granular_model *m, const struct ts_row_block *block)
 {
 	const struct ts_row_near *near = rows->near + block->first;
-	size_t width = (size_t)ts_granular_memory(m);
 
 	for (size_t k = 0; k < block->active; k++) {
 		size_t j = (size_t)near[k].j;
@@ -264,11 +243,21 @@ TS_INLINE void ts_batch_send_for(const struct ts_particles *p, const struct ts_r
 		__builtin_prefetch(p->v[j]);
 		if (ts_granular_turns(m))
 			__builtin_prefetch(p->omega[j]);
-		if (width)
-			__builtin_prefetch(rows->history + near[k].row * width, 1);
 	}
 	for (size_t k = block->active; k < block->n; k++)
 		__builtin_prefetch(rows->place[near[k].j]);
+	for (int c = 0; c < ts_granular_memory(m); c++)
+		for (size_t k = 0; k < block->active; k += TS_ROW_VECTOR)
+			__builtin_prefetch(ts_row_memory(rows, block, k, (size_t)c), 1);
+}
+
+/* Before that, the list itself. */
+TS_INLINE void ts_batch_send_for_list(const struct ts_rows *rows, const struct ts_row_block *block)
+{
+	const struct ts_row_near *near = rows->near + block->first;
+
+	for (size_t k = 0; k < block->n; k += 64 / sizeof *near)
+		__builtin_prefetch(near + k, 1);
 }
 
 /* The active rows of a part of a block; says which of them touch, as bits. */
@@ -289,14 +278,17 @@ TS_INLINE uint64_t ts_batch_work(const struct ts_row_task *task, const struct ts
 			whole[at] = near[at < some ? at : some - 1];
 		near = whole;
 	}
+	for (int c = 0; c < ts_granular_memory(m); c++) {
+		b.memory[c] = ts_row_memory(rows, block, part * TS_COLUMN, (size_t)c);
+		for (size_t at = some; at < n; at++)
+			b.memory[c][at] = b.memory[c][some - 1];
+	}
 	for (size_t at = 0; at < n; at += 4)
 		ts_batch_load(p, rows, m, near, at, &b);
 	ts_batch_stiffness(m, law, n, &b);
 	contacts(&b, n, law, task->dt);
-	for (size_t at = 0; at < n; at += 4) {
+	for (size_t at = 0; at < n; at += 4)
 		ts_batch_store(&b, m, near, at, rows);
-		ts_batch_remember(&b, m, near, at, rows, task->keep);
-	}
 	return ts_batch_bits(b.touch, some);
 }
 
@@ -312,7 +304,9 @@ TS_INLINE void ts_row_share_batched(const struct ts_row_task *task, size_t from,
 		const struct ts_row_near *near = rows.near + block->first;
 		uint64_t touching[TS_ROW_BLOCK / TS_COLUMN];
 
-		if (k + 1 < to)
+		if (k + 2 < task->end)
+			ts_batch_send_for_list(&rows, block + 2);
+		if (k + 1 < task->end)
 			ts_batch_send_for(&p, &rows, m, block + 1);
 		ts_batch_meet(&rows, block);
 		for (size_t at = block->active; at < block->n; at++)

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "neigh/row_loop.h"
+#include "neigh/row_memory.h"
 #include "neigh/row_slots.h"
 #include "particles/identity.h"
 
@@ -67,13 +68,14 @@ static bool taken(const struct ts_rows *rows, size_t r, bool memories)
 	return is;
 }
 
-static enum ts_status take(struct tsim *sim, const struct ts_rows *rows, bool forces, bool memories,
+static enum ts_status take(struct tsim *sim, struct ts_rows *rows, bool forces, bool memories,
 			   struct ts_row_history *h)
 {
 	bool kept = rows->results == TS_RESULTS_KEPT; /* not after a step that has failed: zero */
 	size_t n = 0;
 
 	*h = (struct ts_row_history){ .width = rows->history_width, .overlapping = memories };
+	ts_rows_settle(sim, rows);
 	for (size_t r = 0; (h->width || forces) && r < rows->n; r++)
 		n += taken(rows, r, memories);
 	if (!n)
@@ -95,13 +97,13 @@ static enum ts_status take(struct tsim *sim, const struct ts_rows *rows, bool fo
 	return TS_OK;
 }
 
-enum ts_status ts_row_history_take(struct tsim *sim, const struct ts_rows *rows, bool forces,
+enum ts_status ts_row_history_take(struct tsim *sim, struct ts_rows *rows, bool forces,
 				   struct ts_row_history *h)
 {
 	return take(sim, rows, forces, false, h);
 }
 
-enum ts_status ts_row_history_take_memories(struct tsim *sim, const struct ts_rows *rows, bool forces,
+enum ts_status ts_row_history_take_memories(struct tsim *sim, struct ts_rows *rows, bool forces,
 					    struct ts_row_history *h)
 {
 	return take(sim, rows, forces, true, h);
@@ -231,6 +233,7 @@ enum ts_status ts_rows_set_history(struct tsim *sim, struct ts_rows *rows, size_
 	}
 	ts_free(rows->history);
 	rows->history = history;
+	rows->looked = rows->unsettled = false;
 	rows->history_width = width;
 	return TS_OK;
 }

@@ -18,11 +18,11 @@ struct ts_row_history {
 
 /* Copies out the history of the touching rows, and if asked their forces: a run that goes on with
  * the forces of the last step shows the contacts of that step. */
-enum ts_status ts_row_history_take(struct tsim *sim, const struct ts_rows *rows, bool forces,
+enum ts_status ts_row_history_take(struct tsim *sim, struct ts_rows *rows, bool forces,
 				   struct ts_row_history *h);
 /* As LIGGGHTS: of all rows that remember something, also those that have parted, for such as overlap when it is
  * given. */
-enum ts_status ts_row_history_take_memories(struct tsim *sim, const struct ts_rows *rows, bool forces,
+enum ts_status ts_row_history_take_memories(struct tsim *sim, struct ts_rows *rows, bool forces,
 					    struct ts_row_history *h);
 /* Gives it to the rows of the same partners. */
 enum ts_status ts_row_history_give(struct tsim *sim, const struct ts_row_history *h,

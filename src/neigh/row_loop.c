@@ -7,16 +7,31 @@
 
 #include "base/banned.h"
 
-/* How far beyond their touch the partners of a row still pull. */
-static double beyond(const struct ts_particles *p, const struct ts_pair *pair, const struct ts_rows *rows,
-		     size_t r)
+/* What one row remembers, for laws that are written for one contact: from the columns of its block, and back. */
+static void remember(const struct ts_rows *rows, const struct ts_row_block *block, size_t at, double memory[])
 {
-	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
-	double a = p->radius[i], b = p->radius[j];
+	for (size_t c = 0; c < rows->history_width; c++)
+		memory[c] = *ts_row_memory(rows, block, at, c);
+}
 
-	return ts_granular_beyond(ts_pair_model(pair, p->type[i], p->type[j]),
-				  ts_pair_law(pair, p->type[i], p->type[j]), a * b / (a + b),
-				  rows->history + r * rows->history_width);
+static void note(const struct ts_rows *rows, const struct ts_row_block *block, size_t at, const double memory[])
+{
+	for (size_t c = 0; c < rows->history_width; c++)
+		*ts_row_memory(rows, block, at, c) = memory[c];
+}
+
+/* How far beyond their touch the partners of a row still pull. */
+static double beyond(const struct ts_row_task *task, const struct ts_row_block *block, size_t at)
+{
+	const struct ts_rows *rows = task->rows;
+	const struct ts_row_near *near = &rows->near[block->first + at];
+	const struct ts_particles *p = task->p;
+	double a = p->radius[near->i], b = p->radius[near->j], memory[TS_GRANULAR_MEMORY] = { 0 };
+
+	if (at < block->active)
+		remember(rows, block, at, memory);
+	return ts_granular_beyond(ts_pair_model(task->pair, block->type[0], block->type[1]),
+				  ts_pair_law(task->pair, block->type[0], block->type[1]), a * b / (a + b), memory);
 }
 
 static void store(const struct ts_rows *rows, size_t slot, const struct ts_granular_model *m,
@@ -34,30 +49,33 @@ static void store(const struct ts_rows *rows, size_t slot, const struct ts_granu
 	}
 }
 
-static bool touches(const struct ts_row_task *task, const struct ts_row_near *near)
+static bool touches(const struct ts_row_task *task, const struct ts_row_block *block, size_t at)
 {
+	const struct ts_row_near *near = &task->rows->near[block->first + at];
 	const struct ts_particles *p = task->p;
 	size_t i = (size_t)near->i, j = (size_t)near->j;
 	double d[3], sum = p->radius[i] + p->radius[j];
 
 	if (task->pair->model_offset)
-		sum += beyond(p, task->pair, task->rows, near->row);
+		sum += beyond(task, block, at);
 	return ts_row_distance2(p, i, j, d) < sum * sum;
 }
 
-static void work(const struct ts_row_task *task, const struct ts_row_near *near)
+static void work(const struct ts_row_task *task, const struct ts_row_block *block, size_t at)
 {
-	const struct ts_particles *p = task->p;
 	const struct ts_pair *pair = task->pair;
-	struct ts_rows *rows = task->rows;
-	size_t i = (size_t)near->i, j = (size_t)near->j;
-	const struct ts_granular_model *m = ts_pair_model(pair, p->type[i], p->type[j]);
+	const struct ts_rows *rows = task->rows;
+	const struct ts_row_near *near = &rows->near[block->first + at];
+	const struct ts_granular_model *m = ts_pair_model(pair, block->type[0], block->type[1]);
+	double memory[TS_GRANULAR_MEMORY];
 	struct ts_granular_force f;
 	struct ts_touch t;
 
-	ts_row_touch(p, i, j, m, &t);
-	ts_granular_contact(m, ts_pair_law(pair, p->type[i], p->type[j]), &t, task->dt, task->advance,
-			    rows->history_width ? rows->history + near->row * rows->history_width : NULL, &f);
+	remember(rows, block, at, memory);
+	ts_row_touch(task->p, (size_t)near->i, (size_t)near->j, m, &t);
+	ts_granular_contact(m, ts_pair_law(pair, block->type[0], block->type[1]), &t, task->dt, task->advance, memory,
+			    &f);
+	note(rows, block, at, memory);
 	store(rows, near->slot, m, &t, &f);
 }
 
@@ -71,14 +89,14 @@ void ts_row_share_generic(void *context, size_t from, size_t to)
 		const struct ts_row_near *near = rows->near + block->first;
 
 		for (size_t k = block->active; k < block->n; k++)
-			if (touches(task, &near[k]))
+			if (touches(task, block, k))
 				ts_row_meet(rows, block, k);
 		for (size_t k = block->active; k-- > 0;)
-			if (!touches(task, &near[k]))
+			if (!touches(task, block, k))
 				ts_row_part(rows, block, k, task->keep);
 		for (size_t k = 0; k < block->n; k++)
 			if (k < block->active)
-				work(task, &near[k]);
+				work(task, block, k);
 			else
 				ts_row_still(rows, near[k].slot, (size_t)rows->parts);
 	}
@@ -108,6 +126,7 @@ static void rows_share(const struct loop *loop, size_t k)
 	const struct ts_row_span *span = &rows->span[k];
 	size_t c = 0, done;
 
+	task.end = span->block_end;
 	for (size_t b = span->block; b < span->block_end; b += TS_ROW_TURN) {
 		size_t end = span->block_end - b < TS_ROW_TURN ? span->block_end : b + TS_ROW_TURN;
 		const struct ts_row_block *last = &rows->block[end - 1];
@@ -145,6 +164,7 @@ enum ts_status ts_row_loop(struct tsim *sim, const struct ts_pair *pair, ts_shar
 	rows->all = pair->model_offset != 0; /* laws that pull beyond touch */
 	TS_TRY(ts_rows_prepare(sim, rows, sim->complete));
 	loop.gather = ts_rows_gatherer(rows);
+	rows->unsettled = rows->history_width > 0;
 	/* where memory does not advance, there is no loop of its own */
 	if (!loop.task.advance || !(loop.task.dt > 0))
 		loop.share = ts_row_share_generic;

@@ -9,6 +9,7 @@
 #include "base/parallel.h"
 #include "law/granular_force.h"
 #include "neigh/pair.h"
+#include "neigh/row_memory.h"
 
 struct ts_row_task {
 	const struct ts_particles *p;
@@ -17,6 +18,7 @@ struct ts_row_task {
 	double dt;
 	bool advance; /* contacts remember: false in the set-up of a run */
 	bool keep;    /* a pair that parts remembers until the next rebuild */
+	size_t end;   /* of the blocks that will be computed here */
 };
 
 TS_INLINE double
@@ -35,7 +37,10 @@ TS_INLINE void ts_row_meet(const struct ts_rows *rows, struct ts_row_block *bloc
 	struct ts_row_near *near = rows->near + block->first, row = near[at];
 
 	near[at] = near[block->active];
-	near[block->active++] = row;
+	near[block->active] = row;
+	for (size_t c = 0; c < rows->history_width; c++)
+		*ts_row_memory(rows, block, block->active, c) = *ts_row_history(rows, block, block->active, c);
+	block->active++;
 	rows->touching[row.row] = 1;
 }
 
@@ -45,11 +50,16 @@ TS_INLINE void ts_row_part(const struct ts_rows *rows, struct ts_row_block *bloc
 {
 	struct ts_row_near *near = rows->near + block->first, row = near[at];
 
-	near[at] = near[--block->active];
+	block->active--;
+	for (size_t c = 0; c < rows->history_width; c++) {
+		double *memory = ts_row_memory(rows, block, at, c);
+
+		*ts_row_history(rows, block, at, c) = keep ? *memory : 0;
+		*memory = *ts_row_memory(rows, block, block->active, c);
+	}
+	near[at] = near[block->active];
 	near[block->active] = row;
 	rows->touching[row.row] = 0;
-	for (size_t c = 0; c < rows->history_width && !keep; c++)
-		rows->history[row.row * rows->history_width + c] = 0;
 }
 
 /* No force, no torque; `parts` as in struct ts_rows. */

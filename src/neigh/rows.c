@@ -203,6 +203,7 @@ void ts_rows_release(struct ts_rows *rows)
 	ts_free(rows->result);
 	ts_free(rows->touching);
 	ts_free(rows->history);
+	ts_free(rows->memory);
 	ts_free(rows->place);
 	ts_free(rows->span);
 	ts_free(rows->near);
@@ -211,6 +212,7 @@ void ts_rows_release(struct ts_rows *rows)
 	ts_free(rows->waiting);
 	ts_free(rows->sum_first);
 	ts_free(rows->sum);
+	ts_free(rows->turn);
 	ts_free(rows->chunk);
 	ts_free(rows->gathered);
 	ts_gather_release(&rows->gather);

@@ -29,6 +29,7 @@ struct ts_row_block {
 	uint32_t first, n; /* at most TS_ROW_BLOCK */
 	uint32_t active;
 	int32_t type[2]; /* of i, of j */
+	size_t memory;	 /* where its columns of rows->memory begin */
 };
 
 /* What belongs to one of the shares that are computed side by side. */
@@ -65,6 +66,8 @@ struct ts_rows {
 	size_t room;
 	uint8_t *touching;
 	double *history; /* history_width numbers per row; zero where never touched */
+	double *memory;	 /* of active rows, in columns: see row_memory.h */
+	bool unsettled;	 /* that is newer */
 	size_t history_width;
 	const signed char *history_sign; /* +1 or -1: factor when i and j change places */
 
@@ -84,13 +87,14 @@ struct ts_rows {
 	struct ts_row_block *block;
 	uint32_t *at; /* where in `near` each row is, or TS_ROW_FAR; later slots that are free */
 	uint8_t *waiting; /* of each near row: how many of its partners have not added it */
-	size_t span_capacity, near_capacity, block_capacity, at_capacity, waiting_capacity;
+	size_t span_capacity, near_capacity, block_capacity, memory_capacity, at_capacity, waiting_capacity;
 
 	/* Their sums: as first and entry of the gather, of near rows' slots in place of rows */
 	uint32_t *sum_first, *sum;
+	uint8_t *turn; /* the particles of each chunk, those with few rows first, from its first one on */
 	struct ts_row_chunk *chunk; /* of particles k TS_ROW_CHUNK ... */
 	uint8_t *gathered;	    /* of each chunk, in this force evaluation */
-	size_t chunks, sum_first_capacity, sum_capacity, chunk_capacity, gathered_capacity;
+	size_t chunks, sum_first_capacity, sum_capacity, turn_capacity, chunk_capacity, gathered_capacity;
 };
 
 enum { TS_IMAGE_SELF = 13 };

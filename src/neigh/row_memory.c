@@ -1,0 +1,67 @@
+#include "neigh/row_memory.h"
+
+#include "base/parallel.h"
+
+#include "base/banned.h"
+
+static void settle(const struct ts_rows *rows, const struct ts_row_block *block)
+{
+	for (size_t c = 0; c < rows->history_width; c++)
+		for (size_t at = 0; at < block->active; at++)
+			*ts_row_history(rows, block, at, c) = *ts_row_memory(rows, block, at, c);
+}
+
+static void settle_share(void *context, size_t from, size_t to)
+{
+	const struct ts_rows *rows = context;
+
+	for (size_t k = from; k < to; k++)
+		for (size_t b = rows->span[k].block; b < rows->span[k].block_end; b++)
+			settle(rows, &rows->block[b]);
+}
+
+void ts_rows_settle(const struct tsim *sim, struct ts_rows *rows)
+{
+	if (rows->unsettled)
+		ts_parallel(ts_team(sim, rows->n), (size_t)rows->shares, settle_share, rows);
+	rows->unsettled = false;
+}
+
+static void recall(const struct ts_rows *rows, const struct ts_row_block *block)
+{
+	for (size_t c = 0; c < rows->history_width; c++)
+		for (size_t at = 0; at < block->active; at++)
+			*ts_row_memory(rows, block, at, c) = *ts_row_history(rows, block, at, c);
+}
+
+static void recall_share(void *context, size_t from, size_t to)
+{
+	const struct ts_rows *rows = context;
+
+	for (size_t k = from; k < to; k++)
+		for (size_t b = rows->span[k].block; b < rows->span[k].block_end; b++)
+			recall(rows, &rows->block[b]);
+}
+
+/* Columns of a block begin at a whole vector behind those of the block before. */
+static size_t place_blocks(const struct ts_rows *rows)
+{
+	size_t end = 0;
+
+	for (int k = 0; k < rows->shares; k++)
+		for (size_t b = rows->span[k].block; b < rows->span[k].block_end; b++) {
+			rows->block[b].memory = end;
+			end += ts_row_column(&rows->block[b]) * rows->history_width;
+		}
+	return end;
+}
+
+enum ts_status ts_rows_recall(struct tsim *sim, struct ts_rows *rows)
+{
+	if (!rows->history_width)
+		return TS_OK;
+	if (TS_RENEW(rows->memory, rows->memory_capacity, place_blocks(rows)) != TS_OK)
+		return ts_nomem(&sim->error);
+	ts_parallel(ts_team(sim, rows->n), (size_t)rows->shares, recall_share, rows);
+	return TS_OK;
+}
