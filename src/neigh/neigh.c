@@ -16,6 +16,7 @@
 #include "neigh/order.h"
 #include "neigh/pair.h"
 #include "neigh/row_memory.h"
+#include "neigh/row_near.h"
 #include "particles/domain.h"
 #include "particles/exchange.h"
 #include "particles/particles.h"
@@ -151,6 +152,7 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 	ts_exchange_limits(sim, limits.lo, limits.hi);
 	sim->rebuild |= nb->stale;
 	TS_SWEEP_ADD(sim, p->n, check_share, &limits);
+	ts_rows_place_locals(sim, &sim->neigh->rows);
 	ts_leaving_watch(sim, &moved);
 	ts_sweep(sim);
 	sim->rebuild |= moved && ts_leaving_due(sim);
@@ -296,7 +298,7 @@ static enum ts_status clear_forces(struct ts_instance *self, struct tsim *sim)
 	sim->complete = shows(sim);
 	if (sim->outside) { /* the program around may do anything */
 		ts_rows_settle(sim, rows);
-		rows->looked = false;
+		rows->looked = rows->placed = false;
 	}
 	rows->sets = sim->neigh->rows_first && rows->n;
 	if (p->n && !rows->sets)

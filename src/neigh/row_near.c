@@ -6,6 +6,7 @@
 #include "base/clones.h"
 #include "base/four.h"
 #include "base/parallel.h"
+#include "core/sweep.h"
 #include "particles/particles.h"
 
 #include "base/banned.h"
@@ -33,31 +34,50 @@ TS_CLONES static void place(const struct ts_particles *p, double (*out)[4], size
 struct placing {
 	const struct ts_particles *p;
 	struct ts_rows *rows;
-	double pace;
 };
 
 static void place_share(void *context, size_t from, size_t to)
 {
-	struct placing *g = context;
+	const struct placing *g = context;
 	double most[4], pace;
 
 	place(g->p, g->rows->place, from, to, most);
 	/* after a particle has grown nothing is known */
 	pace = most[3] > 0 ? INFINITY : sqrt(most[0] + most[1] + most[2]);
 #pragma omp critical
-	g->pace = fmax(g->pace, pace);
+	g->rows->step = fmax(g->rows->step, pace);
+}
+
+void ts_rows_place_locals(struct tsim *sim, struct ts_rows *rows)
+{
+	struct placing g = { sim->particles, rows };
+
+	if (!rows->place || rows->particles != sim->particles->n)
+		return;
+	TS_SWEEP_ADD(sim, rows->particles, place_share, &g);
+	rows->placed = true;
+}
+
+static void place_others(void *context, size_t from, size_t to)
+{
+	const struct placing *g = context;
+	size_t first = g->rows->placed ? g->rows->particles : 0;
+
+	place_share(context, first + from, first + to);
 }
 
 void ts_rows_place(const struct tsim *sim, struct ts_rows *rows)
 {
-	size_t n = sim->particles->n + sim->particles->nghost;
-	struct placing g = { sim->particles, rows, 0 };
+	size_t n = sim->particles->n + sim->particles->nghost - (rows->placed ? rows->particles : 0);
+	struct placing g = { sim->particles, rows };
 
-	ts_parallel(ts_team(sim, n), n, place_share, &g);
+	ts_parallel(ts_team(sim, n), n, place_others, &g);
 	if (rows->looked) {
-		rows->pace = g.pace;
-		rows->travelled += 2 * g.pace;
+		rows->pace = rows->step;
+		rows->travelled += 2 * rows->step;
 	}
+	rows->step = 0;
+	rows->placed = false;
 }
 
 /* Rounding of places counts for much less than the rest of the gap. */

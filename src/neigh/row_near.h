@@ -9,7 +9,9 @@
 
 #include "neigh/rows.h"
 
-/* Notes where all particles are, and how far they may have come nearer since near rows were chosen. */
+/* Notes where all particles are, and how far they may have come nearer since near rows were chosen; for local ones that
+ * have come to their places in this step this may be done before, in a pass that waits (core/sweep.h). */
+void ts_rows_place_locals(struct tsim *sim, struct ts_rows *rows);
 void ts_rows_place(const struct tsim *sim, struct ts_rows *rows);
 
 /* Whether a row that is not listed may touch. */

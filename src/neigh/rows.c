@@ -150,6 +150,8 @@ static enum ts_status build(struct tsim *sim, struct ts_rows *rows, struct ts_ro
 	rows->results = TS_RESULTS_NONE;
 	rows->looked = false;
 	rows->particles = sim->particles->n;
+	rows->placed = false;
+	rows->step = 0;
 	if (rows->place) /* the first look at where particles are compares with something */
 		memset(rows->place, 0, rows->place_capacity * sizeof *rows->place);
 	ts_parallel(found->shares, (size_t)found->shares, fill_shares, &filling);

@@ -74,6 +74,8 @@ struct ts_rows {
 	struct ts_gather gather; /* of the local particles */
 	double (*place)[4];	 /* of all particles, now: x, y, z and the radius, for the loops over rows */
 	size_t place_capacity;
+	bool placed; /* those of local particles have been noted in this step */
+	double step; /* the longest way of those noted, since all were */
 
 	/* The rows that are looked at, see row_near.h */
 	bool looked;	  /* they have been chosen */
