@@ -13,23 +13,6 @@ TS_INLINE void add(double to[3], const ts_four *sum, bool sets)
 		to[d] = sets ? (*sum)[d] : to[d] + (*sum)[d];
 }
 
-/* Sends for the lines of so many bytes, to write or only to read. */
-#define SEND_FOR(from, bytes, write)                                                                         \
-	for (const char *at = (const char *)(from), *end = at + (bytes); at < end; at += 64)                 \
-	__builtin_prefetch(at, write)
-
-/* What the next particles will need, as they take no turns that a processor could foresee. */
-TS_INLINE void send_for(const struct ts_rows *rows, const struct ts_particles *p, size_t from, size_t parts)
-{
-	size_t n = rows->particles - from < TS_ROW_CHUNK ? rows->particles - from : TS_ROW_CHUNK;
-	uint32_t first = rows->sum_first[from];
-
-	SEND_FOR(rows->sum + first, (rows->sum_first[from + n] - first) * sizeof *rows->sum, 0);
-	SEND_FOR(p->f[from], n * sizeof *p->f, 1);
-	if (parts > 1)
-		SEND_FOR(p->torque[from], n * sizeof *p->torque, 1);
-}
-
 /* `parts` as in struct ts_rows. */
 TS_INLINE void gather(const struct ts_rows *rows, const struct ts_particles *p, size_t from, size_t to, size_t parts)
 {
@@ -37,9 +20,7 @@ TS_INLINE void gather(const struct ts_rows *rows, const struct ts_particles *p, 
 	const ts_four *results = (const ts_four *)rows->result;
 	bool sets = rows->sets;
 
-	send_for(rows, p, to, parts);
-	for (size_t t = from; t < to; t++) {
-		size_t i = from + rows->turn[t];
+	for (size_t i = from; i < to; i++) {
 		ts_four f = { 0 }, torque = { 0 };
 		double radius = rows->place[i][3];
 

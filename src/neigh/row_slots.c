@@ -30,24 +30,6 @@ static void count_share(void *context, size_t from, size_t to)
 	}
 }
 
-/* Particles with as many rows follow each other: where a loop ends that is always as long can be guessed. */
-static void take_turns(const struct ts_rows *rows, size_t from, size_t to)
-{
-	enum { MOST = 16 }; /* from then on it matters less */
-	uint32_t place[MOST + 1] = { 0 };
-
-#define COUNT(i) (rows->sum_first[(i) + 1] - rows->sum_first[i])
-#define KIND(i) (COUNT(i) < MOST ? COUNT(i) : MOST - 1)
-	for (size_t i = from; i < to; i++)
-		place[KIND(i) + 1]++;
-	for (size_t k = 1; k < MOST; k++)
-		place[k] += place[k - 1];
-	for (size_t i = from; i < to; i++)
-		rows->turn[from + place[KIND(i)]++] = (uint8_t)(i - from);
-#undef KIND
-#undef COUNT
-}
-
 static struct ts_row_chunk sum_chunk(const struct ts_rows *rows, size_t from, size_t to)
 {
 	const struct ts_gather *g = &rows->gather;
@@ -70,10 +52,8 @@ static void sum_share(void *context, size_t from, size_t to)
 {
 	const struct ts_rows *rows = context;
 
-	for (size_t c = from; c < to; c++) {
+	for (size_t c = from; c < to; c++)
 		rows->chunk[c] = sum_chunk(rows, c * TS_ROW_CHUNK, particles_end(rows, c));
-		take_turns(rows, c * TS_ROW_CHUNK, particles_end(rows, c));
-	}
 }
 
 static enum ts_status list_sums(struct tsim *sim, struct ts_rows *rows)
@@ -84,7 +64,6 @@ static enum ts_status list_sums(struct tsim *sim, struct ts_rows *rows)
 	TS_TRY(TS_RENEW(rows->chunk, rows->chunk_capacity, rows->chunks));
 	TS_TRY(TS_RENEW(rows->gathered, rows->gathered_capacity, rows->chunks));
 	TS_TRY(TS_RENEW(rows->sum_first, rows->sum_first_capacity, n + 1));
-	TS_TRY(TS_RENEW(rows->turn, rows->turn_capacity, n));
 	if (!rows->n)
 		return TS_OK;
 	ts_parallel(ts_team(sim, n), n, count_share, rows);

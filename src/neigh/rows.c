@@ -214,7 +214,6 @@ void ts_rows_release(struct ts_rows *rows)
 	ts_free(rows->waiting);
 	ts_free(rows->sum_first);
 	ts_free(rows->sum);
-	ts_free(rows->turn);
 	ts_free(rows->chunk);
 	ts_free(rows->gathered);
 	ts_gather_release(&rows->gather);

@@ -93,10 +93,9 @@ struct ts_rows {
 
 	/* Their sums: as first and entry of the gather, of near rows' slots in place of rows */
 	uint32_t *sum_first, *sum;
-	uint8_t *turn; /* the particles of each chunk, those with few rows first, from its first one on */
 	struct ts_row_chunk *chunk; /* of particles k TS_ROW_CHUNK ... */
 	uint8_t *gathered;	    /* of each chunk, in this force evaluation */
-	size_t chunks, sum_first_capacity, sum_capacity, turn_capacity, chunk_capacity, gathered_capacity;
+	size_t chunks, sum_first_capacity, sum_capacity, chunk_capacity, gathered_capacity;
 };
 
 enum { TS_IMAGE_SELF = 13 };
