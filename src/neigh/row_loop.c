@@ -171,7 +171,7 @@ enum ts_status ts_row_loop(struct tsim *sim, const struct ts_pair *pair, ts_shar
 	if (rows->chunks)
 		memset(rows->gathered, 0, rows->chunks);
 	ts_parallel(rows->shares, (size_t)rows->shares, rows_shares, &loop);
-	ts_parallel(ts_team(sim, rows->chunks), rows->chunks, rest_share, &loop);
+	ts_parallel(ts_team(sim, p->n), rows->chunks, rest_share, &loop);
 	rows->sets = false;
 	return TS_OK;
 }

@@ -71,7 +71,7 @@ static enum ts_status list_sums(struct tsim *sim, struct ts_rows *rows)
 	for (size_t i = 0; i < n; i++)
 		rows->sum_first[i + 1] += rows->sum_first[i];
 	TS_TRY(TS_RENEW(rows->sum, rows->sum_capacity, rows->sum_first[n]));
-	ts_parallel(ts_team(sim, rows->chunks), rows->chunks, sum_share, rows);
+	ts_parallel(ts_team(sim, n), rows->chunks, sum_share, rows);
 	return TS_OK;
 }
 

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/parallel.h"
 #include "particles/domain.h"
 #include "particles/particles.h"
 
@@ -153,19 +154,32 @@ static void copy_row(struct ts_particles *p, size_t from, size_t to, unsigned fl
 
 /* A ghost's coordinates are its original's plus whole box lengths, always from the original, so that
  * they do not depend on the way the ghost was made. */
-static void place_ghost(struct ts_particles *p, const struct ts_domain *domain, size_t g)
+static void place_ghosts(const struct ts_particles *p, const struct ts_domain *domain, size_t from, size_t to)
 {
-	size_t k = g - p->n, owner = (size_t)p->ghost_owner[k];
-	bool drifts = ts_in_group(p, owner, domain->drift_group);
+	const double length[3] = { ts_box_length(&domain->box, 0), ts_box_length(&domain->box, 1),
+				   ts_box_length(&domain->box, 2) };
 
-	for (int d = 0; d < 3; d++) {
-		double shift = p->ghost_shift[k][d];
+	for (size_t k = from; k < to; k++) {
+		size_t owner = (size_t)p->ghost_owner[k];
+		bool drifts = ts_in_group(p, owner, domain->drift_group);
 
-		p->x[g][d] = p->x[owner][d] + shift * ts_box_length(&domain->box, d);
-		p->xhold[g][d] = p->xhold[owner][d] +
-				 shift * (domain->held_hi[d] - domain->held_lo[d]);
-		p->v[g][d] = p->v[owner][d] + (drifts ? shift * domain->drift[d] : 0);
+		for (int d = 0; d < 3; d++) {
+			double shift = p->ghost_shift[k][d];
+
+			p->x[p->n + k][d] = p->x[owner][d] + shift * length[d];
+			p->v[p->n + k][d] = p->v[owner][d] + (drifts ? shift * domain->drift[d] : 0);
+		}
 	}
+}
+
+/* The same of where it was when rows were built, which stays until they are built anew. */
+static void hold_ghost(const struct ts_particles *p, const struct ts_domain *domain, size_t k)
+{
+	size_t owner = (size_t)p->ghost_owner[k];
+
+	for (int d = 0; d < 3; d++)
+		p->xhold[p->n + k][d] = p->xhold[owner][d] +
+					p->ghost_shift[k][d] * (domain->held_hi[d] - domain->held_lo[d]);
 }
 
 static enum ts_status add_ghost(struct tsim *sim, size_t from, int dim, int shift)
@@ -187,7 +201,8 @@ static enum ts_status add_ghost(struct tsim *sim, size_t from, int dim, int shif
 	if (from >= p->n)
 		memcpy(p->ghost_shift[k], p->ghost_shift[from - p->n], sizeof p->ghost_shift[k]);
 	p->ghost_shift[k][dim] = (int8_t)shift;
-	place_ghost(p, sim->domain, g);
+	place_ghosts(p, sim->domain, k, k + 1);
+	hold_ghost(p, sim->domain, k);
 	p->nghost++;
 	return TS_OK;
 }
@@ -225,12 +240,41 @@ enum ts_status ts_exchange_borders(struct tsim *sim, double cutoff, double most)
 	return TS_OK;
 }
 
+/* Rows of a column from the originals; those of one number and of vectors have loops of their own. */
+static void copy_column(const struct ts_particles *p, const struct ts_column *c, size_t from, size_t to)
+{
+	size_t bytes = c->element * c->width;
+	char *data = c->data;
+
+#define COPY(bytes)                                                                                          \
+	for (size_t k = from; k < to; k++)                                                                   \
+	memcpy(data + (p->n + k) * (bytes), data + (size_t)p->ghost_owner[k] * (bytes), bytes)
+	if (bytes == sizeof(double))
+		COPY(sizeof(double));
+	else if (bytes == 3 * sizeof(double))
+		COPY(3 * sizeof(double));
+	else
+		COPY(bytes);
+#undef COPY
+}
+
+static void forward_share(void *context, size_t from, size_t to)
+{
+	const struct tsim *sim = context;
+	const struct ts_particles *p = sim->particles;
+
+	for (size_t k = 0; k < p->ncolumns; k++) {
+		const struct ts_column *c = &p->column[k];
+
+		if (c->active && (c->flags & TS_COL_FORWARD) && c->data != p->x && c->data != p->v)
+			copy_column(p, c, from, to);
+	}
+	place_ghosts(p, sim->domain, from, to);
+}
+
 void ts_exchange_forward(struct tsim *sim)
 {
-	struct ts_particles *p = sim->particles;
+	size_t n = sim->particles->nghost;
 
-	for (size_t g = p->n; g < p->n + p->nghost; g++) {
-		copy_row(p, (size_t)p->ghost_owner[g - p->n], g, TS_COL_FORWARD);
-		place_ghost(p, sim->domain, g);
-	}
+	ts_parallel(ts_team(sim, n), n, forward_share, sim);
 }
