@@ -1,7 +1,6 @@
 # shellcheck shell=bash disable=SC2034,SC2154
 # For bench/race and bench/profile: how scenes are prepared, run, and compared. Sourced in an empty folder, with
 # $tsim, $bench and $size (tiny, quick or full) set.
-export OMP_WAIT_POLICY=${OMP_WAIT_POLICY:-passive} # a thread that waits leaves the processor to others
 all_scenes='packing filling chute drum bonded bidisperse hot'
 scenes=$bench/scenes
 
