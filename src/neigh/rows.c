@@ -191,7 +191,8 @@ size_t ts_rows_bytes(const struct ts_rows *rows)
 		     sizeof *rows->at + sizeof *rows->waiting + rows->history_width * sizeof *rows->history + 2 * entry;
 	size_t results = rows->n * (size_t)rows->parts; /* at the ends of runs all are kept */
 
-	return rows->n * row + (results > rows->room ? results : rows->room) * sizeof *rows->result;
+	return rows->n * row + (results > rows->room ? results : rows->room) * sizeof *rows->result +
+	       rows->memory_capacity * sizeof *rows->memory;
 }
 
 void ts_rows_release(struct ts_rows *rows)
