@@ -22,21 +22,22 @@ struct ts_bond_task {
 	bool keep;   /* tensions may be looked at */
 };
 
-/* Some rows of a slice of bonds, one after the other. */
+/* Some rows of a slice of bonds, one after the other: most slices have no more. */
+enum { TS_BOND_ROWS = 16, TS_BOND_COLUMN = TS_BOND_ROWS * TS_BOND_LANES };
 struct ts_bond_batch {
 	/* from the partner to the particle; velocities, if they count; force on the particle */
-	double d[3][TS_COLUMN], v[3][TS_COLUMN], force[3][TS_COLUMN];
-	double tension[TS_COLUMN], holds[TS_COLUMN];
+	double d[3][TS_BOND_COLUMN], v[3][TS_BOND_COLUMN], force[3][TS_BOND_COLUMN];
+	double tension[TS_BOND_COLUMN], holds[TS_BOND_COLUMN];
 	bool moving;
 } __attribute__((aligned(64)));
-enum { TS_BOND_ROWS = TS_COLUMN / TS_BOND_LANES };
 
 /* ---- the law of several bonds of one type at once */
 
-/* The first n of a batch by a constant law. */
-typedef void ts_bond_batch_fn(struct ts_bond_batch *b, const double *rest, size_t n, const void *coeff);
+/* The first n of a batch by a constant law; returns how many of them break. */
+typedef long ts_bond_batch_fn(struct ts_bond_batch *b, const double *rest, size_t n, const void *coeff);
 
-TS_INLINE void ts_bond_one(struct ts_bond_batch *b, const double *rest, size_t k, const void *coeff, ts_bond_law *law,
+/* Returns whether it holds. */
+TS_INLINE bool ts_bond_one(struct ts_bond_batch *b, const double *rest, size_t k, const void *coeff, ts_bond_law *law,
 			   bool moving)
 {
 	double x = b->d[0][k], y = b->d[1][k], z = b->d[2][k];
@@ -54,31 +55,34 @@ TS_INLINE void ts_bond_one(struct ts_bond_batch *b, const double *rest, size_t k
 	b->force[0][k] = holds ? -tension * x : 0;
 	b->force[1][k] = holds ? -tension * y : 0;
 	b->force[2][k] = holds ? -tension * z : 0;
+	return holds;
 }
 
-TS_INLINE void ts_bond_laws(struct ts_bond_batch *restrict b, const double *restrict rest, size_t n,
+TS_INLINE long ts_bond_laws(struct ts_bond_batch *restrict b, const double *restrict rest, size_t n,
 			    const void *restrict coeff, ts_bond_law *law)
 {
+	long broken = 0;
+
 	if (b->moving) {
-#pragma omp simd
+#pragma omp simd reduction(+ : broken)
 		for (size_t k = 0; k < n; k++)
-			ts_bond_one(b, rest, k, coeff, law, true);
+			broken += !ts_bond_one(b, rest, k, coeff, law, true);
 	} else {
-#pragma omp simd
+#pragma omp simd reduction(+ : broken)
 		for (size_t k = 0; k < n; k++)
-			ts_bond_one(b, rest, k, coeff, law, false);
+			broken += !ts_bond_one(b, rest, k, coeff, law, false);
 	}
+	return broken;
 }
 
 /* Where the types differ, all bonds are computed with each law, and those of its type are taken. */
-static inline void ts_bond_laws_of(const struct ts_bond_task *t, struct ts_bond_batch *b, const double *rest,
+static inline long ts_bond_laws_of(const struct ts_bond_task *t, struct ts_bond_batch *b, const double *rest,
 				   const uint32_t *bond, size_t n, ts_bond_batch_fn *laws)
 {
 	struct ts_bond_batch all = *b;
+	long broken = 0;
 
 	memset(b->force, 0, sizeof b->force);
-	for (size_t k = 0; k < n; k++)
-		b->holds[k] = 1;
 	for (int type = 1; type <= t->bonds->ntypes; type++) {
 		if (!t->coeffs->given[type])
 			continue;
@@ -90,8 +94,10 @@ static inline void ts_bond_laws_of(const struct ts_bond_task *t, struct ts_bond_
 				b->force[c][k] = all.force[c][k];
 			b->tension[k] = all.tension[k];
 			b->holds[k] = all.holds[k];
+			broken += all.holds[k] == 0;
 		}
 	}
+	return broken;
 }
 
 /* ---- columns of particles */
@@ -106,18 +112,18 @@ TS_INLINE void ts_bond_columns(const double (*x)[3], const int32_t *particle, ts
 
 /* What the particles have more than their partners, in n rows. */
 TS_INLINE void ts_bond_difference(const double (*x)[3], const struct ts_bond_slice *slice,
-				  const int32_t (*partner)[TS_BOND_LANES], size_t n, double (*to)[TS_COLUMN])
+				  const int32_t (*partner)[TS_BOND_LANES], size_t n, double (*to)[TS_BOND_COLUMN])
 {
-	for (size_t lane = 0; lane < TS_BOND_LANES; lane += 4) {
-		ts_four own[4], other[4];
+	ts_four own[2][4], other[4];
 
-		ts_bond_columns(x, slice->particle + lane, own);
-		for (size_t k = 0; k < n; k++) {
-			ts_bond_columns(x, partner[k] + lane, other);
+	ts_bond_columns(x, slice->particle, own[0]);
+	ts_bond_columns(x, slice->particle + 4, own[1]);
+	for (size_t k = 0; k < n; k++)
+		for (size_t half = 0; half < 2; half++) {
+			ts_bond_columns(x, partner[k] + 4 * half, other);
 			for (int c = 0; c < 3; c++)
-				*(ts_four *)&to[c][k * TS_BOND_LANES + lane] = own[c] - other[c];
+				*(ts_four *)&to[c][k * TS_BOND_LANES + 4 * half] = own[half][c] - other[c];
 		}
-	}
 }
 
 /* To the nearest image; see ts_box_nearest. */
@@ -165,16 +171,6 @@ static inline void ts_bond_keep(const struct ts_bond_batch *b, const uint32_t *b
 	}
 }
 
-TS_INLINE long ts_bond_broken(const struct ts_bond_batch *b, size_t n)
-{
-	long broken = 0;
-
-#pragma omp simd reduction(+ : broken)
-	for (size_t k = 0; k < n; k++)
-		broken += b->holds[k] == 0;
-	return broken;
-}
-
 /* ---- */
 
 /* n rows of a slice; returns the number of bonds that break. */
@@ -193,10 +189,9 @@ TS_INLINE long ts_bond_work(const struct ts_bond_task *t, const struct ts_bond_s
 				   n, b->v);
 	ts_bond_nearest(t->box, numbers, b);
 	if (slice->type)
-		laws(b, rest, numbers, ts_coeff(t->coeffs, (size_t)slice->type));
+		broken = laws(b, rest, numbers, ts_coeff(t->coeffs, (size_t)slice->type));
 	else
-		ts_bond_laws_of(t, b, rest, bond, numbers, laws);
-	broken = ts_bond_broken(b, numbers);
+		broken = ts_bond_laws_of(t, b, rest, bond, numbers, laws);
 	if (broken || t->keep)
 		ts_bond_keep(b, bond, numbers, t->bonds);
 	return broken;

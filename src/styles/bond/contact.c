@@ -33,10 +33,10 @@ static bool law(const void *coeff, const struct ts_bond_state *state, double *te
 	return holds;
 }
 
-TS_CLONES static void laws(struct ts_bond_batch *restrict b, const double *restrict rest, size_t n,
+TS_CLONES static long laws(struct ts_bond_batch *restrict b, const double *restrict rest, size_t n,
 			   const void *restrict coeff)
 {
-	ts_bond_laws(b, rest, n, coeff, law);
+	return ts_bond_laws(b, rest, n, coeff, law);
 }
 
 TS_CLONES static long share(void *task, size_t from, size_t to)
