@@ -173,6 +173,15 @@ static inline void ts_bond_keep(const struct ts_bond_batch *b, const uint32_t *b
 
 /* ---- */
 
+/* What the next rows need is sent for: there is more of it than the nearer caches hold. */
+TS_INLINE void ts_bond_send_for(const struct ts_bond_slices *s, size_t row, size_t n)
+{
+	for (size_t k = 0; k < n; k++) {
+		__builtin_prefetch(s->rest[row + TS_BOND_ROWS + k]);
+		__builtin_prefetch(s->partner[row + TS_BOND_ROWS + k]);
+	}
+}
+
 /* n rows of a slice; returns the number of bonds that break. */
 TS_INLINE long ts_bond_work(const struct ts_bond_task *t, const struct ts_bond_slice *slice, size_t row, size_t n,
 			    ts_bond_batch_fn *laws, struct ts_bond_batch *b)
@@ -182,6 +191,8 @@ TS_INLINE long ts_bond_work(const struct ts_bond_task *t, const struct ts_bond_s
 	const double *rest = s->rest[row];
 	size_t numbers = n * TS_BOND_LANES;
 	long broken;
+
+	ts_bond_send_for(s, row, n);
 
 	ts_bond_difference((const double(*)[3])t->p->x, slice, (const int32_t(*)[TS_BOND_LANES])s->partner + row, n, b->d);
 	if (t->moving)
