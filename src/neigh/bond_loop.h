@@ -110,20 +110,26 @@ TS_INLINE void ts_bond_columns(const double (*x)[3], const int32_t *particle, ts
 	ts_four_turn(column);
 }
 
-/* What the particles have more than their partners, in n rows. */
+/* What the particles have more than their partners, in n rows from `row` on; what later rows need is sent for, there is
+ * more of it than the nearer caches hold. */
 TS_INLINE void ts_bond_difference(const double (*x)[3], const struct ts_bond_slice *slice,
-				  const int32_t (*partner)[TS_BOND_LANES], size_t n, double (*to)[TS_BOND_COLUMN])
+				  const struct ts_bond_slices *s, size_t row, size_t n, double (*to)[TS_BOND_COLUMN])
 {
+	const int32_t(*partner)[TS_BOND_LANES] = (const int32_t(*)[TS_BOND_LANES])s->partner + row;
+	const double(*rest)[TS_BOND_LANES] = (const double(*)[TS_BOND_LANES])s->rest + row;
 	ts_four own[2][4], other[4];
 
 	ts_bond_columns(x, slice->particle, own[0]);
 	ts_bond_columns(x, slice->particle + 4, own[1]);
-	for (size_t k = 0; k < n; k++)
+	for (size_t k = 0; k < n; k++) {
+		__builtin_prefetch(partner[TS_BOND_ROWS + k]);
+		__builtin_prefetch(rest[TS_BOND_ROWS + k]);
 		for (size_t half = 0; half < 2; half++) {
 			ts_bond_columns(x, partner[k] + 4 * half, other);
 			for (int c = 0; c < 3; c++)
 				*(ts_four *)&to[c][k * TS_BOND_LANES + 4 * half] = own[half][c] - other[c];
 		}
+	}
 }
 
 /* To the nearest image; see ts_box_nearest. */
@@ -155,9 +161,12 @@ TS_INLINE void ts_bond_add(double (*f)[3], const struct ts_bond_slice *slice, ts
 {
 	ts_four_turn(sum[0]);
 	ts_four_turn(sum[1]);
-	for (size_t lane = 0; lane < slice->n; lane++)
-		for (int c = 0; c < 3; c++)
-			f[slice->particle[lane]][c] += sum[lane / 4][lane % 4][c];
+	for (size_t lane = 0; lane < slice->n; lane++) {
+		double *to = f[slice->particle[lane]];
+		ts_four all = TS_FOUR_AT(to) + sum[lane / 4][lane % 4];
+
+		ts_four_keep(&all, 3, to);
+	}
 }
 
 /* Of bonds whose first partner stands here, so that each is kept once. */
@@ -173,15 +182,6 @@ static inline void ts_bond_keep(const struct ts_bond_batch *b, const uint32_t *b
 
 /* ---- */
 
-/* What the next rows need is sent for: there is more of it than the nearer caches hold. */
-TS_INLINE void ts_bond_send_for(const struct ts_bond_slices *s, size_t row, size_t n)
-{
-	for (size_t k = 0; k < n; k++) {
-		__builtin_prefetch(s->rest[row + TS_BOND_ROWS + k]);
-		__builtin_prefetch(s->partner[row + TS_BOND_ROWS + k]);
-	}
-}
-
 /* n rows of a slice; returns the number of bonds that break. */
 TS_INLINE long ts_bond_work(const struct ts_bond_task *t, const struct ts_bond_slice *slice, size_t row, size_t n,
 			    ts_bond_batch_fn *laws, struct ts_bond_batch *b)
@@ -192,12 +192,9 @@ TS_INLINE long ts_bond_work(const struct ts_bond_task *t, const struct ts_bond_s
 	size_t numbers = n * TS_BOND_LANES;
 	long broken;
 
-	ts_bond_send_for(s, row, n);
-
-	ts_bond_difference((const double(*)[3])t->p->x, slice, (const int32_t(*)[TS_BOND_LANES])s->partner + row, n, b->d);
+	ts_bond_difference((const double(*)[3])t->p->x, slice, s, row, n, b->d);
 	if (t->moving)
-		ts_bond_difference((const double(*)[3])t->p->v, slice, (const int32_t(*)[TS_BOND_LANES])s->partner + row,
-				   n, b->v);
+		ts_bond_difference((const double(*)[3])t->p->v, slice, s, row, n, b->v);
 	ts_bond_nearest(t->box, numbers, b);
 	if (slice->type)
 		broken = laws(b, rest, numbers, ts_coeff(t->coeffs, (size_t)slice->type));
