@@ -208,9 +208,10 @@ TS_INLINE long ts_bond_work(const struct ts_bond_task *t, const struct ts_bond_s
 /* Slices from .. to-1; returns the number of bonds that break, as their particles see it. */
 TS_INLINE long ts_bond_share(const struct ts_bond_task *t, size_t from, size_t to, ts_bond_batch_fn *laws)
 {
-	struct ts_bond_batch b = { .moving = t->moving };
+	struct ts_bond_batch b; /* the rest is not set: it is large */
 	long broken = 0;
 
+	b.moving = t->moving;
 	for (size_t k = from; k < to; k++) {
 		const struct ts_bond_slice *slice = &t->bonds->slices.slice[k];
 		ts_four sum[2][4] = { { { 0 } } };
