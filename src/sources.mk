@@ -332,6 +332,8 @@ library_sources = \
 	src/math/vec3.h \
 	src/neigh/bond_force.c \
 	src/neigh/bond_loop.h \
+	src/neigh/bond_slices.c \
+	src/neigh/bond_slices.h \
 	src/neigh/bonds.c \
 	src/neigh/bonds.h \
 	src/neigh/cells.c \
@@ -346,7 +348,6 @@ library_sources = \
 	src/neigh/energy.h \
 	src/neigh/gather.c \
 	src/neigh/gather.h \
-	src/neigh/gather_index.c \
 	src/neigh/gran_coeff.c \
 	src/neigh/gran_coeff.h \
 	src/neigh/gran_numbers.c \

@@ -147,6 +147,7 @@ unit_tests = \
 	tests/accuracy/check_settling \
 	tests/check_alloc \
 	tests/check_args \
+	tests/check_bonds \
 	tests/check_contact_parts \
 	tests/check_coupling \
 	tests/check_crosscheck \
@@ -237,6 +238,10 @@ tests_check_alloc_LDADD = $(tests_ldadd)
 tests_check_args_SOURCES = tests/check_args.c $(tests_common)
 tests_check_args_CFLAGS = $(tests_cflags)
 tests_check_args_LDADD = $(tests_ldadd)
+
+tests_check_bonds_SOURCES = tests/check_bonds.c $(tests_common)
+tests_check_bonds_CFLAGS = $(tests_cflags)
+tests_check_bonds_LDADD = $(tests_ldadd)
 
 tests_check_contact_parts_SOURCES = tests/check_contact_parts.c $(tests_common)
 tests_check_contact_parts_CFLAGS = $(tests_cflags)

@@ -7,8 +7,8 @@
 
 #include "base/banned.h"
 
-/* Particles at a time: their columns fit into the caches nearest to a core. */
-enum { SOME = 256 };
+/* Particles at a time: their columns fit into the cache nearest to a core, with room for what is sent for. */
+enum { SOME = 128 };
 
 static void share(void *context, size_t from, size_t to)
 {

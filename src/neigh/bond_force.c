@@ -11,9 +11,13 @@
 
 #include "base/banned.h"
 
-static struct ts_bond_task task_of(const struct tsim *sim, const struct ts_coeffs *coeffs)
+void ts_bond_separation(const struct tsim *sim, size_t i, size_t j, double d[3])
 {
-	return (struct ts_bond_task){ sim->particles, sim->bonds, coeffs, &sim->domain->box };
+	const struct ts_particles *p = sim->particles;
+
+	for (int k = 0; k < 3; k++)
+		d[k] = p->x[i][k] - p->x[j][k];
+	ts_box_nearest(&sim->domain->box, d);
 }
 
 static enum ts_status record_event(struct tsim *sim, size_t b)
@@ -21,7 +25,6 @@ static enum ts_status record_event(struct tsim *sim, size_t b)
 	struct ts_bonds *bonds = sim->bonds;
 	const struct ts_particles *p = sim->particles;
 	size_t i = (size_t)bonds->row[b][0], j = (size_t)bonds->row[b][1];
-	struct ts_bond_task t = task_of(sim, NULL);
 	struct ts_bond_event *e;
 	double d[3];
 
@@ -33,7 +36,7 @@ static enum ts_status record_event(struct tsim *sim, size_t b)
 	e->time = ts_sim_time(sim);
 	e->force = bonds->tension[b];
 	e->type = bonds->type[b];
-	ts_bond_separation(&t, i, j, d);
+	ts_bond_separation(sim, i, j, d);
 	for (int k = 0; k < 3; k++)
 		e->x[k] = p->x[j][k] + 0.5 * d[k];
 	for (int s = 0; s < 2; s++)
@@ -55,18 +58,27 @@ static enum ts_status remove_broken(struct tsim *sim)
 	return TS_OK;
 }
 
+/* Whether the rate of some bond counts. */
+static bool damped(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct ts_bond *bond = self->state;
+	bool some = false;
+
+	for (int type = 1; type <= sim->bonds->ntypes; type++)
+		some |= bond->coeffs.given[type] &&
+			ts_bond_style_of(self)->damped(ts_coeff(&bond->coeffs, (size_t)type));
+	return some;
+}
+
 enum ts_status ts_bond_force(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_bond *bond = self->state;
-	struct ts_bond_task t = task_of(sim, &bond->coeffs);
-	long broken;
+	struct ts_bond_task t = { sim->particles, sim->bonds, &bond->coeffs, &sim->domain->box, damped(self, sim),
+				  sim->complete || sim->bonds->shown };
+	size_t slices = sim->bonds->slices.n;
 
-	if (!sim->bonds->n)
-		return TS_OK;
-	broken = ts_parallel_count(ts_team(sim, sim->bonds->n), sim->bonds->n,
-				   ts_bond_style_of(self)->share, &t);
-	ts_gather_forces(sim, &sim->bonds->gather, (const double(*)[3])sim->bonds->force);
-	if (!broken)
+	if (!sim->bonds->n ||
+	    !ts_parallel_count(ts_team(sim, sim->bonds->n), slices, ts_bond_style_of(self)->share, &t))
 		return TS_OK;
 	TS_TRY(remove_broken(sim));
 	return ts_bonds_index(sim);

@@ -24,7 +24,6 @@ static enum ts_status reserve(struct ts_bonds *b, size_t n)
 	GROW_COLUMN(type);
 	GROW_COLUMN(rest);
 	GROW_COLUMN(row);
-	GROW_COLUMN(force);
 	GROW_COLUMN(tension);
 	GROW_COLUMN(breaks);
 #undef GROW_COLUMN
@@ -43,7 +42,6 @@ enum ts_status ts_bonds_add(struct tsim *sim, int32_t tag_a, int32_t tag_b, int 
 	b->type[b->n] = type;
 	b->rest[b->n] = rest;
 	b->tension[b->n] = 0;
-	memset(b->force[b->n], 0, sizeof *b->force);
 	b->n++;
 	b->created++;
 	return TS_OK;
@@ -111,7 +109,6 @@ void ts_bonds_delete(struct ts_bonds *b, const unsigned char *flag)
 			continue;
 		memcpy(b->tag[kept], b->tag[k], sizeof b->tag[k]);
 		memcpy(b->row[kept], b->row[k], sizeof b->row[k]);
-		memcpy(b->force[kept], b->force[k], sizeof b->force[k]);
 		b->type[kept] = b->type[k];
 		b->rest[kept] = b->rest[k];
 		b->tension[kept++] = b->tension[k];
@@ -144,7 +141,18 @@ enum ts_status ts_bonds_index(struct tsim *sim)
 		pairs.end[s] = &b->row[0][s];
 		pairs.tag[s] = &b->tag[0][s];
 	}
-	return ts_gather_index(sim, &b->gather, &pairs) == TS_OK ? TS_OK : ts_nomem(&sim->error);
+	if (b->n)
+		memset(b->breaks, 0, b->n);
+	if (ts_gather_index(sim, &b->gather, &pairs) != TS_OK || ts_bond_slices(sim, b) != TS_OK)
+		return ts_nomem(&sim->error);
+	return TS_OK;
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	(void)sim;
+	((struct ts_bonds *)self->state)->shown = false; /* outputs say so in theirs */
+	return TS_OK;
 }
 
 /* After a rebuild particles may stand in other rows, or be gone. */
@@ -220,7 +228,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 			   struct ts_plan_report *report)
 {
 	const struct ts_bonds *b = self->state;
-	size_t bytes = 6 * sizeof(double) + 7 * sizeof(int32_t);
+	size_t bytes = 4 * sizeof(double) + 11 * sizeof(int32_t);
 
 	(void)sim;
 	report->bytes += (double)(b->n * bytes);
@@ -237,10 +245,10 @@ static void fini(struct ts_instance *self)
 	ts_free(b->type);
 	ts_free(b->rest);
 	ts_free(b->row);
-	ts_free(b->force);
 	ts_free(b->tension);
 	ts_free(b->breaks);
 	ts_gather_release(&b->gather);
+	ts_bond_slices_release(&b->slices);
 	ts_free(b->event);
 }
 
@@ -285,6 +293,7 @@ const struct ts_system_style ts_bonds_system = {
 		   .saved = saved,
 		   .archive = archive,
 		   .fingerprint = fingerprint,
+		   .init = init,
 		   .hook = { [TS_STAGE_BUILD] = build },
 		   .plan = plan,
 		   .fini = fini },

@@ -1,13 +1,14 @@
 /* Bonds: an explicit list of pairs that hold together until they break.
  *
- * Forces are computed over the list and gathered per particle in the order of partners' identities,
- * as for contact rows, so results do not depend on threads or order in memory. */
+ * Each particle adds up the forces of its bonds in the order of partners' identities, as for contact rows, so results do
+ * not depend on threads or order in memory. */
 #ifndef TS_NEIGH_BONDS_H
 #define TS_NEIGH_BONDS_H
 
 #include "base/parallel.h"
 #include "core/coeff.h"
 #include "core/sim.h"
+#include "neigh/bond_slices.h"
 #include "neigh/gather.h"
 
 /* What a broken bond leaves behind. */
@@ -23,11 +24,12 @@ struct ts_bonds {
 	int32_t *type;     /* 1..ntypes */
 	double *rest;      /* length without force */
 	int32_t (*row)[2]; /* rows of the particle columns; made at each rebuild */
-	double (*force)[3]; /* on the first partner */
-	double *tension;   /* along the bond, > 0 pulling */
+	double *tension;   /* along the bond, > 0 pulling: of the last step of which all is left (sim->complete) */
+	bool shown;	   /* an output may look at tensions at any step: they are left always */
 	unsigned char *breaks; /* in this step */
 
 	struct ts_gather gather; /* of the local particles */
+	struct ts_bond_slices slices;
 
 	int ntypes;
 	int64_t created, broken; /* ever */
@@ -39,11 +41,10 @@ struct ts_bonds {
 /* One bond, as bond laws see it. */
 struct ts_bond_state {
 	double extension; /* length - rest */
-	double rate;      /* of extension */
-	double mass;      /* m* */
+	double rate;      /* of extension; 0 unless a bond is damped */
 };
 
-/* Tension (> 0 pulls the partners together) into *tension; false if the bond breaks. */
+/* Tension (> 0 pulls the partners together) into *tension; false if the bond breaks, which one at rest does not. */
 typedef bool ts_bond_law(const void *coeff, const struct ts_bond_state *state, double *tension);
 
 struct ts_bond_style {
@@ -51,6 +52,7 @@ struct ts_bond_style {
 	size_t coeff_size; /* bytes that the rows style.coeff fill, the arguments of bond_coeff */
 	enum ts_status (*complete)(struct tsim *sim, void *coeff, const struct ts_place *where);
 	ts_count_fn *share; /* ts_bond_share with its law: neigh/bond_loop.h */
+	bool (*damped)(const void *coeff); /* tension depends on the rate */
 	double (*stiffness)(const void *coeff);
 	/* Elastic energy at this extension; NULL: the law has no potential. */
 	double (*energy)(const void *coeff, double extension);
@@ -76,8 +78,11 @@ bool ts_bonds_has(const struct ts_bonds *bonds, int32_t tag_a, int32_t tag_b); /
 /* Removes the bonds whose flag is set. */
 void ts_bonds_delete(struct ts_bonds *bonds, const unsigned char *flag);
 
-/* Makes the gather lists anew after the list or the particles' rows have changed. */
+/* Makes the lists by particle anew after the list or the particles' rows have changed. */
 enum ts_status ts_bonds_index(struct tsim *sim);
+
+/* Vector from particle j to particle i, by the nearest image. */
+void ts_bond_separation(const struct tsim *sim, size_t i, size_t j, double d[3]);
 
 enum ts_status ts_bond_set(struct tsim *sim, struct ts_types types, struct ts_words words,
 			   const struct ts_place *where);

@@ -1,41 +1,98 @@
 #include "neigh/gather.h"
 
-#include "base/clones.h"
-#include "base/four.h"
 #include "base/parallel.h"
+#include "base/sort.h"
 #include "particles/particles.h"
 
 #include "base/banned.h"
 
+/* Shares are ranges of particles: each looks at all pairs, and lists those of its own. */
 struct task {
-	const struct ts_gather *gather;
-	const double (*force)[3];
-	double (*f)[3];
+	const struct ts_gather_pairs *pairs;
+	size_t *first;
+	uint32_t *entry;
+	size_t longest; /* list */
 };
 
-TS_CLONES static void share(void *context, size_t from, size_t to)
+static inline size_t end_of(const struct ts_gather_pairs *p, size_t r, int side)
 {
-	static const double signs[] = { 1, -1 }; /* a table: which side cannot be guessed */
-	const struct task t = *(const struct task *)context;
-
-	for (size_t i = from; i < to; i++) {
-		ts_four f = { 0 };
-
-		for (size_t k = t.gather->first[i]; k < t.gather->first[i + 1]; k++) {
-			uint32_t entry = t.gather->entry[k];
-
-			f += signs[entry & 1] * TS_FOUR_AT(t.force[entry >> 1]);
-		}
-		for (int d = 0; d < 3; d++)
-			t.f[i][d] += f[d];
-	}
+	return (size_t)p->end[side][r * p->stride];
 }
 
-void ts_gather_forces(struct tsim *sim, const struct ts_gather *gather, const double (*force)[3])
+static void count_share(void *context, size_t from, size_t to)
 {
-	struct task task = { gather, force, sim->particles->f };
+	const struct task *t = context;
+	const struct ts_gather_pairs *p = t->pairs;
 
-	ts_parallel(ts_team(sim, sim->particles->n), sim->particles->n, share, &task);
+	for (size_t r = 0; r < p->n; r++)
+		for (int side = 0; side < 2; side++)
+			if (end_of(p, r, side) - from < to - from)
+				t->first[end_of(p, r, side) + 2]++;
+}
+
+static void list_share(void *context, size_t from, size_t to)
+{
+	const struct task *t = context;
+	const struct ts_gather_pairs *p = t->pairs;
+
+	for (size_t r = 0; r < p->n; r++)
+		for (int side = 0; side < 2; side++)
+			if (end_of(p, r, side) - from < to - from)
+				t->entry[t->first[end_of(p, r, side) + 1]++] =
+					(uint32_t)(2 * r + (size_t)side);
+}
+
+static void sort_list(const struct ts_gather_pairs *p, uint32_t *entry, size_t n, uint64_t *key, uint64_t *spare)
+{
+	for (size_t k = 0; k < n; k++)
+		key[k] = (uint64_t)p->tag[!(entry[k] & 1)][(entry[k] >> 1) * p->stride] << 32 | entry[k];
+	ts_sort_keys(key, spare, n);
+	for (size_t k = 0; k < n; k++)
+		entry[k] = (uint32_t)key[k];
+}
+
+/* By the partners' identities. Returns whether there was no memory. */
+static long sort_share(void *context, size_t from, size_t to)
+{
+	const struct task *t = context;
+	uint64_t *key = ts_alloc(2 * t->longest, sizeof *key);
+
+	for (size_t i = from; key && i < to; i++)
+		sort_list(t->pairs, t->entry + t->first[i], t->first[i + 1] - t->first[i], key,
+			  key + t->longest);
+	ts_free(key);
+	return key == NULL;
+}
+
+/* From numbers to places; returns the largest number. */
+static size_t begin_lists(size_t *first, size_t n)
+{
+	size_t longest = 0;
+
+	for (size_t i = 2; i < n + 2; i++) {
+		longest = first[i] > longest ? first[i] : longest;
+		first[i] += first[i - 1];
+	}
+	return longest;
+}
+
+enum ts_status ts_gather_index(const struct tsim *sim, struct ts_gather *g,
+			       const struct ts_gather_pairs *pairs)
+{
+	size_t n = sim->particles->n;
+	int threads = ts_team(sim, n);
+	struct task t = { .pairs = pairs };
+
+	TS_TRY(TS_RENEW(g->first, g->first_capacity, n + 2));
+	TS_TRY(TS_RENEW(g->entry, g->entry_capacity, 2 * pairs->n));
+	t.first = g->first;
+	t.entry = g->entry;
+	for (size_t i = 0; i < n + 2; i++)
+		g->first[i] = 0;
+	ts_parallel(threads, n, count_share, &t);
+	t.longest = begin_lists(g->first, n);
+	ts_parallel(threads, n, list_share, &t);
+	return ts_parallel_count(threads, n, sort_share, &t) ? TS_NOMEM : TS_OK;
 }
 
 void ts_gather_release(struct ts_gather *gather)

@@ -30,9 +30,6 @@ struct ts_gather_pairs {
 };
 enum ts_status ts_gather_index(const struct tsim *sim, struct ts_gather *gather,
 			       const struct ts_gather_pairs *pairs);
-
-/* f[i] += the forces of its pairs, reversed where i is the second. A number behind the last force may be read. */
-void ts_gather_forces(struct tsim *sim, const struct ts_gather *gather, const double (*force)[3]);
 void ts_gather_release(struct ts_gather *gather);
 
 #endif

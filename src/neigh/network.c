@@ -12,7 +12,7 @@
 #include <string.h>
 
 #include "base/parallel.h"
-#include "neigh/bond_loop.h"
+#include "neigh/bonds.h"
 #include "neigh/limits.h"
 #include "neigh/linkage.h"
 #include "neigh/wall.h"
@@ -351,12 +351,11 @@ static enum ts_status add_row(struct network *w, int a, size_t i, uint32_t entry
 static enum ts_status add_bond(struct network *w, int a, size_t i, uint32_t entry)
 {
 	const struct ts_bonds *bonds = w->sim->bonds;
-	struct ts_bond_task t = { .p = w->sim->particles, .box = &w->sim->domain->box };
 	size_t j = (size_t)bonds->row[entry >> 1][!(entry & 1)];
 	struct ts_link link = { .a = a, .b = w->place[node_of(w, j)] - 1 };
 	double length;
 
-	ts_bond_separation(&t, i, j, link.n);
+	ts_bond_separation(w->sim, i, j, link.n);
 	length = ts_norm(link.n);
 	if (!(length > 0))
 		return TS_OK;

@@ -1,7 +1,24 @@
 /* Groups: named sets of particles, kept as bits of the mask column. */
 #include "particles/particles.h"
 
+#include "base/clones.h"
+
 #include "base/banned.h"
+
+TS_CLONES static size_t count(const uint32_t *mask, int group, size_t from, size_t to)
+{
+	uint32_t members = 0;
+
+#pragma omp simd reduction(+ : members)
+	for (size_t i = from; i < to; i++)
+		members += mask[i] >> group & 1u;
+	return members;
+}
+
+size_t ts_group_members(const struct ts_particles *p, int group, size_t from, size_t to)
+{
+	return count(p->mask, group, from, to);
+}
 
 int ts_group_find(const struct ts_particles *p, const char *name)
 {

@@ -21,7 +21,7 @@ struct task {
 /* Of each coordinate of a block. */
 struct factors {
 	double kick[3 * BLOCK], turn[3 * BLOCK];
-	int64_t in[3 * BLOCK]; /* belongs to the group; not filled for the group of all */
+	int64_t in[3 * BLOCK]; /* belongs to the group; not filled where all do */
 };
 
 TS_INLINE void make_factors(const struct task *t, size_t from, size_t n, struct factors *f)
@@ -102,10 +102,11 @@ static void share(void *context, size_t from, size_t to)
 
 	for (; from < to; from += BLOCK) {
 		size_t n = to - from < BLOCK ? to - from : BLOCK;
+		size_t members = t->group == 0 ? n : ts_group_members(t->p, t->group, from, from + n);
 
-		if (t->group == 0)
+		if (members == n)
 			block_of_all(t, from, n);
-		else
+		else if (members)
 			block_of_some(t, from, n);
 	}
 }

@@ -186,6 +186,8 @@ static inline bool ts_in_group(const struct ts_particles *p, size_t i, int group
 {
 	return (p->mask[i] >> group) & 1u;
 }
+/* How many of the particles from .. to-1. */
+size_t ts_group_members(const struct ts_particles *p, int group, size_t from, size_t to);
 
 /* Functions of expressions over groups: count(g), mass(g), xcm(g,x) ... */
 extern const struct ts_function ts_group_functions[];

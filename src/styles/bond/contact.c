@@ -33,14 +33,20 @@ static bool law(const void *coeff, const struct ts_bond_state *state, double *te
 	return holds;
 }
 
-TS_CLONES static void laws(struct ts_bond_batch *restrict b, size_t n, const void *restrict coeff)
+TS_CLONES static long laws(struct ts_bond_batch *restrict b, const double *restrict rest, size_t n,
+			   const void *restrict coeff)
 {
-	ts_bond_laws(b, n, coeff, law);
+	return ts_bond_laws(b, rest, n, coeff, law);
 }
 
 TS_CLONES static long share(void *task, size_t from, size_t to)
 {
 	return ts_bond_share(task, from, to, laws);
+}
+
+static bool damped(const void *coeff)
+{
+	return ((const struct coeff *)coeff)->damping > 0;
 }
 
 static double stiffness(const void *coeff)
@@ -101,6 +107,7 @@ const struct ts_bond_style ts_bond_contact = {
 	.coeff_size = sizeof(struct coeff),
 	.complete = complete,
 	.share = share,
+	.damped = damped,
 	.stiffness = stiffness,
 	.energy = energy,
 	.limit = limit,

@@ -25,6 +25,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct state *s = self->state;
 
 	s->sim = sim;
+	sim->bonds->shown = true;
 	return ts_name_list_read(sim, "compute bond/local", &self->arena, s->words, columns,
 				 sizeof *columns, &s->list);
 }

@@ -63,6 +63,13 @@ static enum ts_status eval_local(struct ts_instance *self, const struct tsim *si
 	return ts_table_resize(out, n, COLUMNS);
 }
 
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	(void)self;
+	sim->bonds->shown = true; /* the list has tensions */
+	return TS_OK;
+}
+
 static const char *const names[] = { "i",  "j",	 "type", "rest", "tension", "xi",
 				     "yi", "zi", "xj",	 "yj",	 "zj" };
 static const struct ts_value values[] = {
@@ -85,4 +92,5 @@ const struct ts_style ts_compute_bonds = {
 	       "computation, > 0 pulling.",
 	.example = "compute nb rock bonds\ndump b all local/vtk 1000 post/bonds*.vtp c_nb",
 	.values = values,
+	.init = init,
 };

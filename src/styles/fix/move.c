@@ -2,6 +2,7 @@
 #include "core/sim.h"
 
 #include "core/each.h"
+#include "core/sweep.h"
 #include "math/vec3.h"
 #include "neigh/limits.h"
 #include "particles/domain.h"
@@ -216,30 +217,54 @@ static void move(const struct state *s, const struct tsim *sim, const struct mom
 	}
 }
 
+struct task {
+	const struct state *s;
+	const struct tsim *sim;
+	struct moment m;
+	int group;
+};
+
+static void move_share(void *context, size_t from, size_t to)
+{
+	const struct task *t = context;
+	const struct ts_particles *p = t->sim->particles;
+
+	if (!ts_group_members(p, t->group, from, to))
+		return;
+	for (size_t i = from; i < to; i++)
+		if (ts_in_group(p, i, t->group))
+			move(t->s, t->sim, &t->m, i);
+}
+
+static void kick_share(void *context, size_t from, size_t to)
+{
+	const struct task *t = context;
+
+	for (size_t i = from; i < to; i++)
+		if (ts_in_group(t->sim->particles, i, t->group))
+			kick(t->s, t->sim, i);
+}
+
 static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
-	struct ts_particles *p = sim->particles;
-	struct moment m = moment_of(s, sim);
+	struct task task = { s, sim, moment_of(s, sim), self->group };
 
-	if (s->mode == VARIABLE)
+	if (s->mode == VARIABLE) {
+		ts_sweep(sim); /* variables may look at anything */
 		TS_TRY(evaluate(self, sim));
-#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
-	for (size_t i = 0; i < p->n; i++)
-		if (ts_in_group(p, i, self->group))
-			move(s, sim, &m, i);
+	}
+	TS_SWEEP_ADD(sim, sim->particles->n, move_share, &task);
 	return TS_OK;
 }
 
 static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim)
 {
 	const struct state *s = self->state;
-	const struct ts_particles *p = sim->particles;
+	struct task task = { .s = s, .sim = sim, .group = self->group };
 
-#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
-	for (size_t i = 0; i < p->n; i++)
-		if (ts_in_group(p, i, self->group))
-			kick(s, sim, i);
+	if (s->motion.free)
+		TS_SWEEP_ADD(sim, sim->particles->n, kick_share, &task);
 	return TS_OK;
 }
 
@@ -384,5 +409,6 @@ const struct ts_style ts_fix_move = {
 		[TS_STAGE_POST_BUILD] = take_in,
 		[TS_STAGE_FINAL_INTEGRATE] = final_integrate,
 	},
+	.waits = TS_WAITS(INITIAL_INTEGRATE) | TS_WAITS(FINAL_INTEGRATE),
 	.fini = fini,
 };

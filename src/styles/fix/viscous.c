@@ -2,6 +2,9 @@
 
 #include <math.h>
 
+#include "base/clones.h"
+#include "base/four.h"
+#include "core/sweep.h"
 #include "particles/particles.h"
 #include "particles/type_factors.h"
 
@@ -22,15 +25,36 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return ts_type_factors(sim, "fix viscous", &self->arena, s->scale, &s->factor);
 }
 
+struct task {
+	const struct ts_particles *p;
+	const double *factor;
+	double gamma;
+	int group;
+};
+
+TS_CLONES static void share(void *context, size_t from, size_t to)
+{
+	const struct task t = *(const struct task *)context;
+	double (*restrict f)[3] = t.p->f, (*restrict v)[3] = t.p->v;
+	const int32_t *restrict type = t.p->type;
+	bool all = ts_group_members(t.p, t.group, from, to) == to - from;
+
+	for (size_t i = from; i < to; i++) {
+		ts_four sum;
+
+		if (!all && !ts_in_group(t.p, i, t.group))
+			continue;
+		sum = TS_FOUR_AT(f[i]) - TS_FOUR_ALL(t.gamma * t.factor[type[i]]) * TS_FOUR_AT(v[i]);
+		ts_four_keep(&sum, 3, f[i]);
+	}
+}
+
 static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 {
 	const struct viscous *s = self->state;
-	struct ts_particles *p = sim->particles;
+	struct task task = { sim->particles, s->factor, s->gamma, self->group };
 
-#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
-	for (size_t i = 0; i < p->n; i++)
-		for (int k = 0; ts_in_group(p, i, self->group) && k < 3; k++)
-			p->f[i][k] -= s->gamma * s->factor[p->type[i]] * p->v[i][k];
+	TS_SWEEP_ADD(sim, sim->particles->n, share, &task);
 	return TS_OK;
 }
 
@@ -67,5 +91,6 @@ const struct ts_style ts_fix_viscous = {
 	.state_size = sizeof(struct viscous),
 	.init = init,
 	.hook = { [TS_STAGE_POST_FORCE] = post_force },
+	.waits = TS_WAITS(POST_FORCE),
 	.plan = plan,
 };
