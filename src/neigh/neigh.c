@@ -293,6 +293,7 @@ static enum ts_status clear_forces(struct ts_instance *self, struct tsim *sim)
 
 	(void)self;
 	sim->complete = shows(sim);
+	sim->neigh->follower = NULL; /* who wants to says so in each step */
 	if (sim->outside) /* the program around may do anything */
 		rows->looked = false;
 	rows->sets = sim->neigh->rows_first && rows->n;
