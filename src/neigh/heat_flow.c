@@ -58,6 +58,20 @@ TS_CLONES static void scan_share(void *context, size_t from, size_t to)
 	}
 }
 
+/* What the active rows of a block will need, so that it comes together; first partners follow each other in memory. */
+TS_INLINE void send_for(const struct ts_heat_task *t, const struct ts_row_block *block)
+{
+	const struct ts_row_near *near = t->pairs->rows->near + block->first, *end = near + block->active;
+	const double(*place)[4] = (const double(*)[4])t->pairs->rows->place, *temperature = t->temperature;
+	const struct ts_heat_flow *flow = t->pairs->flow;
+
+	for (; near < end; near++) {
+		__builtin_prefetch(place[near->j]);
+		__builtin_prefetch(temperature + near->j);
+		__builtin_prefetch(flow + near->slot, 1);
+	}
+}
+
 /* The rows of the blocks from .. to-1. */
 TS_CLONES static void blocks_share(void *context, size_t from, size_t to)
 {
@@ -70,6 +84,8 @@ TS_CLONES static void blocks_share(void *context, size_t from, size_t to)
 		const struct ts_row_near *near = rows->near + block->first;
 		size_t types = (size_t)(block->type[0] * (t.h->ntypes + 1) + block->type[1]);
 
+		if (l + 1 < to)
+			send_for(&t, block + 1);
 		for (size_t k = 0; k < TS_COLUMN; k++)
 			ts_heat_constants(&t, types, &b, k);
 		for (size_t at = 0; at < block->active; at += TS_COLUMN) {
