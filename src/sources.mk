@@ -354,7 +354,9 @@ library_sources = \
 	src/neigh/gran_numbers.h \
 	src/neigh/heat.c \
 	src/neigh/heat.h \
+	src/neigh/heat_block.h \
 	src/neigh/heat_contacts.c \
+	src/neigh/heat_flow.c \
 	src/neigh/heat_step.c \
 	src/neigh/leaving.c \
 	src/neigh/leaving.h \
@@ -408,6 +410,8 @@ library_sources = \
 	src/neigh/row_search.h \
 	src/neigh/row_slots.c \
 	src/neigh/row_slots.h \
+	src/neigh/row_walk.c \
+	src/neigh/row_walk.h \
 	src/neigh/rows.c \
 	src/neigh/rows.h \
 	src/neigh/skin.c \

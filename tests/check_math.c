@@ -1,8 +1,9 @@
-/* Random numbers, exact sums, vectors. */
+/* Random numbers, exact sums, vectors, sorted keys. */
 #include <check.h>
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/sort.h"
 #include "math/exactsum.h"
 #include "math/rng.h"
 #include "math/vec3.h"
@@ -188,6 +189,31 @@ START_TEST(vectors)
 }
 END_TEST
 
+/* Lists of every length up to some that are merged, of keys with and without the highest bit. */
+START_TEST(keys_sorted)
+{
+	enum { MOST = 300 };
+	uint64_t key[MOST], spare[MOST];
+	struct ts_rng rng = ts_rng_start(15485863, 1);
+
+	for (size_t n = 0; n <= MOST; n++) {
+		uint64_t all = 0;
+
+		for (size_t k = 0; k < n; k++) { /* the last bits differ */
+			key[k] = (uint64_t)(ts_rng_uniform(&rng) * 0x1p53) << 11;
+			key[k] = (key[k] & ~(uint64_t)511) | k;
+			all ^= key[k];
+		}
+		ts_sort_keys(key, spare, n);
+		for (size_t k = 0; k < n; k++) {
+			ck_assert(k == 0 || key[k - 1] < key[k]);
+			all ^= key[k];
+		}
+		ck_assert_uint_eq(all, 0);
+	}
+}
+END_TEST
+
 int main(void)
 {
 	Suite *suite = suite_create("math");
@@ -204,6 +230,7 @@ int main(void)
 	tcase_add_test(tests, exactsum_order);
 	tcase_add_test(tests, exactsum_integers);
 	tcase_add_test(tests, vectors);
+	tcase_add_test(tests, keys_sorted);
 	suite_add_tcase(suite, tests);
 	runner = srunner_create(suite);
 	srunner_run_all(runner, CK_NORMAL);

@@ -11,6 +11,8 @@ typedef double ts_four_anywhere __attribute__((vector_size(32), aligned(8), may_
 
 typedef long long ts_four_marks __attribute__((vector_size(32))); /* of a comparison: -1 where it holds, else 0 */
 
+typedef long long ts_four_marks_anywhere __attribute__((vector_size(32), aligned(8), may_alias));
+
 /* Four numbers from any place; of a row of three also the first of the next row is read: columns of particles and
  * rows have room behind their last number. */
 #define TS_FOUR_AT(from) (*(const ts_four_anywhere *)(from))

@@ -86,43 +86,57 @@ static int32_t visit_all(const struct ts_pointhash *hash, ts_pointhash_fn *visit
 	return -1;
 }
 
-/* Whether no point of the cell lies within reach of x; false too where cells cannot be told apart. */
-static bool too_far(const struct ts_pointhash *hash, const double x[3], const int64_t cell[3],
-		    double reach)
+/* The square of the distance from x to a cell, in one direction; where cells cannot be told apart, less than any. */
+static double gap2_of(const struct ts_pointhash *hash, double x, int64_t cell)
 {
-	double gap2 = 0;
+	double lo = (double)cell * hash->cell, hi = lo + hash->cell;
+	double gap = x < lo ? lo - x : x > hi ? x - hi : 0;
 
+	return fabs(lo) < 0x1p40 * hash->cell ? gap * gap : -INFINITY;
+}
+
+/* A walk through the cells around one, `steps` to each side. */
+struct walk {
+	const struct ts_pointhash *hash;
+	const double *x;
+	int64_t home[3], steps;
+	int64_t cell[3];
+	double gap2[3];
+};
+
+static void next_cell(struct walk *w)
+{
 	for (int d = 0; d < 3; d++) {
-		double lo = (double)cell[d] * hash->cell, hi = lo + hash->cell;
-		double gap = fmax(0, fmax(lo - x[d], x[d] - hi));
+		bool last = w->cell[d] == w->home[d] + w->steps;
 
-		if (!(fabs(lo) < 0x1p40 * hash->cell))
-			return false;
-		gap2 += gap * gap;
+		w->cell[d] += last ? -2 * w->steps : 1;
+		w->gap2[d] = gap2_of(w->hash, w->x[d], w->cell[d]);
+		if (!last)
+			return;
 	}
-	return gap2 > 1.0001 * reach * reach;
 }
 
 /* From the cell of x itself on: most who ask look for any point, and there it is found soonest. */
 int32_t ts_pointhash_visit(const struct ts_pointhash *hash, const double x[3], double reach,
 			   ts_pointhash_fn *visit, void *context)
 {
-	double steps = fmax(1, ceil(reach / hash->cell)), wide = 2 * steps + 1;
-	int64_t home[3], n, cells;
+	double steps = fmax(1, ceil(reach / hash->cell)), wide = 2 * steps + 1, far = 1.0001 * reach * reach;
+	struct walk w = { .hash = hash, .x = x };
+	int64_t cells;
 
 	if (!(wide * wide * wide <= 27 + (double)hash->n))
 		return visit_all(hash, visit, context);
-	n = (int64_t)wide;
-	cells = n * n * n;
-	cell_of(hash, x, home);
-	for (int64_t j = 0; j < cells; j++) {
-		const int64_t k = (j + cells / 2) % cells;
-		const int64_t cell[3] = { home[0] + k % n - n / 2, home[1] + k / n % n - n / 2,
-					  home[2] + k / (n * n) - n / 2 };
-
-		if (too_far(hash, x, cell, reach))
+	cells = (int64_t)(wide * wide * wide);
+	w.steps = (int64_t)steps;
+	cell_of(hash, x, w.home);
+	for (int d = 0; d < 3; d++) {
+		w.cell[d] = w.home[d];
+		w.gap2[d] = gap2_of(hash, x[d], w.home[d]);
+	}
+	for (int64_t j = 0; j < cells; j++, next_cell(&w)) {
+		if (w.gap2[0] + w.gap2[1] + w.gap2[2] > far)
 			continue;
-		for (int32_t i = hash->bucket[bucket_of(hash, cell)]; i >= 0; i = hash->next[i])
+		for (int32_t i = hash->bucket[bucket_of(hash, w.cell)]; i >= 0; i = hash->next[i])
 			if (visit(context, (size_t)i))
 				return i;
 	}

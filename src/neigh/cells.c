@@ -85,10 +85,18 @@ static int cell_index(const struct ts_level *level, int dim, double x)
 
 static void enter(struct ts_level *level, int32_t at, const struct ts_particles *p, size_t i)
 {
-	level->list[at] = (int32_t)i;
+	level->list[at] = (long long)i;
 	for (int d = 0; d < 3; d++)
-		level->place[at][d] = p->xhold[i][d];
-	level->place[at][3] = p->radius[i];
+		level->place[d][at] = p->xhold[i][d];
+	level->place[3][at] = p->radius[i];
+}
+
+static enum ts_status make_room(struct ts_level *level, size_t n)
+{
+	TS_TRY(TS_GROW(level->list, level->list_capacity, n + 3));
+	for (int c = 0; c < 4; c++)
+		TS_TRY(TS_GROW(level->place[c], level->place_capacity[c], n + 3));
+	return TS_OK;
 }
 
 static enum ts_status fill_level(struct tsim *sim, struct ts_cells *cells, int l, size_t n)
@@ -109,8 +117,7 @@ static enum ts_status fill_level(struct tsim *sim, struct ts_cells *cells, int l
 	}
 	for (size_t c = 2; c < ncells + 2; c++)
 		level->start[c] += level->start[c - 1];
-	if (TS_GROW(level->list, level->list_capacity, (size_t)level->start[ncells + 1]) != TS_OK ||
-	    TS_GROW(level->place, level->place_capacity, (size_t)level->start[ncells + 1]) != TS_OK)
+	if (make_room(level, (size_t)level->start[ncells + 1]) != TS_OK)
 		return ts_nomem(&sim->error);
 	for (size_t i = 0; i < n; i++)
 		if (cells->level_of[i] == l)
@@ -154,7 +161,8 @@ void ts_cells_release(struct ts_cells *cells)
 	for (int l = 0; l < TS_MAX_LEVELS; l++) {
 		ts_free(cells->level[l].start);
 		ts_free(cells->level[l].list);
-		ts_free(cells->level[l].place);
+		for (int c = 0; c < 4; c++)
+			ts_free(cells->level[l].place[c]);
 	}
 	ts_free(cells->level_of);
 	ts_free(cells->cell_of);

@@ -12,10 +12,11 @@ struct ts_level {
 	double reach;    /* the largest radius on this level */
 	double lo[3], inverse[3]; /* cell number = (x - lo) * inverse */
 	int cells[3];
-	int32_t *start;  /* particles of cell c: list[start[c]] .. list[start[c+1]-1] */
-	int32_t *list;
-	double (*place)[4]; /* of those in the list: where they are held, and their radius */
-	size_t start_capacity, list_capacity, place_capacity;
+	/* particles of cell c: list[start[c]] .. list[start[c+1]-1]; behind the last, three more can be read */
+	int32_t *start;
+	long long *list;
+	double *place[4]; /* of those in the list: where they are held, and their radius */
+	size_t start_capacity, list_capacity, place_capacity[4];
 };
 
 struct ts_cells {

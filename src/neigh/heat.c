@@ -291,6 +291,7 @@ void ts_heat_fini(struct ts_instance *self)
 
 	ts_rows_release(&h->held);
 	ts_free(h->work);
+	ts_free(h->inner);
 	for (int k = 0; k < 2; k++) {
 		ts_free(h->pairs[k].conductance);
 		ts_free(h->pairs[k].flow);

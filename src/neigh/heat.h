@@ -5,6 +5,7 @@
 
 #include "core/sim.h"
 #include "law/heat.h"
+#include "neigh/row_walk.h"
 #include "neigh/rows.h"
 #include "particles/particles.h"
 
@@ -16,9 +17,9 @@ struct ts_heat_flow {
 /* Conductances of a list of pairs. */
 struct ts_heat_pairs {
 	const struct ts_rows *rows;
-	double *conductance; /* h of each row; 0 where it does not touch */
+	double *conductance; /* h of each row; 0 where it does not touch. Of a step only if somebody will look */
 	size_t capacity;
-	struct ts_heat_flow *flow;
+	struct ts_heat_flow *flow; /* of each slot */
 	size_t flow_capacity;
 };
 
@@ -48,11 +49,17 @@ struct ts_heat {
 
 	struct ts_rows held; /* pairs of which neither moves: they have no contact row */
 	struct ts_heat_pairs pairs[2];
+	struct ts_row_follower follower; /* of the forces of contacts */
+	double *inner;			 /* heat per time from particle to particle */
+	size_t inner_capacity;
 	double *work; /* of scheme exact: two numbers a particle */
 	size_t work_capacity;
+	bool keeps;	/* the conductances of this step */
 	bool examine;	/* the contacts are new: is the step below the limit? */
 	bool warned;
 	double bound;	/* temperatures beyond it are looked at twice */
+	long beyond;	/* how many there are, as far as passes have not waited */
+	int64_t advanced; /* the step they have come to */
 	struct tsim *sim; /* evaluation may fail */
 };
 
@@ -98,5 +105,9 @@ enum ts_status ts_heat_materials(struct ts_instance *self, struct tsim *sim);
 void ts_heat_find(const struct ts_instance *self, struct tsim *sim);
 double ts_heat_sum(const struct ts_heat *heat, size_t i, const double *value);
 double ts_heat_conductances(const struct ts_heat *heat, const struct tsim *sim, size_t i);
+/* The columns of `store`. */
+void ts_heat_store_contacts(const struct ts_instance *self, struct tsim *sim);
+/* Fails if temperatures have grown without bound. */
+enum ts_status ts_heat_look(struct ts_instance *self, struct tsim *sim);
 
 #endif

@@ -14,6 +14,7 @@
 
 #include "base/parallel.h"
 #include "core/plan.h"
+#include "core/sweep.h"
 #include "particles/exchange.h"
 
 #include "base/banned.h"
@@ -62,16 +63,16 @@ enum ts_status ts_heat_plan(struct ts_instance *self, struct tsim *sim,
 
 struct task {
 	const struct ts_instance *self;
-	const struct ts_heat *h;
+	struct ts_heat *h;
 	struct ts_particles *p;
 	double dt;
 };
 
-static long euler_share(void *context, size_t from, size_t to)
+static void euler_share(void *context, size_t from, size_t to)
 {
 	const struct task t = *(const struct task *)context;
 	const struct ts_particles *p = t.p;
-	double *temperature = p->column[t.h->temperature].data;
+	double *temperature = p->column[t.h->temperature].data, bound = t.h->bound;
 	const double *flux = p->column[t.h->flux].data, *source = p->column[t.h->source].data;
 	long beyond = 0;
 
@@ -79,9 +80,12 @@ static long euler_share(void *context, size_t from, size_t to)
 		if (!ts_in_group(p, i, t.self->group))
 			continue;
 		temperature[i] += (flux[i] + source[i]) * t.dt / heat_capacity(t.h, p, i);
-		beyond += !(fabs(temperature[i]) <= t.h->bound);
+		beyond += !(fabs(temperature[i]) <= bound);
 	}
-	return beyond;
+	if (beyond) {
+#pragma omp atomic
+		t.h->beyond += beyond;
+	}
 }
 
 static size_t hottest(const struct ts_instance *self, const struct tsim *sim)
@@ -98,19 +102,25 @@ static size_t hottest(const struct ts_instance *self, const struct tsim *sim)
 }
 
 /* Large temperatures are a fault only if they come of the scheme. */
-static enum ts_status look_twice(struct ts_instance *self, struct tsim *sim)
+enum ts_status ts_heat_look(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_heat *h = self->state;
-	double limit = limit_of(self, sim);
-	size_t i = hottest(self, sim);
-	double temperature = ts_heat_column(sim, h->temperature)[i];
+	double limit, temperature;
+	size_t i;
 
+	if (!h->beyond || !sim->particles->n)
+		return TS_OK;
+	h->beyond = 0;
+	ts_heat_find(self, sim);
+	limit = limit_of(self, sim);
+	i = hottest(self, sim);
+	temperature = ts_heat_column(sim, h->temperature)[i];
 	h->bound = 1e6 * fabs(temperature);
 	if (isfinite(temperature) && sim->clock.dt < limit)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_PHYSICS, &self->where,
 		       "fix %s: particle %d has reached the temperature %g at step %" PRId64 "; %s",
-		       self->style->name, sim->particles->tag[i], temperature, sim->clock.step,
+		       self->style->name, sim->particles->tag[i], temperature, h->advanced,
 		       sim->clock.dt < limit
 			       ? "a source, a wall or a value that was set is not finite"
 			       : "the time step is beyond what explicit conduction of heat bears: use "
@@ -125,6 +135,7 @@ static void examine(struct ts_instance *self, struct tsim *sim)
 	h->examine = false;
 	if (h->warned)
 		return;
+	ts_heat_find(self, sim);
 	limit = limit_of(self, sim);
 	h->warned = !(sim->clock.dt < limit);
 	if (h->warned)
@@ -134,17 +145,20 @@ static void examine(struct ts_instance *self, struct tsim *sim)
 			self->style->name, sim->clock.step, sim->clock.dt, limit);
 }
 
+/* What comes out is looked at when it is there: before the next step, or at once if this may be the last. */
 static enum ts_status euler(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_heat *h = self->state;
 	struct task task = { self, h, sim->particles, sim->clock.dt };
-	size_t n = sim->particles->n;
 
 	if (h->examine)
 		examine(self, sim);
-	return ts_parallel_count(ts_team(sim, n), n, euler_share, &task)
-		       ? look_twice(self, sim)
-		       : TS_OK;
+	h->advanced = sim->clock.step;
+	TS_SWEEP_ADD(sim, sim->particles->n, euler_share, &task);
+	if (!sim->complete)
+		return TS_OK;
+	ts_sweep(sim);
+	return ts_heat_look(self, sim);
 }
 
 /* ---- exact over the step ---- */
@@ -228,6 +242,7 @@ static enum ts_status exact(struct ts_instance *self, struct tsim *sim)
 	s = sim->clock.dt / parts;
 	if (TS_GROW(h->work, h->work_capacity, 2 * sim->particles->n) != TS_OK)
 		return ts_nomem(&sim->error);
+	ts_sweep(sim);
 	first_rate(self, sim);
 	for (int64_t k = 0; k < (int64_t)parts; k++)
 		advance_part(&task, sim, s);

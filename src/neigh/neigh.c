@@ -296,6 +296,7 @@ static enum ts_status clear_forces(struct ts_instance *self, struct tsim *sim)
 
 	(void)self;
 	sim->complete = shows(sim);
+	sim->neigh->follower = NULL; /* who wants to says so in each step */
 	if (sim->outside) { /* the program around may do anything */
 		ts_rows_settle(sim, rows);
 		rows->looked = rows->placed = false;

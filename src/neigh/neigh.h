@@ -17,6 +17,8 @@ struct ts_exclude {
 	int32_t a, b; /* types or group bits */
 };
 
+struct ts_row_follower;
+
 struct ts_neigh {
 	double skin;        /* at most; <= 0: chosen from the particles, see ts_neigh_skin */
 	bool fixed_skin;    /* not less either */
@@ -34,6 +36,7 @@ struct ts_neigh {
 	bool shown;	    /* an output may look at the forces of contacts at any step: they are kept */
 	int64_t show_every; /* at these steps too; 0: none */
 	struct ts_rows rows;
+	struct ts_row_follower *follower; /* of the forces of this step, see row_walk.h; NULL: none */
 	struct ts_row_history saved; /* from a restart file, for the next build */
 };
 

@@ -304,10 +304,8 @@ TS_INLINE void ts_row_share_batched(const struct ts_row_task *task, size_t from,
 		const struct ts_row_near *near = rows.near + block->first;
 		uint64_t touching[TS_ROW_BLOCK / TS_COLUMN];
 
-		if (k + 2 < task->end)
-			ts_batch_send_for_list(&rows, block + 2);
-		if (k + 1 < task->end)
-			ts_batch_send_for(&p, &rows, m, block + 1);
+		ts_batch_send_for_list(&rows, block + 2);
+		ts_batch_send_for(&p, &rows, m, block + 1);
 		ts_batch_meet(&rows, block);
 		for (size_t at = block->active; at < block->n; at++)
 			ts_row_still(&rows, near[at].slot, ts_batch_parts(m));

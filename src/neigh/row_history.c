@@ -124,7 +124,9 @@ struct giving {
 	const struct ts_particles *p;
 	struct ts_rows *rows;
 	int32_t *first; /* of each particle: index of key + 1, 0 none */
-	int32_t *next;	/* of each key, alike */
+	struct link {
+		int32_t larger, next; /* the other tag; the next key, alike */
+	} *link;	/* of each key */
 };
 
 static enum ts_status make_chains(struct tsim *sim, struct giving *g)
@@ -133,18 +135,26 @@ static enum ts_status make_chains(struct tsim *sim, struct giving *g)
 
 	TS_TRY(ts_identities(sim, false, &map));
 	g->first = ts_alloc(g->p->n, sizeof *g->first);
-	g->next = ts_alloc(g->h->n, sizeof *g->next);
-	if (!g->first || !g->next)
+	g->link = ts_alloc(g->h->n, sizeof *g->link);
+	if (!g->first || !g->link)
 		return ts_nomem(&sim->error);
 	for (size_t k = g->h->n; k-- > 0;) {
 		int32_t at = ts_row_of(&map, g->h->key[k].tag[0]);
 
 		if (at < 0) /* it has left */
 			continue;
-		g->next[k] = g->first[at];
+		g->link[k] = (struct link){ g->h->key[k].tag[1], g->first[at] };
 		g->first[at] = (int32_t)k + 1;
 	}
 	return TS_OK;
+}
+
+/* The particle itself, or that of which it is an image. */
+static size_t local(const struct giving *g, int32_t i)
+{
+	size_t at = (size_t)i;
+
+	return at < g->p->n ? at : (size_t)g->p->ghost_owner[at - g->p->n];
 }
 
 /* Index + 1 of the key, 0 if it is not there. A pair that has come to a periodic face, or left it, has one
@@ -153,17 +163,29 @@ static int32_t find_either(const struct giving *g, const struct ts_row_key *key,
 {
 	int32_t other = 0;
 
-	for (int32_t k = g->first[smaller]; k; k = g->next[k - 1]) {
-		const struct ts_row_key *there = &g->h->key[k - 1];
+	for (int32_t k = g->first[smaller]; k; k = g->link[k - 1].next) {
+		int32_t winding = g->h->key[k - 1].winding;
 
-		if (there->tag[1] != key->tag[1])
+		if (g->link[k - 1].larger != key->tag[1])
 			continue;
-		if (there->winding == key->winding)
+		if (winding == key->winding)
 			return k;
-		if (there->winding == (key->winding ^ OTHER_SIDE))
+		if (winding == (key->winding ^ OTHER_SIDE))
 			other = k;
 	}
 	return other;
+}
+
+/* Whether the partners of the row, or images of them, have a key: most rows have none. */
+static bool may_have(const struct giving *g, size_t r)
+{
+	const int32_t *const end[2] = { g->rows->i, g->rows->j }; /* a table: which it is cannot be guessed */
+	int32_t a = g->rows->tag[0][r], b = g->rows->tag[1][r], larger = a > b ? a : b;
+	int32_t k = g->first[local(g, end[a > b][r])];
+
+	while (k && g->link[k - 1].larger != larger)
+		k = g->link[k - 1].next;
+	return k != 0;
 }
 
 static void give_share(void *context, size_t from, size_t to)
@@ -174,12 +196,14 @@ static void give_share(void *context, size_t from, size_t to)
 	struct ts_rows *rows = g->rows;
 
 	for (size_t r = from; r < to; r++) {
+		struct ts_row_key key;
 		bool swapped;
-		struct ts_row_key key = key_of(rows, r, &swapped);
-		size_t j = (size_t)(swapped ? rows->j[r] : rows->i[r]);
-		int32_t k = find_either(g, &key,
-					j < p->n ? j : (size_t)p->ghost_owner[j - p->n]);
+		int32_t k;
 
+		if (!may_have(g, r))
+			continue;
+		key = key_of(rows, r, &swapped);
+		k = find_either(g, &key, local(g, swapped ? rows->j[r] : rows->i[r]));
 		if (!k || (h->overlapping && !overlap(p, rows, r)))
 			continue;
 		rows->touching[r] = 1;
@@ -206,7 +230,7 @@ enum ts_status ts_row_history_give(struct tsim *sim, const struct ts_row_history
 	if (status == TS_OK)
 		ts_parallel(ts_team(sim, rows->n), rows->n, give_share, &g);
 	ts_free(g.first);
-	ts_free(g.next);
+	ts_free(g.link);
 	return status;
 }
 

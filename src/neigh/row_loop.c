@@ -1,9 +1,8 @@
 #include "neigh/row_loop.h"
 
-#include <string.h>
-
 #include "neigh/row_near.h"
 #include "neigh/row_slots.h"
+#include "neigh/row_walk.h"
 
 #include "base/banned.h"
 
@@ -108,48 +107,18 @@ struct loop {
 	ts_rows_gather_fn *gather;
 };
 
-static void gather_chunk(const struct loop *loop, size_t c)
+static void force_share(void *context, size_t from, size_t to)
 {
-	size_t from = c * TS_ROW_CHUNK, n = loop->task.rows->particles;
+	struct loop *loop = context;
 
-	loop->gather(loop->task.rows, loop->task.p, from,
-		     n - from < TS_ROW_CHUNK ? n : from + TS_ROW_CHUNK);
-	loop->task.rows->gathered[c] = 1;
+	loop->share(&loop->task, from, to);
 }
 
-/* Rows are computed some at a time, and particles whose rows are all done are gathered while these are still near
- * in the caches. Chunks whose rows lie in the shares of several threads wait for the end. */
-static void rows_share(const struct loop *loop, size_t k)
-{
-	struct ts_row_task task = loop->task;
-	const struct ts_rows *rows = task.rows;
-	const struct ts_row_span *span = &rows->span[k];
-	size_t c = 0, done;
-
-	task.end = span->block_end;
-	for (size_t b = span->block; b < span->block_end; b += TS_ROW_TURN) {
-		size_t end = span->block_end - b < TS_ROW_TURN ? span->block_end : b + TS_ROW_TURN;
-		const struct ts_row_block *last = &rows->block[end - 1];
-
-		loop->share(&task, b, end);
-		while ((done = ts_row_chunk_done(rows, span->near, (size_t)last->first + last->n, &c)) < rows->chunks)
-			gather_chunk(loop, done);
-	}
-}
-
-static void rows_shares(void *context, size_t from, size_t to)
-{
-	for (size_t k = from; k < to; k++)
-		rows_share(context, k);
-}
-
-static void rest_share(void *context, size_t from, size_t to)
+static void gather_share(void *context, size_t from, size_t to)
 {
 	const struct loop *loop = context;
 
-	for (size_t c = from; c < to; c++)
-		if (!loop->task.rows->gathered[c] && (loop->task.rows->chunk[c].end > 0 || loop->task.rows->sets))
-			gather_chunk(loop, c);
+	loop->gather(loop->task.rows, loop->task.p, from, to);
 }
 
 enum ts_status ts_row_loop(struct tsim *sim, const struct ts_pair *pair, ts_share_fn *share)
@@ -159,6 +128,7 @@ enum ts_status ts_row_loop(struct tsim *sim, const struct ts_pair *pair, ts_shar
 	struct loop loop = { .task = { p, rows, pair, sim->clock.dt, !sim->in_setup,
 				       sim->legacy && !pair->mixes }, /* LAMMPS forgets at once */
 			     .share = share };
+	struct ts_row_walk walk = { force_share, gather_share, &loop, rows->sets };
 
 	ts_rows_place(sim, rows);
 	rows->all = pair->model_offset != 0; /* laws that pull beyond touch */
@@ -168,10 +138,7 @@ enum ts_status ts_row_loop(struct tsim *sim, const struct ts_pair *pair, ts_shar
 	/* where memory does not advance, there is no loop of its own */
 	if (!loop.task.advance || !(loop.task.dt > 0))
 		loop.share = ts_row_share_generic;
-	if (rows->chunks)
-		memset(rows->gathered, 0, rows->chunks);
-	ts_parallel(rows->shares, (size_t)rows->shares, rows_shares, &loop);
-	ts_parallel(ts_team(sim, p->n), rows->chunks, rest_share, &loop);
+	TS_TRY(ts_rows_walk(sim, &walk));
 	rows->sets = false;
 	return TS_OK;
 }

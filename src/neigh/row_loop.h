@@ -18,7 +18,6 @@ struct ts_row_task {
 	double dt;
 	bool advance; /* contacts remember: false in the set-up of a run */
 	bool keep;    /* a pair that parts remembers until the next rebuild */
-	size_t end;   /* of the blocks that will be computed here */
 };
 
 TS_INLINE double

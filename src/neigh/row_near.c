@@ -197,6 +197,8 @@ static void choose(const struct choice *c, size_t share)
 			add_blocks(rows, span, type, list + k, some);
 		}
 	}
+	for (size_t k = 0; k < TS_ROW_AHEAD; k++)
+		rows->block[span->block_end + k] = (struct ts_row_block){ .first = (uint32_t)span->near_end };
 }
 
 static void choose_shares(void *context, size_t from, size_t to)
@@ -206,7 +208,7 @@ static void choose_shares(void *context, size_t from, size_t to)
 }
 
 /* Makes room for the lists of the shares: of near rows as many as there are rows, and of blocks as many as their
- * groups can have. */
+ * groups can have, and those behind. */
 static enum ts_status spread(const struct choice *c)
 {
 	struct ts_rows *rows = c->rows;
@@ -218,7 +220,7 @@ static enum ts_status spread(const struct choice *c)
 
 		ts_row_range(rows, k, &from, &to);
 		rows->span[k] = (struct ts_row_span){ from, from, blocks, blocks };
-		blocks += (to - from) / ACTIVE + ((to - from) / GROUP + 1) * most;
+		blocks += (to - from) / ACTIVE + ((to - from) / GROUP + 1) * most + TS_ROW_AHEAD;
 	}
 	TS_TRY(TS_RENEW(rows->near, rows->near_capacity, rows->n));
 	TS_TRY(TS_RENEW(rows->at, rows->at_capacity, rows->n));

@@ -1,5 +1,7 @@
 #include "neigh/row_search.h"
 
+#include "base/clones.h"
+#include "base/four.h"
 #include "base/parallel.h"
 #include "base/sort.h"
 
@@ -20,44 +22,67 @@ static int32_t bound_of(const struct ts_row_search *s, int level, size_t i)
 	return level > own ? -1 : (int32_t)s->sim->particles->n - 1;
 }
 
-/* Those of the places from..to-1 that are near; written without branches, as most are not. */
-static size_t near(const struct ts_level *level, int32_t from, int32_t to, const double at[4], double skin,
-		   int32_t bound, int32_t *out)
+/* Whom a particle searches for. */
+struct wanted {
+	double at[4], skin; /* its place and radius */
+	int32_t bound;	    /* see above */
+};
+
+/* Those of the places from .. to-1 that are near; written without branches, as most are not. There must be room for
+ * three more. */
+TS_INLINE size_t near(const struct ts_level *level, int32_t from, int32_t to, const struct wanted *w, int32_t *out)
 {
+	static const ts_four_marks next = { 0, 1, 2, 3 };
+	const ts_four skin = TS_FOUR_ALL(w->skin), radius = TS_FOUR_ALL(w->at[3]);
+	const long long least = w->bound;
+	const ts_four_marks bound = { least, least, least, least };
 	size_t n = 0;
 
-	for (int32_t k = from; k < to; k++) {
-		const double *x = level->place[k];
-		double dx = at[0] - x[0], dy = at[1] - x[1], dz = at[2] - x[2];
-		double reach = at[3] + x[3] + skin;
+	for (int32_t k = from; k < to; k += 4) {
+		const long long rest = to - k;
+		const ts_four_marks left = { rest, rest, rest, rest };
+		ts_four reach = radius + TS_FOUR_AT(level->place[3] + k) + skin, square = { 0 };
+		union {
+			ts_four_marks all;
+			long long one[4];
+		} hit;
 
-		out[n] = level->list[k];
-		n += (size_t)((dx * dx + dy * dy + dz * dz < reach * reach) &
-			      (level->list[k] > bound));
+		for (int c = 0; c < 3; c++) {
+			ts_four d = TS_FOUR_ALL(w->at[c]) - TS_FOUR_AT(level->place[c] + k);
+
+			square += d * d;
+		}
+		hit.all = (square < reach * reach) & (*(const ts_four_marks_anywhere *)(level->list + k) > bound) &
+			  (next < left);
+		for (int q = 0; q < 4; q++) {
+			out[n] = (int32_t)level->list[k + q];
+			n -= (size_t)hit.one[q];
+		}
 	}
 	return n;
 }
 
-static void search_level(const struct ts_row_search *s, int l, size_t i, struct ts_row_found *f)
+TS_CLONES static void search_level(const struct ts_row_search *s, int l, size_t i, struct ts_row_found *f)
 {
 	const struct ts_particles *p = s->sim->particles;
 	const struct ts_level *level = &s->cells.level[l];
-	const double at[4] = { p->xhold[i][0], p->xhold[i][1], p->xhold[i][2], p->radius[i] };
-	int32_t bound = bound_of(s, l, i);
+	const struct wanted w = { { p->xhold[i][0], p->xhold[i][1], p->xhold[i][2], p->radius[i] }, s->skin,
+				  bound_of(s, l, i) };
 	int lo[3], hi[3];
 
-	ts_cells_range(level, at, at[3] + level->reach + s->skin, lo, hi);
+	ts_cells_range(level, w.at, w.at[3] + level->reach + s->skin, lo, hi);
 	for (int z = lo[2]; z <= hi[2]; z++) {
 		for (int y = lo[1]; y <= hi[1]; y++) {
 			/* the cells of a row in x are neighbours in the list too */
 			int row = level->cells[0] * (y + level->cells[1] * z);
 			int32_t from = level->start[row + lo[0]], to = level->start[row + hi[0] + 1];
+			size_t most = f->n + (size_t)(to - from) + 3;
 
-			if (TS_GROW(f->partner, f->capacity, f->n + (size_t)(to - from)) != TS_OK) {
+			if (most > f->capacity && TS_GROW(f->partner, f->capacity, most) != TS_OK) {
 				f->status = TS_NOMEM;
 				return;
 			}
-			f->n += near(level, from, to, at, s->skin, bound, f->partner + f->n);
+			f->n += near(level, from, to, &w, f->partner + f->n);
 		}
 	}
 }

@@ -96,7 +96,7 @@ static size_t release(const struct ts_rows *rows, size_t c, uint32_t *free, size
 	return n;
 }
 
-/* As the rows will be computed: see rows_share in row_loop.c. */
+/* As the rows will be computed: see walk_share in row_walk.c. */
 static void assign(const struct slots *s, size_t share)
 {
 	struct ts_rows *rows = s->rows;

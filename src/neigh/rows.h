@@ -32,7 +32,9 @@ struct ts_row_block {
 	size_t memory;	 /* where its columns of rows->memory begin */
 };
 
-/* What belongs to one of the shares that are computed side by side. */
+/* What belongs to one of the shares that are computed side by side. Behind its blocks there are empty ones, so that
+ * what the next ones need can be sent for without a look whether there are any. */
+enum { TS_ROW_AHEAD = 2 };
 struct ts_row_span {
 	size_t near, near_end, block, block_end;
 };

@@ -1,5 +1,6 @@
 /* Fix insert/stream: particles come through a face, in a stream. */
 #include "core/sim.h"
+#include "core/sweep.h"
 
 #include "math/rigid_turn.h"
 #include "math/vec3.h"
@@ -27,6 +28,9 @@ struct state {
 	double length;	  /* of the space behind the face that is filled */
 	double normal[3]; /* of the face, against the stream */
 	double speed;	  /* through the face */
+	int32_t *way;	  /* the particles on their way to the face, maybe some who are free; of this generation */
+	size_t nway, way_capacity;
+	uint64_t generation;
 	/* saved */
 	int64_t release; /* age at which the last one is free */
 	int32_t measured;
@@ -324,6 +328,7 @@ static void start(struct ts_instance *self, struct tsim *sim, size_t from)
 		for (int k = 0; k < 3; k++)
 			p->v[i][k] = -s->speed * s->normal[k];
 		memory[TS_STREAM_RELEASE] = 0;
+		s->generation = 0;
 		if (!leads(p, from, i))
 			continue;
 		ts_insertion_draw_velocity(&s->base, &free);
@@ -401,34 +406,96 @@ static void steer_sphere(const struct state *s, struct tsim *sim, size_t i, cons
 	}
 }
 
+static void steer(const struct state *s, struct tsim *sim, size_t i)
+{
+	double *memory = ts_stream_memory(&s->stream, sim, i);
+	bool free = (double)s->stream.age >= memory[TS_STREAM_RELEASE];
+	struct ts_body *body = body_of(sim, i);
+
+	if (!(memory[TS_STREAM_RELEASE] > 0))
+		return;
+	if (body) {
+		size_t first = sim->rigid->start[body - sim->rigid->body];
+		size_t end = sim->rigid->start[body - sim->rigid->body + 1];
+
+		steer_body(s, sim, body, memory, free);
+		if (!free || !sim->legacy) /* there its spheres learn of it in the next step */
+			ts_rigid_place(sim, body, sim->rigid->member + first, end - first);
+	} else {
+		steer_sphere(s, sim, i, memory, free);
+	}
+	if (free)
+		memory[TS_STREAM_RELEASE] = 0;
+}
+
+struct steering {
+	const struct state *s;
+	struct tsim *sim;
+};
+
+/* The first in the list that stands at i in memory, or behind it. */
+static size_t first_from(const struct state *s, size_t i)
+{
+	size_t low = 0, high = s->nway;
+
+	while (low < high) {
+		size_t middle = (low + high) / 2;
+
+		if ((size_t)s->way[middle] < i)
+			low = middle + 1;
+		else
+			high = middle;
+	}
+	return low;
+}
+
+static void steer_share(void *context, size_t from, size_t to)
+{
+	const struct steering *t = context;
+
+	for (size_t k = first_from(t->s, from); k < t->s->nway && (size_t)t->s->way[k] < to; k++)
+		steer(t->s, t->sim, (size_t)t->s->way[k]);
+}
+
+/* Few of many are on their way: who they are changes with the rows of particles. */
+static enum ts_status list_way(struct state *s, struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+
+	if (s->generation == sim->generation)
+		return TS_OK;
+	if (TS_GROW(s->way, s->way_capacity, p->n) != TS_OK)
+		return ts_nomem(&sim->error);
+	s->nway = 0;
+	for (size_t i = 0; i < p->n; i++)
+		if (ts_stream_memory(&s->stream, sim, i)[TS_STREAM_RELEASE] > 0)
+			s->way[s->nway++] = (int32_t)i;
+	s->generation = sim->generation;
+	return TS_OK;
+}
+
 static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
-	struct ts_particles *p = sim->particles;
+	struct steering task = { s, sim };
 
-	if (sim->rigid->n)
-		TS_TRY(ts_rigid_list(sim));
-	for (size_t i = 0; s->stream.age <= s->release && i < p->n; i++) {
-		double *memory = ts_stream_memory(&s->stream, sim, i);
-		bool free = (double)s->stream.age >= memory[TS_STREAM_RELEASE];
-		struct ts_body *body = body_of(sim, i);
-
-		if (!(memory[TS_STREAM_RELEASE] > 0))
-			continue;
-		if (body) {
-			size_t first = sim->rigid->start[body - sim->rigid->body];
-			size_t end = sim->rigid->start[body - sim->rigid->body + 1];
-
-			steer_body(s, sim, body, memory, free);
-			if (!free || !sim->legacy) /* there its spheres learn of it in the next step */
-				ts_rigid_place(sim, body, sim->rigid->member + first, end - first);
-		} else {
-			steer_sphere(s, sim, i, memory, free);
-		}
-		if (free)
-			memory[TS_STREAM_RELEASE] = 0;
+	if (s->stream.age > s->release)
+		return TS_OK;
+	TS_TRY(list_way(s, sim));
+	if (!sim->rigid->n) {
+		TS_SWEEP_ADD(sim, sim->particles->n, steer_share, &task);
+		return TS_OK;
 	}
+	ts_sweep(sim); /* a body places spheres anywhere in memory */
+	TS_TRY(ts_rigid_list(sim));
+	steer_share(&task, 0, sim->particles->n);
 	return TS_OK;
+}
+
+static void fini(struct ts_instance *self)
+{
+	ts_free(((struct state *)self->state)->way);
+	ts_insertion_fini(self);
 }
 
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
@@ -493,5 +560,6 @@ const struct ts_style ts_fix_insert_stream = {
 		  [TS_STAGE_PRE_EXCHANGE] = pre_exchange,
 		  [TS_STAGE_SETUP] = setup,
 		  [TS_STAGE_END_OF_STEP] = end_of_step },
-	.fini = ts_insertion_fini,
+	.waits = TS_WAITS(END_OF_STEP),
+	.fini = fini,
 };
