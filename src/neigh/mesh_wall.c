@@ -4,6 +4,7 @@
 
 #include "base/parallel.h"
 #include "geom/mesh_touch.h"
+#include "neigh/wall_push.h"
 #include "particles/domain.h"
 
 #include "base/banned.h"
@@ -265,12 +266,12 @@ static bool begin_contact(struct ts_wall *w, const struct ts_mesh_wall *mw, size
 	return true;
 }
 
-static void push(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw, size_t from, size_t to,
+static void push(struct ts_wall_queue *q, struct ts_wall *w, struct ts_mesh_wall *mw, size_t from, size_t to,
 		 size_t k)
 {
 	struct ts_mesh_near *near = &mw->near[k];
 	const struct ts_mesh_surface *s = mw->mesh[near->mesh].surface;
-	const struct ts_particles *p = sim->particles;
+	const struct ts_particles *p = q->sim->particles;
 	size_t i = (size_t)w->contacts.row[k], t = (size_t)near->triangle;
 	struct ts_wall_spot spot = { .type = (int)s->type,
 				     .mesh = near->mesh + 1,
@@ -282,7 +283,7 @@ static void push(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw, s
 	double x[3];
 
 	for (int d = 0; d < 3; d++)
-		x[d] = p->x[i][d] - near->shift[d] * ts_box_length(&sim->domain->box, d);
+		x[d] = p->x[i][d] - near->shift[d] * ts_box_length(&q->sim->domain->box, d);
 	part = ts_mesh_nearest(&s->mesh, t, x, &at);
 	near->done = part != TS_MESH_NOTHING && at.distance <= p->radius[i] &&
 		     (*alive(&w->contacts, k) > 0 || begin_contact(w, mw, from, to, k, part));
@@ -293,7 +294,7 @@ static void push(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw, s
 	for (int d = 0; d < 3; d++)
 		spot.n[d] = at.n[d];
 	ts_mesh_surface_velocity(s, t, at.weight, spot.velocity);
-	ts_wall_push(w, sim, k, &spot);
+	ts_wall_push(q, k, &spot);
 }
 
 struct task {
@@ -306,17 +307,20 @@ static void push_share(void *context, size_t from, size_t end)
 {
 	const struct task *t = context;
 	struct ts_wall_contacts *c = &t->w->contacts;
+	struct ts_wall_queue queue;
 
+	ts_wall_queue_start(&queue, t->w, t->sim);
 	for (size_t to; from < end; from = to) {
 		ts_wall_look_ahead(c, t->sim->particles, from, end);
 		for (to = from; to < end && c->row[to] == c->row[from]; to++)
 			t->mw->near[to].done = false;
 		for (size_t k = from; k < to; k++)
-			push(t->sim, t->w, t->mw, from, to, k);
+			push(&queue, t->w, t->mw, from, to, k);
 		for (size_t k = from; k < to; k++)
 			if (!t->mw->near[k].done)
 				ts_wall_contact_part(c, k);
 	}
+	ts_wall_queue_end(&queue);
 }
 
 void ts_mesh_wall_push(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw)

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "math/vec3.h"
+#include "neigh/wall_push.h"
 #include "particles/particles.h"
 
 #include "base/banned.h"
@@ -164,10 +165,10 @@ static const struct ts_region_spot *spot_of(const struct ts_region_spot *spot, i
 }
 
 /* The contact k of a particle with a face: its spot on it, if the face has one. */
-static void push_face(struct tsim *sim, struct ts_wall *wall, const struct ts_region_wall *w, size_t k,
+static void push_face(struct ts_wall_queue *q, struct ts_wall *wall, const struct ts_region_wall *w, size_t k,
 		      const struct ts_region_spot *on, int type)
 {
-	const double *x = sim->particles->x[wall->contacts.row[k]];
+	const double *x = q->sim->particles->x[wall->contacts.row[k]];
 	struct ts_wall_spot spot = { .type = type };
 
 	if (on) {
@@ -176,13 +177,13 @@ static void push_face(struct tsim *sim, struct ts_wall *wall, const struct ts_re
 		for (int d = 0; d < 3; d++)
 			spot.n[d] = on->n[d];
 	}
-	if (!on || !ts_wall_touches(wall, sim, k, &spot)) {
+	if (!on || !ts_wall_touches(q, k, &spot)) {
 		ts_wall_contact_part(&wall->contacts, k);
 		return;
 	}
 	if (on->mover)
 		surface_velocity(w, on->mover, x, &spot);
-	ts_wall_push(wall, sim, k, &spot);
+	ts_wall_push(q, k, &spot);
 }
 
 struct task {
@@ -197,8 +198,10 @@ struct task {
 static void push_contacts(const struct task *t, size_t from, size_t to, struct ts_region_spot *spot)
 {
 	const struct ts_wall_contacts *c = &t->wall->contacts;
+	struct ts_wall_queue queue;
 	int n = 0;
 
+	ts_wall_queue_start(&queue, t->wall, t->sim);
 	for (size_t k = from; k < to; k++) {
 		const double *x = t->sim->particles->x[c->row[k]];
 		int face = c->key[k][1];
@@ -207,8 +210,9 @@ static void push_contacts(const struct task *t, size_t from, size_t to, struct t
 			n = t->far && !is_near(t->w, t->sim, t->wall, (size_t)c->row[k], x, 0)
 				    ? 0
 				    : ts_region_spots(t->w->region, x, spot);
-		push_face(t->sim, t->wall, t->w, k, spot_of(spot, n, face), t->type);
+		push_face(&queue, t->wall, t->w, k, spot_of(spot, n, face), t->type);
 	}
+	ts_wall_queue_end(&queue);
 }
 
 /* Regions of more faces are looked at by one thread. */
