@@ -38,17 +38,12 @@ static inline void ts_wall_send_for(const double x[3])
 	__builtin_prefetch(x + 2);
 }
 
-/* Particles at a wall are scattered in memory: a loop over contacts up to `end` that is at k asks for what it will
- * need soon. */
-enum { TS_WALL_AHEAD = 12 };
-static inline void ts_wall_look_ahead(const struct ts_wall_contacts *c, const struct ts_particles *p,
-				      size_t k, size_t end)
+/* Particles at a wall are scattered in memory: what will be needed of one soon; `all`: if it touches. */
+static inline void ts_wall_send_for_particle(const struct ts_particles *p, size_t i, bool all)
 {
-	size_t next = k + TS_WALL_AHEAD < end ? k + TS_WALL_AHEAD : k, i = (size_t)c->row[next];
-
 	ts_wall_send_for(p->x[i]);
 	__builtin_prefetch(p->radius + i);
-	if (!c->touching[next])
+	if (!all)
 		return;
 	__builtin_prefetch(p->imass + i);
 	__builtin_prefetch(p->mass + i);
@@ -58,6 +53,16 @@ static inline void ts_wall_look_ahead(const struct ts_wall_contacts *c, const st
 		ts_wall_send_for(p->omega[i]);
 	if (p->torque)
 		ts_wall_send_for(p->torque[i]);
+}
+
+/* A loop over contacts up to `end` is at k. */
+enum { TS_WALL_AHEAD = 12 };
+static inline void ts_wall_look_ahead(const struct ts_wall_contacts *c, const struct ts_particles *p,
+				      size_t k, size_t end)
+{
+	size_t next = k + TS_WALL_AHEAD < end ? k + TS_WALL_AHEAD : k;
+
+	ts_wall_send_for_particle(p, (size_t)c->row[next], c->touching[next]);
 }
 
 #endif
