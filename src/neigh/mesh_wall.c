@@ -144,13 +144,16 @@ struct search {
 	struct found *found;
 	size_t n, capacity;
 	struct ts_mesh_list list;
+	struct ts_mesh_vicinity *vicinity; /* of each mesh */
 	bool failed;
 };
 
 static void find_image(struct search *s, const struct ts_mesh_part_of_wall *part, const double at[3], double r,
 		       const struct found *what)
 {
-	if (ts_mesh_tree_near(&part->tree, &part->surface->mesh, at, r, &s->list) != TS_OK ||
+	struct ts_mesh_vicinity *v = &s->vicinity[what->mesh];
+
+	if (ts_mesh_tree_near_again(&part->tree, &part->surface->mesh, at, r, v, &s->list) != TS_OK ||
 	    TS_GROW(s->found, s->capacity, s->n + s->list.n) != TS_OK) {
 		s->failed = true;
 		return;
@@ -214,11 +217,19 @@ static void search_share(void *context, size_t from, size_t to)
 	const struct searching *s = context;
 	size_t n = s->sim->particles->n;
 
-	for (size_t t = from; t < to; t++)
+	for (size_t t = from; t < to; t++) {
+		struct search *share = &s->share[t];
+
+		share->vicinity = ts_alloc(s->mw->nmeshes, sizeof *share->vicinity);
+		share->failed = !share->vicinity;
 		for (size_t i = n * t / s->shares; i < n * (t + 1) / s->shares; i++)
-			for (size_t mesh = 0; mesh < s->mw->nmeshes && !s->share[t].failed; mesh++)
+			for (size_t mesh = 0; mesh < s->mw->nmeshes && !share->failed; mesh++)
 				if (concerns(s, mesh, i))
-					find_images(s->sim, s->mw, mesh, i, &s->share[t]);
+					find_images(s->sim, s->mw, mesh, i, share);
+		for (size_t mesh = 0; mesh < s->mw->nmeshes && share->vicinity; mesh++)
+			ts_free(share->vicinity[mesh].leaf.item);
+		ts_free(share->vicinity);
+	}
 }
 
 /* Takes what a share has found, and releases it. */
@@ -347,17 +358,29 @@ static bool waits(const struct ts_mesh *m, struct ts_mesh_near *near, const stru
 	return far > 0;
 }
 
+static void make_spot(const struct ts_mesh_surface *s, const struct ts_mesh_near *near, const struct ts_mesh_spot *at,
+		      struct ts_wall_spot *spot)
+{
+	for (int d = 0; d < 3; d++)
+		spot->n[d] = at->n[d];
+	spot->distance = at->distance;
+	ts_mesh_surface_velocity(s, (size_t)near->triangle, at->weight, spot->velocity);
+	spot->curvature = 0;
+	spot->sums = s->stress != NULL;
+	spot->type = (int)s->type;
+	spot->mesh = near->mesh + 1;
+	spot->triangle = near->triangle;
+	spot->warm = !isnan(s->temperature);
+	spot->temperature = s->temperature;
+}
+
 static void push(const struct task *task, struct ts_wall_queue *q, const struct ts_mesh_visitor *v, size_t k)
 {
 	struct ts_wall *w = task->w;
 	struct ts_mesh_near *near = &task->mw->near[k];
 	const struct ts_mesh_surface *s = task->mw->mesh[near->mesh].surface;
 	size_t t = (size_t)near->triangle;
-	struct ts_wall_spot spot = { .type = (int)s->type,
-				     .mesh = near->mesh + 1,
-				     .triangle = (int)t,
-				     .warm = !isnan(s->temperature),
-				     .temperature = s->temperature };
+	struct ts_wall_spot spot;
 	struct ts_mesh_spot at;
 	enum ts_mesh_part part;
 	double x[3];
@@ -371,11 +394,7 @@ static void push(const struct task *task, struct ts_wall_queue *q, const struct 
 	near->until = -INFINITY;
 	if (!near->done)
 		return;
-	spot.sums = s->stress != NULL;
-	spot.distance = at.distance;
-	for (int d = 0; d < 3; d++)
-		spot.n[d] = at.n[d];
-	ts_mesh_surface_velocity(s, t, at.weight, spot.velocity);
+	make_spot(s, near, &at, &spot);
 	ts_wall_push(q, k, &spot);
 }
 
@@ -414,6 +433,21 @@ static void visit(const struct task *task, struct ts_wall_queue *q, struct ts_me
 	}
 }
 
+/* What a visit soon will need. */
+TS_INLINE void send_for(const struct task *task, const struct ts_mesh_visitor *v)
+{
+	const struct ts_wall_contacts *c = &task->w->contacts;
+	bool touches = v->until < 0;
+
+	ts_wall_send_for_particle(task->sim->particles, v->i, touches);
+	if (!touches)
+		return;
+	__builtin_prefetch(&task->mw->near[v->first]);
+	__builtin_prefetch(&task->mw->near[v->first + v->n - 1]);
+	__builtin_prefetch(ts_wall_memory(c, v->first), 1);
+	__builtin_prefetch(ts_wall_memory(c, v->first + v->n - 1), 1);
+}
+
 static void push_share(void *context, size_t from, size_t end)
 {
 	const struct task *t = context;
@@ -422,9 +456,7 @@ static void push_share(void *context, size_t from, size_t end)
 
 	ts_wall_queue_start(&queue, t->w, t->sim);
 	for (size_t k = from; k < end; k++) {
-		const struct ts_mesh_visitor *next = &v[k + TS_WALL_AHEAD < end ? k + TS_WALL_AHEAD : k];
-
-		ts_wall_send_for_particle(t->sim->particles, next->i, next->until < 0);
+		send_for(t, &v[k + TS_WALL_AHEAD < end ? k + TS_WALL_AHEAD : k]);
 		visit(t, &queue, &v[k]);
 	}
 	ts_wall_queue_end(&queue);

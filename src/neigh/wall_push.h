@@ -32,14 +32,14 @@ void ts_wall_push(struct ts_wall_queue *q, size_t k, const struct ts_wall_spot *
 void ts_wall_queue_end(struct ts_wall_queue *q);
 
 /* Three numbers may lie in two lines of the caches. */
-static inline void ts_wall_send_for(const double x[3])
+TS_INLINE void ts_wall_send_for(const double x[3])
 {
 	__builtin_prefetch(x);
 	__builtin_prefetch(x + 2);
 }
 
 /* Particles at a wall are scattered in memory: what will be needed of one soon; `all`: if it touches. */
-static inline void ts_wall_send_for_particle(const struct ts_particles *p, size_t i, bool all)
+TS_INLINE void ts_wall_send_for_particle(const struct ts_particles *p, size_t i, bool all)
 {
 	ts_wall_send_for(p->x[i]);
 	__builtin_prefetch(p->radius + i);
@@ -57,7 +57,7 @@ static inline void ts_wall_send_for_particle(const struct ts_particles *p, size_
 
 /* A loop over contacts up to `end` is at k. */
 enum { TS_WALL_AHEAD = 12 };
-static inline void ts_wall_look_ahead(const struct ts_wall_contacts *c, const struct ts_particles *p,
+TS_INLINE void ts_wall_look_ahead(const struct ts_wall_contacts *c, const struct ts_particles *p,
 				      size_t k, size_t end)
 {
 	size_t next = k + TS_WALL_AHEAD < end ? k + TS_WALL_AHEAD : k;
