@@ -31,7 +31,8 @@ void ts_wall_push(struct ts_wall_queue *q, size_t k, const struct ts_wall_spot *
 /* Does all that wait. */
 void ts_wall_queue_end(struct ts_wall_queue *q);
 
-/* Three numbers may lie in two lines of the caches. */
+/* Three numbers may lie in two lines of the caches. Inlined always: a function that only asks for memory is taken for
+ * one that does nothing, and calls of it are left out. */
 TS_INLINE void ts_wall_send_for(const double x[3])
 {
 	__builtin_prefetch(x);
