@@ -352,6 +352,7 @@ library_sources = \
 	src/neigh/gran_coeff.h \
 	src/neigh/gran_numbers.c \
 	src/neigh/gran_numbers.h \
+	src/neigh/granular_models.h \
 	src/neigh/heat.c \
 	src/neigh/heat.h \
 	src/neigh/heat_block.h \
@@ -417,10 +418,14 @@ library_sources = \
 	src/neigh/skin.c \
 	src/neigh/wall.c \
 	src/neigh/wall.h \
+	src/neigh/wall_batch.h \
 	src/neigh/wall_contacts.c \
 	src/neigh/wall_contacts.h \
 	src/neigh/wall_law.c \
 	src/neigh/wall_law.h \
+	src/neigh/wall_models.c \
+	src/neigh/wall_push.c \
+	src/neigh/wall_push.h \
 	src/particles/assign.c \
 	src/particles/assign_words.c \
 	src/particles/assign_words.h \

@@ -1,9 +1,12 @@
 /* Triangle meshes: shapes and how triangles hang together. */
 #include <check.h>
 #include <math.h>
+#include <string.h>
 
-#include "geom/mesh.h"
+#include "base/alloc.h"
+#include "geom/mesh_distance.h"
 #include "geom/mesh_touch.h"
+#include "geom/mesh_tree.h"
 #include "math/vec3.h"
 
 /* A cuboid of 12 triangles, as corner numbers: bit 0 x, bit 1 y, bit 2 z. */
@@ -128,6 +131,73 @@ START_TEST(beyond_an_obtuse_corner)
 }
 END_TEST
 
+/* A place in a cube of this edge. */
+static void next_place(unsigned *seed, double edge, double x[3])
+{
+	for (int d = 0; d < 3; d++) {
+		*seed = *seed * 1664525u + 1013904223u;
+		x[d] = edge * ((double)*seed / 4294967296.0 - 0.5);
+	}
+}
+
+/* Who is farther than a sphere's radius from a triangle does not look whether it touches. */
+START_TEST(no_touch_is_nearer_than_the_triangle)
+{
+	unsigned seed = 387;
+	struct ts_mesh m;
+
+	make_cuboid(&m);
+	for (int k = 0; k < 20000; k++) {
+		size_t t = (size_t)k % 12;
+		struct ts_mesh_spot s;
+		double x[3], far;
+
+		next_place(&seed, 1.6, x);
+		far = ts_mesh_distance(&m, t, x);
+		for (int legacy = 0; legacy < 2; legacy++) {
+			m.legacy = legacy;
+			if (ts_mesh_nearest(&m, t, x, &s) != TS_MESH_NOTHING)
+				ck_assert_double_ge(s.distance, far - 2e-8);
+		}
+	}
+	ts_mesh_release(&m);
+}
+END_TEST
+
+START_TEST(trees_find_the_same_again)
+{
+	struct ts_mesh_list once = { 0 }, again = { 0 };
+	struct ts_mesh_vicinity vicinity = { 0 };
+	struct ts_mesh_tree tree;
+	unsigned seed = 991;
+	size_t found = 0;
+	struct ts_mesh m;
+	double from[3] = { 0 };
+
+	make_cuboid(&m);
+	ck_assert(ts_mesh_tree_build(&tree, &m) == TS_OK);
+	for (int k = 0; k < 2000; k++) {
+		double x[3], distance = 0.02 + 0.01 * (k % 7);
+
+		if (k % 16 == 0)
+			next_place(&seed, 1.6, from);
+		next_place(&seed, 0.2, x);
+		ts_add(from, x, x);
+		ck_assert(ts_mesh_tree_near(&tree, &m, x, distance, &once) == TS_OK);
+		ck_assert(ts_mesh_tree_near_again(&tree, &m, x, distance, &vicinity, &again) == TS_OK);
+		ck_assert_uint_eq(once.n, again.n);
+		ck_assert(!once.n || !memcmp(once.item, again.item, once.n * sizeof *once.item));
+		found += once.n;
+	}
+	ck_assert_uint_gt(found, 300);
+	ts_free(once.item);
+	ts_free(again.item);
+	ts_free(vicinity.leaf.item);
+	ts_mesh_tree_release(&tree);
+	ts_mesh_release(&m);
+}
+END_TEST
+
 int main(void)
 {
 	Suite *suite = suite_create("mesh");
@@ -139,6 +209,8 @@ int main(void)
 	tcase_add_test(tc, cuboid_has_every_edge_once);
 	tcase_add_test(tc, floor_of_a_periodic_box_has_no_rim);
 	tcase_add_test(tc, beyond_an_obtuse_corner);
+	tcase_add_test(tc, no_touch_is_nearer_than_the_triangle);
+	tcase_add_test(tc, trees_find_the_same_again);
 	suite_add_tcase(suite, tc);
 	srunner_run_all(runner, CK_ENV);
 	failed = srunner_ntests_failed(runner);

@@ -21,6 +21,7 @@ looks            full looks bed
 looks            full looks grains
 looks            full looks bonded
 looks            full looks walled
+looks            full looks drum
 threads          full threads grains
 ghosts           pair walled walled_periodic
 fluid solver     bound uniform solved 1e-10
@@ -111,6 +112,34 @@ walled() {
 }
 walled 'f f f' >in.walled
 walled 'p p f' >in.walled_periodic
+# in a drum of ten facets that turns about the y axis, its edges sticking out for the grains
+awk 'function p(y, k) { return sprintf("vertex %.12g %.12g %.12g", 0.012 * cos(0.62831853 * k), y, 0.012 * sin(0.62831853 * k)) }
+	function triangle(a, b, c) { print "facet normal 0 0 1\nouter loop\n" a "\n" b "\n" c "\nendloop\nendfacet" }
+	BEGIN {
+		print "solid drum"
+		for (k = 0; k < 10; k++) {
+			triangle(p(0, k), p(0.03, k), p(0.03, k + 1))
+			triangle(p(0, k), p(0.03, k + 1), p(0, k + 1))
+		}
+		print "endsolid drum"
+	}' >drum.stl
+{
+	grains 'f p f' | sed 's/^region box.*/region box block -0.015 0.015 0 0.03 -0.015 0.015 units box/'
+	cat <<-END
+	pair_style gran model hertz tangential history
+	pair_coeff * *
+	fix drum all mesh/surface file $PWD/drum.stl type 1
+	fix w all wall/gran model hertz tangential history mesh n_meshes 1 meshes drum
+	fix turn all move/mesh mesh drum rotate origin 0 0 0 axis 0 1 0 period 0.11
+	fix g all gravity 9.81 vector 0 0 -1
+	fix i all nve/sphere
+	region seed block -0.006 0.006 0 0.03 -0.006 0.006
+	create_atoms 1 random 60 387 seed overlap 0.0037
+	set type 1 diameter 0.0037 density 2385
+	timestep 2e-5
+	END
+	outputs 1500
+} >in.drum
 cat >in.bonded <<END
 units si
 boundary f f f

@@ -1,8 +1,12 @@
+#include "base/clones.h"
+TS_UNROLLED
+
 #include "geom/mesh.h"
 
 #include <math.h>
 
 #include "base/alloc.h"
+#include "base/four.h"
 #include "geom/mesh_links.h"
 #include "math/vec3.h"
 
@@ -72,33 +76,92 @@ void ts_mesh_release(struct ts_mesh *m)
 	*m = (struct ts_mesh){ 0 };
 }
 
-void ts_mesh_triangle_moved(struct ts_mesh *m, size_t t)
+/* The edges of a triangle as unit vectors, and their lengths. */
+TS_INLINE void edges_of(const double x[9], double along[9], double length[3])
 {
-	double(*x)[3] = m->x[t];
-	double cross[3], twice;
-
-	m->reach[t] = 0;
 	for (int k = 0; k < 3; k++) {
-		double *along = m->along[t][k];
-
-		m->centre[t][k] = (x[0][k] + x[1][k] + x[2][k]) / 3;
-		ts_sub(x[(k + 1) % 3], x[k], along);
-		m->length[t][k] = ts_norm(along);
-		if (m->length[t][k] > 0)
-			ts_scale(1 / m->length[t][k], along, along);
+		ts_sub(x + 3 * ((k + 1) % 3), x + 3 * k, along + 3 * k);
+		length[k] = ts_norm(along + 3 * k);
+		ts_scale(length[k] > 0 ? 1 / length[k] : 1, along + 3 * k, along + 3 * k);
 	}
+}
+
+TS_INLINE double reach_of(const double x[9], const double centre[3])
+{
+	double most = 0;
+
+	for (int k = 0; k < 3; k++) {
+		double far = sqrt(ts_distance2(x + 3 * k, centre));
+
+		most = far > most ? far : most;
+	}
+	return most;
+}
+
+/* What a mesh knows of some triangles, in columns. */
+struct columns {
+	double x[9][TS_COLUMN], along[9][TS_COLUMN], length[3][TS_COLUMN], normal[3][TS_COLUMN], centre[3][TS_COLUMN];
+	double area[TS_COLUMN], reach[TS_COLUMN];
+};
+
+/* Without branches, so that several triangles are computed at once. */
+TS_INLINE void triangle_moved(struct columns *c, size_t t)
+{
+	double x[9], along[9], length[3], centre[3], cross[3], twice;
+
+	for (int k = 0; k < 9; k++)
+		x[k] = c->x[k][t];
 	for (int k = 0; k < 3; k++)
-		m->reach[t] = fmax(m->reach[t], sqrt(ts_distance2(x[k], m->centre[t])));
-	ts_cross(m->along[t][0], m->along[t][1], cross);
+		centre[k] = (x[k] + x[3 + k] + x[6 + k]) / 3;
+	edges_of(x, along, length);
+	ts_cross(along, along + 3, cross);
 	twice = ts_norm(cross);
-	m->area[t] = 0.5 * twice * m->length[t][0] * m->length[t][1];
-	ts_scale(twice > 0 ? 1 / twice : 0, cross, m->normal[t]);
+	c->area[t] = 0.5 * twice * length[0] * length[1];
+	c->reach[t] = reach_of(x, centre);
+	ts_scale(twice > 0 ? 1 / twice : 0, cross, cross);
+	for (int k = 0; k < 9; k++)
+		c->along[k][t] = along[k];
+	for (int k = 0; k < 3; k++) {
+		c->centre[k][t] = centre[k];
+		c->length[k][t] = length[k];
+		c->normal[k][t] = cross[k];
+	}
+}
+
+/* n triangles from t on, filled up to whole vectors with the first of them. */
+TS_CLONES static void some_moved(struct ts_mesh *m, size_t t, size_t n)
+{
+	size_t whole = (n + 7) & ~(size_t)7;
+	struct columns c;
+
+	for (size_t j = 0; j < whole; j++)
+		for (size_t k = 0; k < 9; k++)
+			c.x[k][j] = m->x[t + (j < n ? j : 0)][k / 3][k % 3];
+#pragma omp simd
+	for (size_t j = 0; j < whole; j++)
+		triangle_moved(&c, j);
+	for (size_t j = 0; j < n; j++) {
+		m->area[t + j] = c.area[j];
+		m->reach[t + j] = c.reach[j];
+		for (size_t k = 0; k < 9; k++)
+			m->along[t + j][k / 3][k % 3] = c.along[k][j];
+		for (size_t k = 0; k < 3; k++) {
+			m->centre[t + j][k] = c.centre[k][j];
+			m->length[t + j][k] = c.length[k][j];
+			m->normal[t + j][k] = c.normal[k][j];
+		}
+	}
+}
+
+void ts_mesh_triangles_moved(struct ts_mesh *m, size_t from, size_t to)
+{
+	for (; from < to; from += TS_COLUMN)
+		some_moved(m, from, to - from < TS_COLUMN ? to - from : TS_COLUMN);
 }
 
 void ts_mesh_moved(struct ts_mesh *m)
 {
-	for (size_t t = 0; t < m->n; t++)
-		ts_mesh_triangle_moved(m, t);
+	ts_mesh_triangles_moved(m, 0, m->n);
 }
 
 bool ts_mesh_flat_neighbours(const struct ts_mesh *m, size_t a, size_t b)

@@ -66,8 +66,8 @@ void ts_mesh_release(struct ts_mesh *mesh);
 
 /* The corners have changed: normals, edges, areas, centres anew. */
 void ts_mesh_moved(struct ts_mesh *mesh);
-/* The same for triangle t only. */
-void ts_mesh_triangle_moved(struct ts_mesh *mesh, size_t t);
+/* The same for triangles from .. to-1 only. */
+void ts_mesh_triangles_moved(struct ts_mesh *mesh, size_t from, size_t to);
 
 /* Whether two triangles share a corner and are flat neighbours. */
 bool ts_mesh_flat_neighbours(const struct ts_mesh *mesh, size_t a, size_t b);

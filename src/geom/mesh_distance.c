@@ -64,6 +64,14 @@ static void look(const struct ts_mesh *mesh, size_t t, const double x[3], struct
 	d->triangle = (int32_t)t;
 }
 
+double ts_mesh_distance(const struct ts_mesh *mesh, size_t t, const double x[3])
+{
+	struct ts_mesh_distance d;
+
+	look(mesh, t, x, &d);
+	return d.distance;
+}
+
 enum ts_status ts_mesh_signed_distance(const struct ts_mesh *mesh, const struct ts_mesh_tree *tree,
 				       const double x[3], double reach, struct ts_mesh_list *list,
 				       bool *near, struct ts_mesh_distance *out)

@@ -15,6 +15,9 @@ struct ts_mesh_distance {
  * 2005, ch. 5.1.5). */
 void ts_mesh_nearest_point(const struct ts_mesh *mesh, size_t t, const double x[3], double weight[3]);
 
+/* The distance of x from triangle t. */
+double ts_mesh_distance(const struct ts_mesh *mesh, size_t t, const double x[3]);
+
 /* False: the surface is farther than `reach`, and `out` is not written. Of triangles equally near - x is
  * nearest to an edge or a corner - the one seen most from the front decides on which side x is. `list` is
  * scratch. */

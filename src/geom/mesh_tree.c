@@ -59,9 +59,13 @@ static enum ts_status sort_along_curve(struct ts_mesh_tree *tree, const struct t
 
 static void bound(const struct ts_mesh *m, size_t t, double lo[3], double hi[3])
 {
-	for (int k = 0; k < 9; k++) {
-		lo[k % 3] = fmin(lo[k % 3], m->x[t][k / 3][k % 3]);
-		hi[k % 3] = fmax(hi[k % 3], m->x[t][k / 3][k % 3]);
+	for (int k = 0; k < 3; k++) {
+		for (int d = 0; d < 3; d++) {
+			double x = m->x[t][k][d];
+
+			lo[d] = x < lo[d] ? x : lo[d];
+			hi[d] = x > hi[d] ? x : hi[d];
+		}
 	}
 }
 
@@ -147,6 +151,74 @@ static int ascending(const void *a, const void *b)
 	const int32_t *p = a, *q = b;
 
 	return (*p > *q) - (*p < *q);
+}
+
+/* Whether nothing between from and to is as near. */
+static bool all_apart(const double lo[3], const double hi[3], const double from[3], const double to[3], double distance)
+{
+	bool are = false;
+
+	for (int d = 0; d < 3; d++)
+		are |= !(lo[d] - distance <= to[d] && from[d] <= hi[d] + distance);
+	return are;
+}
+
+/* Half the edge of the box around a place, in distances that are asked for. */
+static const double AROUND = 4;
+
+static enum ts_status find_leaves(const struct ts_mesh_tree *tree, const double x[3], double distance,
+				  struct ts_mesh_vicinity *v)
+{
+	size_t stack[STACK], depth = 0;
+
+	v->distance = distance;
+	v->leaf.n = 0;
+	for (int d = 0; d < 3; d++) {
+		v->lo[d] = x[d] - AROUND * distance;
+		v->hi[d] = x[d] + AROUND * distance;
+	}
+	if (tree->n)
+		stack[depth++] = 1;
+	while (depth > 0) {
+		size_t k = stack[--depth];
+
+		if (all_apart(tree->lo[k], tree->hi[k], v->lo, v->hi, distance))
+			continue;
+		if (k >= tree->leaves) {
+			TS_TRY(TS_GROW(v->leaf.item, v->leaf.capacity, v->leaf.n + 1));
+			v->leaf.item[v->leaf.n++] = (int32_t)k;
+		} else {
+			stack[depth++] = 2 * k;
+			stack[depth++] = 2 * k + 1;
+		}
+	}
+	return TS_OK;
+}
+
+static bool covers(const struct ts_mesh_vicinity *v, const double x[3], double distance)
+{
+	bool does = distance <= v->distance;
+
+	for (int d = 0; d < 3; d++)
+		does &= v->lo[d] <= x[d] && x[d] <= v->hi[d];
+	return does;
+}
+
+enum ts_status ts_mesh_tree_near_again(const struct ts_mesh_tree *tree, const struct ts_mesh *m, const double x[3],
+				       double distance, struct ts_mesh_vicinity *v, struct ts_mesh_list *list)
+{
+	list->n = 0;
+	if (!covers(v, x, distance))
+		TS_TRY(find_leaves(tree, x, distance, v));
+	for (size_t j = 0; j < v->leaf.n; j++) {
+		size_t k = (size_t)v->leaf.item[j];
+
+		if (!apart(tree->lo[k], tree->hi[k], x, distance))
+			TS_TRY(look_in_leaf(tree, m, k - tree->leaves, x, distance, list));
+	}
+	if (list->n > 1)
+		qsort(list->item, list->n, sizeof *list->item, ascending);
+	return TS_OK;
 }
 
 enum ts_status ts_mesh_tree_near(const struct ts_mesh_tree *tree, const struct ts_mesh *m,

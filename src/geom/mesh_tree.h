@@ -25,4 +25,13 @@ struct ts_mesh_list {
 enum ts_status ts_mesh_tree_near(const struct ts_mesh_tree *tree, const struct ts_mesh *mesh,
 				 const double x[3], double distance, struct ts_mesh_list *list);
 
+/* What has been found for a place, for others near it. Zero-initialise, ts_free the items of leaf. */
+struct ts_mesh_vicinity {
+	double lo[3], hi[3], distance; /* for places in this box, and for less than this distance */
+	struct ts_mesh_list leaf;      /* these nodes may be near enough */
+};
+/* The same as ts_mesh_tree_near, quicker for one place after the other if these are near each other. */
+enum ts_status ts_mesh_tree_near_again(const struct ts_mesh_tree *tree, const struct ts_mesh *mesh, const double x[3],
+				       double distance, struct ts_mesh_vicinity *vicinity, struct ts_mesh_list *list);
+
 #endif

@@ -3,7 +3,9 @@
 #include <math.h>
 
 #include "base/parallel.h"
+#include "geom/mesh_distance.h"
 #include "geom/mesh_touch.h"
+#include "neigh/wall_push.h"
 #include "particles/domain.h"
 
 #include "base/banned.h"
@@ -49,6 +51,7 @@ void ts_mesh_wall_release(struct ts_mesh_wall *mw)
 {
 	drop_trees(mw);
 	ts_free(mw->near);
+	ts_free(mw->visitor);
 	ts_free(mw->touching);
 	*mw = (struct ts_mesh_wall){ 0 };
 }
@@ -69,20 +72,58 @@ static int modulo3(int a)
 	return (a % 3 + 3) % 3;
 }
 
-static enum ts_status add(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw, size_t i,
-			  int32_t mesh, int32_t triangle, const int shift[3])
+/* A touch may be found when a particle is farther by so much: twice the tolerance of mesh_touch.c, in units of length,
+ * and rounding. The rest of the gap between a sphere and a triangle both can go in any way; rounding counts less than
+ * what is left of it. */
+static const double SLACK = 4e-8, SURE = 0.999;
+
+static double safe_way(double distance, double radius)
+{
+	return SURE * (distance - radius - SLACK);
+}
+
+/* What is near to a particle: a triangle, and the image of the mesh by box lengths. */
+struct found {
+	size_t i;
+	int32_t mesh, triangle;
+	int shift[3];
+	double distance;
+};
+
+/* The contacts of a particle are added one after the other. */
+static enum ts_status add_visitor(struct tsim *sim, struct ts_mesh_wall *mw, size_t i, size_t first)
+{
+	const struct ts_particles *p = sim->particles;
+	struct ts_mesh_visitor *v;
+
+	if (!mw->nvisitors || mw->visitor[mw->nvisitors - 1].i != i) {
+		if (TS_GROW(mw->visitor, mw->visitor_capacity, mw->nvisitors + 1) != TS_OK)
+			return ts_nomem(&sim->error);
+		mw->visitor[mw->nvisitors++] = (struct ts_mesh_visitor){
+			.i = i, .first = first, .radius = p->radius[i], .until = -INFINITY,
+			.place = { p->xhold[i][0], p->xhold[i][1], p->xhold[i][2] },
+		};
+	}
+	v = &mw->visitor[mw->nvisitors - 1];
+	v->n++;
+	return TS_OK;
+}
+
+static enum ts_status add(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw, const struct found *f)
 {
 	const struct ts_particles *p = sim->particles;
 	size_t k = w->contacts.n;
 	int code = 0;
 
 	for (int d = 0; d < 3; d++)
-		code = 3 * code + modulo3(p->image[i][d] % 3 + shift[d]);
+		code = 3 * code + modulo3(p->image[f->i][d] % 3 + f->shift[d]);
 	if (TS_GROW(mw->near, mw->near_capacity, k + 1) != TS_OK)
 		return ts_nomem(&sim->error);
-	mw->near[k] = (struct ts_mesh_near){ mesh, triangle, { shift[0], shift[1], shift[2] }, false };
-	return ts_wall_contacts_add(sim, &w->contacts, i,
-				    ((int)mw->mesh[mesh].first + triangle) * IMAGES + code);
+	mw->near[k] = (struct ts_mesh_near){ f->mesh, f->triangle, { f->shift[0], f->shift[1], f->shift[2] }, false,
+					     safe_way(f->distance, p->radius[f->i]) };
+	TS_TRY(add_visitor(sim, mw, f->i, k));
+	return ts_wall_contacts_add(sim, &w->contacts, f->i,
+				    ((int)mw->mesh[f->mesh].first + f->triangle) * IMAGES + code);
 }
 
 /* The images of a mesh, by box lengths, that reach within r of x in one dimension. */
@@ -98,32 +139,32 @@ static void reaching(const struct ts_box *box, const struct ts_mesh_tree *tree, 
 	range[1] = (int)floor(fmin(1e6, (x + r - tree->lo[1][dim]) / length));
 }
 
-/* What is near to a particle: a triangle, and the image of the mesh by box lengths. */
-struct found {
-	size_t i;
-	int32_t mesh, triangle;
-	int shift[3];
-};
-
 /* What the particles of one share have near, in their order. */
 struct search {
 	struct found *found;
 	size_t n, capacity;
 	struct ts_mesh_list list;
+	struct ts_mesh_vicinity *vicinity; /* of each mesh */
 	bool failed;
 };
 
 static void find_image(struct search *s, const struct ts_mesh_part_of_wall *part, const double at[3], double r,
 		       const struct found *what)
 {
-	if (ts_mesh_tree_near(&part->tree, &part->surface->mesh, at, r, &s->list) != TS_OK ||
+	struct ts_mesh_vicinity *v = &s->vicinity[what->mesh];
+
+	if (ts_mesh_tree_near_again(&part->tree, &part->surface->mesh, at, r, v, &s->list) != TS_OK ||
 	    TS_GROW(s->found, s->capacity, s->n + s->list.n) != TS_OK) {
 		s->failed = true;
 		return;
 	}
 	for (size_t k = 0; k < s->list.n; k++) {
-		s->found[s->n] = *what;
-		s->found[s->n++].triangle = s->list.item[k];
+		struct found *f = &s->found[s->n];
+
+		*f = *what;
+		f->triangle = s->list.item[k];
+		f->distance = ts_mesh_distance(&part->surface->mesh, (size_t)f->triangle, at);
+		s->n += f->distance > r + SLACK ? 0 : 1;
 	}
 }
 
@@ -176,11 +217,19 @@ static void search_share(void *context, size_t from, size_t to)
 	const struct searching *s = context;
 	size_t n = s->sim->particles->n;
 
-	for (size_t t = from; t < to; t++)
+	for (size_t t = from; t < to; t++) {
+		struct search *share = &s->share[t];
+
+		share->vicinity = ts_alloc(s->mw->nmeshes, sizeof *share->vicinity);
+		share->failed = !share->vicinity;
 		for (size_t i = n * t / s->shares; i < n * (t + 1) / s->shares; i++)
-			for (size_t mesh = 0; mesh < s->mw->nmeshes && !s->share[t].failed; mesh++)
+			for (size_t mesh = 0; mesh < s->mw->nmeshes && !share->failed; mesh++)
 				if (concerns(s, mesh, i))
-					find_images(s->sim, s->mw, mesh, i, &s->share[t]);
+					find_images(s->sim, s->mw, mesh, i, share);
+		for (size_t mesh = 0; mesh < s->mw->nmeshes && share->vicinity; mesh++)
+			ts_free(share->vicinity[mesh].leaf.item);
+		ts_free(share->vicinity);
+	}
 }
 
 /* Takes what a share has found, and releases it. */
@@ -188,14 +237,33 @@ static enum ts_status take(struct tsim *sim, struct ts_wall *w, struct ts_mesh_w
 {
 	enum ts_status status = share->failed ? ts_nomem(&sim->error) : TS_OK;
 
-	for (size_t k = 0; k < share->n && status == TS_OK; k++) {
-		const struct found *f = &share->found[k];
-
-		status = add(sim, w, mw, f->i, f->mesh, f->triangle, f->shift);
-	}
+	for (size_t k = 0; k < share->n && status == TS_OK; k++)
+		status = add(sim, w, mw, &share->found[k]);
 	ts_free(share->found);
 	ts_free(share->list.item);
 	return status;
+}
+
+/* How far the meshes have gone since the last call, at most; infinite if nothing is known of it: images move with the
+ * box. */
+static double come_nearer(const struct tsim *sim, struct ts_mesh_wall *mw)
+{
+	double most = sim->full & TS_FULL_LOOKS ? INFINITY : 0;
+
+	for (size_t k = 0; k < mw->nmeshes; k++) {
+		struct ts_mesh_part_of_wall *part = &mw->mesh[k];
+		double step = part->surface->travelled - part->travelled;
+
+		most = fmax(most, step >= 0 ? step : INFINITY);
+		part->travelled = part->surface->travelled;
+	}
+	for (int d = 0; d < 3; d++) {
+		double length = ts_box_length(&sim->domain->box, d);
+
+		most = length == mw->length[d] ? most : INFINITY;
+		mw->length[d] = length;
+	}
+	return most;
 }
 
 enum ts_status ts_mesh_wall_list(struct ts_instance *self, struct tsim *sim, struct ts_wall *w,
@@ -209,6 +277,8 @@ enum ts_status ts_mesh_wall_list(struct ts_instance *self, struct tsim *sim, str
 
 	for (size_t k = 0; k < mw->nmeshes; k++)
 		TS_TRY(update_tree(sim, &mw->mesh[k]));
+	mw->nvisitors = 0;
+	come_nearer(sim, mw);
 	s.share = ts_alloc(s.shares, sizeof *s.share);
 	if (!s.share)
 		return ts_nomem(&sim->error);
@@ -265,64 +335,138 @@ static bool begin_contact(struct ts_wall *w, const struct ts_mesh_wall *mw, size
 	return true;
 }
 
-static void push(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw, size_t from, size_t to,
-		 size_t k)
-{
-	struct ts_mesh_near *near = &mw->near[k];
-	const struct ts_mesh_surface *s = mw->mesh[near->mesh].surface;
-	const struct ts_particles *p = sim->particles;
-	size_t i = (size_t)w->contacts.row[k], t = (size_t)near->triangle;
-	struct ts_wall_spot spot = { .type = (int)s->type,
-				     .mesh = near->mesh + 1,
-				     .triangle = (int)t,
-				     .warm = !isnan(s->temperature),
-				     .temperature = s->temperature };
-	struct ts_mesh_spot at;
-	enum ts_mesh_part part;
-	double x[3];
-
-	for (int d = 0; d < 3; d++)
-		x[d] = p->x[i][d] - near->shift[d] * ts_box_length(&sim->domain->box, d);
-	part = ts_mesh_nearest(&s->mesh, t, x, &at);
-	near->done = part != TS_MESH_NOTHING && at.distance <= p->radius[i] &&
-		     (*alive(&w->contacts, k) > 0 || begin_contact(w, mw, from, to, k, part));
-	if (!near->done)
-		return;
-	spot.sums = s->stress != NULL;
-	spot.distance = at.distance;
-	for (int d = 0; d < 3; d++)
-		spot.n[d] = at.n[d];
-	ts_mesh_surface_velocity(s, t, at.weight, spot.velocity);
-	ts_wall_push(w, sim, k, &spot);
-}
-
 struct task {
 	struct tsim *sim;
 	struct ts_wall *w;
 	struct ts_mesh_wall *mw;
+	double step; /* of the meshes since the last time, at most; infinite: all contacts are looked at */
 };
+
+/* Where the particle sees the image of the mesh. */
+static void local_place(const struct tsim *sim, const struct ts_mesh_near *near, size_t i, double x[3])
+{
+	for (int d = 0; d < 3; d++)
+		x[d] = sim->particles->x[i][d] - near->shift[d] * ts_box_length(&sim->domain->box, d);
+}
+
+/* Whether there is no touch yet, and when there may be. */
+static bool waits(const struct ts_mesh *m, struct ts_mesh_near *near, const struct ts_mesh_visitor *v, const double x[3])
+{
+	double far = safe_way(ts_mesh_distance(m, (size_t)near->triangle, x), v->radius);
+
+	near->until = far > 0 ? v->way + far : -INFINITY;
+	return far > 0;
+}
+
+static void make_spot(const struct ts_mesh_surface *s, const struct ts_mesh_near *near, const struct ts_mesh_spot *at,
+		      struct ts_wall_spot *spot)
+{
+	for (int d = 0; d < 3; d++)
+		spot->n[d] = at->n[d];
+	spot->distance = at->distance;
+	ts_mesh_surface_velocity(s, (size_t)near->triangle, at->weight, spot->velocity);
+	spot->curvature = 0;
+	spot->sums = s->stress != NULL;
+	spot->type = (int)s->type;
+	spot->mesh = near->mesh + 1;
+	spot->triangle = near->triangle;
+	spot->warm = !isnan(s->temperature);
+	spot->temperature = s->temperature;
+}
+
+static void push(const struct task *task, struct ts_wall_queue *q, const struct ts_mesh_visitor *v, size_t k)
+{
+	struct ts_wall *w = task->w;
+	struct ts_mesh_near *near = &task->mw->near[k];
+	const struct ts_mesh_surface *s = task->mw->mesh[near->mesh].surface;
+	size_t t = (size_t)near->triangle;
+	struct ts_wall_spot spot;
+	struct ts_mesh_spot at;
+	enum ts_mesh_part part;
+	double x[3];
+
+	local_place(task->sim, near, v->i, x);
+	if (!w->contacts.touching[k] && waits(&s->mesh, near, v, x))
+		return;
+	part = ts_mesh_nearest(&s->mesh, t, x, &at);
+	near->done = part != TS_MESH_NOTHING && at.distance <= v->radius &&
+		     (*alive(&w->contacts, k) > 0 || begin_contact(w, task->mw, v->first, v->first + v->n, k, part));
+	near->until = -INFINITY;
+	if (!near->done)
+		return;
+	make_spot(s, near, &at, &spot);
+	ts_wall_push(q, k, &spot);
+}
+
+/* Notes where the particle is now; whether one of its contacts may touch. */
+static bool moves(const struct task *task, struct ts_mesh_visitor *v)
+{
+	const struct ts_particles *p = task->sim->particles;
+	const double *x = p->x[v->i];
+	double step = sqrt(ts_distance2(x, v->place));
+
+	/* after a particle has grown nothing is known */
+	v->way += p->radius[v->i] == v->radius ? step + task->step : INFINITY;
+	ts_scale(1, x, v->place);
+	v->radius = p->radius[v->i];
+	return !(v->way < v->until);
+}
+
+static void visit(const struct task *task, struct ts_wall_queue *q, struct ts_mesh_visitor *v)
+{
+	struct ts_wall_contacts *c = &task->w->contacts;
+	struct ts_mesh_near *near = task->mw->near;
+	size_t end = v->first + v->n;
+
+	if (!moves(task, v))
+		return;
+	for (size_t k = v->first; k < end; k++)
+		near[k].done = false;
+	for (size_t k = v->first; k < end; k++)
+		if (c->touching[k] || !(v->way < near[k].until))
+			push(task, q, v, k);
+	v->until = INFINITY;
+	for (size_t k = v->first; k < end; k++) {
+		if (!near[k].done)
+			ts_wall_contact_part(c, k);
+		v->until = fmin(v->until, near[k].until);
+	}
+}
+
+/* What a visit soon will need. */
+TS_INLINE void send_for(const struct task *task, const struct ts_mesh_visitor *v)
+{
+	const struct ts_wall_contacts *c = &task->w->contacts;
+	bool touches = v->until < 0;
+
+	ts_wall_send_for_particle(task->sim->particles, v->i, touches);
+	if (!touches)
+		return;
+	__builtin_prefetch(&task->mw->near[v->first]);
+	__builtin_prefetch(&task->mw->near[v->first + v->n - 1]);
+	__builtin_prefetch(ts_wall_memory(c, v->first), 1);
+	__builtin_prefetch(ts_wall_memory(c, v->first + v->n - 1), 1);
+}
 
 static void push_share(void *context, size_t from, size_t end)
 {
 	const struct task *t = context;
-	struct ts_wall_contacts *c = &t->w->contacts;
+	struct ts_mesh_visitor *v = t->mw->visitor;
+	struct ts_wall_queue queue;
 
-	for (size_t to; from < end; from = to) {
-		ts_wall_look_ahead(c, t->sim->particles, from, end);
-		for (to = from; to < end && c->row[to] == c->row[from]; to++)
-			t->mw->near[to].done = false;
-		for (size_t k = from; k < to; k++)
-			push(t->sim, t->w, t->mw, from, to, k);
-		for (size_t k = from; k < to; k++)
-			if (!t->mw->near[k].done)
-				ts_wall_contact_part(c, k);
+	ts_wall_queue_start(&queue, t->w, t->sim);
+	for (size_t k = from; k < end; k++) {
+		send_for(t, &v[k + TS_WALL_AHEAD < end ? k + TS_WALL_AHEAD : k]);
+		visit(t, &queue, &v[k]);
 	}
+	ts_wall_queue_end(&queue);
 }
 
 void ts_mesh_wall_push(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw)
 {
-	struct task task = { sim, w, mw };
+	struct task task = { sim, w, mw, come_nearer(sim, mw) };
 
-	ts_wall_contacts_parallel(sim, &w->contacts, push_share, &task);
+	/* a contact is worth several particles of other loops */
+	ts_parallel(ts_team(sim, 4 * w->contacts.n), mw->nvisitors, push_share, &task);
 	ts_wall_finish(w);
 }

@@ -3,7 +3,10 @@
  *
  * A sphere that touches a flat surface touches it once: of the faces of flat neighbours that it touches
  * at the same time - its centre is over their common edge - the first has the contact. A new contact takes
- * over what the contact with a flat neighbour remembers, unless that was found to go on. */
+ * over what the contact with a flat neighbour remembers, unless that was found to go on.
+ *
+ * Most triangles that are listed are not touched: these are not looked at until particle and mesh may have come as near
+ * to each other as they were apart. So no touch is missed. */
 #ifndef TS_NEIGH_MESH_WALL_H
 #define TS_NEIGH_MESH_WALL_H
 
@@ -18,6 +21,7 @@ struct ts_mesh_part_of_wall {
 	size_t first; /* number of its first triangle among those of all meshes */
 	struct ts_mesh_tree tree;
 	uint64_t moves; /* surface->moves when the tree was built */
+	double travelled; /* surface->travelled when contacts were looked at last */
 };
 
 /* Which triangle a contact of the wall is about. */
@@ -25,6 +29,15 @@ struct ts_mesh_near {
 	int32_t mesh, triangle;
 	int32_t shift[3]; /* it is the image so many box lengths away */
 	bool done;	  /* touches in this step */
+	double until;	  /* it cannot touch before the way of the particle is so long */
+};
+
+/* A particle near the meshes; its contacts follow one another. */
+struct ts_mesh_visitor {
+	size_t i, first, n;
+	double place[3], radius; /* as they were last */
+	double way;   /* that it and the meshes have gone since the particles were listed, at most */
+	double until; /* the least of its contacts; -INFINITY: one touches */
 };
 
 /* A contact that touches, by what says its place in a sum. */
@@ -37,7 +50,9 @@ struct ts_mesh_wall {
 	struct ts_mesh_part_of_wall *mesh;
 	size_t nmeshes;
 	struct ts_mesh_near *near; /* of each contact */
-	size_t near_capacity;
+	struct ts_mesh_visitor *visitor;
+	size_t nvisitors, near_capacity, visitor_capacity;
+	double length[3]; /* of the box, when contacts were looked at last */
 	struct ts_mesh_touching *touching; /* for sums over contacts */
 	size_t touching_capacity;
 };

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "core/plan.h"
+#include "neigh/wall_push.h"
 #include "particles/domain.h"
 
 #include "base/banned.h"
@@ -283,20 +284,23 @@ static void push_share(void *context, size_t from, size_t to)
 	struct ts_wall_spot spot = { .type = t->type,
 				     .warm = !isnan(w->temperature),
 				     .temperature = w->temperature };
+	struct ts_wall_queue queue;
 
+	ts_wall_queue_start(&queue, t->wall, t->sim);
 	for (size_t k = from; k < to; k++) {
 		const double *x = p->x[c->row[k]];
 
 		ts_wall_look_ahead(c, p, k, to);
 		spot.distance = ts_primitive_distance(&t->at[c->key[k][1]], x, spot.n);
 		spot.curvature = curvature(w, spot.n, x);
-		if (!ts_wall_touches(t->wall, t->sim, k, &spot)) {
+		if (!ts_wall_touches(&queue, k, &spot)) {
 			ts_wall_contact_part(c, k);
 			continue;
 		}
 		surface_velocity(w, t->sim, x, spot.velocity);
-		ts_wall_push(t->wall, t->sim, k, &spot);
+		ts_wall_push(&queue, k, &spot);
 	}
+	ts_wall_queue_end(&queue);
 }
 
 void ts_primitive_wall_push(struct tsim *sim, struct ts_wall *wall, const struct ts_primitive_wall *w,

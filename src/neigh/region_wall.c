@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "math/vec3.h"
+#include "neigh/wall_push.h"
 #include "particles/particles.h"
 
 #include "base/banned.h"
@@ -163,26 +164,21 @@ static const struct ts_region_spot *spot_of(const struct ts_region_spot *spot, i
 	return NULL;
 }
 
-/* The contact k of a particle with a face: its spot on it, if the face has one. */
-static void push_face(struct tsim *sim, struct ts_wall *wall, const struct ts_region_wall *w, size_t k,
+/* The contact k of a particle with a face that has a spot for it. */
+static void push_face(struct ts_wall_queue *q, struct ts_wall *wall, const struct ts_region_wall *w, size_t k,
 		      const struct ts_region_spot *on, int type)
 {
-	const double *x = sim->particles->x[wall->contacts.row[k]];
-	struct ts_wall_spot spot = { .type = type };
+	struct ts_wall_spot spot = { .type = type, .distance = on->distance, .curvature = on->curvature };
 
-	if (on) {
-		spot.distance = on->distance;
-		spot.curvature = on->curvature;
-		for (int d = 0; d < 3; d++)
-			spot.n[d] = on->n[d];
-	}
-	if (!on || !ts_wall_touches(wall, sim, k, &spot)) {
+	for (int d = 0; d < 3; d++)
+		spot.n[d] = on->n[d];
+	if (!ts_wall_touches(q, k, &spot)) {
 		ts_wall_contact_part(&wall->contacts, k);
 		return;
 	}
 	if (on->mover)
-		surface_velocity(w, on->mover, x, &spot);
-	ts_wall_push(wall, sim, k, &spot);
+		surface_velocity(w, on->mover, q->sim->particles->x[wall->contacts.row[k]], &spot);
+	ts_wall_push(q, k, &spot);
 }
 
 struct task {
@@ -196,19 +192,29 @@ struct task {
 /* The faces of a particle follow one another. */
 static void push_contacts(const struct task *t, size_t from, size_t to, struct ts_region_spot *spot)
 {
-	const struct ts_wall_contacts *c = &t->wall->contacts;
+	const struct ts_particles *p = t->sim->particles;
+	struct ts_wall_contacts *c = &t->wall->contacts;
+	struct ts_wall_queue queue;
 	int n = 0;
 
+	ts_wall_queue_start(&queue, t->wall, t->sim);
 	for (size_t k = from; k < to; k++) {
-		const double *x = t->sim->particles->x[c->row[k]];
+		const double *x = p->x[c->row[k]];
+		const struct ts_region_spot *on;
 		int face = c->key[k][1];
 
+		ts_wall_look_ahead(c, p, k, to);
 		if (face == 0)
 			n = t->far && !is_near(t->w, t->sim, t->wall, (size_t)c->row[k], x, 0)
 				    ? 0
 				    : ts_region_spots(t->w->region, x, spot);
-		push_face(t->sim, t->wall, t->w, k, spot_of(spot, n, face), t->type);
+		on = spot_of(spot, n, face);
+		if (on)
+			push_face(&queue, t->wall, t->w, k, on, t->type);
+		else
+			ts_wall_contact_part(c, k);
 	}
+	ts_wall_queue_end(&queue);
 }
 
 /* Regions of more faces are looked at by one thread. */

@@ -54,13 +54,13 @@ static const struct ts_pair *pair_of(const struct tsim *sim)
 	return pair ? pair->state : NULL;
 }
 
-static const struct ts_granular_model *model_of(const struct ts_wall *w, const struct tsim *sim)
+const struct ts_granular_model *ts_wall_model(const struct ts_wall *w, const struct tsim *sim)
 {
 	return w->own_model ? &w->model : &pair_of(sim)->model;
 }
 
-static const struct ts_granular_pair *law_of(const struct ts_wall *w, const struct tsim *sim,
-					     int wall, int particle)
+const struct ts_granular_pair *ts_wall_law(const struct ts_wall *w, const struct tsim *sim, int wall,
+					   int particle)
 {
 	return w->own_model ? &w->law[wall * (w->ntypes + 1) + particle]
 			    : ts_pair_law(pair_of(sim), particle, wall);
@@ -106,29 +106,12 @@ static enum ts_status make_law(struct ts_instance *self, struct tsim *sim, int w
 	return TS_OK;
 }
 
-/* The models that most walls have: pushes are compiled for them. */
-static const struct ts_granular_model hertz_history = { .normal = TS_NORMAL_HERTZ,
-							.tangential = TS_TANGENTIAL_HISTORY };
-static const struct ts_granular_model hooke_history = { .normal = TS_NORMAL_HOOKE,
-							.tangential = TS_TANGENTIAL_HISTORY };
-
-static ts_wall_push_fn push_hertz_history, push_hooke_history, push_any;
-
-static ts_wall_push_fn *push_of(const struct ts_granular_model *model)
-{
-	if (ts_granular_same_model(model, &hertz_history))
-		return push_hertz_history;
-	if (ts_granular_same_model(model, &hooke_history))
-		return push_hooke_history;
-	return push_any;
-}
-
 enum ts_status ts_wall_make_law(struct ts_instance *self, struct tsim *sim, int type)
 {
 	struct ts_wall *w = self->state;
 	int most = ts_largest_type(sim);
 
-	w->push = push_of(model_of(w, sim));
+	w->batch = ts_wall_batch_of(ts_wall_model(w, sim));
 	TS_TRY(reserve(self, sim, type));
 	for (int t = 1; t <= most; t++)
 		TS_TRY(make_law(self, sim, type, t));
@@ -139,7 +122,7 @@ void ts_wall_rebuild_start(struct ts_wall *w, const struct tsim *sim, size_t own
 			   struct ts_wall_rebuild *rebuild)
 {
 	ts_wall_contacts_start(&w->contacts, rebuild,
-			       (size_t)ts_granular_memory(model_of(w, sim)) + own);
+			       (size_t)ts_granular_memory(ts_wall_model(w, sim)) + own);
 }
 
 enum ts_status ts_wall_rebuild_finish(struct ts_wall *w, struct tsim *sim,
@@ -151,67 +134,10 @@ enum ts_status ts_wall_rebuild_finish(struct ts_wall *w, struct tsim *sim,
 	return status;
 }
 
-/* R* at a surface of this curvature. */
-static double effective_radius(double radius, double curvature)
-{
-	return radius / (1 + radius * curvature);
-}
-
-/* The wall is the limit of an infinitely heavy partner. */
-TS_INLINE void touch(const struct ts_granular_model *model, const struct ts_particles *p, size_t i,
-		     const struct ts_wall_spot *spot, struct ts_touch *t)
-{
-	static const double at_rest[3] = { 0 };
-	double v[3];
-
-	*t = (struct ts_touch){ .wall = true, .distance = spot->distance };
-#pragma GCC unroll 3
-	for (int k = 0; k < 3; k++)
-		t->n[k] = spot->n[k];
-	t->radius[0] = p->radius[i];
-	t->r_eff = effective_radius(p->radius[i], spot->curvature);
-	/* a member of a rigid body has the mass of the body */
-	t->mass[0] = t->m_eff = ts_rigid_member(p, i) ? 1 / p->imass[i] : p->mass[i];
-	t->overlap = p->radius[i] - t->distance;
-	ts_granular_arms(model, t);
-	ts_sub(p->v[i], spot->velocity, v);
-	ts_touch_motion(t, v, p->omega ? p->omega[i] : at_rest, at_rest);
-}
-
 double ts_wall_reach(const struct ts_wall *w, double radius)
 {
 	/* hollow surfaces stick farther; they are found while their curvature is less than half the sphere's */
 	return w->given && ts_normal_sticks(&w->model) ? ts_jkr_reach(&w->numbers, 2 * radius) : 0;
-}
-
-bool ts_wall_touches(const struct ts_wall *w, const struct tsim *sim, size_t k,
-		     const struct ts_wall_spot *spot)
-{
-	const struct ts_granular_model *model = model_of(w, sim);
-	const struct ts_particles *p = sim->particles;
-	size_t i = (size_t)w->contacts.row[k];
-	double radius = p->radius[i];
-
-	return spot->distance <
-	       radius + ts_granular_beyond(model, law_of(w, sim, spot->type, p->type[i]),
-					   effective_radius(radius, spot->curvature),
-					   ts_wall_memory(&w->contacts, k));
-}
-
-static void report(struct ts_wall_report *r, const struct ts_particles *p, size_t i,
-		   const struct ts_wall_spot *spot, const struct ts_touch *t,
-		   const struct ts_granular_force *f)
-{
-	*r = (struct ts_wall_report){ .touching = 1, .overlap = t->overlap, .type = spot->type,
-				      .mesh = spot->mesh, .triangle = spot->triangle,
-				      .curvature = spot->curvature };
-	for (int k = 0; k < 3; k++) {
-		r->force[k] = f->force[k];
-		r->torque[k] = t->arm[0] * f->turn[k] + f->roll[k];
-		r->rolling[k] = f->roll[k];
-		r->velocity[k] = spot->velocity[k];
-		r->point[k] = p->x[i][k] - t->distance * t->n[k];
-	}
 }
 
 void ts_wall_start(struct ts_wall *w, struct tsim *sim)
@@ -226,118 +152,13 @@ void ts_wall_start(struct ts_wall *w, struct tsim *sim)
 void ts_wall_finish(struct ts_wall *w)
 {
 	for (size_t k = 0; k < w->contacts.n; k++)
-		ts_sub(w->force, w->contacts.force[k], w->force);
-}
-
-/* The force is noted; the sum over all contacts, in their order, is ts_wall_finish's. */
-TS_INLINE void push(const struct ts_wall *w, struct tsim *sim, size_t k,
-		    const struct ts_wall_spot *spot, const struct ts_granular_model *model)
-{
-	struct ts_particles *p = sim->particles;
-	size_t i = (size_t)w->contacts.row[k];
-	struct ts_granular_force f;
-	struct ts_touch t;
-
-	touch(model, p, i, spot, &t);
-	ts_granular_contact(model, law_of(w, sim, spot->type, p->type[i]), &t, sim->clock.dt,
-			    !sim->in_setup, ts_wall_memory(&w->contacts, k), &f);
-	ts_add(p->f[i], f.force, p->f[i]);
-#pragma GCC unroll 3
-	for (int d = 0; d < 3; d++)
-		w->contacts.force[k][d] = f.force[d];
-	for (int d = 0; d < 3 && ts_granular_turns(model); d++)
-		p->torque[i][d] += t.arm[0] * f.turn[d] + f.roll[d];
-	w->contacts.seen[k] = (struct ts_wall_seen){ { t.n[0], t.n[1], t.n[2] }, t.overlap, t.r_eff,
-						     spot->type };
-	for (size_t d = 0; d < 3 && w->store_force; d++)
-		((double *)p->column[w->stored].data)[3 * i + d] += f.force[d];
-	if (w->contacts.report)
-		report(&w->contacts.report[k], p, i, spot, &t, &f);
-}
-
-static void push_hertz_history(const struct ts_wall *w, struct tsim *sim, size_t k,
-			       const struct ts_wall_spot *spot)
-{
-	push(w, sim, k, spot, &hertz_history);
-}
-
-static void push_hooke_history(const struct ts_wall *w, struct tsim *sim, size_t k,
-			       const struct ts_wall_spot *spot)
-{
-	push(w, sim, k, spot, &hooke_history);
-}
-
-static void push_any(const struct ts_wall *w, struct tsim *sim, size_t k,
-		     const struct ts_wall_spot *spot)
-{
-	push(w, sim, k, spot, model_of(w, sim));
+		if (w->contacts.touching[k])
+			ts_sub(w->force, w->contacts.force[k], w->force);
 }
 
 size_t ts_wall_history(const struct ts_wall *w, const struct tsim *sim)
 {
-	return ts_wall_has_law(w, sim) ? (size_t)ts_granular_memory(model_of(w, sim)) : 0;
-}
-
-void ts_wall_view(const struct ts_wall *w, const struct tsim *sim, size_t k, struct ts_wall_view *view)
-{
-	const struct ts_particles *p = sim->particles;
-	const struct ts_wall_report *r = &w->contacts.report[k];
-	size_t i = (size_t)w->contacts.row[k];
-	struct ts_wall_spot spot = { .type = (int)r->type, .curvature = r->curvature };
-
-	for (int d = 0; d < 3; d++) {
-		spot.n[d] = p->x[i][d] - r->point[d];
-		spot.velocity[d] = r->velocity[d];
-	}
-	spot.distance = ts_norm(spot.n);
-	for (int d = 0; d < 3; d++)
-		spot.n[d] = spot.distance > 0 ? spot.n[d] / spot.distance : 0;
-	view->model = model_of(w, sim);
-	view->law = law_of(w, sim, spot.type, p->type[i]);
-	touch(view->model, p, i, &spot, &view->touch);
-}
-
-void ts_wall_force_now(const struct ts_wall *w, const struct tsim *sim, size_t k, double force[3],
-		       double torque[3])
-{
-	double memory[TS_GRANULAR_MEMORY + 1] = { 0 };
-	struct ts_granular_force f;
-	struct ts_wall_view view;
-
-	for (size_t m = 0; m < ts_wall_history(w, sim); m++)
-		memory[m] = ts_wall_memory(&w->contacts, k)[m];
-	ts_wall_view(w, sim, k, &view);
-	ts_granular_contact(view.model, view.law, &view.touch, sim->clock.dt, false, memory, &f);
-	for (int d = 0; d < 3; d++) {
-		force[d] = f.force[d];
-		torque[d] = view.touch.arm[0] * f.turn[d];
-	}
-}
-
-static void conduct(const struct ts_wall *w, struct tsim *sim, size_t i,
-		    const struct ts_wall_spot *spot)
-{
-	const struct ts_particles *p = sim->particles;
-	const struct ts_heat *heat = ts_heat_of(sim);
-	double k, area;
-
-	if (!heat || !(spot->distance < p->radius[i])) /* they may stick beyond their touch */
-		return;
-	k = w->conductivity[spot->type * (w->ntypes + 1) + p->type[i]];
-	area = ts_heat_area_at_wall(&w->area, spot->distance, p->radius[i]);
-	ts_heat_from_wall(heat, sim, i, ts_heat_conductance(k, area), spot->temperature);
-}
-
-void ts_wall_push(const struct ts_wall *w, struct tsim *sim, size_t k, const struct ts_wall_spot *spot)
-{
-	size_t i = (size_t)w->contacts.row[k];
-
-	if (sim->particles->imass[i] > 0 || spot->sums)
-		w->push(w, sim, k, spot);
-	else
-		ts_wall_contact_rest(&w->contacts, k);
-	if (spot->warm)
-		conduct(w, sim, i, spot);
+	return ts_wall_has_law(w, sim) ? (size_t)ts_granular_memory(ts_wall_model(w, sim)) : 0;
 }
 
 static enum ts_status setup_check(struct ts_instance *self, struct tsim *sim, int type)
@@ -382,12 +203,12 @@ enum ts_status ts_wall_plan(struct ts_instance *self, struct tsim *sim, int type
 	char what[64];
 
 	TS_TRY(setup_check(self, sim, type));
-	TS_TRY(ts_located_check(sim, model_of(w, sim), ts_instance_word(self, "located")));
+	TS_TRY(ts_located_check(sim, ts_wall_model(w, sim), ts_instance_word(self, "located")));
 	lightest = ts_lightest(sim, self->group);
 	if (!lightest)
 		return ts_nomem(&sim->error);
 	for (int t = 1; t <= sim->particles->ntypes && status == TS_OK; t++) {
-		struct ts_contact_case c = { model_of(w, sim), law_of(w, sim, type, t),
+		struct ts_contact_case c = { ts_wall_model(w, sim), ts_wall_law(w, sim, type, t),
 					     lightest[t].radius[0], 1 / lightest[t].inverse_mass[0],
 					     0, speed };
 
@@ -406,8 +227,8 @@ bool ts_wall_case(const struct ts_wall *w, const struct tsim *sim, size_t k, str
 
 	if (!(seen->overlap > 0) || !(sim->particles->imass[i] > 0))
 		return false;
-	*out = (struct ts_contact_case){ model_of(w, sim),
-					 law_of(w, sim, seen->type, sim->particles->type[i]),
+	*out = (struct ts_contact_case){ ts_wall_model(w, sim),
+					 ts_wall_law(w, sim, seen->type, sim->particles->type[i]),
 					 seen->r_eff, 1 / sim->particles->imass[i], seen->overlap, 0 };
 	return true;
 }

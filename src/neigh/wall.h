@@ -3,10 +3,10 @@
  *
  *   POST_BUILD  ts_wall_rebuild_start, ts_wall_contacts_add for each particle and element (a plane,
  *               a triangle) that may touch before the next rebuild, ts_wall_rebuild_finish
- *   POST_FORCE  ts_wall_start, then for each contact k where it touches ts_wall_push, where not
- *               ts_wall_contact_part; ts_wall_finish
+ *   POST_FORCE  ts_wall_start, then for each contact k where it touches ts_wall_push (neigh/wall_push.h), where
+ *               not ts_wall_contact_part; ts_wall_finish
  *
- * Contacts of different particles may be pushed side by side: ts_wall_contacts_parallel.
+ * Contacts of different particles may be pushed side by side, in queues of their own: ts_wall_contacts_parallel.
  *
  * Who wants to know each contact - its force, place, overlap - asks for reports:
  * ts_walls_want_reports in its init, then reads them by ts_walls_next and ts_wall_report
@@ -14,16 +14,11 @@
 #ifndef TS_NEIGH_WALL_H
 #define TS_NEIGH_WALL_H
 
-#include "law/granular_force.h"
 #include "neigh/heat.h"
 #include "neigh/materials.h"
 #include "neigh/pair.h"
+#include "neigh/wall_batch.h"
 #include "neigh/wall_contacts.h"
-
-struct ts_wall;
-struct ts_wall_spot;
-typedef void ts_wall_push_fn(const struct ts_wall *w, struct tsim *sim, size_t k,
-			     const struct ts_wall_spot *spot);
 
 /* First member of the state of every wall with contact laws; its style is of TS_FAMILY_WALL. */
 struct ts_wall {
@@ -40,7 +35,7 @@ struct ts_wall {
 	bool given;	 /* its constants are the same for all types */
 	struct ts_granular_pair numbers; /* these */
 	struct ts_granular_model model; /* the own one */
-	ts_wall_push_fn *push;		/* compiled for the model, or for any */
+	ts_wall_batch_fn *batch; /* the loop compiled for the model, or NULL */
 	struct ts_granular_pair *law;	/* of the own model: type of the wall * (ntypes + 1) + type
 					 * of the particle */
 	bool warm;  /* some of it has a temperature; set in init */
@@ -68,11 +63,11 @@ struct ts_wall {
 
 /* Where the surface is nearest to a particle. */
 struct ts_wall_spot {
-	bool sums;	    /* the wall sums what it feels: held particles push it as well */
-	double distance;    /* of the particle's centre, >= 0 */
-	double n[3];	    /* unit vector from the surface to the centre; 0 where there is none */
-	double curvature;   /* 1/radius of the surface, > 0: bulging towards the particle */
+	double n[3];	    /* unit vector from the surface to the particle's centre; 0 where there is none */
+	double distance;    /* of the centre, >= 0 */
 	double velocity[3]; /* of the surface there */
+	double curvature;   /* 1/radius of the surface, > 0: bulging towards the particle */
+	bool sums;	    /* the wall sums what it feels: held particles push it as well */
 	int type;	    /* particle type whose material the surface has */
 	int mesh, triangle; /* from 1 and from 0, for reports; 0, 0: no mesh */
 	bool warm;	    /* it has a temperature and conducts heat */
@@ -89,24 +84,6 @@ static inline bool ts_wall_meets(const struct ts_instance *self, const struct ts
 {
 	return ts_in_group(sim->particles, i, self->group) &&
 	       (sim->particles->imass[i] > 0 || (warm && ts_heat_of(sim)));
-}
-
-/* Particles at a wall are scattered in memory: a loop over contacts up to `end` that is at k asks for what
- * it will need soon. */
-enum { TS_WALL_AHEAD = 6 };
-static inline void ts_wall_look_ahead(const struct ts_wall_contacts *c, const struct ts_particles *p,
-				      size_t k, size_t end)
-{
-	size_t i = (size_t)c->row[k + TS_WALL_AHEAD < end ? k + TS_WALL_AHEAD : k];
-
-	__builtin_prefetch(p->x[i]);
-	__builtin_prefetch(p->v[i]);
-	__builtin_prefetch(p->f[i]);
-	__builtin_prefetch(p->radius + i);
-	if (p->omega)
-		__builtin_prefetch(p->omega[i]);
-	if (p->torque)
-		__builtin_prefetch(p->torque[i]);
 }
 
 /* Forces and what is stored of them are 0. */
@@ -138,12 +115,10 @@ enum ts_status ts_wall_rebuild_finish(struct ts_wall *w, struct tsim *sim,
 
 /* How far beyond the touch of a particle of this radius the surface may still pull. */
 double ts_wall_reach(const struct ts_wall *w, double radius);
-/* Whether the contact k is one at the spot: they touch, or have met and stick. */
-bool ts_wall_touches(const struct ts_wall *w, const struct tsim *sim, size_t k,
-		     const struct ts_wall_spot *spot);
-/* The contact k touches at the spot: force and torque on the particle, force on the wall. */
-void ts_wall_push(const struct ts_wall *w, struct tsim *sim, size_t k, const struct ts_wall_spot *spot);
-
+/* Its laws; those of a particle of a type that meets a surface of the type `wall`. */
+const struct ts_granular_model *ts_wall_model(const struct ts_wall *w, const struct tsim *sim);
+const struct ts_granular_pair *ts_wall_law(const struct ts_wall *w, const struct tsim *sim, int wall,
+					   int particle);
 /* How many numbers its laws remember of a contact: the first ones of ts_wall_memory. */
 size_t ts_wall_history(const struct ts_wall *w, const struct tsim *sim);
 /* The contact of a report as its laws see it, at the velocities as they are now. */

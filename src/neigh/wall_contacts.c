@@ -21,6 +21,7 @@ enum ts_status ts_wall_contacts_add(struct tsim *sim, struct ts_wall_contacts *c
 
 	if (TS_GROW(c->row, c->row_capacity, n) != TS_OK ||
 	    TS_GROW(c->key, c->key_capacity, n) != TS_OK ||
+	    TS_GROW(c->touching, c->touching_capacity, n) != TS_OK ||
 	    TS_GROW(c->seen, c->seen_capacity, n) != TS_OK ||
 	    TS_GROW(c->memory, c->memory_capacity, n * c->width) != TS_OK ||
 	    TS_GROW(c->force, c->force_capacity, n) != TS_OK ||
@@ -29,6 +30,7 @@ enum ts_status ts_wall_contacts_add(struct tsim *sim, struct ts_wall_contacts *c
 	c->row[c->n] = (int32_t)i;
 	c->key[c->n][0] = sim->particles->tag[i];
 	c->key[c->n][1] = element;
+	c->touching[c->n] = 0;
 	c->seen[c->n].overlap = 0;
 	for (size_t k = 0; k < c->width; k++)
 		c->memory[c->n * c->width + k] = 0;
@@ -81,6 +83,7 @@ static int32_t (*sorted_keys(const struct ts_wall_contacts *c, size_t *n))[3]
 /* Contact k of one list was contact `was` of the other. */
 static void carry(struct ts_wall_contacts *c, size_t k, const struct ts_wall_contacts *old, size_t was)
 {
+	c->touching[k] = 1;
 	if (c->width && c->width == old->width)
 		memcpy(ts_wall_memory(c, k), ts_wall_memory(old, was),
 		       c->width * sizeof *c->memory);
@@ -109,9 +112,10 @@ enum ts_status ts_wall_contacts_finish(struct tsim *sim, struct ts_wall_contacts
 	return TS_OK;
 }
 
-void ts_wall_contact_part(struct ts_wall_contacts *c, size_t k)
+void ts_wall_contact_end(struct ts_wall_contacts *c, size_t k)
 {
 	ts_wall_contact_rest(c, k);
+	c->touching[k] = 0;
 	c->seen[k].overlap = 0;
 	if (c->width)
 		memset(ts_wall_memory(c, k), 0, c->width * sizeof *c->memory);
@@ -183,6 +187,7 @@ enum ts_status ts_wall_contacts_archive(struct ts_archive *archive, struct tsim 
 		c->width = (size_t)size[1];
 		if (TS_GROW(c->row, c->row_capacity, c->n) != TS_OK ||
 		    TS_GROW(c->key, c->key_capacity, c->n) != TS_OK ||
+		    TS_GROW(c->touching, c->touching_capacity, c->n) != TS_OK ||
 		    TS_GROW(c->seen, c->seen_capacity, c->n) != TS_OK ||
 		    TS_GROW(c->memory, c->memory_capacity, c->n * c->width) != TS_OK ||
 		    TS_GROW(c->force, c->force_capacity, c->n) != TS_OK)
@@ -198,6 +203,7 @@ void ts_wall_contacts_release(struct ts_wall_contacts *c)
 {
 	ts_free(c->row);
 	ts_free(c->key);
+	ts_free(c->touching);
 	ts_free(c->seen);
 	ts_free(c->memory);
 	ts_free(c->force);

@@ -30,13 +30,15 @@ struct ts_wall_contacts {
 	size_t n;
 	int32_t *row;	   /* of the particle */
 	int32_t (*key)[2]; /* identity of the particle, number of the element */
+	uint8_t *touching; /* whether they did when they were looked at last; 0: there is no force, no memory */
 	struct ts_wall_seen *seen;
 	double *memory;	   /* width numbers each; zero where they do not touch */
 	double (*force)[3]; /* on the particle, in this step */
 	size_t width;
 	bool want_reports;
 	struct ts_wall_report *report; /* one each, if somebody wants them; else NULL */
-	size_t row_capacity, key_capacity, seen_capacity, memory_capacity, force_capacity, report_capacity;
+	size_t row_capacity, key_capacity, touching_capacity, seen_capacity, memory_capacity, force_capacity,
+		report_capacity;
 };
 
 /* A rebuild: start, add those that may touch before the next one, finish. What is near again keeps
@@ -63,8 +65,13 @@ static inline double *ts_wall_memory(const struct ts_wall_contacts *c, size_t k)
 	return c->width ? c->memory + k * c->width : NULL;
 }
 
-/* The contact k has ended. */
-void ts_wall_contact_part(struct ts_wall_contacts *c, size_t k);
+/* The contact k does not touch: it has ended, if it was one. */
+void ts_wall_contact_end(struct ts_wall_contacts *c, size_t k);
+static inline void ts_wall_contact_part(struct ts_wall_contacts *c, size_t k)
+{
+	if (c->touching[k])
+		ts_wall_contact_end(c, k);
+}
 /* It exerts no force in this step. */
 static inline void ts_wall_contact_rest(const struct ts_wall_contacts *c, size_t k)
 {

@@ -1,6 +1,12 @@
+#include "base/clones.h"
+TS_UNROLLED
+
 #include "particles/mesh_motion.h"
 
 #include <math.h>
+
+#include "base/inline.h"
+#include "base/parallel.h"
 
 #include "base/banned.h"
 
@@ -20,32 +26,59 @@ static const struct ts_motion *motion_of(const struct ts_mesh_surface *s)
 	return s->nmotions == 1 ? &s->motion[0].now : &s->carried;
 }
 
-/* Returns how far a corner has gone, squared. */
-static double place_triangle(struct ts_mesh_surface *s, size_t t)
+/* Brings a corner to its place; returns how far it has gone, squared. */
+TS_INLINE double place_corner(const struct ts_motion *m, const double *home, double *x)
 {
+	double now[3], far;
+
+	ts_motion_apply(m, home, now);
+	far = ts_distance2(now, x);
+	for (int d = 0; d < 3; d++)
+		x[d] = now[d];
+	return far;
+}
+
+/* Corners from .. to-1; returns how far one has gone, at most, squared. */
+TS_CLONES static double place_corners(const struct ts_motion *motion, const double *restrict home, double *restrict x,
+				      size_t from, size_t to)
+{
+	const struct ts_motion m = *motion;
 	double most = 0;
 
-	for (int k = 0; k < 3; k++) {
-		double *x = s->mesh.x[t][k], was[3] = { x[0], x[1], x[2] };
+#pragma omp simd reduction(max : most)
+	for (size_t c = from; c < to; c++) {
+		double far = place_corner(&m, home + 3 * c, x + 3 * c);
 
-		ts_motion_apply(motion_of(s), s->home[t][k], x);
-		most = fmax(most, ts_distance2(x, was));
+		most = far > most ? far : most;
 	}
-	ts_mesh_triangle_moved(&s->mesh, t);
 	return most;
+}
+
+struct placing {
+	struct ts_mesh_surface *s;
+	double most;
+};
+
+static void place_share(void *context, size_t from, size_t to)
+{
+	struct placing *g = context;
+	struct ts_mesh_surface *s = g->s;
+	double most = place_corners(motion_of(s), s->home[0][0], s->mesh.x[0][0], 3 * from, 3 * to);
+
+	ts_mesh_triangles_moved(&s->mesh, from, to);
+#pragma omp critical
+	g->most = fmax(g->most, most);
 }
 
 /* Returns how far a corner has gone, at most. */
 static double place(const struct tsim *sim, struct ts_mesh_surface *s)
 {
-	double most = 0;
+	struct placing g = { s, 0 };
 
-#pragma omp parallel for num_threads(ts_team(sim, 8 * s->mesh.n)) schedule(static) reduction(max : most)
-	for (size_t t = 0; t < s->mesh.n; t++)
-		most = fmax(most, place_triangle(s, t));
+	ts_parallel(ts_team(sim, 8 * s->mesh.n), s->mesh.n, place_share, &g);
 	ts_motion_apply(motion_of(s), s->anchor_home, s->anchor);
 	s->moves++;
-	return sqrt(most);
+	return sqrt(g.most);
 }
 
 /* The mesh is at home where it stands now; a single mover goes on with its own motion. */
@@ -76,21 +109,31 @@ static void advance(struct ts_mesh_surface *s, size_t k, double dt)
 		ts_motion_apply(&step, s->motion[k].centre, s->motion[k].centre);
 }
 
+/* Adds the velocity of a motion at x, or sets it where that is the first. */
+TS_INLINE void add_at_corner(const struct ts_mesh_motion *m, bool first, const double *x, double *v)
+{
+	double arm[3], turning[3];
+
+	ts_sub(x, m->centre, arm);
+	ts_cross(m->spin, arm, turning);
+	for (int d = 0; d < 3; d++)
+		v[d] = (first ? 0 : v[d]) + m->drift[d] + turning[d];
+}
+
+TS_CLONES static void add_at_corners(const struct ts_mesh_motion *motion, bool first, const double *restrict x,
+				     double *restrict v, size_t n)
+{
+	const struct ts_mesh_motion m = *motion;
+
+#pragma omp simd
+	for (size_t c = 0; c < n; c++)
+		add_at_corner(&m, first, x + 3 * c, v + 3 * c);
+}
+
 /* Motion k adds its velocity where the corners are now: later ones have not moved in this step yet. */
 static void add_velocity(struct ts_mesh_surface *s, size_t k)
 {
-	const struct ts_mesh_motion *m = &s->motion[k];
-
-	for (size_t t = 0; t < s->mesh.n; t++) {
-		for (int c = 0; c < 3; c++) {
-			double *v = s->v[t][c], arm[3], turning[3];
-
-			ts_sub(s->mesh.x[t][c], m->centre, arm);
-			ts_cross(m->spin, arm, turning);
-			for (int d = 0; d < 3; d++)
-				v[d] = (k ? v[d] : 0) + m->drift[d] + turning[d];
-		}
-	}
+	add_at_corners(&s->motion[k], k == 0, s->mesh.x[0][0], s->v[0][0], 3 * s->mesh.n);
 }
 
 static enum ts_status leave_home(struct ts_mesh_surface *s)
