@@ -30,7 +30,7 @@ void ts_sweep(struct tsim *sim)
 	if (!sweep->n)
 		return;
 	begin = ts_ticks();
-	ts_parallel(ts_team(sim, sweep->rounds), sweep->rounds, share, sweep);
+	ts_parallel(ts_team(sim, sweep->n * sweep->rounds), sweep->rounds, share, sweep);
 	sweep->n = 0;
 	sweep->spent += ts_ticks() - begin;
 }

@@ -117,7 +117,7 @@ enum ts_status ts_bond_slices(const struct tsim *sim, struct ts_bonds *bonds)
 	TS_TRY(TS_RENEW(s->partner, s->partner_capacity, rows));
 	TS_TRY(TS_RENEW(s->rest, s->rest_capacity, rows));
 	TS_TRY(TS_RENEW(s->bond, s->bond_capacity, rows));
-	ts_parallel(ts_team(sim, s->n), s->n, fill_share, &t);
+	ts_parallel(ts_team(sim, n), s->n, fill_share, &t);
 	return TS_OK;
 }
 

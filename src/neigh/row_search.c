@@ -183,7 +183,7 @@ enum ts_status ts_row_search(struct tsim *sim, struct ts_row_search *s)
 	size_t n = sim->particles->n;
 
 	s->sim = sim;
-	s->shares = ts_team(sim, n);
+	s->shares = ts_team(sim, 8 * n); /* a search is worth several rounds of a simple loop */
 	s->share = ts_alloc((size_t)s->shares, sizeof *s->share);
 	s->count = ts_alloc(n, sizeof *s->count);
 	if (!s->share || !s->count)

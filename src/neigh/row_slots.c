@@ -66,12 +66,12 @@ static enum ts_status list_sums(struct tsim *sim, struct ts_rows *rows)
 	TS_TRY(TS_RENEW(rows->sum_first, rows->sum_first_capacity, n + 1));
 	if (!rows->n)
 		return TS_OK;
-	ts_parallel(ts_team(sim, n), n, count_share, rows);
+	ts_parallel(ts_team(sim, rows->n), n, count_share, rows);
 	rows->sum_first[0] = 0;
 	for (size_t i = 0; i < n; i++)
 		rows->sum_first[i + 1] += rows->sum_first[i];
 	TS_TRY(TS_RENEW(rows->sum, rows->sum_capacity, rows->sum_first[n]));
-	ts_parallel(ts_team(sim, n), rows->chunks, sum_share, rows);
+	ts_parallel(ts_team(sim, rows->n), rows->chunks, sum_share, rows);
 	return TS_OK;
 }
 

@@ -70,7 +70,7 @@ enum ts_status ts_rows_walk(struct tsim *sim, const struct ts_row_walk *forces)
 	if (rows->chunks)
 		memset(rows->gathered, 0, rows->chunks);
 	ts_parallel(rows->shares, (size_t)rows->shares, walk_shares, &w);
-	ts_parallel(ts_team(sim, rows->particles), rows->chunks, rest_share, &w);
+	ts_parallel(ts_team(sim, rows->n), rows->chunks, rest_share, &w);
 	return TS_OK;
 }
 

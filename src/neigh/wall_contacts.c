@@ -149,8 +149,8 @@ void ts_wall_contacts_parallel(const struct tsim *sim, const struct ts_wall_cont
 {
 	struct split split = { c, share, context };
 
-	/* a contact is worth several particles of other loops */
-	ts_parallel(ts_team(sim, 4 * c->n), c->n, whole_particles, &split);
+	/* a contact is worth many particles of other loops */
+	ts_parallel(ts_team(sim, 16 * c->n), c->n, whole_particles, &split);
 }
 
 /* Reports are there only if somebody wanted them. Those of older files lack a number: the next step makes new ones. */
