@@ -11,10 +11,10 @@ struct ts_batch {
 	/* the ends, see struct ts_row_ends; the fourth columns: radius of i, of j, nothing, and 1/m_i + 1/m_j */
 	double d[4][TS_COLUMN], omega[2][4][TS_COLUMN], v[4][TS_COLUMN];
 	double mass[2][TS_COLUMN], stiffness[TS_COLUMN];
-	double *memory[TS_GRANULAR_MEMORY]; /* columns of the block */
 	/* the results, of rows that touch: these have all bits set in touch, others none */
 	long long touch[TS_COLUMN];
 	double force[4][TS_COLUMN], turn[4][TS_COLUMN], roll[4][TS_COLUMN];
+	double *memory[TS_GRANULAR_MEMORY]; /* columns of the block; behind the others, which are aligned */
 } __attribute__((aligned(64)));
 
 /* The rows at .. at+3. */
