@@ -1,3 +1,4 @@
+#include "core/sweep.h"
 #include "particles/particles.h"
 #include "particles/tally.h"
 
@@ -20,21 +21,36 @@ static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
-{
-	struct ts_particles *p = sim->particles;
-	struct freeze *s = self->state;
+struct task {
+	const struct ts_particles *p;
+	const struct ts_tally *before;
+	int group;
+};
 
-	TS_TRY(ts_tally_start(sim, &s->before));
-#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
-	for (size_t i = 0; i < p->n; i++) {
-		if (!ts_in_group(p, i, self->group))
+static void share(void *context, size_t from, size_t to)
+{
+	const struct task *t = context;
+	const struct ts_particles *p = t->p;
+
+	if (!ts_group_members(p, t->group, from, to))
+		return;
+	for (size_t i = from; i < to; i++) {
+		if (!ts_in_group(p, i, t->group))
 			continue;
-		memcpy(s->before.note[i], p->f[i], sizeof p->f[i]);
+		memcpy(t->before->note[i], p->f[i], sizeof p->f[i]);
 		memset(p->f[i], 0, sizeof p->f[i]);
 		if (p->torque)
 			memset(p->torque[i], 0, sizeof p->torque[i]);
 	}
+}
+
+static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+{
+	struct freeze *s = self->state;
+	struct task task = { sim->particles, &s->before, self->group };
+
+	TS_TRY(ts_tally_start(sim, &s->before));
+	TS_SWEEP_ADD(sim, sim->particles->n, share, &task);
 	return TS_OK;
 }
 
@@ -83,5 +99,6 @@ const struct ts_style ts_fix_freeze = {
 	.archive = archive,
 	.values = values,
 	.hook = { [TS_STAGE_EXCHANGE] = exchange, [TS_STAGE_POST_FORCE] = post_force },
+	.waits = TS_WAITS(POST_FORCE),
 	.fini = fini,
 };
