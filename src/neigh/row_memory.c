@@ -4,6 +4,29 @@
 
 #include "base/banned.h"
 
+typedef void block_fn(const struct ts_rows *rows, const struct ts_row_block *block);
+
+struct task {
+	const struct ts_rows *rows;
+	block_fn *work;
+};
+
+static void share(void *context, size_t from, size_t to)
+{
+	const struct task *t = context;
+
+	for (size_t k = from; k < to; k++)
+		for (size_t b = t->rows->span[k].block; b < t->rows->span[k].block_end; b++)
+			t->work(t->rows, &t->rows->block[b]);
+}
+
+static void each_block(const struct tsim *sim, const struct ts_rows *rows, block_fn *work)
+{
+	struct task task = { rows, work };
+
+	ts_parallel(ts_team(sim, rows->n), (size_t)rows->shares, share, &task);
+}
+
 static void settle(const struct ts_rows *rows, const struct ts_row_block *block)
 {
 	for (size_t c = 0; c < rows->history_width; c++)
@@ -11,19 +34,10 @@ static void settle(const struct ts_rows *rows, const struct ts_row_block *block)
 			*ts_row_history(rows, block, at, c) = *ts_row_memory(rows, block, at, c);
 }
 
-static void settle_share(void *context, size_t from, size_t to)
-{
-	const struct ts_rows *rows = context;
-
-	for (size_t k = from; k < to; k++)
-		for (size_t b = rows->span[k].block; b < rows->span[k].block_end; b++)
-			settle(rows, &rows->block[b]);
-}
-
 void ts_rows_settle(const struct tsim *sim, struct ts_rows *rows)
 {
 	if (rows->unsettled)
-		ts_parallel(ts_team(sim, rows->n), (size_t)rows->shares, settle_share, rows);
+		each_block(sim, rows, settle);
 	rows->unsettled = false;
 }
 
@@ -32,15 +46,6 @@ static void recall(const struct ts_rows *rows, const struct ts_row_block *block)
 	for (size_t c = 0; c < rows->history_width; c++)
 		for (size_t at = 0; at < block->active; at++)
 			*ts_row_memory(rows, block, at, c) = *ts_row_history(rows, block, at, c);
-}
-
-static void recall_share(void *context, size_t from, size_t to)
-{
-	const struct ts_rows *rows = context;
-
-	for (size_t k = from; k < to; k++)
-		for (size_t b = rows->span[k].block; b < rows->span[k].block_end; b++)
-			recall(rows, &rows->block[b]);
 }
 
 /* Columns of a block begin at a whole vector behind those of the block before. */
@@ -62,6 +67,6 @@ enum ts_status ts_rows_recall(struct tsim *sim, struct ts_rows *rows)
 		return TS_OK;
 	if (TS_RENEW(rows->memory, rows->memory_capacity, place_blocks(rows)) != TS_OK)
 		return ts_nomem(&sim->error);
-	ts_parallel(ts_team(sim, rows->n), (size_t)rows->shares, recall_share, rows);
+	each_block(sim, rows, recall);
 	return TS_OK;
 }
