@@ -44,8 +44,8 @@ heap() { # NAME LAST FROM MODEL WORDS [THREADS]
 	report "$1: $4 $5" $? err
 }
 
-for model in 'model hertz tangential history' \
-	'model hooke tangential history rolling_friction epsd'; do
+for model in 'model hertz tangential history' 'model hooke tangential history' 'model hertz tangential no_history' \
+	'model hooke tangential no_history' 'model hooke tangential history rolling_friction epsd'; do
 	heap whole 1000 none "$model"
 	grep -qE '^ +1000 +[1-9]' whole.log
 	report 'particles are there at the end' $? whole.log

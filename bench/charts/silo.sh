@@ -8,7 +8,7 @@ setting='Young modulus (Pa); the step is a fifth of the time of Rayleigh and fol
 spread='standard error of the difference'
 budget=100
 pick='history, with Hertz or linear springs, and 1e6 Pa: rate and heaps agree with the stiffer grains to some per cent, about the
-scatter between fillings, for a third of the work. Leaving history out saves a few per cent of the time at most
+scatter between fillings, for a third of the work. Leaving history out saves a fourth of the time at most
 and is off by a tenth, in the flow and in the heaps.'
 
 points() {

@@ -40,7 +40,7 @@ TS_INLINE void ts_tangential_slider(const struct ts_granular_pair *c, const stru
 					const struct ts_normal *n, double step, double xi[3],
 					double force[3])
 {
-	double limit = c->friction * fabs(n->limit), size, share, inverse = 1 / n->kt;
+	double limit = c->friction * fabs(n->limit), size, share;
 	bool fresh;
 
 	ts_axpy(step, t->slip, xi);
@@ -55,7 +55,7 @@ TS_INLINE void ts_tangential_slider(const struct ts_granular_pair *c, const stru
 	share = fresh ? 0 : limit / size;
 	ts_scale(share, force, force);
 	for (int k = 0; k < 3 && n->kt > 0 && !fresh; k++)
-		xi[k] = -(force[k] + n->gammat * t->slip[k]) * inverse;
+		xi[k] = -(force[k] + n->gammat * t->slip[k]) / n->kt;
 }
 
 TS_INLINE void ts_tangential_no_history(const struct ts_granular_pair *c,

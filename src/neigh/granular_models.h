@@ -19,6 +19,7 @@
 	M(hooke_stiffness_history_absolute, .normal = TS_NORMAL_HOOKE_STIFFNESS,                   \
 	  .tangential = TS_TANGENTIAL_HISTORY, .absolute_damping = true)                           \
 	M(hertz_history, .normal = TS_NORMAL_HERTZ, .tangential = TS_TANGENTIAL_HISTORY)           \
+	M(hertz_no_history, .normal = TS_NORMAL_HERTZ, .tangential = TS_TANGENTIAL_NO_HISTORY)     \
 	M(hertz_history_cdt, .normal = TS_NORMAL_HERTZ, .tangential = TS_TANGENTIAL_HISTORY,       \
 	  .rolling = TS_ROLLING_CDT)                                                               \
 	M(hertz_history_epsd2, .normal = TS_NORMAL_HERTZ, .tangential = TS_TANGENTIAL_HISTORY,     \
@@ -26,6 +27,8 @@
 	M(hertz_history_sjkr, .normal = TS_NORMAL_HERTZ, .tangential = TS_TANGENTIAL_HISTORY,      \
 	  .cohesion = TS_COHESION_SJKR)                                                            \
 	M(hooke_history, .normal = TS_NORMAL_HOOKE, .tangential = TS_TANGENTIAL_HISTORY,           \
+	  .stiffness_known = true)                                                                 \
+	M(hooke_no_history, .normal = TS_NORMAL_HOOKE, .tangential = TS_TANGENTIAL_NO_HISTORY,     \
 	  .stiffness_known = true)                                                                 \
 	M(hooke_history_cdt, .normal = TS_NORMAL_HOOKE, .tangential = TS_TANGENTIAL_HISTORY,       \
 	  .rolling = TS_ROLLING_CDT, .stiffness_known = true)                                      \

@@ -103,21 +103,18 @@ ts_row_ends(const struct ts_particles *p, size_t i, size_t j, const struct ts_gr
 TS_INLINE void ts_ends_touch(const struct ts_row_ends *e, const struct ts_granular_model *m,
 			     struct ts_touch *t)
 {
-	/* so, without a branch, coincident centres have no direction and no force, and immobile ones a mass */
-	static const double nothing = 1e-200;
-	double distance = sqrt(ts_dot(e->d, e->d) + nothing), sum = e->radius[0] + e->radius[1];
-	double imass = e->imass + nothing;
-	/* divisions take longer than the rest: one serves for 1/distance, r_i r_j/(r_i + r_j) and 1/imass */
-	double over = 1 / (distance * sum * imass), inverse = sum * imass * over;
+	double distance = sqrt(ts_dot(e->d, e->d));
+	/* coincident centres: no direction, no force */
+	double inverse = distance > 0 ? 1 / distance : 0;
 
 	t->wall = false;
 	t->stiffness = 0; /* not known */
 	t->distance = distance;
 	t->radius[0] = e->radius[0];
 	t->radius[1] = e->radius[1];
-	t->overlap = sum - distance;
-	t->r_eff = t->radius[0] * t->radius[1] * (distance * imass * over);
-	t->m_eff = distance * sum * over;
+	t->overlap = t->radius[0] + t->radius[1] - distance;
+	t->r_eff = t->radius[0] * t->radius[1] / (t->radius[0] + t->radius[1]);
+	t->m_eff = 1 / e->imass;
 	t->mass[0] = e->mass[0];
 	t->mass[1] = e->mass[1];
 	for (int k = 0; k < 3; k++)
