@@ -153,23 +153,32 @@ TS_INLINE void ts_heat_find_block(const struct ts_heat_task *t, struct ts_heat_b
 		t->pairs->conductance[b->near[k].row] = b->h[k];
 }
 
-/* The rows from .. to-1 of a list, whether they touch or not; at most TS_COLUMN, which is the room for them. Their
- * slots have their numbers. */
-TS_INLINE void ts_heat_scan(const struct ts_heat_task *t, size_t from, size_t to, struct ts_row_near *near,
-			    struct ts_heat_block *b)
+/* What is done with each block of rows once their conductances are known. */
+typedef void ts_heat_block_fn(const struct ts_heat_task *t, struct ts_heat_block *b);
+
+/* The rows from .. to-1 of a list, whether they touch or not. Their slots have their numbers. */
+TS_INLINE void ts_heat_scan(const struct ts_heat_task *t, size_t from, size_t to, ts_heat_block_fn *then)
 {
 	const struct ts_rows *rows = t->pairs->rows;
+	struct ts_row_near near[TS_COLUMN];
+	struct ts_heat_block b;
 
-	for (size_t r = from; r < to; r++)
-		near[r - from] = (struct ts_row_near){ (uint32_t)r, (uint32_t)r, rows->i[r], rows->j[r] };
-	ts_heat_list(b, near, to - from);
-	for (size_t k = 0; k < b->whole; k++) {
-		const struct ts_row_near *row = ts_heat_row(b, k);
+	for (size_t n; from < to; from += n) {
+		n = to - from < TS_COLUMN ? to - from : TS_COLUMN;
+		for (size_t k = 0; k < n; k++)
+			near[k] = (struct ts_row_near){ (uint32_t)(from + k), (uint32_t)(from + k), rows->i[from + k],
+							rows->j[from + k] };
+		ts_heat_list(&b, near, n);
+		for (size_t k = 0; k < b.whole; k++) {
+			const struct ts_row_near *row = ts_heat_row(&b, k);
 
-		ts_heat_constants(t, ts_heat_types(t, (size_t)row->i, (size_t)row->j), b, k);
+			ts_heat_constants(t, ts_heat_types(t, (size_t)row->i, (size_t)row->j), &b, k);
+		}
+		ts_heat_load(t, false, &b);
+		ts_heat_find_block(t, &b);
+		if (then)
+			then(t, &b);
 	}
-	ts_heat_load(t, false, b);
-	ts_heat_find_block(t, b);
 }
 
 #endif

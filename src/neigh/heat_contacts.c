@@ -46,13 +46,8 @@ enum ts_status ts_heat_built(struct ts_instance *self, struct tsim *sim)
 static void find_share(void *context, size_t from, size_t to)
 {
 	const struct ts_heat_task t = *(const struct ts_heat_task *)context;
-	struct ts_row_near near[TS_COLUMN];
-	struct ts_heat_block b;
 
-	for (size_t end; from < to; from = end) {
-		end = to - from < TS_COLUMN ? to : from + TS_COLUMN;
-		ts_heat_scan(&t, from, end, near, &b);
-	}
+	ts_heat_scan(&t, from, to, NULL);
 }
 
 void ts_heat_find(const struct ts_instance *self, struct tsim *sim)

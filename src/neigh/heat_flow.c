@@ -48,14 +48,8 @@ TS_INLINE void flow_block(const struct ts_heat_task *t, struct ts_heat_block *b)
 TS_CLONES static void scan_share(void *context, size_t from, size_t to)
 {
 	const struct ts_heat_task t = *(const struct ts_heat_task *)context;
-	struct ts_row_near near[TS_COLUMN];
-	struct ts_heat_block b;
 
-	for (size_t end; from < to; from = end) {
-		end = to - from < TS_COLUMN ? to : from + TS_COLUMN;
-		ts_heat_scan(&t, from, end, near, &b);
-		flow_block(&t, &b);
-	}
+	ts_heat_scan(&t, from, to, flow_block);
 }
 
 /* What the active rows of a block will need, so that it comes together; first partners follow each other in memory. */

@@ -106,23 +106,16 @@ TS_INLINE size_t ts_batch_parts(const struct ts_granular_model *m)
 	return ts_granular_rolls(m) ? 3 : ts_granular_turns(m) ? 2 : 1;
 }
 
-/* The numbers at .. at+3 of four columns as rows, zero where these do not touch. */
-TS_INLINE void ts_batch_rows(const struct ts_batch *b, const double (*column)[TS_COLUMN], size_t at, ts_four row[4])
+/* One part of the results of the rows at .. at+3, zero where these do not touch. */
+TS_INLINE void ts_batch_result(const struct ts_batch *b, const double (*column)[TS_COLUMN], size_t at,
+			       ts_four *const to[4], size_t part)
 {
 	const ts_four_marks touch = *(const ts_four_marks *)&b->touch[at];
+	ts_four row[4];
 
 	for (int c = 0; c < 4; c++)
 		row[c] = (ts_four)((ts_four_marks)*(const ts_four *)&column[c][at] & touch);
 	ts_four_turn(row);
-}
-
-/* One part of the results of the rows at .. at+3. */
-TS_INLINE void ts_batch_result(const struct ts_batch *b, const double (*column)[TS_COLUMN], size_t at,
-			       ts_four *const to[4], size_t part)
-{
-	ts_four row[4];
-
-	ts_batch_rows(b, column, at, row);
 	for (size_t k = 0; k < 4; k++)
 		to[k][part] = row[k];
 }
