@@ -91,7 +91,7 @@ TS_INLINE void ts_heat_constants(const struct ts_heat_task *t, size_t types, str
 /* Where they are, and how warm; `placed`: the rows' own places are those of now. */
 TS_INLINE void ts_heat_load(const struct ts_heat_task *t, bool placed, struct ts_heat_block *b)
 {
-	const ts_four *place = (const ts_four *)t->pairs->rows->place;
+	const struct ts_row_sphere *sphere = t->pairs->rows->sphere;
 
 	for (size_t at = 0; at < b->whole; at += 4) {
 		const struct ts_row_near *near = ts_heat_row(b, at);
@@ -101,12 +101,14 @@ TS_INLINE void ts_heat_load(const struct ts_heat_task *t, bool placed, struct ts
 			size_t i = (size_t)near[k].i, j = (size_t)near[k].j;
 
 			if (placed) {
-				d[k] = TS_FOUR_LAST(place[i] - place[j], place[i]);
+				const ts_four *place = (const ts_four *)sphere[i].place;
+
+				d[k] = TS_FOUR_LAST(*place - *(const ts_four *)sphere[j].place, *place);
 			} else {
 				d[k] = TS_FOUR_AT(t->x[i]) - TS_FOUR_AT(t->x[j]);
 				d[k][3] = t->radius[i];
 			}
-			b->other[at + k] = placed ? t->pairs->rows->place[j][3] : t->radius[j];
+			b->other[at + k] = placed ? sphere[j].place[3] : t->radius[j];
 			b->rise[at + k] = t->temperature[j] - t->temperature[i];
 		}
 		ts_four_columns(d, b->d, at);

@@ -56,11 +56,12 @@ TS_CLONES static void scan_share(void *context, size_t from, size_t to)
 TS_INLINE void send_for(const struct ts_heat_task *t, const struct ts_row_block *block)
 {
 	const struct ts_row_near *near = t->pairs->rows->near + block->first, *end = near + block->active;
-	const double(*place)[4] = (const double(*)[4])t->pairs->rows->place, *temperature = t->temperature;
+	const struct ts_row_sphere *sphere = t->pairs->rows->sphere;
+	const double *temperature = t->temperature;
 	const struct ts_heat_flow *flow = t->pairs->flow;
 
 	for (; near < end; near++) {
-		__builtin_prefetch(place[near->j]);
+		__builtin_prefetch(sphere[near->j].place);
 		__builtin_prefetch(temperature + near->j);
 		__builtin_prefetch(flow + near->slot, 1);
 	}

@@ -8,44 +8,44 @@
 #include "neigh/row_loop.h"
 
 struct ts_batch {
-	/* the ends, see struct ts_row_ends; the fourth columns: radius of i, of j, nothing, and 1/m_i + 1/m_j */
-	double d[4][TS_COLUMN], omega[2][4][TS_COLUMN], v[4][TS_COLUMN];
+	/* the ends, see struct ts_row_ends; the fourth columns: nothing, 1/m_i + 1/m_j, radius of i, of j */
+	double d[4][TS_COLUMN], v[4][TS_COLUMN], omega[2][4][TS_COLUMN];
 	double mass[2][TS_COLUMN], stiffness[TS_COLUMN];
-	/* the results, of rows that touch: these have all bits set in touch, others none */
+	/* the results, zero for rows that do not touch; those that do have all bits set in touch */
 	long long touch[TS_COLUMN];
-	double force[4][TS_COLUMN], turn[4][TS_COLUMN], roll[4][TS_COLUMN];
+	double force[4][TS_COLUMN], turn[3][TS_COLUMN], roll[3][TS_COLUMN];
 	double *memory[TS_GRANULAR_MEMORY]; /* columns of the block; behind the others, which are aligned */
 } __attribute__((aligned(64)));
 
-/* The rows at .. at+3. */
+/* Differences of vectors, and the sum of what stands fourth. */
+static const ts_four ts_row_signs = { -1, -1, -1, 1 };
+#define TS_ROW_OF(numbers) (*(const ts_four *)(numbers))
+
+/* Four rows become those at .. at+3 of the batch. */
 TS_INLINE void ts_batch_load(const struct ts_particles *p, const struct ts_rows *rows,
-			     const struct ts_granular_model *m, const struct ts_row_near *near, size_t at,
+			     const struct ts_granular_model *m, const struct ts_row_near near[4], size_t at,
 			     struct ts_batch *b)
 {
-	const ts_four *place = (const ts_four *)rows->place;
-	ts_four d[4], v[4], wi[4] = { 0 }, wj[4] = { 0 };
+	ts_four d[4], v[4], wi[4], wj[4];
 
 	for (size_t k = 0; k < 4; k++) {
-		size_t i = (size_t)near[at + k].i, j = (size_t)near[at + k].j;
-		double imass = p->imass[i] + p->imass[j];
+		const struct ts_row_sphere *i = rows->sphere + near[k].i, *j = rows->sphere + near[k].j;
 
-		d[k] = TS_FOUR_LAST(place[i] - place[j], place[i]);
-		v[k] = TS_FOUR_LAST(TS_FOUR_AT(p->v[i]) - TS_FOUR_AT(p->v[j]), TS_FOUR_ALL(imass));
-		if (ts_granular_turns(m)) {
-			wi[k] = TS_FOUR_AT(p->omega[i]);
-			wj[k] = TS_FOUR_AT(p->omega[j]);
-		}
-		wi[k] = TS_FOUR_LAST(wi[k], place[j]);
+		d[k] = TS_ROW_OF(i->place) - TS_ROW_OF(j->place);
+		v[k] = TS_ROW_OF(i->motion) + ts_row_signs * TS_ROW_OF(j->motion);
+		wi[k] = TS_ROW_OF(i->spin);
+		wj[k] = TS_ROW_OF(j->spin);
 		if (ts_granular_weighs(m)) {
-			b->mass[0][at + k] = p->mass[i];
-			b->mass[1][at + k] = p->mass[j];
+			b->mass[0][at + k] = p->mass[near[k].i];
+			b->mass[1][at + k] = p->mass[near[k].j];
 		}
 	}
-	ts_four_columns(d, b->d, at);
+	ts_four_turn(d);
+	for (int c = 0; c < 3; c++)
+		*(ts_four *)&b->d[c][at] = d[c];
 	ts_four_columns(v, b->v, at);
 	ts_four_columns(wi, b->omega[0], at);
-	if (ts_granular_turns(m))
-		ts_four_columns(wj, b->omega[1], at);
+	ts_four_columns(wj, b->omega[1], at);
 }
 
 /* The stiffness of hooke has a fifth root in it: it is computed anew only for partners of other size or mass
@@ -53,7 +53,7 @@ TS_INLINE void ts_batch_load(const struct ts_particles *p, const struct ts_rows 
 TS_INLINE void ts_batch_stiffness(const struct ts_granular_model *m, const struct ts_granular_pair *law,
 				  size_t n, struct ts_batch *b)
 {
-	const double *a = b->d[3], *c = b->omega[0][3];
+	const double *a = b->omega[0][3], *c = b->omega[1][3];
 
 	for (size_t k = 0; m->stiffness_known && k < n; k++) {
 		struct ts_touch t = { .r_eff = a[k] * c[k] / (a[k] + c[k]), .m_eff = 1 / b->v[3][k] };
@@ -72,7 +72,7 @@ TS_INLINE void ts_batch_contact(struct ts_batch *b, size_t k, const struct ts_gr
 		.v = { b->v[0][k], b->v[1][k], b->v[2][k] },
 		.omega = { { b->omega[0][0][k], b->omega[0][1][k], b->omega[0][2][k] },
 			   { b->omega[1][0][k], b->omega[1][1][k], b->omega[1][2][k] } },
-		.radius = { b->d[3][k], b->omega[0][3][k] },
+		.radius = { b->omega[0][3][k], b->omega[1][3][k] },
 		.mass = { b->mass[0][k], b->mass[1][k] },
 		.imass = b->v[3][k],
 	};
@@ -92,12 +92,12 @@ TS_INLINE void ts_batch_contact(struct ts_batch *b, size_t k, const struct ts_gr
 		b->memory[c][k] = touches ? memory[c] : b->memory[c][k];
 	b->touch[k] = -(long long)touches;
 	for (int c = 0; c < 3; c++)
-		b->force[c][k] = f.force[c];
-	b->force[3][k] = ts_granular_short(m, &t);
-	for (int c = 0; ts_granular_turns(m) && c < 4; c++)
-		b->turn[c][k] = c < 3 ? f.turn[c] : 0;
-	for (int c = 0; ts_granular_rolls(m) && c < 4; c++)
-		b->roll[c][k] = c < 3 ? f.roll[c] : 0;
+		b->force[c][k] = touches ? f.force[c] : 0;
+	b->force[3][k] = touches ? ts_granular_short(m, &t) : 0;
+	for (int c = 0; ts_granular_turns(m) && c < 3; c++)
+		b->turn[c][k] = touches ? f.turn[c] : 0;
+	for (int c = 0; ts_granular_rolls(m) && c < 3; c++)
+		b->roll[c][k] = touches ? f.roll[c] : 0;
 }
 
 /* As rows->parts. */
@@ -106,34 +106,47 @@ TS_INLINE size_t ts_batch_parts(const struct ts_granular_model *m)
 	return ts_granular_rolls(m) ? 3 : ts_granular_turns(m) ? 2 : 1;
 }
 
-/* One part of the results of the rows at .. at+3, zero where these do not touch. */
-TS_INLINE void ts_batch_result(const struct ts_batch *b, const double (*column)[TS_COLUMN], size_t at,
-			       ts_four *const to[4], size_t part)
+/* One part of the results of the rows at .. at+3, which has three columns or four. */
+TS_INLINE void ts_batch_result(const double (*column)[TS_COLUMN], int columns, size_t at, ts_four *const to[4],
+			       size_t part)
 {
-	const ts_four_marks touch = *(const ts_four_marks *)&b->touch[at];
-	ts_four row[4];
+	ts_four row[4] = { 0 };
 
-	for (int c = 0; c < 4; c++)
-		row[c] = (ts_four)((ts_four_marks)*(const ts_four *)&column[c][at] & touch);
+	for (int c = 0; c < columns; c++)
+		row[c] = *(const ts_four *)&column[c][at];
 	ts_four_turn(row);
 	for (size_t k = 0; k < 4; k++)
 		to[k][part] = row[k];
 }
 
-/* The rows at .. at+3. */
+/* The rows at .. at+3 of the batch are these four. */
 TS_INLINE void ts_batch_store(const struct ts_batch *b, const struct ts_granular_model *m,
-			      const struct ts_row_near *near, size_t at, const struct ts_rows *rows)
+			      const struct ts_row_near near[4], size_t at, const struct ts_rows *rows)
 {
 	size_t parts = ts_batch_parts(m);
 	ts_four *to[4];
 
 	for (size_t k = 0; k < 4; k++)
-		to[k] = (ts_four *)rows->result[near[at + k].slot * parts];
-	ts_batch_result(b, b->force, at, to, 0);
+		to[k] = (ts_four *)rows->result[near[k].slot * parts];
+	ts_batch_result(b->force, 4, at, to, 0);
 	if (parts > 1)
-		ts_batch_result(b, b->turn, at, to, 1);
+		ts_batch_result(b->turn, 3, at, to, 1);
 	if (parts > 2)
-		ts_batch_result(b, b->roll, at, to, 2);
+		ts_batch_result(b->roll, 3, at, to, 2);
+}
+
+/* The last rows of a batch of n, as so many as fill a vector: the last one again and again, but where its results do
+ * not count. Returns how many of the batch come before. */
+TS_INLINE size_t ts_batch_tail(const struct ts_rows *rows, const struct ts_row_near *near, size_t n,
+			       struct ts_row_near tail[TS_ROW_VECTOR])
+{
+	size_t from = n & ~(size_t)(TS_ROW_VECTOR - 1);
+
+	for (size_t k = 0; k < TS_ROW_VECTOR && from < n; k++) {
+		tail[k] = near[from + k < n ? from + k : n - 1];
+		tail[k].slot = from + k < n ? tail[k].slot : rows->spare;
+	}
+	return from;
 }
 
 /* The rows 0 .. n-1 of a batch by a constant model; the time step is positive. */
@@ -172,14 +185,12 @@ TS_INLINE uint64_t ts_batch_bits(const long long *mark, size_t n)
 TS_INLINE void ts_batch_touch(const struct ts_rows *rows, const struct ts_row_near *near, size_t n,
 			      ts_four_marks *touch)
 {
-	static const ts_four signs = { -1, -1, -1, 1 };
-	const ts_four *place = (const ts_four *)rows->place;
 	ts_four d[4];
 
 	for (size_t k = 0; k < 4; k++) { /* d and the sum of the radii */
 		const struct ts_row_near *row = near + (k < n ? k : 0);
 
-		d[k] = place[row->i] + signs * place[row->j];
+		d[k] = TS_ROW_OF(rows->sphere[row->i].place) + ts_row_signs * TS_ROW_OF(rows->sphere[row->j].place);
 	}
 	ts_four_turn(d);
 	*touch = d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < d[3] * d[3];
@@ -224,21 +235,21 @@ TS_INLINE void ts_batch_part(const struct ts_rows *rows, struct ts_row_block *bl
 
 /* What active rows will need of their second partners and remember is sent for, so that many come at a time, and where
  * those of the others are; first partners follow each other in memory. */
-TS_INLINE void ts_batch_send_for(const struct ts_particles *p, const struct ts_rows *rows,
-				 const struct ts_granular_model *m, const struct ts_row_block *block)
+TS_INLINE void ts_batch_send_for(const struct ts_rows *rows, const struct ts_granular_model *m,
+				 const struct ts_row_block *block)
 {
 	const struct ts_row_near *near = rows->near + block->first;
 
+#pragma GCC unroll 4
 	for (size_t k = 0; k < block->active; k++) {
-		size_t j = (size_t)near[k].j;
+		const struct ts_row_sphere *j = rows->sphere + near[k].j;
 
-		__builtin_prefetch(rows->place[j]);
-		__builtin_prefetch(p->v[j]);
-		if (ts_granular_turns(m))
-			__builtin_prefetch(p->omega[j]);
+		__builtin_prefetch(j->place);
+		__builtin_prefetch(j->spin);
 	}
+#pragma GCC unroll 4
 	for (size_t k = block->active; k < block->n; k++)
-		__builtin_prefetch(rows->place[near[k].j]);
+		__builtin_prefetch(rows->sphere[near[k].j].place);
 	for (int c = 0; c < ts_granular_memory(m); c++)
 		for (size_t k = 0; k < block->active; k += TS_ROW_VECTOR)
 			__builtin_prefetch(ts_row_memory(rows, block, k, (size_t)c), 1);
@@ -260,28 +271,25 @@ TS_INLINE uint64_t ts_batch_work(const struct ts_row_task *task, const struct ts
 {
 	const struct ts_row_near *near = rows->near + block->first + part * TS_COLUMN;
 	const struct ts_granular_pair *law = ts_pair_law(task->pair, block->type[0], block->type[1]);
-	size_t some = block->active - part * TS_COLUMN, n;
-	struct ts_row_near whole[TS_COLUMN];
+	size_t some = block->active - part * TS_COLUMN, n, whole;
+	struct ts_row_near tail[TS_ROW_VECTOR];
 	struct ts_batch b;
 
 	some = some < TS_COLUMN ? some : TS_COLUMN;
-	n = (some + 7) & ~(size_t)7;
-	if (n > some) { /* whole vectors: the last row again and again */
-		for (size_t at = 0; at < n; at++)
-			whole[at] = near[at < some ? at : some - 1];
-		near = whole;
-	}
-	for (int c = 0; c < ts_granular_memory(m); c++) {
+	whole = ts_batch_tail(rows, near, some, tail);
+	n = whole < some ? whole + TS_ROW_VECTOR : whole;
+	for (int c = 0; c < ts_granular_memory(m); c++)
 		b.memory[c] = ts_row_memory(rows, block, part * TS_COLUMN, (size_t)c);
-		for (size_t at = some; at < n; at++)
-			b.memory[c][at] = b.memory[c][some - 1];
-	}
-	for (size_t at = 0; at < n; at += 4)
-		ts_batch_load(p, rows, m, near, at, &b);
+	for (size_t at = 0; at < whole; at += 4)
+		ts_batch_load(p, rows, m, near + at, at, &b);
+	for (size_t at = whole; at < n; at += 4)
+		ts_batch_load(p, rows, m, tail + at - whole, at, &b);
 	ts_batch_stiffness(m, law, n, &b);
 	contacts(&b, n, law, task->dt);
-	for (size_t at = 0; at < n; at += 4)
-		ts_batch_store(&b, m, near, at, rows);
+	for (size_t at = 0; at < whole; at += 4)
+		ts_batch_store(&b, m, near + at, at, rows);
+	for (size_t at = whole; at < n; at += 4)
+		ts_batch_store(&b, m, tail + at - whole, at, rows);
 	return ts_batch_bits(b.touch, some);
 }
 
@@ -298,7 +306,7 @@ TS_INLINE void ts_row_share_batched(const struct ts_row_task *task, size_t from,
 		uint64_t touching[TS_ROW_BLOCK / TS_COLUMN];
 
 		ts_batch_send_for_list(&rows, block + 2);
-		ts_batch_send_for(&p, &rows, m, block + 1);
+		ts_batch_send_for(&rows, m, block + 1);
 		ts_batch_meet(&rows, block);
 		for (size_t at = block->active; at < block->n; at++)
 			ts_row_still(&rows, near[at].slot, ts_batch_parts(m));

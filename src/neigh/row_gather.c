@@ -22,7 +22,7 @@ TS_INLINE void gather(const struct ts_rows *rows, const struct ts_particles *p, 
 
 	for (size_t i = from; i < to; i++) {
 		ts_four f = { 0 }, torque = { 0 };
-		double radius = rows->place[i][3];
+		double radius = rows->sphere[i].place[3];
 
 		for (size_t k = first[i]; k < first[i + 1]; k++) {
 			const ts_four *result = results + parts * (sum[k] >> 1);

@@ -43,9 +43,12 @@ void ts_rows_settle(const struct tsim *sim, struct ts_rows *rows)
 
 static void recall(const struct ts_rows *rows, const struct ts_row_block *block)
 {
-	for (size_t c = 0; c < rows->history_width; c++)
+	for (size_t c = 0; c < rows->history_width; c++) {
 		for (size_t at = 0; at < block->active; at++)
 			*ts_row_memory(rows, block, at, c) = *ts_row_history(rows, block, at, c);
+		for (size_t at = block->active; at < ts_row_column(block); at++)
+			*ts_row_memory(rows, block, at, c) = 0;
+	}
 }
 
 /* Columns of a block begin at a whole vector behind those of the block before. */

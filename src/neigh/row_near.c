@@ -14,17 +14,24 @@
 /* ---- how far particles go */
 
 /* The squares of the largest steps from the places noted before, in each direction and of the radius. */
-TS_CLONES static void place(const struct ts_particles *p, double (*out)[4], size_t from, size_t to, double most[4])
+TS_CLONES static void place(const struct ts_particles *p, struct ts_row_sphere *out, size_t from, size_t to,
+			    double most[4])
 {
 	ts_four all = { 0 };
 
 	for (size_t i = from; i < to; i++) {
-		ts_four now = TS_FOUR_AT(p->x[i]), step;
+		ts_four now = TS_FOUR_AT(p->x[i]), motion = TS_FOUR_AT(p->v[i]), spin = { 0 }, step;
 
 		now[3] = p->radius[i];
-		step = now - *(ts_four *)out[i];
+		motion[3] = p->imass[i];
+		if (p->omega)
+			spin = TS_FOUR_AT(p->omega[i]);
+		spin[3] = p->radius[i];
+		step = now - *(ts_four *)out[i].place;
 		step *= step;
-		*(ts_four *)out[i] = now;
+		*(ts_four *)out[i].place = now;
+		*(ts_four *)out[i].motion = motion;
+		*(ts_four *)out[i].spin = spin;
 		ts_four_most(&all, &step);
 	}
 	for (int k = 0; k < 4; k++)
@@ -41,7 +48,7 @@ static void place_share(void *context, size_t from, size_t to)
 	const struct placing *g = context;
 	double most[4], pace;
 
-	place(g->p, g->rows->place, from, to, most);
+	place(g->p, g->rows->sphere, from, to, most);
 	/* after a particle has grown nothing is known */
 	pace = most[3] > 0 ? INFINITY : sqrt(most[0] + most[1] + most[2]);
 #pragma omp critical
@@ -52,7 +59,7 @@ void ts_rows_place_locals(struct tsim *sim, struct ts_rows *rows)
 {
 	struct placing g = { sim->particles, rows };
 
-	if (!rows->place || rows->particles != sim->particles->n)
+	if (!rows->sphere || rows->particles != sim->particles->n)
 		return;
 	TS_SWEEP_ADD(sim, rows->particles, place_share, &g);
 	rows->placed = true;
@@ -103,7 +110,7 @@ static size_t collect(const struct ts_rows *rows, size_t *r, size_t end, uint32_
 	size_t n = 0, k = *r;
 
 	for (; k < end && n < GROUP; k++) {
-		const double *a = rows->place[rows->i[k]], *b = rows->place[rows->j[k]];
+		const double *a = rows->sphere[rows->i[k]].place, *b = rows->sphere[rows->j[k]].place;
 		double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2], reach = a[3] + b[3] + rows->gap;
 
 		list[n] = (uint32_t)k;

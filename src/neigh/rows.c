@@ -143,7 +143,7 @@ static enum ts_status build(struct tsim *sim, struct ts_rows *rows, struct ts_ro
 		TS_TRY(ts_row_history_take(sim, rows, sim->resuming, old));
 	TS_TRY(ts_row_search(sim, found));
 	if (reserve(rows, found->n) != TS_OK ||
-	    TS_GROW(rows->place, rows->place_capacity, sim->particles->n + sim->particles->nghost) != TS_OK)
+	    TS_GROW(rows->sphere, rows->sphere_capacity, sim->particles->n + sim->particles->nghost) != TS_OK)
 		return ts_nomem(&sim->error);
 	rows->n = found->n;
 	rows->skin = found->skin;
@@ -152,8 +152,8 @@ static enum ts_status build(struct tsim *sim, struct ts_rows *rows, struct ts_ro
 	rows->particles = sim->particles->n;
 	rows->placed = false;
 	rows->step = 0;
-	if (rows->place) /* the first look at where particles are compares with something */
-		memset(rows->place, 0, rows->place_capacity * sizeof *rows->place);
+	if (rows->sphere) /* the first look at where particles are compares with something */
+		memset(rows->sphere, 0, rows->sphere_capacity * sizeof *rows->sphere);
 	ts_parallel(found->shares, (size_t)found->shares, fill_shares, &filling);
 	TS_TRY(index_rows(sim, rows));
 	if (sim->resuming) /* shown without being computed */
@@ -207,7 +207,7 @@ void ts_rows_release(struct ts_rows *rows)
 	ts_free(rows->touching);
 	ts_free(rows->history);
 	ts_free(rows->memory);
-	ts_free(rows->place);
+	ts_free(rows->sphere);
 	ts_free(rows->span);
 	ts_free(rows->near);
 	ts_free(rows->block);

@@ -17,6 +17,13 @@
 #include "neigh/gather.h"
 #include "particles/particles.h"
 
+/* What rows need of a particle, together: a copy that is made in each step, and that the loops read in whole vectors. */
+struct ts_row_sphere {
+	double place[4];  /* x, y, z, radius */
+	double motion[4]; /* velocity, 1/mass */
+	double spin[4];	  /* angular velocity, radius again */
+} __attribute__((aligned(32)));
+
 /* A row that is looked at. */
 struct ts_row_near {
 	uint32_t row, slot;
@@ -66,6 +73,7 @@ struct ts_rows {
 	double (*result)[4];
 	int parts;
 	size_t room;
+	uint32_t spare; /* a slot for results that do not count */
 	uint8_t *touching;
 	double *history; /* history_width numbers per row; zero where never touched */
 	double *memory;	 /* of active rows, in columns: see row_memory.h */
@@ -74,8 +82,8 @@ struct ts_rows {
 	const signed char *history_sign; /* +1 or -1: factor when i and j change places */
 
 	struct ts_gather gather; /* of the local particles */
-	double (*place)[4];	 /* of all particles, now: x, y, z and the radius, for the loops over rows */
-	size_t place_capacity;
+	struct ts_row_sphere *sphere; /* of all particles, now */
+	size_t sphere_capacity;
 	bool placed; /* those of local particles have been noted in this step */
 	double step; /* the longest way of those noted, since all were */
 
