@@ -359,6 +359,8 @@ library_sources = \
 	src/neigh/heat_contacts.c \
 	src/neigh/heat_flow.c \
 	src/neigh/heat_step.c \
+	src/neigh/law_stages.c \
+	src/neigh/law_stages.h \
 	src/neigh/leaving.c \
 	src/neigh/leaving.h \
 	src/neigh/ledger.c \
@@ -411,6 +413,8 @@ library_sources = \
 	src/neigh/row_search.h \
 	src/neigh/row_slots.c \
 	src/neigh/row_slots.h \
+	src/neigh/row_stages.c \
+	src/neigh/row_stages.h \
 	src/neigh/row_walk.c \
 	src/neigh/row_walk.h \
 	src/neigh/rows.c \
@@ -426,6 +430,8 @@ library_sources = \
 	src/neigh/wall_models.c \
 	src/neigh/wall_push.c \
 	src/neigh/wall_push.h \
+	src/neigh/wall_stages.c \
+	src/neigh/wall_stages.h \
 	src/particles/assign.c \
 	src/particles/assign_words.c \
 	src/particles/assign_words.h \

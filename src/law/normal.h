@@ -42,6 +42,12 @@ TS_INLINE double ts_hooke_stiffness(const struct ts_granular_pair *c, const stru
 	return 16.0 / 15.0 * a * pow(15.0 / 16.0 * t->m_eff * c->velocity * c->velocity / a, 0.2);
 }
 
+/* It has a fifth root in it: a loop over contacts computes it once for those of the same bodies. */
+TS_INLINE bool ts_normal_knows_stiffness(const struct ts_granular_model *m)
+{
+	return m->normal == TS_NORMAL_HOOKE || m->normal == TS_NORMAL_HOOKE_HYSTERESIS;
+}
+
 TS_INLINE double ts_hooke_damping(double kn, double mass, double log_restitution)
 {
 	double l2 = log_restitution * log_restitution;

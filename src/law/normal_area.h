@@ -88,17 +88,13 @@ TS_INLINE double ts_jkr_radius(const struct ts_granular_pair *c, double r_eff, d
 TS_INLINE double ts_damping_factor(const struct ts_granular_model *m, const struct ts_touch *t,
 				       const struct ts_normal *f)
 {
-	switch (m->damping) {
-	case TS_DAMPING_MASS_VELOCITY:
-		return t->m_eff;
-	case TS_DAMPING_VISCOELASTIC:
-		return f->area * t->m_eff;
-	case TS_DAMPING_TSUJI:
-	case TS_DAMPING_RESTITUTION:
-		return sqrt(t->m_eff * f->kn);
-	default:
-		return 1;
-	}
+	double root = sqrt(t->m_eff * f->kn);
+
+	/* without branches, so that several contacts are computed at once */
+	return m->damping == TS_DAMPING_MASS_VELOCITY  ? t->m_eff
+	       : m->damping == TS_DAMPING_VISCOELASTIC ? f->area * t->m_eff
+	       : m->damping >= TS_DAMPING_TSUJI	       ? root
+						       : 1;
 }
 
 TS_INLINE void ts_normal_area(const struct ts_granular_model *m, const struct ts_granular_pair *c,

@@ -62,7 +62,7 @@ TS_INLINE void ts_rolling_spring(const struct ts_granular_model *m,
 				     const struct ts_normal *n, double dt, bool advance,
 				     double stored[3], double torque[3])
 {
-	double k = ts_rolling_stiffness(m, c, t, n), length, dashpot = 0;
+	double k = ts_rolling_stiffness(m, c, t, n), length, share, dashpot = 0;
 	double limit = fabs(n->limit) * t->r_eff * c->rolling_friction;
 	double roll[3] = { t->roll[0], t->roll[1], t->roll[2] };
 
@@ -71,10 +71,12 @@ TS_INLINE void ts_rolling_spring(const struct ts_granular_model *m,
 	for (int d = 0; d < 3; d++)
 		torque[d] = stored[d] + k * dt * roll[d];
 	length = ts_norm(torque);
-	if (length > limit)
-		ts_scale(limit / length, torque, torque);
-	else if (m->rolling != TS_ROLLING_EPSD2)
+	if (m->rolling != TS_ROLLING_EPSD2)
 		dashpot = 2 * c->rolling_viscosity * sqrt(ts_rolling_inertia(m, t) * k);
+	/* without branches, so that several contacts are computed at once */
+	share = length > limit ? limit / length : 1;
+	dashpot = length > limit ? 0 : dashpot;
+	ts_scale(share, torque, torque);
 	for (int d = 0; d < 3 && advance; d++)
 		stored[d] = torque[d];
 	ts_axpy(dashpot, roll, torque);

@@ -48,14 +48,13 @@ TS_INLINE void ts_batch_load(const struct ts_particles *p, const struct ts_rows 
 	ts_four_columns(wj, b->omega[1], at);
 }
 
-/* The stiffness of hooke has a fifth root in it: it is computed anew only for partners of other size or mass
- * than those before. */
+/* The stiffness of hooke: computed anew only for partners of other size or mass than those before. */
 TS_INLINE void ts_batch_stiffness(const struct ts_granular_model *m, const struct ts_granular_pair *law,
 				  size_t n, struct ts_batch *b)
 {
 	const double *a = b->omega[0][3], *c = b->omega[1][3];
 
-	for (size_t k = 0; m->stiffness_known && k < n; k++) {
+	for (size_t k = 0; ts_normal_knows_stiffness(m) && k < n; k++) {
 		struct ts_touch t = { .r_eff = a[k] * c[k] / (a[k] + c[k]), .m_eff = 1 / b->v[3][k] };
 		bool same = k && a[k] == a[k - 1] && c[k] == c[k - 1] && b->v[3][k] == b->v[3][k - 1];
 
@@ -63,11 +62,9 @@ TS_INLINE void ts_batch_stiffness(const struct ts_granular_model *m, const struc
 	}
 }
 
-/* Also of a row that does not touch all is computed: so there is no branch. */
-TS_INLINE void ts_batch_contact(struct ts_batch *b, size_t k, const struct ts_granular_model *m,
-				const struct ts_granular_pair *law, double dt)
+TS_INLINE void ts_batch_ends(const struct ts_batch *b, size_t k, struct ts_row_ends *e)
 {
-	struct ts_row_ends e = {
+	*e = (struct ts_row_ends){
 		.d = { b->d[0][k], b->d[1][k], b->d[2][k] },
 		.v = { b->v[0][k], b->v[1][k], b->v[2][k] },
 		.omega = { { b->omega[0][0][k], b->omega[0][1][k], b->omega[0][2][k] },
@@ -76,18 +73,33 @@ TS_INLINE void ts_batch_contact(struct ts_batch *b, size_t k, const struct ts_gr
 		.mass = { b->mass[0][k], b->mass[1][k] },
 		.imass = b->v[3][k],
 	};
-	double memory[TS_GRANULAR_MEMORY], sum = e.radius[0] + e.radius[1];
+}
+
+TS_INLINE bool ts_batch_touches(const struct ts_row_ends *e)
+{
+	double sum = e->radius[0] + e->radius[1];
+
+	return ts_dot(e->d, e->d) < sum * sum;
+}
+
+/* Also of a row that does not touch all is computed: so there is no branch. */
+TS_INLINE void ts_batch_contact(struct ts_batch *b, size_t k, const struct ts_granular_model *m,
+				const struct ts_granular_pair *law, double dt)
+{
+	double memory[TS_GRANULAR_MEMORY];
 	struct ts_granular_force f;
+	struct ts_row_ends e;
 	struct ts_touch t;
 	bool touches;
 
+	ts_batch_ends(b, k, &e);
 	for (int c = 0; c < ts_granular_memory(m); c++)
 		memory[c] = b->memory[c][k];
 	ts_ends_touch(&e, m, &t);
 	if (m->stiffness_known)
 		t.stiffness = b->stiffness[k];
 	ts_granular_contact(m, law, &t, dt, true, memory, &f);
-	touches = ts_dot(e.d, e.d) < sum * sum;
+	touches = ts_batch_touches(&e);
 	for (int c = 0; c < ts_granular_memory(m); c++) /* what has parted may have to remember what it did */
 		b->memory[c][k] = touches ? memory[c] : b->memory[c][k];
 	b->touch[k] = -(long long)touches;
@@ -100,7 +112,7 @@ TS_INLINE void ts_batch_contact(struct ts_batch *b, size_t k, const struct ts_gr
 		b->roll[c][k] = touches ? f.roll[c] : 0;
 }
 
-/* As rows->parts. */
+/* As rows->parts, where all rows have this model. */
 TS_INLINE size_t ts_batch_parts(const struct ts_granular_model *m)
 {
 	return ts_granular_rolls(m) ? 3 : ts_granular_turns(m) ? 2 : 1;
@@ -120,10 +132,9 @@ TS_INLINE void ts_batch_result(const double (*column)[TS_COLUMN], int columns, s
 }
 
 /* The rows at .. at+3 of the batch are these four. */
-TS_INLINE void ts_batch_store(const struct ts_batch *b, const struct ts_granular_model *m,
-			      const struct ts_row_near near[4], size_t at, const struct ts_rows *rows)
+TS_INLINE void ts_batch_store(const struct ts_batch *b, size_t parts, const struct ts_row_near near[4], size_t at,
+			      const struct ts_rows *rows)
 {
-	size_t parts = ts_batch_parts(m);
 	ts_four *to[4];
 
 	for (size_t k = 0; k < 4; k++)
@@ -149,8 +160,9 @@ TS_INLINE size_t ts_batch_tail(const struct ts_rows *rows, const struct ts_row_n
 	return from;
 }
 
-/* The rows 0 .. n-1 of a batch by a constant model; the time step is positive. */
-typedef void ts_batch_fn(struct ts_batch *b, size_t n, const struct ts_granular_pair *law, double dt);
+/* The rows 0 .. n-1 of a batch by a model, which may be a constant one; the time step is positive. */
+typedef void ts_batch_fn(struct ts_batch *b, size_t n, const struct ts_granular_model *m,
+			 const struct ts_granular_pair *law, double dt);
 
 TS_INLINE void ts_batch_contacts(struct ts_batch *restrict b, size_t n,
 				 const struct ts_granular_model *m,
@@ -266,8 +278,8 @@ TS_INLINE void ts_batch_send_for_list(const struct ts_rows *rows, const struct t
 
 /* The active rows of a part of a block; says which of them touch, as bits. */
 TS_INLINE uint64_t ts_batch_work(const struct ts_row_task *task, const struct ts_particles *p,
-				 const struct ts_rows *rows, const struct ts_granular_model *m, ts_batch_fn *contacts,
-				 const struct ts_row_block *block, size_t part)
+				 const struct ts_rows *rows, const struct ts_granular_model *m, size_t parts,
+				 ts_batch_fn *contacts, const struct ts_row_block *block, size_t part)
 {
 	const struct ts_row_near *near = rows->near + block->first + part * TS_COLUMN;
 	const struct ts_granular_pair *law = ts_pair_law(task->pair, block->type[0], block->type[1]);
@@ -285,12 +297,30 @@ TS_INLINE uint64_t ts_batch_work(const struct ts_row_task *task, const struct ts
 	for (size_t at = whole; at < n; at += 4)
 		ts_batch_load(p, rows, m, tail + at - whole, at, &b);
 	ts_batch_stiffness(m, law, n, &b);
-	contacts(&b, n, law, task->dt);
+	contacts(&b, n, m, law, task->dt);
 	for (size_t at = 0; at < whole; at += 4)
-		ts_batch_store(&b, m, near + at, at, rows);
+		ts_batch_store(&b, parts, near + at, at, rows);
 	for (size_t at = whole; at < n; at += 4)
-		ts_batch_store(&b, m, tail + at - whole, at, rows);
+		ts_batch_store(&b, parts, tail + at - whole, at, rows);
 	return ts_batch_bits(b.touch, some);
+}
+
+/* One block, behind which there are others (TS_ROW_AHEAD); `parts` as in struct ts_rows. */
+TS_INLINE void ts_batch_block(const struct ts_row_task *task, const struct ts_particles *p, const struct ts_rows *rows,
+			      const struct ts_granular_model *m, size_t parts, ts_batch_fn *contacts,
+			      struct ts_row_block *block)
+{
+	const struct ts_row_near *near = rows->near + block->first;
+	uint64_t touching[TS_ROW_BLOCK / TS_COLUMN];
+
+	ts_batch_send_for_list(rows, block + 2);
+	ts_batch_send_for(rows, m, block + 1);
+	ts_batch_meet(rows, block);
+	for (size_t at = block->active; at < block->n; at++)
+		ts_row_still(rows, near[at].slot, parts);
+	for (size_t part = 0; part * TS_COLUMN < block->active; part++)
+		touching[part] = ts_batch_work(task, p, rows, m, parts, contacts, block, part);
+	ts_batch_part(rows, block, touching, task->keep);
 }
 
 /* The share of a constant model; see ts_row_share_generic. */
@@ -300,20 +330,8 @@ TS_INLINE void ts_row_share_batched(const struct ts_row_task *task, size_t from,
 	const struct ts_particles p = *task->p;
 	const struct ts_rows rows = *task->rows;
 
-	for (size_t k = from; k < to; k++) {
-		struct ts_row_block *block = &rows.block[k];
-		const struct ts_row_near *near = rows.near + block->first;
-		uint64_t touching[TS_ROW_BLOCK / TS_COLUMN];
-
-		ts_batch_send_for_list(&rows, block + 2);
-		ts_batch_send_for(&rows, m, block + 1);
-		ts_batch_meet(&rows, block);
-		for (size_t at = block->active; at < block->n; at++)
-			ts_row_still(&rows, near[at].slot, ts_batch_parts(m));
-		for (size_t part = 0; part * TS_COLUMN < block->active; part++)
-			touching[part] = ts_batch_work(task, &p, &rows, m, contacts, block, part);
-		ts_batch_part(&rows, block, touching, task->keep);
-	}
+	for (size_t k = from; k < to; k++)
+		ts_batch_block(task, &p, &rows, m, ts_batch_parts(m), contacts, &rows.block[k]);
 }
 
 #endif

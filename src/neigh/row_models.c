@@ -2,16 +2,20 @@
 TS_UNROLLED
 
 #include "neigh/granular_models.h"
+#include "neigh/law_stages.h"
 #include "neigh/row_batch.h"
 #include "neigh/row_models.h"
+#include "neigh/row_stages.h"
 
 #include "base/banned.h"
 
 #define LOOP(name, ...)                                                                            \
 	static const struct ts_granular_model name = { __VA_ARGS__ };                              \
 	TS_CLONES static void name##_contacts(struct ts_batch *restrict b, size_t n,               \
+					      const struct ts_granular_model *m,                   \
 					      const struct ts_granular_pair *restrict law, double dt)  \
 	{                                                                                          \
+		(void)m;                                                                           \
 		ts_batch_contacts(b, n, &name, law, dt);                                           \
 	}                                                                                          \
 	TS_CLONES static void name##_share(void *task, size_t from, size_t to)                     \
@@ -33,5 +37,5 @@ ts_share_fn *ts_row_share_of(const struct ts_granular_model *m, bool generic)
 	for (size_t k = 0; k < sizeof fast / sizeof *fast && !generic; k++)
 		if (ts_granular_same_model(m, fast[k].model))
 			return fast[k].share;
-	return ts_row_share_generic;
+	return ts_stages_for(m) && !generic ? ts_row_share_staged : ts_row_share_generic;
 }

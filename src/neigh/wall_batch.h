@@ -46,16 +46,17 @@ struct ts_wall_batch {
 	double force[4][TS_COLUMN], torque[4][TS_COLUMN], roll[4][TS_COLUMN];
 } __attribute__((aligned(64)));
 
-/* The contacts 0 .. n-1 of a batch by a constant model; the time step is positive, and memory advances. */
-typedef void ts_wall_batch_fn(struct ts_wall_batch *b, size_t n, const struct ts_granular_pair *law, double dt);
+/* The contacts 0 .. n-1 of a batch by a model, which may be a constant one; the time step is positive, and memory
+ * advances. */
+typedef void ts_wall_batch_fn(struct ts_wall_batch *b, size_t n, const struct ts_granular_model *m,
+			      const struct ts_granular_pair *law, double dt);
 
-/* The loop that is compiled for a model; NULL: there is none. */
+/* The loop for a model; NULL: there is none. */
 ts_wall_batch_fn *ts_wall_batch_of(const struct ts_granular_model *model);
 
-TS_INLINE void ts_wall_batch_contact(struct ts_wall_batch *b, size_t k, const struct ts_granular_model *m,
-				     const struct ts_granular_pair *law, double dt)
+TS_INLINE void ts_wall_batch_ends(const struct ts_wall_batch *b, size_t k, struct ts_wall_ends *e)
 {
-	const struct ts_wall_ends e = {
+	*e = (struct ts_wall_ends){
 		.n = { b->n[0][k], b->n[1][k], b->n[2][k] },
 		.distance = b->n[3][k],
 		.curvature = b->curvature[k],
@@ -64,10 +65,17 @@ TS_INLINE void ts_wall_batch_contact(struct ts_wall_batch *b, size_t k, const st
 		.radius = b->omega[3][k],
 		.mass = b->v[3][k],
 	};
+}
+
+TS_INLINE void ts_wall_batch_contact(struct ts_wall_batch *b, size_t k, const struct ts_granular_model *m,
+				     const struct ts_granular_pair *law, double dt)
+{
 	double memory[TS_GRANULAR_MEMORY];
 	struct ts_granular_force f;
+	struct ts_wall_ends e;
 	struct ts_touch t;
 
+	ts_wall_batch_ends(b, k, &e);
 	for (int c = 0; c < ts_granular_memory(m); c++)
 		memory[c] = b->memory[c][k];
 	ts_wall_ends_touch(&e, m, &t);
@@ -86,8 +94,7 @@ TS_INLINE void ts_wall_batch_contact(struct ts_wall_batch *b, size_t k, const st
 	b->roll[3][k] = 0;
 }
 
-/* The stiffness of hooke has a fifth root in it: it is computed anew only for particles of other size or mass than
- * those before. */
+/* The stiffness of hooke: computed anew only for particles of other size or mass than those before. */
 TS_INLINE void ts_wall_batch_stiffness(struct ts_wall_batch *b, size_t n, const struct ts_granular_pair *law)
 {
 	for (size_t k = 0; k < n; k++) {
@@ -105,7 +112,7 @@ TS_INLINE void ts_wall_batch_contacts(struct ts_wall_batch *restrict b, size_t n
 {
 	if (!(dt > 0)) /* never; but so the compiler knows */
 		return;
-	if (m->stiffness_known)
+	if (ts_normal_knows_stiffness(m))
 		ts_wall_batch_stiffness(b, n, law);
 #pragma omp simd
 	for (size_t k = 0; k < n; k++)

@@ -3,15 +3,19 @@
 TS_UNROLLED
 
 #include "neigh/granular_models.h"
+#include "neigh/law_stages.h"
 #include "neigh/wall_batch.h"
+#include "neigh/wall_stages.h"
 
 #include "base/banned.h"
 
 #define LOOP(name, ...)                                                                             \
 	static const struct ts_granular_model name = { __VA_ARGS__ };                               \
 	TS_CLONES static void name##_contacts(struct ts_wall_batch *restrict b, size_t n,           \
+					      const struct ts_granular_model *m,                    \
 					      const struct ts_granular_pair *restrict law, double dt)   \
 	{                                                                                           \
+		(void)m;                                                                            \
 		ts_wall_batch_contacts(b, n, &name, law, dt);                                       \
 	}
 TS_GRANULAR_MODELS(LOOP)
@@ -29,5 +33,5 @@ ts_wall_batch_fn *ts_wall_batch_of(const struct ts_granular_model *model)
 	for (size_t k = 0; k < sizeof fast / sizeof *fast; k++)
 		if (ts_granular_same_model(model, fast[k].model))
 			return fast[k].contacts;
-	return NULL;
+	return ts_stages_for(model) ? ts_wall_staged : NULL;
 }

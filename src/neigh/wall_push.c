@@ -236,7 +236,7 @@ static void work_in_columns(const struct ts_wall_queue *q)
 		for (; n & 7; n++) /* whole vectors: the last contact again and again */
 			list[n] = list[n - 1];
 		load(q, list, n, &b);
-		q->w->batch(&b, n, law, q->sim->clock.dt);
+		q->w->batch(&b, n, q->model, law, q->sim->clock.dt);
 		store(q, list, n, &b, result);
 	}
 	for (size_t at = 0; at < q->n; at++)
