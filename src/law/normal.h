@@ -94,23 +94,20 @@ TS_INLINE double ts_hysteretic_force(const struct ts_granular_pair *c, const str
 					 double k1, bool advance, double *deepest)
 {
 	double k2max = c->unloading * k1, kc = c->adhesion * k1, delta = t->overlap;
-	double softening = k2max / (k2max - k1), most = fmax(*deepest, delta), k2, force;
+	double softening = k2max / (k2max - k1), most = *deepest > delta ? *deepest : delta, k2, force, least;
 	double depth = softening * c->plasticity * 2 * t->r_eff; /* where k_2 is k_2max */
+	double full = k2max * (delta - depth) + k1 * depth, adhesion = -kc * delta;
+	double faded = 0.5 * (delta + sqrt(delta * delta + 4 * (k1 + kc) * delta * depth / (k2max - k1)));
 
-	if (most >= depth) {
-		k2 = k2max;
-		force = k2 * (delta - depth) + k1 * depth;
-	} else {
-		k2 = k1 + (k2max - k1) * most / depth;
-		force = fmin(k2 * (delta - most) + k1 * most, k1 * delta);
-	}
-	if (force < -kc * delta) { /* along the branch of adhesion the memory fades */
-		force = -kc * delta;
-		most = 0.5 *
-		       (delta + sqrt(delta * delta + 4 * (k1 + kc) * delta * depth / (k2max - k1)));
-	}
-	if (advance)
-		*deepest = most;
+	/* without branches, so that several contacts are computed at once */
+	k2 = k1 + (k2max - k1) * most / depth;
+	force = k2 * (delta - most) + k1 * most;
+	least = k1 * delta;
+	force = force < least ? force : least;
+	force = most >= depth ? full : force;
+	most = force < adhesion ? faded : most; /* along the branch of adhesion the memory fades */
+	force = force < adhesion ? adhesion : force;
+	*deepest = advance ? most : *deepest;
 	return force;
 }
 

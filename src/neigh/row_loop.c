@@ -55,7 +55,7 @@ static bool touches(const struct ts_row_task *task, const struct ts_row_block *b
 	size_t i = (size_t)near->i, j = (size_t)near->j;
 	double d[3], sum = p->radius[i] + p->radius[j];
 
-	if (task->pair->model_offset)
+	if (task->pair->sticks)
 		sum += beyond(task, block, at);
 	return ts_row_distance2(p, i, j, d) < sum * sum;
 }
@@ -131,7 +131,7 @@ enum ts_status ts_row_loop(struct tsim *sim, const struct ts_pair *pair, ts_shar
 	struct ts_row_walk walk = { force_share, gather_share, &loop, rows->sets };
 
 	ts_rows_place(sim, rows);
-	rows->all = pair->model_offset != 0; /* laws that pull beyond touch */
+	rows->all = pair->sticks; /* they pull beyond touch */
 	TS_TRY(ts_rows_prepare(sim, rows, sim->complete));
 	loop.gather = ts_rows_gatherer(rows);
 	rows->unsettled = rows->history_width > 0;

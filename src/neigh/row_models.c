@@ -24,7 +24,8 @@ TS_UNROLLED
 	}
 TS_GRANULAR_MODELS(LOOP)
 
-ts_share_fn *ts_row_share_of(const struct ts_granular_model *m, bool generic)
+/* The loop of its own that a model has, or NULL. */
+static ts_share_fn *share_of_model(const struct ts_granular_model *m)
 {
 	static const struct {
 		const struct ts_granular_model *model;
@@ -34,8 +35,31 @@ ts_share_fn *ts_row_share_of(const struct ts_granular_model *m, bool generic)
 		TS_GRANULAR_MODELS(ENTRY)
 	};
 
-	for (size_t k = 0; k < sizeof fast / sizeof *fast && !generic; k++)
+	for (size_t k = 0; k < sizeof fast / sizeof *fast; k++)
 		if (ts_granular_same_model(m, fast[k].model))
 			return fast[k].share;
-	return ts_stages_for(m) && !generic ? ts_row_share_staged : ts_row_share_generic;
+	return NULL;
+}
+
+/* Whether each model that the pair has for two types has stages. */
+static bool staged(const struct ts_pair *pair)
+{
+	bool all = ts_stages_for(&pair->model);
+
+	for (int a = 1; pair->model_offset && a <= pair->ntypes; a++)
+		for (int b = a; b <= pair->ntypes; b++) {
+			const struct ts_granular_model *m = ts_pair_model(pair, a, b);
+
+			all &= !m->normal || ts_stages_for(m); /* without a law: not given */
+		}
+	return all;
+}
+
+ts_share_fn *ts_row_share_of(const struct ts_pair *pair, bool generic)
+{
+	ts_share_fn *own = pair->sticks ? NULL : share_of_model(&pair->model);
+
+	if (own && !generic)
+		return own;
+	return staged(pair) && !generic ? ts_row_share_staged : ts_row_share_generic;
 }

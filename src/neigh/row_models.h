@@ -1,11 +1,12 @@
-/* The models that most scenes have, each with a loop over contact rows of its own. */
+/* Which loop over contact rows there is for a model. */
 #ifndef TS_NEIGH_ROW_MODELS_H
 #define TS_NEIGH_ROW_MODELS_H
 
 #include "base/parallel.h"
-#include "law/granular.h"
+#include "neigh/pair.h"
 
-/* The loop for a model; the generic one where there is no faster, or where it is wanted (`generic`). */
-ts_share_fn *ts_row_share_of(const struct ts_granular_model *m, bool generic);
+/* That of the pair's model, or by its stages (law_stages.h); the generic one where there is no faster, or where it is
+ * wanted (`generic`). */
+ts_share_fn *ts_row_share_of(const struct ts_pair *pair, bool generic);
 
 #endif

@@ -67,7 +67,7 @@ static enum ts_status force(struct ts_instance *self, struct tsim *sim)
 {
 	const struct gran *g = self->state;
 
-	return ts_row_loop(sim, &g->pair, ts_row_share_of(&g->pair.model, g->generic));
+	return ts_row_loop(sim, &g->pair, ts_row_share_of(&g->pair, g->generic));
 }
 
 /* What granular codes go by, where the laws know the material. */

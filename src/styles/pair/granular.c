@@ -3,6 +3,7 @@
 #include "neigh/gran_coeff.h"
 #include "neigh/pair.h"
 #include "neigh/row_loop.h"
+#include "neigh/row_models.h"
 
 #include "base/banned.h"
 
@@ -45,6 +46,7 @@ static void fit_memory(struct ts_pair *pair)
 	const struct ts_gran_coeff *first = NULL;
 	bool differ = false;
 
+	pair->sticks = false;
 	for (int a = 1; a <= pair->ntypes; a++)
 		for (int b = a; b <= pair->ntypes; b++) {
 			const struct ts_gran_coeff *c = entry_of(pair, a, b);
@@ -52,6 +54,7 @@ static void fit_memory(struct ts_pair *pair)
 			if (!c->model.normal)
 				continue;
 			differ |= first && !ts_gran_coeff_alike(first, c);
+			pair->sticks |= ts_normal_sticks(&c->model);
 			first = first ? first : c;
 		}
 	if (first)
@@ -81,7 +84,9 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 static enum ts_status force(struct ts_instance *self, struct tsim *sim)
 {
-	return ts_row_loop(sim, self->state, ts_row_share_generic);
+	const struct ts_pair *pair = self->state;
+
+	return ts_row_loop(sim, pair, ts_row_share_of(pair, false));
 }
 
 static const struct ts_arg args[] = {

@@ -43,7 +43,7 @@ static enum ts_status force(struct ts_instance *self, struct tsim *sim)
 {
 	const struct spring_dashpot *s = self->state;
 
-	return ts_row_loop(sim, &s->pair, ts_row_share_of(&s->pair.model, s->generic));
+	return ts_row_loop(sim, &s->pair, ts_row_share_of(&s->pair, s->generic));
 }
 
 static const struct ts_arg args[] = {
