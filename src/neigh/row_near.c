@@ -95,21 +95,23 @@ bool ts_rows_outdated(const struct ts_rows *rows)
 
 /* ---- which rows are near */
 
-/* Rows are sorted by laws so many at a time. */
-enum { GROUP = 512 };
+/* Rows are sorted by laws so many at a time for each law, that blocks are full; at most GROUP. */
+enum { ALIKE = 512, GROUP = 4096 };
 
 struct choice {
 	struct ts_rows *rows;
 	const struct ts_particles *p;
 	size_t kinds; /* of pairs of types */
+	size_t group;
 };
 
 /* The next near ones of the rows *r .. end-1; those that touched are looked at once more. */
-static size_t collect(const struct ts_rows *rows, size_t *r, size_t end, uint32_t *list)
+static size_t collect(const struct choice *c, size_t *r, size_t end, uint32_t *list)
 {
+	const struct ts_rows *rows = c->rows;
 	size_t n = 0, k = *r;
 
-	for (; k < end && n < GROUP; k++) {
+	for (; k < end && n < c->group; k++) {
 		const double *a = rows->sphere[rows->i[k]].place, *b = rows->sphere[rows->j[k]].place;
 		double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2], reach = a[3] + b[3] + rows->gap;
 
@@ -121,17 +123,19 @@ static size_t collect(const struct ts_rows *rows, size_t *r, size_t end, uint32_
 	return n;
 }
 
-/* Brings those of the listed rows whose partners are of types a and b to the front; returns how many. */
+/* Brings those of the listed rows whose partners are of these types to the front; returns how many. Which partner is of
+ * which type is all the same to the laws. */
 static size_t alike(const struct choice *c, const int32_t type[2], uint32_t *list, size_t n)
 {
 	size_t same = 0;
 
 	for (size_t k = 0; k < n; k++) {
 		uint32_t r = list[k];
+		int32_t i = c->p->type[c->rows->i[r]], j = c->p->type[c->rows->j[r]];
 
 		list[k] = list[same];
 		list[same] = r;
-		same += c->p->type[c->rows->i[r]] == type[0] && c->p->type[c->rows->j[r]] == type[1];
+		same += (i == type[0] && j == type[1]) || (i == type[1] && j == type[0]);
 	}
 	return same;
 }
@@ -195,7 +199,7 @@ static void choose(const struct choice *c, size_t share)
 
 	ts_row_range(rows, share, &r, &end);
 	while (r < end) {
-		size_t n = collect(rows, &r, end, list);
+		size_t n = collect(c, &r, end, list);
 
 		for (size_t k = 0, some; k < n; k += some) {
 			int32_t type[2] = { c->p->type[rows->i[list[k]]], c->p->type[rows->j[list[k]]] };
@@ -219,7 +223,7 @@ static void choose_shares(void *context, size_t from, size_t to)
 static enum ts_status spread(const struct choice *c)
 {
 	struct ts_rows *rows = c->rows;
-	size_t most = c->kinds < GROUP ? c->kinds : GROUP, blocks = 0;
+	size_t most = c->kinds < c->group ? c->kinds : c->group, blocks = 0;
 
 	TS_TRY(TS_RENEW(rows->span, rows->span_capacity, (size_t)rows->shares));
 	for (size_t k = 0; k < (size_t)rows->shares; k++) {
@@ -227,7 +231,7 @@ static enum ts_status spread(const struct choice *c)
 
 		ts_row_range(rows, k, &from, &to);
 		rows->span[k] = (struct ts_row_span){ from, from, blocks, blocks };
-		blocks += (to - from) / ACTIVE + ((to - from) / GROUP + 1) * most + TS_ROW_AHEAD;
+		blocks += (to - from) / ACTIVE + ((to - from) / c->group + 1) * most + TS_ROW_AHEAD;
 	}
 	TS_TRY(TS_RENEW(rows->near, rows->near_capacity, rows->n));
 	TS_TRY(TS_RENEW(rows->at, rows->at_capacity, rows->n));
@@ -249,8 +253,9 @@ static double choose_gap(const struct tsim *sim, const struct ts_rows *rows)
 enum ts_status ts_rows_choose(struct tsim *sim, struct ts_rows *rows)
 {
 	size_t ntypes = (size_t)sim->particles->ntypes;
-	struct choice c = { rows, sim->particles, ntypes * ntypes };
+	struct choice c = { rows, sim->particles, ntypes * (ntypes + 1) / 2, 0 };
 
+	c.group = c.kinds * ALIKE < GROUP ? c.kinds * ALIKE : GROUP;
 	rows->gap = choose_gap(sim, rows);
 	rows->travelled = 0;
 	if (spread(&c) != TS_OK)
