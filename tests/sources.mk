@@ -160,6 +160,7 @@ unit_tests = \
 	tests/check_insertion \
 	tests/check_io \
 	tests/check_law \
+	tests/check_law_stages \
 	tests/check_leaving \
 	tests/check_library \
 	tests/check_library_steps \
@@ -290,6 +291,10 @@ tests_check_io_LDADD = $(tests_ldadd)
 tests_check_law_SOURCES = tests/check_law.c $(tests_common)
 tests_check_law_CFLAGS = $(tests_cflags)
 tests_check_law_LDADD = $(tests_ldadd)
+
+tests_check_law_stages_SOURCES = tests/check_law_stages.c $(tests_common)
+tests_check_law_stages_CFLAGS = $(tests_cflags)
+tests_check_law_stages_LDADD = $(tests_ldadd)
 
 tests_check_leaving_SOURCES = tests/check_leaving.c $(tests_common)
 tests_check_leaving_CFLAGS = $(tests_cflags)
