@@ -79,7 +79,7 @@ static void draw_ends(struct ts_row_ends *e, bool touches)
 struct pairs {
 	struct ts_stages s;
 	struct ts_touch touch[N];
-	double radius[2][TS_COLUMN], mass[2][TS_COLUMN], stiffness[TS_COLUMN];
+	double radius[2][TS_COLUMN], mass[2][TS_COLUMN];
 	double column[TS_GRANULAR_MEMORY][TS_COLUMN], memory[N][TS_GRANULAR_MEMORY], *at[TS_GRANULAR_MEMORY];
 	long long marks[TS_COLUMN];
 };
@@ -94,7 +94,6 @@ static void draw_pairs(struct pairs *p, const struct ts_granular_model *m)
 		ts_ends_touch(&e, m, &p->touch[k]);
 		ts_stages_note_touch(&p->s, (size_t)k, m, &p->touch[k]);
 		p->marks[k] = -(long long)touches;
-		p->stiffness[k] = ts_hooke_stiffness(&law, &p->touch[k]);
 		for (int j = 0; j < 2; j++) {
 			p->radius[j][k] = e.radius[j];
 			p->mass[j][k] = e.mass[j];
@@ -109,7 +108,6 @@ static void draw_pairs(struct pairs *p, const struct ts_granular_model *m)
 	}
 	for (int c = 0; c < TS_GRANULAR_MEMORY; c++)
 		p->at[c] = p->column[c];
-	p->s.stiffness = p->stiffness;
 	p->s.memory = p->at;
 	p->s.touch = p->marks;
 	p->s.wall = false;
@@ -260,8 +258,6 @@ START_TEST(which_have_none)
 	m.located = true;
 	ck_assert(!ts_stages_for(&m));
 	m = (struct ts_granular_model){ .normal = TS_NORMAL_HOOKE, .viscous = true };
-	ck_assert(!ts_stages_for(&m));
-	m = (struct ts_granular_model){ .normal = TS_NORMAL_AREA_JKR };
 	ck_assert(!ts_stages_for(&m));
 }
 END_TEST

@@ -42,12 +42,6 @@ TS_INLINE double ts_hooke_stiffness(const struct ts_granular_pair *c, const stru
 	return 16.0 / 15.0 * a * pow(15.0 / 16.0 * t->m_eff * c->velocity * c->velocity / a, 0.2);
 }
 
-/* It has a fifth root in it: a loop over contacts computes it once for those of the same bodies. */
-TS_INLINE bool ts_normal_knows_stiffness(const struct ts_granular_model *m)
-{
-	return m->normal == TS_NORMAL_HOOKE || m->normal == TS_NORMAL_HOOKE_HYSTERESIS;
-}
-
 TS_INLINE double ts_hooke_damping(double kn, double mass, double log_restitution)
 {
 	double l2 = log_restitution * log_restitution;
@@ -71,7 +65,7 @@ TS_INLINE void ts_normal_hooke(const struct ts_granular_model *m,
 {
 	double log_e = m->viscous ? ts_viscous_log_restitution(c, t) : c->log_restitution;
 
-	f->kn = m->stiffness_known ? t->stiffness : ts_hooke_stiffness(c, t);
+	f->kn = m->solved ? t->solved : ts_hooke_stiffness(c, t);
 	f->kt = m->tangential_stiffness_2_7 ? 0.285714286 * f->kn : f->kn;
 	f->gamman = f->gammat = ts_hooke_damping(f->kn, t->m_eff, log_e);
 }

@@ -67,22 +67,43 @@ TS_INLINE double ts_jkr_reach(const struct ts_granular_pair *c, double r_eff)
 
 /* The larger root a of delta = a^2/R - 2 sqrt(pi w a/E). With s = sqrt(a) that is a root of the convex
  * s^4 - c s - R delta; Newton's method from above comes down to it without fail. */
+struct ts_jkr_root {
+	double slope, target; /* c, R delta */
+	double s;
+};
+
+TS_INLINE double ts_jkr_slope(const struct ts_granular_pair *c, double r_eff)
+{
+	return 2 * r_eff * sqrt(TS_PI * c->surface_energy / ts_jkr_modulus(c));
+}
+
+/* From above; `root`: the third root of c. */
+TS_INLINE void ts_jkr_start(struct ts_jkr_root *r, double slope, double root, double target)
+{
+	*r = (struct ts_jkr_root){ slope, target, root + sqrt(sqrt(target > 0 ? target : 0)) };
+}
+
+/* Whether it has come nearer; without branches, so that several contacts are computed at once. */
+TS_INLINE bool ts_jkr_step(struct ts_jkr_root *r)
+{
+	double s = r->s, s3 = s * s * s, steep = 4 * s3 - r->slope;
+	double next = s - (s3 * s - r->slope * s - r->target) / steep;
+	bool nearer = (steep > 0) & (next < s);
+
+	r->s = nearer ? next : s;
+	return nearer;
+}
+
+enum { TS_JKR_STEPS = 100 }; /* never */
 TS_INLINE double ts_jkr_radius(const struct ts_granular_pair *c, double r_eff, double delta)
 {
-	double slope = 2 * r_eff * sqrt(TS_PI * c->surface_energy / ts_jkr_modulus(c));
-	double target = r_eff * delta, s = cbrt(slope) + sqrt(sqrt(fmax(target, 0))), next;
+	double slope = ts_jkr_slope(c, r_eff);
+	struct ts_jkr_root r;
 
-	for (int k = 0; k < 100; k++) {
-		double s3 = s * s * s, steep = 4 * s3 - slope;
-
-		if (!(steep > 0))
-			break;
-		next = s - (s3 * s - slope * s - target) / steep;
-		if (!(next < s))
-			break;
-		s = next;
-	}
-	return s * s;
+	ts_jkr_start(&r, slope, cbrt(slope), r_eff * delta);
+	for (int k = 0; k < TS_JKR_STEPS && ts_jkr_step(&r); k++)
+		;
+	return r.s * r.s;
 }
 
 TS_INLINE double ts_damping_factor(const struct ts_granular_model *m, const struct ts_touch *t,
@@ -101,8 +122,10 @@ TS_INLINE void ts_normal_area(const struct ts_granular_model *m, const struct ts
 				  const struct ts_touch *t, struct ts_normal *f)
 {
 	*f = (struct ts_normal){ .kn = c->kn, .kt = c->kt };
-	f->area = m->normal == TS_NORMAL_AREA_JKR ? ts_jkr_radius(c, t->r_eff, t->overlap)
-						  : sqrt(t->r_eff * t->overlap);
+	if (m->normal == TS_NORMAL_AREA_JKR)
+		f->area = m->solved ? t->solved : ts_jkr_radius(c, t->r_eff, t->overlap);
+	else
+		f->area = sqrt(t->r_eff * t->overlap);
 	if (m->normal != TS_NORMAL_AREA_HOOKE)
 		f->kn *= f->area;
 	if (m->tangential >= TS_TANGENTIAL_MINDLIN)

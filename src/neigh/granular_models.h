@@ -11,8 +11,6 @@
 	M(hertz_history_located, .normal = TS_NORMAL_HERTZ, .tangential = TS_TANGENTIAL_HISTORY,   \
 	  .located = true)                                                                         \
 	M(hertz_history, .normal = TS_NORMAL_HERTZ, .tangential = TS_TANGENTIAL_HISTORY)           \
-	M(hooke_history, .normal = TS_NORMAL_HOOKE, .tangential = TS_TANGENTIAL_HISTORY,           \
-	  .stiffness_known = true)                                                                 \
 	M(hooke_stiffness_history, .normal = TS_NORMAL_HOOKE_STIFFNESS,                            \
 	  .tangential = TS_TANGENTIAL_HISTORY)                                                     \
 	M(hooke_stiffness_history_absolute, .normal = TS_NORMAL_HOOKE_STIFFNESS,                   \

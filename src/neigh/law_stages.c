@@ -11,7 +11,7 @@ struct tools {
 	const struct ts_granular_pair *law;
 	double dt;
 	double *memory[3], *area; /* the columns of what the stage remembers */
-	const double *radius[2], *mass[2], *stiffness;
+	const double *radius[2], *mass[2];
 	const long long *touch;
 	bool wall;
 };
@@ -31,7 +31,7 @@ TS_INLINE void load_touch(const struct ts_stages *s, size_t k, const struct tool
 		.slip = { s->slip[0][k], s->slip[1][k], s->slip[2][k] },
 		.roll = { s->roll[0][k], s->roll[1][k], s->roll[2][k] },
 		.spin = { s->spin[0][k], s->spin[1][k], s->spin[2][k] },
-		.stiffness = o->stiffness[k],
+		.solved = s->solved[k],
 		.wall = o->wall,
 	};
 }
@@ -137,6 +137,86 @@ TS_INLINE void twisting_at(struct ts_stages *s, size_t k, const struct tools *o)
 	note(o, o->memory, 1, k, &phi);
 }
 
+/* ---- what is computed once for contacts of the same bodies, or by iteration */
+
+/* The stiffness of hooke has a fifth root in it. */
+static void solve_hooke(struct ts_stages *s, size_t n, const struct ts_granular_pair *law)
+{
+	const double *r = s->r_eff, *m = s->m_eff;
+
+	for (size_t k = 0; k < n; k++) {
+		bool same = k && r[k] == r[k - 1] && m[k] == m[k - 1];
+
+		s->solved[k] = same ? s->solved[k - 1]
+				    : ts_hooke_stiffness(law, &(struct ts_touch){ .r_eff = r[k], .m_eff = m[k] });
+	}
+}
+
+/* The columns of struct ts_jkr_root. */
+struct roots {
+	double slope[TS_COLUMN], root[TS_COLUMN], s[TS_COLUMN], target[TS_COLUMN];
+};
+
+TS_INLINE void start_at(struct roots *q, size_t k)
+{
+	struct ts_jkr_root r;
+
+	ts_jkr_start(&r, q->slope[k], q->root[k], q->target[k]);
+	q->s[k] = r.s;
+}
+
+TS_INLINE int step_at(struct roots *q, size_t k)
+{
+	struct ts_jkr_root r = { q->slope[k], q->target[k], q->s[k] };
+	int nearer = ts_jkr_step(&r);
+
+	q->s[k] = r.s;
+	return nearer;
+}
+
+TS_CLONES static void start_roots(struct roots *q, size_t n)
+{
+#pragma omp simd
+	for (size_t k = 0; k < n; k++)
+		start_at(q, k);
+}
+
+TS_CLONES static int step_roots(struct roots *q, size_t n)
+{
+	int nearer = 0;
+
+#pragma omp simd reduction(| : nearer)
+	for (size_t k = 0; k < n; k++)
+		nearer |= step_at(q, k);
+	return nearer;
+}
+
+/* The radius of the contact area. */
+static void solve_jkr(struct ts_stages *s, size_t n, const struct ts_granular_pair *law)
+{
+	struct roots q;
+
+	for (size_t k = 0; k < n; k++) {
+		bool same = k && s->r_eff[k] == s->r_eff[k - 1];
+
+		q.slope[k] = same ? q.slope[k - 1] : ts_jkr_slope(law, s->r_eff[k]);
+		q.root[k] = same ? q.root[k - 1] : cbrt(q.slope[k]);
+		q.target[k] = s->r_eff[k] * s->overlap[k];
+	}
+	start_roots(&q, n);
+	for (int step = 0; step < TS_JKR_STEPS && step_roots(&q, n); step++)
+		;
+	for (size_t k = 0; k < n; k++)
+		s->solved[k] = q.s[k] * q.s[k];
+}
+
+/* Surfaces have met. */
+static void meet(struct ts_stages *s, size_t n, double *met)
+{
+	for (size_t k = 0; k < n; k++)
+		met[k] = s->touch[k] ? 1 : met[k];
+}
+
 /* ---- the loops: each has a constant law, which leaves of the functions only what it needs, and some flags of the model */
 
 typedef void stage_fn(struct ts_stages *restrict s, size_t n, const struct ts_granular_model *restrict m,
@@ -151,7 +231,7 @@ typedef void stage_fn(struct ts_stages *restrict s, size_t n, const struct ts_gr
 		const struct tools tools = {                                                                 \
 			&own, law, dt, { memory[0], memory[1], memory[2] },                                  \
 			s->memory[ts_granular_area_at(m)], { s->radius[0], s->radius[1] },                   \
-			{ s->mass[0], s->mass[1] }, s->stiffness, s->touch, (is_wall)                        \
+			{ s->mass[0], s->mass[1] }, s->touch, (is_wall)                                      \
 		};                                                                                           \
                                                                                                              \
 		if (!(dt > 0)) /* never; but so the compiler knows */                                        \
@@ -161,7 +241,7 @@ typedef void stage_fn(struct ts_stages *restrict s, size_t n, const struct ts_gr
 
 #define NORMAL(name, law)                                                                                    \
 	STAGE(name, normal_at, ts_granular_depth_at(m), false, .normal = (law),                                     \
-	      .stiffness_known = (law) == TS_NORMAL_HOOKE || (law) == TS_NORMAL_HOOKE_HYSTERESIS,            \
+	      .solved = true,                                                                                \
 	      .damping = m->damping, .tangential = m->tangential, .no_tension = m->no_tension,               \
 	      .no_tangential_damping = m->no_tangential_damping, .absolute_damping = m->absolute_damping,    \
 	      .tangential_stiffness_2_7 = m->tangential_stiffness_2_7)
@@ -174,6 +254,7 @@ NORMAL(hooke_hysteresis, TS_NORMAL_HOOKE_HYSTERESIS)
 NORMAL(area_hooke, TS_NORMAL_AREA_HOOKE)
 NORMAL(area_hertz, TS_NORMAL_AREA_HERTZ)
 NORMAL(area_dmt, TS_NORMAL_AREA_DMT)
+NORMAL(area_jkr, TS_NORMAL_AREA_JKR)
 
 #define COHESION(name, law)                                                                                  \
 	STAGE(name, cohesion_at, 0, false, .cohesion = (law), .reduce = m->reduce)                           \
@@ -221,6 +302,13 @@ static stage_fn *const normals[TS_NNORMAL] = {
 	[TS_NORMAL_AREA_HOOKE] = area_hooke,
 	[TS_NORMAL_AREA_HERTZ] = area_hertz,
 	[TS_NORMAL_AREA_DMT] = area_dmt,
+	[TS_NORMAL_AREA_JKR] = area_jkr,
+};
+typedef void solve_fn(struct ts_stages *s, size_t n, const struct ts_granular_pair *law);
+static solve_fn *const solvers[TS_NNORMAL] = {
+	[TS_NORMAL_HOOKE] = solve_hooke,
+	[TS_NORMAL_HOOKE_HYSTERESIS] = solve_hooke,
+	[TS_NORMAL_AREA_JKR] = solve_jkr,
 };
 static stage_fn *const cohesions[][2] = {
 	[TS_COHESION_SJKR] = { sjkr, sjkr_wall },
@@ -252,7 +340,11 @@ bool ts_stages_for(const struct ts_granular_model *m)
 void ts_stages_work(struct ts_stages *s, size_t n, const struct ts_granular_model *m, const struct ts_granular_pair *law,
 		    double dt)
 {
+	if (solvers[m->normal])
+		solvers[m->normal](s, n, law);
 	normals[m->normal](s, n, m, law, dt);
+	if (ts_normal_sticks(m))
+		meet(s, n, s->memory[ts_granular_met_at(m)]);
 	if (m->cohesion)
 		cohesions[m->cohesion][s->wall](s, n, m, law, dt);
 	tangentials[m->tangential](s, n, m, law, dt);

@@ -12,7 +12,6 @@
 struct ts_stages {
 	/* given */
 	const double *radius[2], *mass[2]; /* of i and j; at a wall [1] is not looked at */
-	const double *stiffness;	   /* of hooke */
 	double *const *memory;		   /* columns of what contacts remember, which advances */
 	const long long *touch;		   /* 0: do not touch, and remember what they did; else all bits are set */
 	bool wall;
@@ -23,13 +22,14 @@ struct ts_stages {
 	double vn[TS_COLUMN], slip[3][TS_COLUMN], roll[3][TS_COLUMN], spin[3][TS_COLUMN];
 
 	/* what stages leave to those that follow */
+	double solved[TS_COLUMN];
 	double kn[TS_COLUMN], kt[TS_COLUMN], gamman[TS_COLUMN], gammat[TS_COLUMN], area[TS_COLUMN];
 	double normal[TS_COLUMN], limit[TS_COLUMN];
 	double tangential[3][TS_COLUMN], rolling[3][TS_COLUMN], twist[TS_COLUMN];
 } __attribute__((aligned(64)));
 
-/* Whether there are stages for all laws of the model: not for contacts that are located, nor for those that stick beyond
- * their touch, nor for restitution by the Stokes number. */
+/* Whether there are stages for all laws of the model: not for contacts that are located, nor for restitution by the
+ * Stokes number. */
 bool ts_stages_for(const struct ts_granular_model *m);
 
 /* Contacts 0 .. n-1, n whole vectors; the time step is positive. */

@@ -10,7 +10,7 @@
 struct ts_batch {
 	/* the ends, see struct ts_row_ends; the fourth columns: nothing, 1/m_i + 1/m_j, radius of i, of j */
 	double d[4][TS_COLUMN], v[4][TS_COLUMN], omega[2][4][TS_COLUMN];
-	double mass[2][TS_COLUMN], stiffness[TS_COLUMN];
+	double mass[2][TS_COLUMN];
 	/* the results, zero for rows that do not touch; those that do have all bits set in touch */
 	long long touch[TS_COLUMN];
 	double force[4][TS_COLUMN], turn[3][TS_COLUMN], roll[3][TS_COLUMN];
@@ -48,20 +48,6 @@ TS_INLINE void ts_batch_load(const struct ts_particles *p, const struct ts_rows 
 	ts_four_columns(wj, b->omega[1], at);
 }
 
-/* The stiffness of hooke: computed anew only for partners of other size or mass than those before. */
-TS_INLINE void ts_batch_stiffness(const struct ts_granular_model *m, const struct ts_granular_pair *law,
-				  size_t n, struct ts_batch *b)
-{
-	const double *a = b->omega[0][3], *c = b->omega[1][3];
-
-	for (size_t k = 0; ts_normal_knows_stiffness(m) && k < n; k++) {
-		struct ts_touch t = { .r_eff = a[k] * c[k] / (a[k] + c[k]), .m_eff = 1 / b->v[3][k] };
-		bool same = k && a[k] == a[k - 1] && c[k] == c[k - 1] && b->v[3][k] == b->v[3][k - 1];
-
-		b->stiffness[k] = same ? b->stiffness[k - 1] : ts_hooke_stiffness(law, &t);
-	}
-}
-
 TS_INLINE void ts_batch_ends(const struct ts_batch *b, size_t k, struct ts_row_ends *e)
 {
 	*e = (struct ts_row_ends){
@@ -75,9 +61,10 @@ TS_INLINE void ts_batch_ends(const struct ts_batch *b, size_t k, struct ts_row_e
 	};
 }
 
-TS_INLINE bool ts_batch_touches(const struct ts_row_ends *e)
+/* Whether they touch, or are so near that they pull beyond it. */
+TS_INLINE bool ts_ends_within(const struct ts_row_ends *e, double beyond)
 {
-	double sum = e->radius[0] + e->radius[1];
+	double sum = e->radius[0] + e->radius[1] + beyond;
 
 	return ts_dot(e->d, e->d) < sum * sum;
 }
@@ -96,10 +83,8 @@ TS_INLINE void ts_batch_contact(struct ts_batch *b, size_t k, const struct ts_gr
 	for (int c = 0; c < ts_granular_memory(m); c++)
 		memory[c] = b->memory[c][k];
 	ts_ends_touch(&e, m, &t);
-	if (m->stiffness_known)
-		t.stiffness = b->stiffness[k];
 	ts_granular_contact(m, law, &t, dt, true, memory, &f);
-	touches = ts_batch_touches(&e);
+	touches = ts_ends_within(&e, 0);
 	for (int c = 0; c < ts_granular_memory(m); c++) /* what has parted may have to remember what it did */
 		b->memory[c][k] = touches ? memory[c] : b->memory[c][k];
 	b->touch[k] = -(long long)touches;
@@ -295,13 +280,12 @@ TS_INLINE uint64_t ts_batch_work(const struct ts_row_task *task, const struct ts
 	for (size_t at = 0; at < whole; at += 4)
 		ts_batch_load(p, rows, m, near + at, at, &b);
 	for (size_t at = whole; at < n; at += 4)
-		ts_batch_load(p, rows, m, tail + at - whole, at, &b);
-	ts_batch_stiffness(m, law, n, &b);
+		ts_batch_load(p, rows, m, &tail[at - whole], at, &b);
 	contacts(&b, n, m, law, task->dt);
 	for (size_t at = 0; at < whole; at += 4)
 		ts_batch_store(&b, parts, near + at, at, rows);
 	for (size_t at = whole; at < n; at += 4)
-		ts_batch_store(&b, parts, tail + at - whole, at, rows);
+		ts_batch_store(&b, parts, &tail[at - whole], at, rows);
 	return ts_batch_bits(b.touch, some);
 }
 

@@ -108,7 +108,7 @@ TS_INLINE void ts_ends_touch(const struct ts_row_ends *e, const struct ts_granul
 	double inverse = distance > 0 ? 1 / distance : 0;
 
 	t->wall = false;
-	t->stiffness = 0; /* not known */
+	t->solved = 0; /* not known */
 	t->distance = distance;
 	t->radius[0] = e->radius[0];
 	t->radius[1] = e->radius[1];

@@ -16,7 +16,7 @@ TS_INLINE void touch_at(struct ts_batch *b, struct ts_stages *s, size_t k, const
 	ts_batch_ends(b, k, &e);
 	ts_ends_touch(&e, m, &t);
 	ts_stages_note_touch(s, k, m, &t);
-	b->touch[k] = -(long long)ts_batch_touches(&e);
+	b->touch[k] = -(long long)ts_ends_within(&e, 0);
 }
 
 TS_INLINE void finish_at(struct ts_batch *b, const struct ts_stages *s, size_t k, bool twists)
@@ -30,6 +30,25 @@ TS_INLINE void finish_at(struct ts_batch *b, const struct ts_stages *s, size_t k
 		b->roll[c][k] = b->touch[k] ? f.roll[c] : 0;
 	}
 	b->force[3][k] = b->touch[k] ? s->less[k] : 0;
+}
+
+/* Surfaces that have met pull beyond their touch: so do the few that have just come apart. */
+static void stick(struct ts_batch *b, const struct ts_stages *s, size_t n, const struct ts_granular_model *m,
+		  const struct ts_granular_pair *law)
+{
+	int memories = ts_granular_memory(m);
+
+	for (size_t k = 0; k < n; k++) {
+		double memory[TS_GRANULAR_MEMORY];
+		struct ts_row_ends e;
+
+		if (b->touch[k])
+			continue;
+		for (int c = 0; c < memories; c++)
+			memory[c] = b->memory[c][k];
+		ts_batch_ends(b, k, &e);
+		b->touch[k] = -(long long)ts_ends_within(&e, ts_granular_beyond(m, law, s->r_eff[k], memory));
+	}
 }
 
 typedef void touch_fn(struct ts_batch *restrict b, struct ts_stages *restrict s, size_t n);
@@ -64,11 +83,12 @@ static void contacts(struct ts_batch *b, size_t n, const struct ts_granular_mode
 	s.radius[1] = b->omega[1][3];
 	s.mass[0] = b->mass[0];
 	s.mass[1] = b->mass[1];
-	s.stiffness = b->stiffness;
 	s.memory = memory;
 	s.touch = b->touch;
 	s.wall = false;
 	touches[m->full_arms][m->full_slip](b, &s, n);
+	if (ts_normal_sticks(m))
+		stick(b, &s, n, m, law);
 	ts_stages_work(&s, n, m, law, dt);
 	(m->twisting ? finish_twist : finish)(b, &s, n);
 }

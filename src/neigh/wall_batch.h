@@ -40,7 +40,7 @@ TS_INLINE void ts_wall_ends_touch(const struct ts_wall_ends *e, const struct ts_
 struct ts_wall_batch {
 	/* the ends; the fourth columns: distance, mass, radius */
 	double n[4][TS_COLUMN], v[4][TS_COLUMN], omega[4][TS_COLUMN];
-	double curvature[TS_COLUMN], stiffness[TS_COLUMN];
+	double curvature[TS_COLUMN];
 	double memory[TS_GRANULAR_MEMORY][TS_COLUMN];
 	/* the results; the fourth columns: overlap, R*, 0 */
 	double force[4][TS_COLUMN], torque[4][TS_COLUMN], roll[4][TS_COLUMN];
@@ -79,8 +79,6 @@ TS_INLINE void ts_wall_batch_contact(struct ts_wall_batch *b, size_t k, const st
 	for (int c = 0; c < ts_granular_memory(m); c++)
 		memory[c] = b->memory[c][k];
 	ts_wall_ends_touch(&e, m, &t);
-	if (m->stiffness_known)
-		t.stiffness = b->stiffness[k];
 	ts_granular_contact(m, law, &t, dt, true, memory, &f);
 	for (int c = 0; c < ts_granular_memory(m); c++)
 		b->memory[c][k] = memory[c];
@@ -94,26 +92,11 @@ TS_INLINE void ts_wall_batch_contact(struct ts_wall_batch *b, size_t k, const st
 	b->roll[3][k] = 0;
 }
 
-/* The stiffness of hooke: computed anew only for particles of other size or mass than those before. */
-TS_INLINE void ts_wall_batch_stiffness(struct ts_wall_batch *b, size_t n, const struct ts_granular_pair *law)
-{
-	for (size_t k = 0; k < n; k++) {
-		double r_eff = ts_wall_effective_radius(b->omega[3][k], b->curvature[k]), m_eff = b->v[3][k];
-		bool same = k && m_eff == b->v[3][k - 1] && b->omega[3][k] == b->omega[3][k - 1] &&
-			    b->curvature[k] == b->curvature[k - 1];
-
-		b->stiffness[k] = same ? b->stiffness[k - 1]
-				       : ts_hooke_stiffness(law, &(struct ts_touch){ .r_eff = r_eff, .m_eff = m_eff });
-	}
-}
-
 TS_INLINE void ts_wall_batch_contacts(struct ts_wall_batch *restrict b, size_t n, const struct ts_granular_model *m,
 				      const struct ts_granular_pair *restrict law, double dt)
 {
 	if (!(dt > 0)) /* never; but so the compiler knows */
 		return;
-	if (ts_normal_knows_stiffness(m))
-		ts_wall_batch_stiffness(b, n, law);
 #pragma omp simd
 	for (size_t k = 0; k < n; k++)
 		ts_wall_batch_contact(b, k, m, law, dt);

@@ -64,11 +64,8 @@ void ts_wall_staged(struct ts_wall_batch *b, size_t n, const struct ts_granular_
 	memset(touch, -1, sizeof touch); /* all do */
 	for (int c = 0; c < TS_GRANULAR_MEMORY; c++)
 		memory[c] = b->memory[c];
-	if (ts_normal_knows_stiffness(m))
-		ts_wall_batch_stiffness(b, n, law);
 	s.radius[0] = s.radius[1] = b->omega[3];
 	s.mass[0] = s.mass[1] = b->v[3];
-	s.stiffness = b->stiffness;
 	s.memory = memory;
 	s.touch = touch;
 	s.wall = true;
