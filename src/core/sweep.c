@@ -8,7 +8,7 @@
 #include "base/banned.h"
 
 /* Particles at a time: their columns fit into the cache nearest to a core, with room for what is sent for. */
-enum { SOME = 128 };
+enum { SOME = 32 };
 
 static void share(void *context, size_t from, size_t to)
 {

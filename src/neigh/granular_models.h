@@ -1,5 +1,5 @@
 /* The most frequent models, whose loops over contacts are compiled as a whole, TS_GRANULAR_MODELS(M) writes M(name, model)
- * for each: a few per cent faster than laws in stages (law_stages.h), which all others have; but contacts that are
+ * for each: somewhat faster than laws in stages (law_stages.h), which all others have; but contacts that are
  * located have no stages. */
 #ifndef TS_NEIGH_GRANULAR_MODELS_H
 #define TS_NEIGH_GRANULAR_MODELS_H
@@ -13,6 +13,8 @@
 	M(hertz_history, .normal = TS_NORMAL_HERTZ, .tangential = TS_TANGENTIAL_HISTORY)           \
 	M(hooke_stiffness_history, .normal = TS_NORMAL_HOOKE_STIFFNESS,                            \
 	  .tangential = TS_TANGENTIAL_HISTORY)                                                     \
+	M(hooke_stiffness_history_undamped, .normal = TS_NORMAL_HOOKE_STIFFNESS,                   \
+	  .tangential = TS_TANGENTIAL_HISTORY, .no_tangential_damping = true)                      \
 	M(hooke_stiffness_history_absolute, .normal = TS_NORMAL_HOOKE_STIFFNESS,                   \
 	  .tangential = TS_TANGENTIAL_HISTORY, .absolute_damping = true)                           \
 	M(numbers_hooke_history, .normal = TS_NORMAL_HOOKE_STIFFNESS,                              \

@@ -95,8 +95,9 @@ bool ts_rows_outdated(const struct ts_rows *rows)
 
 /* ---- which rows are near */
 
-/* Rows are sorted by laws so many at a time for each law, that blocks are full; at most GROUP. */
-enum { ALIKE = 512, GROUP = 4096 };
+/* Rows are sorted by laws so many at a time: FEW, or where that would make blocks of few rows ALIKE for each law, up to
+ * GROUP. */
+enum { FEW = 512, ALIKE = 128, GROUP = 4096 };
 
 struct choice {
 	struct ts_rows *rows;
@@ -255,7 +256,7 @@ enum ts_status ts_rows_choose(struct tsim *sim, struct ts_rows *rows)
 	size_t ntypes = (size_t)sim->particles->ntypes;
 	struct choice c = { rows, sim->particles, ntypes * (ntypes + 1) / 2, 0 };
 
-	c.group = c.kinds * ALIKE < GROUP ? c.kinds * ALIKE : GROUP;
+	c.group = c.kinds * ALIKE < FEW ? FEW : c.kinds * ALIKE < GROUP ? c.kinds * ALIKE : GROUP;
 	rows->gap = choose_gap(sim, rows);
 	rows->travelled = 0;
 	if (spread(&c) != TS_OK)
