@@ -11,6 +11,10 @@
 	M(hertz_history_located, .normal = TS_NORMAL_HERTZ, .tangential = TS_TANGENTIAL_HISTORY,   \
 	  .located = true)                                                                         \
 	M(hertz_history, .normal = TS_NORMAL_HERTZ, .tangential = TS_TANGENTIAL_HISTORY)           \
+	M(hertz_history_cdt, .normal = TS_NORMAL_HERTZ, .tangential = TS_TANGENTIAL_HISTORY,       \
+	  .rolling = TS_ROLLING_CDT)                                                               \
+	M(hertz_history_epsd2, .normal = TS_NORMAL_HERTZ, .tangential = TS_TANGENTIAL_HISTORY,     \
+	  .rolling = TS_ROLLING_EPSD2)                                                             \
 	M(hooke_stiffness_history, .normal = TS_NORMAL_HOOKE_STIFFNESS,                            \
 	  .tangential = TS_TANGENTIAL_HISTORY)                                                     \
 	M(hooke_stiffness_history_undamped, .normal = TS_NORMAL_HOOKE_STIFFNESS,                   \

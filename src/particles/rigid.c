@@ -160,6 +160,19 @@ static void sort_members(const struct ts_particles *p, int32_t *member, size_t n
 	}
 }
 
+/* Counts them, and notes in which order bodies have their first ones. */
+static void count_members(const struct ts_particles *p, struct ts_rigid *r)
+{
+	r->ordered = 0;
+	memset(r->start, 0, (r->n + 2) * sizeof *r->start);
+	for (size_t i = 0; i < p->n; i++) {
+		size_t b = p->body[i] ? body_of(r, p->body[i]) : r->n;
+
+		if (b < r->n && !r->start[b + 2]++)
+			r->order[r->ordered++] = (int32_t)b;
+	}
+}
+
 enum ts_status ts_rigid_list(struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
@@ -168,12 +181,10 @@ enum ts_status ts_rigid_list(struct tsim *sim)
 	if (!r->n || r->generation == sim->generation)
 		return TS_OK;
 	if (TS_GROW(r->start, r->start_capacity, r->n + 2) != TS_OK ||
+	    TS_GROW(r->order, r->order_capacity, r->n) != TS_OK ||
 	    TS_GROW(r->member, r->member_capacity, p->n) != TS_OK)
 		return ts_nomem(&sim->error);
-	memset(r->start, 0, (r->n + 2) * sizeof *r->start);
-	for (size_t i = 0; i < p->n; i++)
-		if (p->body[i])
-			r->start[body_of(r, p->body[i]) + 2]++;
+	count_members(p, r);
 	for (size_t b = 2; b <= r->n; b++)
 		r->start[b] += r->start[b - 1];
 	for (size_t i = 0; i < p->n; i++)
@@ -193,7 +204,9 @@ enum ts_status ts_rigid_accelerate(struct tsim *sim, int group, const double a[3
 	if (!r->n)
 		return TS_OK;
 	TS_TRY(ts_rigid_list(sim));
-	for (size_t b = 0; b < r->n; b++) {
+#pragma omp parallel for num_threads(ts_team(sim, r->n)) schedule(static)
+	for (size_t l = 0; l < r->ordered; l++) {
+		size_t b = (size_t)r->order[l];
 		bool within = false;
 
 		for (size_t k = r->start[b]; k < r->start[b + 1]; k++)
@@ -347,6 +360,7 @@ static void fini(struct ts_instance *self)
 	ts_free(r->size);
 	ts_free(r->owner);
 	ts_free(r->member);
+	ts_free(r->order);
 	ts_free(r->start);
 }
 

@@ -39,6 +39,8 @@ struct ts_rigid {
 	int32_t *member;
 	size_t *start;
 	size_t member_capacity, start_capacity;
+	int32_t *order; /* the bodies as their members follow each other in memory; those without members are not there */
+	size_t ordered, order_capacity;
 	uint64_t generation; /* of the particles, as the members were listed; 0: not listed */
 };
 
