@@ -229,6 +229,8 @@ library_sources = \
 	src/io/data_layout.c \
 	src/io/data_read.c \
 	src/io/data_write.c \
+	src/io/decimal.c \
+	src/io/decimal.h \
 	src/io/dump.c \
 	src/io/dump.h \
 	src/io/dump_columns.c \

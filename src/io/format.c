@@ -3,6 +3,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "io/decimal.h"
+
 #include "base/banned.h"
 
 bool ts_format_check(const char *format, bool integer, char out[TS_FORMAT_SIZE])
@@ -140,7 +142,13 @@ enum ts_status ts_formats_choose(const struct ts_formats *f, struct ts_error *er
 #pragma GCC diagnostic ignored "-Wformat-nonliteral"
 void ts_format_add(struct ts_str *out, const char *format, bool integer, double value)
 {
-	if (integer)
+	char text[TS_DECIMAL_SIZE];
+
+	if (integer && ts_streq(format, "%lld"))
+		ts_str_add_n(out, text, ts_decimal_lld((long long)value, text));
+	else if (!integer && ts_streq(format, "%g"))
+		ts_str_add_n(out, text, ts_decimal_g(value, text));
+	else if (integer)
 		ts_str_addf(out, format, (long long)value);
 	else
 		ts_str_addf(out, format, value);
