@@ -7,6 +7,8 @@ for scene in "$top_srcdir"/bench/scenes/*/scene; do
 	"$top_srcdir/bench/race" tiny "$name" -programs 'tsim1 tsim2' >out 2>&1 && grep -q "^$name: " out
 	report "$name" $? out
 done
+"$top_srcdir/bench/laws" tiny >out 2>&1 && [ "$(grep -c '^| LIGGGHTS: \|^| LAMMPS: ' out)" -gt 25 ]
+report 'bench/laws' $? out
 "$top_srcdir/bench/race" no-such-scene >out 2>&1
 [ $? = 2 ] && grep -q "no scene 'no-such-scene'" out
 report 'a scene that is none' $? out
