@@ -240,7 +240,7 @@ typedef void stage_fn(struct ts_stages *restrict s, size_t n, const struct ts_gr
 	}
 
 #define NORMAL(name, law)                                                                                    \
-	STAGE(name, normal_at, ts_granular_depth_at(m), false, .normal = (law),                                     \
+	STAGE(name, normal_at, ts_granular_depth_at(m), false, .normal = (law),                              \
 	      .solved = true,                                                                                \
 	      .damping = m->damping, .tangential = m->tangential, .no_tension = m->no_tension,               \
 	      .no_tangential_damping = m->no_tangential_damping, .absolute_damping = m->absolute_damping,    \

@@ -8,8 +8,8 @@
 #include "neigh/row_loop.h"
 
 struct ts_batch {
-	/* the ends, see struct ts_row_ends; the fourth columns: nothing, 1/m_i + 1/m_j, radius of i, of j */
-	double d[4][TS_COLUMN], v[4][TS_COLUMN], omega[2][4][TS_COLUMN];
+	/* the ends, see struct ts_row_ends; the fourth columns: 1/m_i + 1/m_j, radius of i, of j */
+	double d[3][TS_COLUMN], v[4][TS_COLUMN], omega[2][4][TS_COLUMN];
 	double mass[2][TS_COLUMN];
 	/* the results, zero for rows that do not touch; those that do have all bits set in touch */
 	long long touch[TS_COLUMN];
