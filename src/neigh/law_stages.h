@@ -36,14 +36,6 @@ bool ts_stages_for(const struct ts_granular_model *m);
 void ts_stages_work(struct ts_stages *s, size_t n, const struct ts_granular_model *m, const struct ts_granular_pair *law,
 		    double dt);
 
-/* Which of the four functions that note how contacts touch: where arms end is a constant of each. */
-#define TS_STAGES_TOUCH(M)                                                                                   \
-	M(touch, false, false)                                                                               \
-	M(touch_full_slip, false, true)                                                                      \
-	M(touch_full_arms, true, false)                                                                      \
-	M(touch_full, true, true)
-#define TS_STAGES_TOUCHES { { touch, touch_full_slip }, { touch_full_arms, touch_full } }
-
 TS_INLINE void ts_stages_note_touch(struct ts_stages *s, size_t k, const struct ts_granular_model *m,
 				    const struct ts_touch *t)
 {
@@ -75,5 +67,31 @@ TS_INLINE void ts_stages_force(const struct ts_stages *s, size_t k, bool twists,
 			f->roll[c] += s->twist[k] * n[c];
 	}
 }
+
+/* The loops that come before and after the laws, of a file that has touch_at(b, s, k, m), which calls ts_stages_note_touch,
+ * and finish_at(b, s, k, twists), which calls ts_stages_force. Where arms end is a constant of each loop. */
+#define TS_STAGES_TOUCH(batch, name, arms, slips)                                                            \
+	TS_CLONES static void name(struct batch *restrict b, struct ts_stages *restrict s, size_t n)         \
+	{                                                                                                    \
+		const struct ts_granular_model m = { .tangential = TS_TANGENTIAL_HISTORY,                    \
+						     .full_arms = (arms), .full_slip = (slips) };            \
+                                                                                                             \
+		_Pragma("omp simd") for (size_t k = 0; k < n; k++) touch_at(b, s, k, &m);                    \
+	}
+#define TS_STAGES_FINISH(batch, name, twists)                                                                \
+	TS_CLONES static void name(struct batch *restrict b, struct ts_stages *restrict s, size_t n)         \
+	{                                                                                                    \
+		_Pragma("omp simd") for (size_t k = 0; k < n; k++) finish_at(b, s, k, twists);               \
+	}
+#define TS_STAGES_LOOPS(batch)                                                                               \
+	TS_STAGES_TOUCH(batch, touch, false, false)                                                          \
+	TS_STAGES_TOUCH(batch, touch_full_slip, false, true)                                                 \
+	TS_STAGES_TOUCH(batch, touch_full_arms, true, false)                                                 \
+	TS_STAGES_TOUCH(batch, touch_full, true, true)                                                       \
+	TS_STAGES_FINISH(batch, finish, false)                                                               \
+	TS_STAGES_FINISH(batch, finish_twist, true)                                                          \
+	static void (*const touches[2][2])(struct batch *restrict b, struct ts_stages *restrict s, size_t n) = { \
+		{ touch, touch_full_slip }, { touch_full_arms, touch_full }                                  \
+	};
 
 #endif

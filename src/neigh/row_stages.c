@@ -51,29 +51,11 @@ static void stick(struct ts_batch *b, const struct ts_stages *s, size_t n, const
 	}
 }
 
-typedef void touch_fn(struct ts_batch *restrict b, struct ts_stages *restrict s, size_t n);
-#define TOUCH(name, arms, slip)                                                                              \
-	TS_CLONES static void name(struct ts_batch *restrict b, struct ts_stages *restrict s, size_t n)      \
-	{                                                                                                    \
-		const struct ts_granular_model m = { .tangential = TS_TANGENTIAL_HISTORY,                    \
-						     .full_arms = (arms), .full_slip = (slip) };             \
-                                                                                                             \
-		_Pragma("omp simd") for (size_t k = 0; k < n; k++) touch_at(b, s, k, &m);                    \
-	}
-TS_STAGES_TOUCH(TOUCH)
-
-#define FINISH(name, twists)                                                                                 \
-	TS_CLONES static void name(struct ts_batch *restrict b, const struct ts_stages *restrict s, size_t n) \
-	{                                                                                                    \
-		_Pragma("omp simd") for (size_t k = 0; k < n; k++) finish_at(b, s, k, twists);               \
-	}
-FINISH(finish, false)
-FINISH(finish_twist, true)
+TS_STAGES_LOOPS(ts_batch)
 
 static void contacts(struct ts_batch *b, size_t n, const struct ts_granular_model *m,
 		     const struct ts_granular_pair *law, double dt)
 {
-	static touch_fn *const touches[2][2] = TS_STAGES_TOUCHES;
 	double *memory[TS_GRANULAR_MEMORY] = { 0 };
 	struct ts_stages s;
 

@@ -34,29 +34,11 @@ TS_INLINE void finish_at(struct ts_wall_batch *b, const struct ts_stages *s, siz
 	b->roll[3][k] = 0;
 }
 
-typedef void touch_fn(const struct ts_wall_batch *restrict b, struct ts_stages *restrict s, size_t n);
-#define TOUCH(name, arms, slip)                                                                              \
-	TS_CLONES static void name(const struct ts_wall_batch *restrict b, struct ts_stages *restrict s, size_t n) \
-	{                                                                                                    \
-		const struct ts_granular_model m = { .tangential = TS_TANGENTIAL_HISTORY,                    \
-						     .full_arms = (arms), .full_slip = (slip) };             \
-                                                                                                             \
-		_Pragma("omp simd") for (size_t k = 0; k < n; k++) touch_at(b, s, k, &m);                    \
-	}
-TS_STAGES_TOUCH(TOUCH)
-
-#define FINISH(name, twists)                                                                                 \
-	TS_CLONES static void name(struct ts_wall_batch *restrict b, const struct ts_stages *restrict s, size_t n) \
-	{                                                                                                    \
-		_Pragma("omp simd") for (size_t k = 0; k < n; k++) finish_at(b, s, k, twists);               \
-	}
-FINISH(finish, false)
-FINISH(finish_twist, true)
+TS_STAGES_LOOPS(ts_wall_batch)
 
 void ts_wall_staged(struct ts_wall_batch *b, size_t n, const struct ts_granular_model *m,
 		    const struct ts_granular_pair *law, double dt)
 {
-	static touch_fn *const touches[2][2] = TS_STAGES_TOUCHES;
 	double *memory[TS_GRANULAR_MEMORY];
 	long long touch[TS_COLUMN];
 	struct ts_stages s;
