@@ -66,7 +66,7 @@ struct ts_granular_model {
 	bool full_arms; /* the arms of torque are the radii, not those less delta/2 */
 	bool full_slip; /* the arms of slip alone are */
 	bool located; /* begin and end of contacts are found within the step: law/located.h */
-	bool solved; /* touch.solved has what takes a root or an iteration: ts_normal_solve */
+	bool solved; /* touch.solved has what takes a root or an iteration: k_n of hooke, the area of jkr */
 	bool wide; /* memory has room for all laws, as contacts of other types may have others */
 };
 

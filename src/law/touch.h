@@ -24,7 +24,7 @@ struct ts_touch {
 	double slip[3];	     /* tangential velocity of i relative to j at the contact point */
 	double roll[3];	     /* relative rotation that rolling friction resists */
 	double spin[3];	     /* w_i - w_j */
-	double solved;	     /* where the model says that it is known: ts_normal_solve */
+	double solved;	     /* where the model says that it is known; see struct ts_granular_model */
 	bool wall;
 };
 

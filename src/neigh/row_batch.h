@@ -116,14 +116,14 @@ TS_INLINE void ts_batch_result(const double (*column)[TS_COLUMN], int columns, s
 		to[k][part] = row[k];
 }
 
-/* The rows at .. at+3 of the batch are these four. */
-TS_INLINE void ts_batch_store(const struct ts_batch *b, size_t parts, const struct ts_row_near near[4], size_t at,
+/* The n rows of the batch from `at` on, up to four. */
+TS_INLINE void ts_batch_store(const struct ts_batch *b, size_t parts, const struct ts_row_near *near, size_t at, size_t n,
 			      const struct ts_rows *rows)
 {
-	ts_four *to[4];
+	ts_four *to[4], nowhere[3];
 
 	for (size_t k = 0; k < 4; k++)
-		to[k] = (ts_four *)rows->result[near[k].slot * parts];
+		to[k] = k < n ? (ts_four *)rows->result[near[k].slot * parts] : nowhere;
 	ts_batch_result(b->force, 4, at, to, 0);
 	if (parts > 1)
 		ts_batch_result(b->turn, 3, at, to, 1);
@@ -131,17 +131,14 @@ TS_INLINE void ts_batch_store(const struct ts_batch *b, size_t parts, const stru
 		ts_batch_result(b->roll, 3, at, to, 2);
 }
 
-/* The last rows of a batch of n, as so many as fill a vector: the last one again and again, but where its results do
- * not count. Returns how many of the batch come before. */
-TS_INLINE size_t ts_batch_tail(const struct ts_rows *rows, const struct ts_row_near *near, size_t n,
-			       struct ts_row_near tail[TS_ROW_VECTOR])
+/* The last rows of a batch of n, as so many as fill a vector: the last one again and again. Returns how many of the
+ * batch come before. */
+TS_INLINE size_t ts_batch_tail(const struct ts_row_near *near, size_t n, struct ts_row_near tail[TS_ROW_VECTOR])
 {
 	size_t from = n & ~(size_t)(TS_ROW_VECTOR - 1);
 
-	for (size_t k = 0; k < TS_ROW_VECTOR && from < n; k++) {
+	for (size_t k = 0; k < TS_ROW_VECTOR && from < n; k++)
 		tail[k] = near[from + k < n ? from + k : n - 1];
-		tail[k].slot = from + k < n ? tail[k].slot : rows->spare;
-	}
 	return from;
 }
 
@@ -273,7 +270,7 @@ TS_INLINE uint64_t ts_batch_work(const struct ts_row_task *task, const struct ts
 	struct ts_batch b;
 
 	some = some < TS_COLUMN ? some : TS_COLUMN;
-	whole = ts_batch_tail(rows, near, some, tail);
+	whole = ts_batch_tail(near, some, tail);
 	n = whole < some ? whole + TS_ROW_VECTOR : whole;
 	for (int c = 0; c < ts_granular_memory(m); c++)
 		b.memory[c] = ts_row_memory(rows, block, part * TS_COLUMN, (size_t)c);
@@ -283,9 +280,9 @@ TS_INLINE uint64_t ts_batch_work(const struct ts_row_task *task, const struct ts
 		ts_batch_load(p, rows, m, &tail[at - whole], at, &b);
 	contacts(&b, n, m, law, task->dt);
 	for (size_t at = 0; at < whole; at += 4)
-		ts_batch_store(&b, parts, near + at, at, rows);
-	for (size_t at = whole; at < n; at += 4)
-		ts_batch_store(&b, parts, &tail[at - whole], at, rows);
+		ts_batch_store(&b, parts, near + at, at, 4, rows);
+	for (size_t at = whole; at < some; at += 4)
+		ts_batch_store(&b, parts, &tail[at - whole], at, some - at, rows);
 	return ts_batch_bits(b.touch, some);
 }
 

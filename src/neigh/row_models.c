@@ -46,7 +46,7 @@ static bool staged(const struct ts_pair *pair)
 {
 	bool all = ts_stages_for(&pair->model);
 
-	for (int a = 1; pair->model_offset && a <= pair->ntypes; a++)
+	for (int a = 1; pair->model.wide && a <= pair->ntypes; a++) /* else all have this one */
 		for (int b = a; b <= pair->ntypes; b++) {
 			const struct ts_granular_model *m = ts_pair_model(pair, a, b);
 

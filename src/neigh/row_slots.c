@@ -164,14 +164,14 @@ static void slots_share(void *context, size_t from, size_t to)
 
 /* ---- */
 
-/* Room for so many results, all zero, and one to spare. */
+/* Room for so many results, all zero. */
 static enum ts_status clear(struct ts_rows *rows, size_t room)
 {
 	rows->parts = rows->parts ? rows->parts : 1;
-	rows->spare = (uint32_t)room;
-	room = (room + 1) * (size_t)rows->parts;
+	room *= (size_t)rows->parts;
 	TS_TRY(TS_RENEW(rows->result, rows->room, room));
-	memset(rows->result, 0, room * sizeof *rows->result);
+	if (room)
+		memset(rows->result, 0, room * sizeof *rows->result);
 	return TS_OK;
 }
 

@@ -73,7 +73,6 @@ struct ts_rows {
 	double (*result)[4];
 	int parts;
 	size_t room;
-	uint32_t spare; /* a slot for results that do not count */
 	uint8_t *touching;
 	double *history; /* history_width numbers per row; zero where never touched */
 	double *memory;	 /* of active rows, in columns: see row_memory.h */
