@@ -192,7 +192,7 @@ static const char bed[] = "units si\n"
 			  "create_box 1 box\n"
 			  "create_atoms 1 random 300 2385 in\n"
 			  "set group all diameter 0.0731 density 2385\n"
-			  "flow_style projection cells 9 12 11 viscosity 1.3e-3 density 731\n"
+			  "flow_style projection cells 9 12 9 viscosity 1.3e-3 density 731\n"
 			  "pressure_style cg\n"
 			  "timestep 1e-4\n";
 

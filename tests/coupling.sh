@@ -108,12 +108,57 @@ timestep 1e-4
 run 1" 'cells of the fluid are down to 0.125 wide and particles up to 0.3'
 prints "$solved
 set group all diameter 0.16
-fix e all void_fraction method centre
+fix e all void_fraction method divided least 0.9
 fix m all nve
 timestep 1e-4
-run 3" 'cells have a void fraction down to -0.098' 'below `least` 0.1, which is used instead (not said again)'
+run 3" 'below `least` 0.9, which is used instead (not said again)'
 [ "$(grep -c 'below .least' out)" = 1 ]
 report 'said once' $? out
+
+# ---- the grid and the size of particles: all of a particle in one cell that is narrower than it; a kernel that lies
+# in one cell; the same in micrometres
+for unit in 1 1e-6; do
+	sized="units si
+boundary p p p
+newton off
+communicate single vel yes
+region box block 0 $unit 0 $unit 0 $unit units box
+create_box 1 box
+create_atoms 1 single 0 0 0 units box
+flow_style projection cells 8 8 8 viscosity 1e-3 density 1000
+set group all density 2385
+timestep 1e-16"
+	rejects "$sized
+set group all diameter \$(0.1251*$unit)
+fix e all void_fraction method centre
+run 1" 'fix void_fraction: method centre puts all of a particle into one cell'
+	prints "$sized
+set group all diameter \$(0.1249*$unit)
+fix e all void_fraction method centre
+run 1
+print went" 'went'
+	prints "$sized
+set group all diameter \$(0.1*$unit)
+fix e all void_fraction method centre
+run 1
+print 'was \$(f_e[2])'" 'was 0.73'
+	prints "$sized
+set group all diameter \$(0.0624*$unit)
+fix e all void_fraction method kernel
+run 1
+run 1" 'do not resolve the kernel' '2 diameters of the largest particle'
+	[ "$(grep -c 'do not resolve' out)" = 1 ]
+	report "told once, lengths of $unit" $? out
+	for method in divided 'kernel reach 2.1'; do
+		prints "$sized
+set group all diameter \$(0.0624*$unit)
+fix e all void_fraction method $method
+run 1
+print went" 'went'
+		! grep -q 'do not resolve' out
+		report "no word about $method, lengths of $unit" $? out
+	done
+done
 
 # ---- forces
 agree 'laws in a uniform flow' "$still

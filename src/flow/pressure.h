@@ -25,8 +25,10 @@ struct ts_iteration {
 
 extern const char *const ts_unfinished_names[];
 #define TS_ITERATION_ARGS(T, f, tolerance_, most_)                                                 \
-	TS_REAL("tolerance", T, f.tolerance, .range = TS_POSITIVE, .fallback = tolerance_, .unit = "", \
-		.help = "largest residual that is left, by the largest right-hand side"),          \
+	TS_REAL("tolerance", T, f.tolerance, .range = TS_WITHIN, .lo = 1e-16, .hi = 1e-3,          \
+		.fallback = tolerance_, .unit = "",                                                \
+		.help = "largest residual that is left, by the largest right-hand side; with more " \
+			"than 1e-3 the fluid gains and loses volume"),                             \
 	TS_INT("iterations", T, f.most, .range = TS_POSITIVE, .fallback = most_, .unit = "",       \
 	       .help = "so many at most"),                                                         \
 	TS_ENUM("unfinished", T, f.unfinished, ts_unfinished_names, .fallback = "stop",            \

@@ -74,6 +74,14 @@ pressure_style sor iterations 3 unfinished warn
 run 5" 'warning: pressure_style sor: after 3 iterations the residual is'
 [ "$(grep -c 'warning: pressure_style' out)" = 1 ]
 report 'one warning only' $? out
+for style in cg multigrid sor; do
+	rejects "$cavity
+pressure_style $style tolerance 0.00101" 'tolerance'
+	prints "$cavity
+pressure_style $style tolerance 0.001
+run 1
+print went" went
+done
 "$TSIM" -help pressure hypre >/dev/null 2>&1 && {
 	printf '%s\n' "$cavity" 'pressure_style hypre' 'run 1' >in.script
 	"$TSIM" -in in.script -log none >out 2>err || grep -q 'built without hypre: configure it with --with-hypre' err

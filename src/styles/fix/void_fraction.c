@@ -23,6 +23,7 @@ struct state {
 	struct ts_fluid *fluid;
 	struct ts_cell_order order;
 	bool warned;
+	bool told; /* that the cells do not resolve the kernel */
 	double found; /* the least of a cell, before it is limited */
 	double (*seen)[4]; /* places and radii that the field was made of */
 	size_t nseen, seen_capacity;
@@ -52,17 +53,66 @@ static void lay(void *data, size_t i)
 				 c->state->fluid->empty);
 }
 
-/* The farthest that a particle reaches; refused if it is too far. */
-static enum ts_status farthest(struct ts_instance *self, struct tsim *sim, int *reach)
+static double largest_radius(const struct ts_instance *self, const struct ts_particles *p)
 {
-	const struct state *s = self->state;
-	const struct ts_particles *p = sim->particles;
-	struct ts_spread_how how = how_of(s, sim);
 	double largest = 0;
 
 	for (size_t i = 0; i < p->n; i++)
 		if (ts_in_group(p, i, self->group))
 			largest = fmax(largest, p->radius[i]);
+	return largest;
+}
+
+/* A cell narrower than a particle whose volume is all put into it may have more solid than volume. */
+static enum ts_status check_centre(struct ts_instance *self, struct tsim *sim, double diameter)
+{
+	const struct state *s = self->state;
+	const struct ts_grid *grid = &s->fluid->grid;
+	double least = INFINITY;
+
+	for (int d = 0; d < grid->dimensions; d++)
+		for (int i = 0; i < grid->n[d]; i++)
+			least = fmin(least, grid->width[d][i]);
+	if (s->method != TS_SPREAD_CENTRE || !(least < diameter))
+		return TS_OK;
+	return ts_fail(&sim->error, TS_RANGE, &self->where,
+		       "fix void_fraction: method centre puts all of a particle into one cell, and cells are down to "
+		       "%g wide, narrower than the particles of up to %g; use method divided or kernel, or cells of "
+		       "several diameters",
+		       least, diameter);
+}
+
+/* Cells wider than the kernel reaches to either side hold it wholly: the field is the mean over the cell. Two
+ * diameters, where the kernel of 1.5 begins to lie in one cell for some places of the centre. */
+static void check_kernel(struct ts_instance *self, struct tsim *sim, double diameter)
+{
+	static const double MOST = 2; /* diameters */
+	struct state *s = self->state;
+	const struct ts_grid *grid = &s->fluid->grid;
+	double most = 0, fits = fmax(MOST, s->reach) * diameter;
+
+	for (int d = 0; d < grid->dimensions; d++)
+		for (int i = 0; i < grid->n[d] && grid->n[d] > 1; i++)
+			most = fmax(most, grid->width[d][i]);
+	if (s->told || s->method != TS_SPREAD_KERNEL || !(diameter > 0) || !(most > 1.000001 * fits))
+		return;
+	s->told = true;
+	ts_warn(&sim->log, &self->where,
+		"fix void_fraction: cells are up to %.4g wide, %.3g diameters of the largest particle, and do not "
+		"resolve the kernel, which reaches %.4g to either side: the void fraction is the mean over cells, as "
+		"with method divided; use cells of at most %.4g, or method divided (not said again)",
+		most, most / diameter, s->reach * diameter, fits);
+}
+
+/* The farthest that a particle reaches; refused if it is too far. */
+static enum ts_status farthest(struct ts_instance *self, struct tsim *sim, int *reach)
+{
+	const struct state *s = self->state;
+	struct ts_spread_how how = how_of(s, sim);
+	double largest = largest_radius(self, sim->particles);
+
+	TS_TRY(check_centre(self, sim, 2 * largest));
+	check_kernel(self, sim, 2 * largest);
 	*reach = ts_spread_reach(&s->fluid->grid, &how, largest);
 	if (2 * *reach + 1 <= TS_SPREAD_MOST)
 		return TS_OK;
@@ -238,7 +288,9 @@ const struct ts_style ts_fix_void_fraction = {
 	       "method divided gives each cell what of a sphere lies in it, exactly; centre all of it to the cell\n"
 	       "that holds the centre, so that e jumps when that moves on; kernel smears it along each axis by\n"
 	       "(1 + cos(pi s/b))/(2 b), b `reach` diameters: the choice for cells that are not much larger than\n"
-	       "particles. The volume of the particles is kept by all of them. In two dimensions particles are\n"
+	       "particles. method centre needs cells that are at least as wide as the largest particle, else it is\n"
+	       "refused; a warning says once that cells are wider than 2 diameters and than b, which do not resolve the\n"
+	       "kernel (the axis of a single cell does not count). The volume of the particles is kept by all of them. In two dimensions particles are\n"
 	       "discs, and e is a part of the area.\n\n"
 	       "e is not allowed below `least`; a warning says so once. f_ID[1] is the mean over the grid, f_ID[2]\n"
 	       "the least of a cell.",
