@@ -21,7 +21,7 @@ START_TEST(known_angles)
 {
 	const double normal[3] = { 0, 0, 1 };
 	const double steep[3] = { 0.3, 0, -0.4 }, flat[3] = { 2.385, 0, -0.2385 }, straight[3] = { 0, 0, -7 };
-	const double resting[3] = { 0, 3e-8, 0 }, turned[3] = { 0, 0.3, 0.4 };
+	const double resting[3] = { 0, 0, 0 }, slow[3] = { 0.3e-12, 0, -0.4e-12 }, turned[3] = { 0, 0.3, 0.4 };
 
 	/* 2 k v F f h / A with v = 0.5 and f = 0.33333 * 0.6^2 */
 	ck_assert_double_eq_tol(ts_wear_finnie(1.7, steep, normal, 31, 0.35, 1e-3),
@@ -31,6 +31,9 @@ START_TEST(known_angles)
 				2 * 1.7 * 2.385 * sqrt(1.01) * 31 * (0.17 / 1.01) * 1e-3 / 0.35, 1e-13);
 	ck_assert_double_eq(ts_wear_finnie(1.7, straight, normal, 31, 0.35, 1e-3), 0);
 	ck_assert_double_eq(ts_wear_finnie(1.7, resting, normal, 31, 0.35, 1e-3), 0);
+	/* in proportion to the speed, however slow */
+	ck_assert_double_eq_tol(1e12 * ts_wear_finnie(1.7, slow, normal, 31, 0.35, 1e-3),
+				ts_wear_finnie(1.7, steep, normal, 31, 0.35, 1e-3), 1e-15);
 	/* neither the side nor the direction along the surface counts */
 	ck_assert_double_eq_tol(ts_wear_finnie(1.7, turned, normal, 31, 0.35, 1e-3),
 				ts_wear_finnie(1.7, steep, normal, 31, 0.35, 1e-3), 1e-16);

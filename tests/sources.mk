@@ -90,6 +90,7 @@ shell_tests = \
 	tests/decks/region_walls.sh \
 	tests/decks/regions.sh \
 	tests/decks/rigid.sh \
+	tests/decks/scales.sh \
 	tests/decks/skin.sh \
 	tests/decks/temperature_words.sh \
 	tests/decks/timestep.sh \

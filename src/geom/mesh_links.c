@@ -9,25 +9,43 @@
 
 #include "base/banned.h"
 
+/* A corner as far away as this has lost its digits: which image it is says nothing. */
+static const double MOST_BOXES = 1e9;
+
 /* The place of a corner in the first box, and how many boxes away it is. */
 static void wrap(const struct ts_box *box, double precision, const double x[3], double at[3],
 		 int32_t shift[3])
 {
 	for (int d = 0; d < 3; d++) {
+		double boxes;
+
 		at[d] = x[d];
 		shift[d] = 0;
 		if (!box || !ts_box_periodic(box, d))
 			continue;
 		/* what is this near to the upper face is at the lower one */
-		shift[d] = (int32_t)floor((x[d] - box->lo[d] + precision) / ts_box_length(box, d));
+		boxes = floor((x[d] - box->lo[d] + precision) / ts_box_length(box, d));
+		if (!(fabs(boxes) < MOST_BOXES))
+			continue;
+		shift[d] = (int32_t)boxes;
 		at[d] -= shift[d] * ts_box_length(box, d);
 	}
+}
+
+/* Coordinates of this size are rounded to some parts of it. */
+static double rounding_of(const struct ts_mesh *m)
+{
+	double most = 0;
+
+	for (size_t c = 0; c < 9 * m->n; c++)
+		most = fmax(most, fabs(m->x[c / 9][c / 3 % 3][c % 3]));
+	return 0x1p-50 * most;
 }
 
 static enum ts_status number_vertices(struct ts_mesh *m, double precision, const struct ts_box *box,
 				      int32_t (*shift)[3])
 {
-	double distance = fmax(precision, 1e-300);
+	double distance = fmax(precision, 1e-300), apart = 0;
 	struct ts_pointhash places;
 	enum ts_status status = ts_pointhash_start(&places, distance);
 
@@ -37,12 +55,15 @@ static enum ts_status number_vertices(struct ts_mesh *m, double precision, const
 
 		wrap(box, precision, m->x[c / 3][c % 3], at, shift[c]);
 		*number = ts_pointhash_find(&places, at, distance);
-		if (*number >= 0)
+		if (*number >= 0) {
+			apart = fmax(apart, ts_distance2(at, places.x[*number]));
 			continue;
+		}
 		*number = (int32_t)places.n;
 		status = ts_pointhash_add(&places, at);
 	}
 	m->nvertices = places.n;
+	m->loose = 2 * sqrt(apart) + rounding_of(m); /* both may be as far from the first one */
 	ts_pointhash_release(&places);
 	return status;
 }

@@ -6,9 +6,6 @@
 
 #include "base/banned.h"
 
-/* A point this near to an edge, in units of length, is taken as on the side where a triangle is. */
-static const double TOLERANCE = 1e-8;
-
 /* Weights of the corners for the foot of x in the plane of the triangle: w_1 e_1 + w_2 e_2 is the part
  * of x - x_0 in the plane, e_1 and e_2 the edges that leave corner 0. */
 static void weights(const struct ts_mesh *m, size_t t, const double arm[3], double w[3])
@@ -55,13 +52,13 @@ static enum ts_mesh_part at_edge(const struct ts_mesh *m, size_t t, int k, const
 				 struct ts_mesh_spot *s)
 {
 	const double *along = m->along[t][k];
-	double length = m->length[t][k], arm[3], way, point[3];
+	double length = m->length[t][k], tolerance = ts_mesh_tolerance(m, t), arm[3], way, point[3];
 
 	ts_sub(x, m->x[t][k], arm);
 	way = ts_dot(arm, along);
-	if (way < -TOLERANCE)
+	if (way < -tolerance)
 		return at_corner(m, t, k, x, s);
-	if (way > length + TOLERANCE)
+	if (way > length + tolerance)
 		return at_corner(m, t, (k + 1) % 3, x, s);
 	if (!ts_mesh_edge_active(m, t, k))
 		return TS_MESH_NOTHING;
@@ -95,7 +92,7 @@ static enum ts_mesh_part beyond_corner(const struct ts_mesh *m, size_t t, int k,
 enum ts_mesh_part ts_mesh_nearest(const struct ts_mesh *m, size_t t, const double x[3],
 				  struct ts_mesh_spot *s)
 {
-	double arm[3], least = -TOLERANCE / (2 * m->reach[t]);
+	double arm[3], least = -ts_mesh_tolerance(m, t) / (2 * m->reach[t]);
 	int inside = 0, negative = 0;
 
 	ts_sub(x, m->x[t][0], arm);

@@ -128,11 +128,28 @@ static enum ts_status check_extrusion(struct ts_instance *self, struct tsim *sim
 		       self->id, bend / 3 + 1);
 }
 
+/* Corners nearer to each other than this are the same. Without the word it goes with the size of the mesh: as files in
+ * single precision round (LIGGGHTS: 1e-8 in units of length, too much for a mesh of micrometres in m). */
+static double precision_of(const struct ts_mesh_words *w, const struct ts_triangles *soup)
+{
+	double lo[3] = { INFINITY, INFINITY, INFINITY }, hi[3] = { -INFINITY, -INFINITY, -INFINITY }, longest = 0;
+
+	if (!isnan(w->precision))
+		return w->precision;
+	for (size_t t = 0; t < soup->n; t++)
+		for (int k = 0; k < 9; k++) {
+			lo[k % 3] = fmin(lo[k % 3], soup->t[t].v[k / 3][k % 3]);
+			hi[k % 3] = fmax(hi[k % 3], soup->t[t].v[k / 3][k % 3]);
+		}
+	for (int d = 0; d < 3; d++)
+		longest = fmax(longest, hi[d] - lo[d]);
+	return longest > 0 ? 1e-7 * longest : 1;
+}
+
 static enum ts_status load(struct ts_instance *self, struct tsim *sim,
 			   const struct ts_mesh_words *w, struct ts_mesh_surface *surface)
 {
-	const struct ts_mesh_admission how = {
-		.precision = w->precision,
+	struct ts_mesh_admission how = {
 		.curvature = w->curvature,
 		.curvature_tolerant = w->curvature_tolerant,
 		.heal = w->heal,
@@ -145,13 +162,14 @@ static enum ts_status load(struct ts_instance *self, struct tsim *sim,
 
 	if (status == TS_OK) {
 		source = source_of(self, w);
+		how.precision = precision_of(w, &soup);
 		status = ts_mesh_admit(sim, &source.place, &how, &soup, &surface->mesh);
 	}
 	ts_triangles_release(&soup);
 	if (status == TS_OK)
 		status = check_extrusion(self, sim, surface);
 	if (status == TS_OK && ts_mesh_link_images(&surface->mesh, &sim->domain->box,
-						   w->precision) != TS_OK)
+						   how.precision) != TS_OK)
 		status = ts_nomem(&sim->error);
 	if (status == TS_OK)
 		status = convey(self, sim, w, surface);

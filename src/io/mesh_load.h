@@ -43,8 +43,10 @@ extern const char *const ts_mesh_heal_names[];
 				.help = "read FILE: does without the triangles that stand in the " \
 					"lines of the mesh file which FILE lists; write FILE: "    \
 					"makes such a list of those that are refused"),            \
-		TS_REAL("precision", T, f.precision, .fallback = "1e-8", .range = TS_POSITIVE,     \
-			.unit = "length", .help = "corners nearer than this are the same"),        \
+		TS_REAL("precision", T, f.precision, .flags = TS_OPTIONAL, .range = TS_POSITIVE,   \
+			.unit = "length",                                                          \
+			.help = "corners nearer than this are the same; without it a 1e-7th of "   \
+				"the longest side of the box around the mesh"),                    \
 		TS_REAL("curvature", T, f.curvature, .fallback = "0.256235", .range = TS_WITHIN,   \
 			.lo = 0, .hi = 90, .unit = "degrees",                                      \
 			.help = "triangles whose planes include less than this are one flat "      \

@@ -24,7 +24,7 @@ static inline double ts_wear_finnie(double k, const double v[3], const double no
 {
 	double speed = ts_norm(v), across[3];
 
-	if (speed < 1e-7)
+	if (!(speed > 0))
 		return 0;
 	ts_cross(v, normal, across);
 	return 2 * k * speed * force *

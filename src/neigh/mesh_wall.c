@@ -72,14 +72,18 @@ static int modulo3(int a)
 	return (a % 3 + 3) % 3;
 }
 
-/* A touch may be found when a particle is farther by so much: twice the tolerance of mesh_touch.c, in units of length,
- * and rounding. The rest of the gap between a sphere and a triangle both can go in any way; rounding counts less than
- * what is left of it. */
-static const double SLACK = 4e-8, SURE = 0.999;
+/* A touch may be found when a particle is farther by so much: twice the tolerance of the triangle, and rounding. The
+ * rest of the gap between a sphere and a triangle both can go in any way; rounding counts less than what is left of it. */
+static const double SURE = 0.999;
 
-static double safe_way(double distance, double radius)
+static double slack(const struct ts_mesh *m, int32_t triangle)
 {
-	return SURE * (distance - radius - SLACK);
+	return 4 * ts_mesh_tolerance(m, (size_t)triangle);
+}
+
+static double safe_way(const struct ts_mesh *m, int32_t triangle, double distance, double radius)
+{
+	return SURE * (distance - radius - slack(m, triangle));
 }
 
 /* What is near to a particle: a triangle, and the image of the mesh by box lengths. */
@@ -111,6 +115,7 @@ static enum ts_status add_visitor(struct tsim *sim, struct ts_mesh_wall *mw, siz
 
 static enum ts_status add(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw, const struct found *f)
 {
+	const struct ts_mesh *mesh = &mw->mesh[f->mesh].surface->mesh;
 	const struct ts_particles *p = sim->particles;
 	size_t k = w->contacts.n;
 	int code = 0;
@@ -120,7 +125,7 @@ static enum ts_status add(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wa
 	if (TS_GROW(mw->near, mw->near_capacity, k + 1) != TS_OK)
 		return ts_nomem(&sim->error);
 	mw->near[k] = (struct ts_mesh_near){ f->mesh, f->triangle, { f->shift[0], f->shift[1], f->shift[2] }, false,
-					     safe_way(f->distance, p->radius[f->i]) };
+					     safe_way(mesh, f->triangle, f->distance, p->radius[f->i]) };
 	TS_TRY(add_visitor(sim, mw, f->i, k));
 	return ts_wall_contacts_add(sim, &w->contacts, f->i,
 				    ((int)mw->mesh[f->mesh].first + f->triangle) * IMAGES + code);
@@ -151,9 +156,10 @@ struct search {
 static void find_image(struct search *s, const struct ts_mesh_part_of_wall *part, const double at[3], double r,
 		       const struct found *what)
 {
+	const struct ts_mesh *mesh = &part->surface->mesh;
 	struct ts_mesh_vicinity *v = &s->vicinity[what->mesh];
 
-	if (ts_mesh_tree_near_again(&part->tree, &part->surface->mesh, at, r, v, &s->list) != TS_OK ||
+	if (ts_mesh_tree_near_again(&part->tree, mesh, at, r, v, &s->list) != TS_OK ||
 	    TS_GROW(s->found, s->capacity, s->n + s->list.n) != TS_OK) {
 		s->failed = true;
 		return;
@@ -163,8 +169,8 @@ static void find_image(struct search *s, const struct ts_mesh_part_of_wall *part
 
 		*f = *what;
 		f->triangle = s->list.item[k];
-		f->distance = ts_mesh_distance(&part->surface->mesh, (size_t)f->triangle, at);
-		s->n += f->distance > r + SLACK ? 0 : 1;
+		f->distance = ts_mesh_distance(mesh, (size_t)f->triangle, at);
+		s->n += f->distance > r + slack(mesh, f->triangle) ? 0 : 1;
 	}
 }
 
@@ -352,7 +358,7 @@ static void local_place(const struct tsim *sim, const struct ts_mesh_near *near,
 /* Whether there is no touch yet, and when there may be. */
 static bool waits(const struct ts_mesh *m, struct ts_mesh_near *near, const struct ts_mesh_visitor *v, const double x[3])
 {
-	double far = safe_way(ts_mesh_distance(m, (size_t)near->triangle, x), v->radius);
+	double far = safe_way(m, near->triangle, ts_mesh_distance(m, (size_t)near->triangle, x), v->radius);
 
 	near->until = far > 0 ? v->way + far : -INFINITY;
 	return far > 0;

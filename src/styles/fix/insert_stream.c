@@ -38,9 +38,11 @@ struct state {
 
 /* LIGGGHTS seeds the stream of points on a mesh with this; fixes with the same face share it. */
 static const int64_t MESH_SEED = 179424799;
-/* LIGGGHTS adds it to a length before it counts the steps that the stream takes for it, so that 0.03 is 1500
- * steps of 2e-5. */
-static const double TINY = 1e-14;
+/* A quotient this near to the next integer is taken as this, so that a stream of 1 m/s takes 1500 steps of 2e-5 s for
+ * 0.03 m. LIGGGHTS adds 1e-14 in units of length to the length. */
+static const double ROUNDING = 1e-13;
+/* A stream whose velocity includes a smaller angle with the face, in radian, does not go through it. */
+static const double ALONG = 1e-6;
 /* As many points show how much of the space behind the face is in the box. */
 enum { NMEASURE = 100000 };
 
@@ -66,10 +68,10 @@ static enum ts_status face_of(struct ts_instance *self, struct tsim *sim)
 			       "fix insert/stream: mesh %s has no triangles", s->face_id);
 	through = ts_dot(s->base.velocity.mean, mesh->normal[0]);
 	s->speed = fabs(through);
-	if (s->speed < 1e-3)
+	if (!(s->speed > ALONG * ts_norm(s->base.velocity.mean)))
 		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "vel"),
-			       "fix insert/stream: the velocity through the face is %g, expected at least "
-			       "0.001: say `vel constant vx vy vz`, not along the face",
+			       "fix insert/stream: the velocity through the face is %g, expected a stream "
+			       "through it: say `vel constant vx vy vz`, not along the face",
 			       s->speed);
 	ts_scale(through > 0 ? -1 : 1, mesh->normal[0], s->normal);
 	return TS_OK;
@@ -113,7 +115,7 @@ static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
 		s->length = (double)steps * sim->clock.dt * s->speed;
 	} else {
 		s->length = s->given_length;
-		s->base.every = (int64_t)fmin((s->length + TINY) / travel, 1e15);
+		s->base.every = (int64_t)fmin(s->length / travel * (1 + ROUNDING), 1e15);
 	}
 	if (s->length < least)
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
