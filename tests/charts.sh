@@ -76,7 +76,7 @@ awk -F, '/^#/ || $1 == "chart" { next }
 report 'errors are those of the scheme' $? out
 grep -q '^# took' made/tiny.csv && grep -qF '| exact | 1e-2 | nve/euler |' made/charts.md && grep -q 'velocity Verlet' made/charts.md
 report 'the page has the sentence and the cheapest points' $? made/charts.md
-if command -v gnuplot >/dev/null; then
+if has gnuplot gnuplot-nox; then
 	[ -s made/tiny.svg ] && [ -s made/tiny.png ] && [ -s made/tiny-setting.svg ] && grep -q '</svg>' made/tiny.svg
 	report 'the pictures are drawn' $?
 fi

@@ -3,11 +3,14 @@
 # what was found before (tests/fuzz/corpus).
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
-command -v python3 >/dev/null || exit 77
+needs python3
 fuzz=$top_srcdir/tests/fuzz
 # one linker option each: not all linkers know them
 echo 'int main(void) { return 0; }' >probe.c
-${CC:-gcc} probe.c -Wl,--wrap=fopen -o probe 2>/dev/null || exit 77
+${CC:-gcc} probe.c -Wl,--wrap=fopen -o probe 2>/dev/null || {
+	echo 'skipped: the linker does not know --wrap'
+	exit 77
+}
 
 "$fuzz/seeds.sh" script expression restart data
 for target in script expression restart data; do

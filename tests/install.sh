@@ -3,8 +3,8 @@
 # nothing.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
-[ -n "$SHARED" ] || exit 77
-command -v pkg-config >/dev/null || exit 77
+[ -n "$SHARED" ] || { echo 'skipped: built without the shared library'; exit 77; }
+needs pkg-config
 root=$work/root
 unset MAKEFLAGS MAKELEVEL MFLAGS
 

@@ -23,6 +23,28 @@ same() {
 	report "$1" $? difference
 }
 
+# has PROGRAM [PACKAGE]: whether the program is installed. If not, the log says that a part of the test is
+# skipped; ./setup counts these lines.
+has() {
+	command -v "$1" >/dev/null && return
+	echo "skipped: needs ${1##*/} (apt-get install ${2-$1})"
+	return 1
+}
+
+# needs PROGRAM [PACKAGE]: without the program the whole test is skipped
+needs() {
+	has "$@" || exit 77
+}
+
+# python_with MODULE PACKAGE: sets `python` to a Python that has the module
+python_with() {
+	for python in /usr/bin/python3 python3; do
+		"$python" -c "import $1" 2>/dev/null && return
+	done
+	echo "skipped: needs Python's $1 (apt-get install $2)"
+	return 1
+}
+
 # The rows of the thermo tables of a log, without the repeated ones where one run follows another.
 rows() {
 	grep -hE '^ +[0-9]+ +[-+0-9.e ]+$' "$@" | uniq

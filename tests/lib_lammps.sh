@@ -1,10 +1,8 @@
 # For crosschecks with LAMMPS: the same deck by both programs.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
-if ! command -v lmp >/dev/null || [ ! -x /usr/bin/python3 ]; then
-	echo 'skipped: needs lmp and python3 (apt-get install lammps python3)'
-	exit 77
-fi
+needs lmp lammps
+needs /usr/bin/python3 python3
 
 # both WHAT OPTIONS...: runs the deck by both, which name their frames by the variable out; words go to said.*
 both() {

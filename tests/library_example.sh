@@ -35,7 +35,7 @@ case $CC in # OpenMP is the compiler's own
 *clang*) cxx=clang++ ;;
 *) cxx=g++ ;;
 esac
-if command -v $cxx >/dev/null; then
+if has $cxx g++; then
 	# shellcheck disable=SC2086
 	$cxx -std=c++11 -Wall -Wextra -Werror -pedantic $flags header.cc "$top_builddir/libtsim.a" \
 		$TSIM_LIBS -o header >out 2>&1 && ./header

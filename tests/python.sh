@@ -1,11 +1,13 @@
 #!/bin/bash
 # The Python module, with NumPy (Debian's python3-numpy) and without; its manual, whose examples are
 # run; its example.
-[ -n "$SHARED" ] || exit 77
-# a sanitizer wants to be loaded before Python
-nm -D "$top_builddir/$SHARED" 2>/dev/null | grep -q __asan_init && exit 77
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
+[ -n "$SHARED" ] || { echo 'skipped: built without the shared library'; exit 77; }
+if nm -D "$top_builddir/$SHARED" 2>/dev/null | grep -q __asan_init; then
+	echo 'skipped: a sanitizer must be loaded before Python'
+	exit 77
+fi
 
 python=
 for candidate in python3 /usr/bin/python3; do
@@ -13,7 +15,7 @@ for candidate in python3 /usr/bin/python3; do
 	python=${python:-$candidate}
 	"$candidate" -c 'import numpy' 2>/dev/null && python=$candidate && break
 done
-[ -n "$python" ] || exit 77
+needs "${python:-python3}" python3
 export TSIM_LIBRARY=$top_builddir/$SHARED PYTHONPATH=$top_srcdir/python PYTHONDONTWRITEBYTECODE=1
 
 # tested WHAT COMMAND...: adds the counts of the last line it prints
@@ -29,7 +31,7 @@ tested() {
 }
 
 tested 'without NumPy' env WITHOUT_NUMPY=1 "$python" "$top_srcdir/tests/python_test.py"
-if "$python" -c 'import numpy' 2>/dev/null; then
+if python_with numpy python3-numpy; then
 	tested 'with NumPy' "$python" "$top_srcdir/tests/python_test.py"
 	"$python" -m doctest "$top_srcdir/doc/python.md" >out 2>&1
 	report 'the examples of doc/python.md' $? out

@@ -4,7 +4,7 @@
 # CUTS (3) is how often each deck is cut.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
-command -v python3 >/dev/null || exit 77
+needs python3
 seed=${SEED:-$(od -An -tu4 -N 4 /dev/urandom | tr -d ' ')}
 echo "SEED=$seed"
 RANDOM=$((seed % 32768))

@@ -127,6 +127,7 @@ shell_tests = \
 	tests/restart_streams.sh \
 	tests/safety.sh \
 	tests/settings.sh \
+	tests/setup.sh \
 	tests/signal.sh \
 	tests/special_bonds.sh \
 	tests/stability/guard.sh \

@@ -33,15 +33,7 @@ for step in 000000 000045 000090 000135 000180 000225; do
 done >zs.dump
 same 'one compressed file per frame' x.dump zs.dump
 
-python=
-for p in /usr/bin/python3 python3; do
-	[ -z "$python" ] && "$p" -c 'from vtkmodules.vtkIOXML import vtkXMLPolyDataReader' \
-		>/dev/null 2>&1 && python=$p
-done
-if [ -z "$python" ]; then
-	echo 'VTK is not installed: its files are not read back (apt-get install python3-vtk9)'
-	finish
-fi
+python_with vtkmodules.vtkIOXML python3-vtk9 || finish
 for set in p b c; do
 	"$python" "$top_srcdir/tests/vtk_readback.py" $set.pvd >$set.read 2>err
 	report "VTK reads $set.pvd" $? err

@@ -69,10 +69,7 @@ rejects "$(sed 's/text\*.vtk/text*.vtx/' in.formats)" "must end in .vtk, .vtp, .
 rejects "$(sed 's/^compute c .*/compute c all pair\/gran\/local id/' in.formats)" 'add the word pos'
 rejects "$(sed 's/^compute c .*/compute c all ke/' in.formats)" "needs a compute pair/gran/local or wall/gran/local; 'c' is ke"
 
-if ! /usr/bin/python3 -c 'from vtkmodules.vtkIOXML import vtkXMLPolyDataReader' 2>/dev/null; then
-	echo 'VTK is not installed: its files are not read back (apt-get install python3-vtk9)'
-	finish
-fi
+python_with vtkmodules.vtkIOXML python3-vtk9 || finish
 cat >read.py <<'END'
 import sys
 from vtkmodules.vtkIOLegacy import vtkPolyDataReader
@@ -95,14 +92,14 @@ for kind in (data.GetPointData(), data.GetCellData()):
         a = kind.GetArray(k)
         print(a.GetName(), *("%.9g" % v for i in range(a.GetNumberOfTuples()) for v in a.GetTuple(i)))
 END
-/usr/bin/python3 read.py poly2.vtp >expected 2>&1
+"$python" read.py poly2.vtp >expected 2>&1
 [ "$(wc -l <expected)" = 8 ]
 report 'VTK reads .vtp' $? expected
 for file in text2.vtk bytes2.vtk grid2.vtu pieces2.pvtp parts2.pvtu; do
-	/usr/bin/python3 read.py $file >found 2>&1
+	"$python" read.py $file >found 2>&1
 	same "VTK reads $file" expected found
 done
-/usr/bin/python3 read.py chain2.vtk >expected 2>&1
-/usr/bin/python3 read.py chains2.vtu >found 2>&1
+"$python" read.py chain2.vtk >expected 2>&1
+"$python" read.py chains2.vtu >found 2>&1
 same 'VTK reads lines' expected found
 finish

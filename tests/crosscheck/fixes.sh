@@ -3,10 +3,8 @@
 # velocities and outputs of the fix frame by frame.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
-if ! command -v lmp >/dev/null || [ ! -x /usr/bin/python3 ]; then
-	echo 'skipped: needs lmp and python3 (apt-get install lammps python3)'
-	exit 77
-fi
+needs lmp lammps
+needs /usr/bin/python3 python3
 
 cat >in.scene <<'END'
 units si

@@ -3,10 +3,8 @@
 # other, a plane and a cylinder, with every law and most combinations.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
-if ! command -v liggghts >/dev/null || [ ! -x /usr/bin/python3 ]; then
-	echo 'skipped: needs liggghts and python3 (apt-get install liggghts python3)'
-	exit 77
-fi
+needs liggghts
+needs /usr/bin/python3 python3
 decks=$top_srcdir/tests/crosscheck
 
 agrees() { # MODEL [WORDS]

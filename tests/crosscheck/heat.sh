@@ -3,10 +3,8 @@
 # still, then spheres that push each other apart; each area of contact; walls.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
-if ! command -v liggghts >/dev/null || [ ! -x /usr/bin/python3 ]; then
-	echo 'skipped: needs liggghts and python3 (apt-get install liggghts python3)'
-	exit 77
-fi
+needs liggghts
+needs /usr/bin/python3 python3
 
 columns='id type x f_Temp f_heatFlux[0] f_heatSource[0] f_directionalHeatFlux[1] f_directionalHeatFlux[2]'
 # agrees WHAT X Y Z STEP WARMS MODEL WORDS LINES...: the last ones more lines of the script

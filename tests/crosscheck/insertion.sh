@@ -2,10 +2,8 @@
 # Insertion against LIGGGHTS 3.8: the same particles at the same places, step by step.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
-if ! command -v liggghts >/dev/null || [ ! -x /usr/bin/python3 ]; then
-	echo 'skipped: needs liggghts and python3 (apt-get install liggghts python3)'
-	exit 77
-fi
+needs liggghts
+needs /usr/bin/python3 python3
 decks=$top_srcdir/tests/crosscheck
 triangle() { # nine coordinates
 	printf 'facet normal 0 0 1\nouter loop\nvertex %s %s %s\nvertex %s %s %s\nvertex %s %s %s\nendloop\nendfacet\n' "$@"

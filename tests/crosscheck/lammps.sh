@@ -3,10 +3,7 @@
 # byte, but for the precision and blanks in the head and tail of lines of a dump.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
-if ! command -v lmp >/dev/null; then
-	echo 'skipped: needs lmp (apt-get install lammps)'
-	exit 77
-fi
+needs lmp lammps
 script=$top_srcdir/tests/crosscheck/in.averages
 lmp -in "$script" -var program lammps -log none -screen none >err 2>&1
 report 'LAMMPS' $? err

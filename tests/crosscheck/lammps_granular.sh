@@ -3,10 +3,8 @@
 # frozen, collide obliquely.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
-if ! command -v lmp >/dev/null || [ ! -x /usr/bin/python3 ]; then
-	echo 'skipped: needs lmp and python3 (apt-get install lammps python3)'
-	exit 77
-fi
+needs lmp lammps
+needs /usr/bin/python3 python3
 decks=$top_srcdir/tests/crosscheck
 
 agrees() { # PAIR STYLE [COEFFICIENTS OF PAIR_COEFF...]

@@ -4,10 +4,8 @@
 # forces are compared frame by frame.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
-if ! command -v liggghts >/dev/null || [ ! -x /usr/bin/python3 ]; then
-	echo 'skipped: needs liggghts and python3 (apt-get install liggghts python3)'
-	exit 77
-fi
+needs liggghts
+needs /usr/bin/python3 python3
 decks=$top_srcdir/tests/crosscheck
 
 # agrees WHAT SCENE 'ARGUMENTS OF compare.py' VARIABLES...

@@ -3,10 +3,8 @@
 # pair/gran/local, and the numbers of .vtk files of dumps custom/vtk and local/gran/vtk.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
-if ! command -v liggghts >/dev/null || [ ! -x /usr/bin/python3 ]; then
-	echo 'skipped: needs liggghts and python3 (apt-get install liggghts python3)'
-	exit 77
-fi
+needs liggghts
+needs /usr/bin/python3 python3
 
 cat >in.contacts <<'END'
 units si

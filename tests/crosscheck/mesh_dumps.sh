@@ -3,10 +3,7 @@
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
 . "$top_srcdir/tests/lib_meshes.sh"
-if ! command -v liggghts >/dev/null; then
-	echo 'skipped: needs liggghts (apt-get install liggghts)'
-	exit 77
-fi
+needs liggghts
 
 # a plate of two triangles, and a pyramid of six with a floor inside
 cat >plate.stl <<'END2'

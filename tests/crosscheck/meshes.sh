@@ -4,10 +4,8 @@
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
 . "$top_srcdir/tests/lib_meshes.sh"
-if ! command -v liggghts >/dev/null || [ ! -x /usr/bin/python3 ]; then
-	echo 'skipped: needs liggghts and python3 (apt-get install liggghts python3)'
-	exit 77
-fi
+needs liggghts
+needs /usr/bin/python3 python3
 decks=$top_srcdir/tests/crosscheck
 plate 8 0 >plate.stl
 cuboid 0.5 0.4 0.3 >cube.stl

@@ -2,10 +2,8 @@
 # fix pour, by LAMMPS: the same particles at the same places in the same steps.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
-if ! command -v lmp >/dev/null || [ ! -x /usr/bin/python3 ]; then
-	echo 'skipped: needs lmp and python3 (apt-get install lammps python3)'
-	exit 77
-fi
+needs lmp lammps
+needs /usr/bin/python3 python3
 
 agrees() { # DIMENSION REGION STEPS WORDS
 	local what="$1d: $4" flat='p p f' depth='-9 2' down='vector 0 0 -1'

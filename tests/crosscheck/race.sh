@@ -2,11 +2,8 @@
 # The scenes of bench/race, tiny, by LIGGGHTS and LAMMPS, too: who races must do the same work.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
-peers=$(for program in liggghts lmp; do command -v $program; done)
-if [ -z "$peers" ]; then
-	echo 'skipped: needs liggghts or lmp (apt-get install liggghts lammps)'
-	exit 77
-fi
+needs liggghts
+needs lmp lammps
 for scene in "$top_srcdir"/bench/scenes/*/scene; do
 	name=$(basename "$(dirname "$scene")")
 	"$top_srcdir/bench/race" tiny "$name" -programs 'tsim1 liggghts lammps' >out 2>&1

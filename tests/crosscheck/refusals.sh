@@ -3,10 +3,7 @@
 # those lines that say why not: tests/decks/refusals.sh.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
-if ! command -v liggghts >/dev/null; then
-	echo 'skipped: needs liggghts (apt-get install liggghts)'
-	exit 77
-fi
+needs liggghts
 data=$top_srcdir/tests/data
 
 n=0

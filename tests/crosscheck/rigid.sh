@@ -2,10 +2,8 @@
 # Rigid bodies against LAMMPS, an independent program: two bodies of spheres fall, turn and collide.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
-if ! command -v lmp >/dev/null || [ ! -x /usr/bin/python3 ]; then
-	echo 'skipped: needs lmp and python3 (apt-get install lammps python3)'
-	exit 77
-fi
+needs lmp lammps
+needs /usr/bin/python3 python3
 
 cat >in.scene <<'END'
 units si

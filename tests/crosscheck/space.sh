@@ -3,10 +3,9 @@
 # the same places with the same types.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
-if ! command -v lmp >/dev/null || ! command -v liggghts >/dev/null || [ ! -x /usr/bin/python3 ]; then
-	echo 'skipped: needs lmp, liggghts and python3 (apt-get install lammps liggghts python3)'
-	exit 77
-fi
+needs lmp lammps
+needs liggghts
+needs /usr/bin/python3 python3
 
 # rows PROGRAM: id type x y z of the last dump, sorted, into PROGRAM.rows
 rows_of() {

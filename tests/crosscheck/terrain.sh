@@ -4,10 +4,8 @@
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
 . "$top_srcdir/tests/lib_meshes.sh"
-if ! command -v liggghts >/dev/null || [ ! -x /usr/bin/python3 ]; then
-	echo 'skipped: needs liggghts and python3 (apt-get install liggghts python3)'
-	exit 77
-fi
+needs liggghts
+needs /usr/bin/python3 python3
 awk -v n=20 'function p() { # numbers that look random
 		state = (state * 16807) % 2147483647
 		return state / 2147483647

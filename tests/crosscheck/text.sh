@@ -3,10 +3,7 @@
 # of the log, blocks of `line multi`, frames of dump custom.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
-if ! command -v liggghts >/dev/null; then
-	echo 'skipped: needs liggghts (apt-get install liggghts)'
-	exit 77
-fi
+needs liggghts
 
 cat >start.data <<'END'
 two of three types

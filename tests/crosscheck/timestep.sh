@@ -2,10 +2,7 @@
 # fix check/timestep/gran with `legacy yes` by LIGGGHTS 3.8: the thermo tables, digit by digit.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
-if ! command -v liggghts >/dev/null; then
-	echo 'skipped: needs liggghts (apt-get install liggghts)'
-	exit 77
-fi
+needs liggghts
 
 cat >in.both <<'END'
 units si

@@ -3,10 +3,7 @@
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
 . "$top_srcdir/tests/lib_meshes.sh"
-if ! command -v liggghts >/dev/null; then
-	echo 'skipped: needs liggghts (apt-get install liggghts)'
-	exit 77
-fi
+needs liggghts
 two_materials | sed 's/^boundary.*/boundary p f f/' >in.head
 cat >>in.head <<'END'
 pair_style gran model hertz tangential history

@@ -2,10 +2,7 @@
 # Legacy VTK files of LIGGGHTS 3.8, an independent program, and tsim's: the same bytes but for the title.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
-if ! command -v liggghts >/dev/null; then
-	echo 'skipped: needs liggghts (apt-get install liggghts)'
-	exit 77
-fi
+needs liggghts
 
 cat >in.layout <<'END'
 units si

@@ -3,10 +3,8 @@
 # on each particle.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
-if ! command -v liggghts >/dev/null || [ ! -x /usr/bin/python3 ]; then
-	echo 'skipped: needs liggghts and python3 (apt-get install liggghts python3)'
-	exit 77
-fi
+needs liggghts
+needs /usr/bin/python3 python3
 
 columns='id x y z vx vy vz omegax omegay omegaz f_force_w[1] f_force_w[2] f_force_w[3]'
 agrees() { # X Y Z WALL [OPTIONS OF TSIM]

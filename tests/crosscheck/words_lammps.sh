@@ -2,7 +2,7 @@
 # Words whose numbers LAMMPS gives too: velocity temp and bias, degrees of freedom, thermo_modify temp,
 # neigh_modify include and exclude, molecules, sections of fix property/atom, energies of fixes.
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
-command -v lmp >/dev/null || { echo 'skipped: needs lmp (apt-get install lammps)'; exit 77; }
+needs lmp lammps
 
 awk 'BEGIN {
 	print "forty\n\n40 atoms\n1 atom types\n0 4 xlo xhi\n0 4 ylo yhi\n0 4 zlo zhi\n\nAtoms # sphere\n"

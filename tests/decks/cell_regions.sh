@@ -67,7 +67,7 @@ region t mesh/hex file none.vtk units box" 'none.vtk'
 rejects "$start
 region t mesh/tet file tet.vtk scale 0 units box" 'scale'
 
-if command -v liggghts >/dev/null; then
+if has liggghts; then
 	cat >in.both <<END2
 $start
 neighbor 0.01 bin

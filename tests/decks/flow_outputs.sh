@@ -162,15 +162,7 @@ flow_style uniform velocity 1 0 0 viscosity 1
 dump d all flow/vtk 10 flow*.vti' 'needs a fluid that is solved for'
 rejects 'print $(flow_ke)' 'keyword flow_ke needs a fluid'
 
-python=
-for p in /usr/bin/python3 python3; do
-	[ -z "$python" ] && "$p" -c 'from vtkmodules.vtkIOXML import vtkXMLImageDataReader' \
-		>/dev/null 2>&1 && python=$p
-done
-if [ -z "$python" ]; then
-	echo 'VTK is not installed: its files are not read back (apt-get install python3-vtk9)'
-	finish
-fi
+python_with vtkmodules.vtkIOXML python3-vtk9 || finish
 cat >in.files <<'END'
 include duct
 flow_boundary yhi wall velocity 1 0 0.3
