@@ -125,6 +125,7 @@ shell_tests = \
 	tests/restart_changes.sh \
 	tests/restart_every.sh \
 	tests/restart_streams.sh \
+	tests/row_types.sh \
 	tests/safety.sh \
 	tests/settings.sh \
 	tests/setup.sh \

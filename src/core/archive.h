@@ -23,10 +23,33 @@ struct ts_saved {
 	enum ts_saved_type type;
 	size_t offset, count; /* count: elements of a fixed array, 1 for a scalar */
 };
-#define TS_SAVE_F64(T, f) { #f, TS_SAVED_F64, offsetof(T, f), sizeof(((T *)0)->f) / 8 }
-#define TS_SAVE_I64(T, f) { #f, TS_SAVED_I64, offsetof(T, f), sizeof(((T *)0)->f) / 8 }
-#define TS_SAVE_I32(T, f) { #f, TS_SAVED_I32, offsetof(T, f), sizeof(((T *)0)->f) / 4 }
-#define TS_SAVE_U8(T, f) { #f, TS_SAVED_U8, offsetof(T, f), sizeof(((T *)0)->f) }
+
+/* A row for a number, an array, or a table with rows of 2 or 3; does not compile for a field of another
+ * type, whose bytes would be saved as something else, or not at all. */
+#define TS_SAVED_OF(T, f, type, columns)                                                           \
+	(sizeof(((T *)0)->f) < (columns) * sizeof(type) ?                                          \
+		 1 :                                                                               \
+		 sizeof(((T *)0)->f) / ((columns) * sizeof(type)))
+#define TS_SAVED_IS(T, f, type)                                                                    \
+	_Generic(&((T *)0)->f, type *: 1, type(*)[TS_SAVED_OF(T, f, type, 1)]: 1,                  \
+		 type(*)[TS_SAVED_OF(T, f, type, 2)][2]: 1,                                        \
+		 type(*)[TS_SAVED_OF(T, f, type, 3)][3]: 1, default: 0)
+#define TS_SAVED_ROW(T, f, saved_type, size, matches)                                              \
+	{ #f, saved_type,                                                                          \
+	  offsetof(T, f) + 0 * sizeof(struct {                                                     \
+		  int ok;                                                                          \
+		  _Static_assert(matches, "saved row and field differ in type");                   \
+	  }),                                                                                      \
+	  sizeof(((T *)0)->f) / (size) }
+#define TS_SAVE_F64(T, f) TS_SAVED_ROW(T, f, TS_SAVED_F64, 8, TS_SAVED_IS(T, f, double))
+#define TS_SAVE_I64(T, f)                                                                          \
+	TS_SAVED_ROW(T, f, TS_SAVED_I64, 8,                                                        \
+		     TS_SAVED_IS(T, f, int64_t) || TS_SAVED_IS(T, f, uint64_t))
+#define TS_SAVE_I32(T, f)                                                                          \
+	TS_SAVED_ROW(T, f, TS_SAVED_I32, 4,                                                        \
+		     TS_SAVED_IS(T, f, int32_t) || TS_SAVED_IS(T, f, uint32_t)) /* enums, too */
+#define TS_SAVE_U8(T, f)                                                                           \
+	TS_SAVED_ROW(T, f, TS_SAVED_U8, 1, TS_SAVED_IS(T, f, bool) || TS_SAVED_IS(T, f, uint8_t))
 #define TS_SAVED_ROWS_END { .type = TS_SAVED_END }
 
 /* An archive holds named fields {name, type, element count, bytes}. Opaque. */

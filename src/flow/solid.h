@@ -69,7 +69,8 @@ struct ts_solid_given {
 /* Where a region stood at the last step of the fluid, its velocity comes from that; kept by who makes the
  * solid, in saved state. Zero: not seen yet. */
 struct ts_solid_stand {
-	double shift[3], turn[3][3], time, seen;
+	double shift[3], turn[3][3], time;
+	bool seen;
 };
 
 /* Each makes a solid, or returns NULL without memory. `given` is looked at in each update. */

@@ -18,7 +18,7 @@ struct region {
 
 static struct ts_solid_stand stand_of(const struct ts_region *r, double time)
 {
-	struct ts_solid_stand s = { .time = time, .seen = 1 };
+	struct ts_solid_stand s = { .time = time, .seen = true };
 
 	memcpy(s.shift, r->shift, sizeof s.shift);
 	memcpy(s.turn, r->turn, sizeof s.turn);
@@ -96,11 +96,11 @@ static enum ts_status update(struct ts_solid *solid, struct tsim *sim)
 	now = stand_of(r, ts_sim_time(sim));
 	home_of(s, home);
 	place(r, &now, home, m->centre);
-	solid->moved = s->before->seen == 0 || (style->update && varies(sim, s->instance)) ||
+	solid->moved = !s->before->seen || (style->update && varies(sim, s->instance)) ||
 		       memcmp(&now, s->before, offsetof(struct ts_solid_stand, time)) != 0;
 	memset(m->velocity, 0, sizeof m->velocity);
 	memset(m->omega, 0, sizeof m->omega);
-	if (r->moves && s->before->seen != 0 && now.time > s->before->time)
+	if (r->moves && s->before->seen && now.time > s->before->time)
 		motion_between(r, s->before, &now, home, m);
 	if (s->given->velocity)
 		memcpy(m->velocity, s->given->motion.velocity, sizeof m->velocity);

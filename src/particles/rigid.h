@@ -24,6 +24,14 @@ struct ts_body {
 	double kind;	/* a clump: number of its template; else 0 */
 };
 
+/* Rows of saved state for a body that is a field of a style's state. */
+#define TS_SAVED_BODY(T, f)                                                                        \
+	TS_SAVE_F64(T, f.mass), TS_SAVE_F64(T, f.inertia), TS_SAVE_F64(T, f.q),                    \
+		TS_SAVE_F64(T, f.x), TS_SAVE_F64(T, f.v), TS_SAVE_F64(T, f.spin),                  \
+		TS_SAVE_F64(T, f.omega), TS_SAVE_F64(T, f.force), TS_SAVE_F64(T, f.torque),        \
+		TS_SAVE_F64(T, f.external), TS_SAVE_F64(T, f.free), TS_SAVE_F64(T, f.density),     \
+		TS_SAVE_F64(T, f.kind)
+
 enum { TS_BODY_NUMBERS = sizeof(struct ts_body) / sizeof(double) }; /* nothing else is in it */
 
 struct ts_rigid {

@@ -460,9 +460,16 @@ static const struct ts_value values[] = {
 };
 
 static const struct ts_saved saved[] = {
-	TS_SAVE_F64(struct state, own),
+	TS_SAVE_F64(struct state, own.force),
+	TS_SAVE_F64(struct state, own.torque),
+	TS_SAVE_F64(struct state, own.velocity),
+	TS_SAVE_F64(struct state, own.spin),
+	TS_SAVE_F64(struct state, own.known),
 	TS_SAVE_F64(struct state, lever),
-	TS_SAVE_F64(struct state, stand),
+	TS_SAVE_F64(struct state, stand.shift),
+	TS_SAVE_F64(struct state, stand.turn),
+	TS_SAVE_F64(struct state, stand.time),
+	TS_SAVE_U8(struct state, stand.seen),
 	TS_SAVE_F64(struct state, slip),
 	TS_SAVED_ROWS_END,
 };

@@ -273,7 +273,7 @@ static const struct ts_arg args[] = {
 
 static const struct ts_saved saved[] = {
 	TS_SAVE_I64(struct state, mover.serial), TS_SAVE_F64(struct state, mover.origin),
-	TS_SAVE_F64(struct state, body),	 TS_SAVE_F64(struct state, q0),
+	TS_SAVED_BODY(struct state, body),	 TS_SAVE_F64(struct state, q0),
 	TS_SAVE_I64(struct state, made),	 TS_SAVED_ROWS_END,
 };
 
