@@ -41,6 +41,7 @@ shell_tests = \
 	tests/crosscheck/words_lammps.sh \
 	tests/crosscheck_mode.sh \
 	tests/data_files.sh \
+	tests/decks/accepted.sh \
 	tests/decks/ave_period.sh \
 	tests/decks/averages.sh \
 	tests/decks/box.sh \

@@ -8,6 +8,7 @@ struct ts_definition {
 	const char *id;
 	int group;
 	struct ts_words line; /* style and its arguments */
+	size_t passed;	      /* words behind the style that are the command's own */
 };
 #define TS_DEFINITION_ARGS(group_help, line_help)                                                  \
 	TS_WORD("id", struct ts_definition, id, .flags = TS_POSITIONAL, .help = "its name"),       \

@@ -33,12 +33,7 @@ struct ts_cell_region {
 		TS_VEC3("rotate", struct ts_cell_region, angle, .fallback = "0 0 0",               \
 			.unit = "degrees",                                                         \
 			.help = "angles of turns about the axes x, then y, then z, after scale"),  \
-		TS_ENUM("side", struct ts_cell_region, region.side, ts_region_sides,               \
-			.fallback = "in", .help = "which side belongs to the region"),             \
-		TS_ENUM("units", struct ts_cell_region, region.units, ts_region_units,             \
-			.flags = TS_OPTIONAL,                                                      \
-			.help = "whether lengths are given in lattice spacings or as they are; "   \
-				"see the command lattice for the default")
+		TS_REGION_SIDE_ARGS(struct ts_cell_region)
 
 /* `shape`: VTK's number of the cells it takes, 10 tetrahedra, 12 hexahedra. */
 enum ts_status ts_cell_region_init(struct ts_instance *self, struct tsim *sim, int shape);

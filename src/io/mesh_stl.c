@@ -135,20 +135,38 @@ static enum ts_status read_text(struct ts_scan *s, struct ts_triangles *soup)
 	return TS_OK;
 }
 
+/* Does the file, as text, have a `solid` or `facet` that begins a line? Lines before it are a title or comments:
+ * the scan is left before the word. */
+static bool find_text(struct ts_scan *s)
+{
+	struct ts_scan before = *s;
+
+	if (memchr(s->bytes, '\0', s->n < 1024 ? s->n : 1024))
+		return false;
+	s->comments = true;
+	while (ts_scan_word(s)) {
+		if (ts_scan_is(s, "solid") || ts_scan_is(s, "facet")) {
+			*s = before;
+			return true;
+		}
+		while (ts_scan_word_in_line(s))
+			;
+		before = *s;
+	}
+	return false;
+}
+
 /* Binary files may begin with `solid` as well: their length tells. */
 enum ts_status ts_stl_read(struct ts_scan *s, struct ts_triangles *soup)
 {
 	const struct ts_scan start = *s;
 	uint64_t need = s->n < HEAD ? 0 : HEAD + (uint64_t)get_u32(s->bytes + TITLE) * RECORD;
-	bool text;
 
 	if (need == s->n && need)
 		return read_binary(s, soup);
-	ts_scan_word(s);
-	text = ts_scan_is(s, "solid") || ts_scan_is(s, "facet");
-	*s = start;
-	if (text && !memchr(s->bytes, '\0', s->n < 1024 ? s->n : 1024))
+	if (find_text(s))
 		return read_text(s, soup);
+	*s = start;
 	if (s->n < HEAD)
 		return ts_scan_refuse(s, TS_DAMAGED,
 				      "'%s' is no STL file: it does not begin with 'solid', and for a "

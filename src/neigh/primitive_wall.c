@@ -84,6 +84,25 @@ int ts_primitive_wall_shapes(const struct ts_primitive_wall *w)
 	return given;
 }
 
+/* LAMMPS refuses it. LIGGGHTS runs it: a particle meets the wall from where it is in the box, images do not. */
+static enum ts_status accept_periodic(struct ts_instance *self, struct tsim *sim,
+				      const struct ts_primitive_wall *w, int shape)
+{
+	const struct ts_place *where = ts_instance_word(self, shape_names[shape]);
+
+	if (w->lammps)
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "fix wall/gran: a plane wall across the periodic dimension %c; let the "
+			       "box be fixed there (`boundary`)",
+			       'x' + shape);
+	ts_warn(&sim->log, where,
+		"fix wall/gran: a plane wall across the periodic dimension %c: images do not feel it, so "
+		"particles pass through the face of the box, and touch each other through it; walls at "
+		"both faces need `boundary` f along %c",
+		'x' + shape, 'x' + shape);
+	return TS_OK;
+}
+
 static enum ts_status read_shape(struct ts_instance *self, struct tsim *sim, struct ts_primitive_wall *w)
 {
 	int shape = 0;
@@ -92,10 +111,8 @@ static enum ts_status read_shape(struct ts_instance *self, struct tsim *sim, str
 		shape++;
 	if (shape >= TS_XCYLINDER)
 		return read_cylinder(w, sim, shape);
-	if (ts_sim_has_box(sim) && ts_box_periodic(&sim->domain->box, shape))
-		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, shape_names[shape]),
-			       "fix wall/gran: a plane wall across the periodic dimension %c",
-			       'x' + shape);
+	if (ts_sim_has_box(sim) && ts_box_periodic(&sim->domain->box, shape) && !w->n)
+		TS_TRY(accept_periodic(self, sim, w, shape));
 	return read_plane(w, sim, shape);
 }
 

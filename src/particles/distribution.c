@@ -10,7 +10,7 @@
 
 const struct ts_arg ts_distribution_args[] = {
 	TS_INT("seed", struct ts_distribution, seed, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
-	       .help = "seed of the random numbers, a prime above 10000"),
+	       .help = TS_SEED_HELP),
 	TS_INT("n", struct ts_distribution, n, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1,
 	       .hi = 1e6, .help = "number of templates"),
 	TS_REST("pairs", struct ts_distribution, pairs,

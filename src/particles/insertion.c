@@ -161,36 +161,37 @@ static enum ts_status read_words(struct ts_instance *self, struct tsim *sim)
 	return read_property(self, sim);
 }
 
-/* LIGGGHTS refuses equal seeds: the streams would be the same. */
-static enum ts_status check_seeds(struct ts_instance *self, struct tsim *sim)
+/* The fix whose stream begins where the k-th does: the insertion, its distribution, its templates in order. */
+static int64_t seed_of(const struct ts_insertion *s, size_t k)
+{
+	const struct ts_distribution *d = s->distribution->state;
+
+	return k == 0 ? s->seed
+	       : k == 1 ? d->seed
+			: ((const struct ts_template *)d->template[k - 2]->state)->seed;
+}
+
+/* Fixes with the same seed draw the same numbers: sizes and places go together, which nobody wants. LIGGGHTS 3.8
+ * refuses that, older editions do not. */
+static void check_seeds(const struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_insertion *s = self->state;
 	const struct ts_distribution *d = s->distribution->state;
-	size_t n = 0;
-	int64_t *seed = ts_alloc((size_t)d->n + 2, sizeof *seed);
-	const char *owner = NULL;
-	int64_t twice = 0, other = 0;
+	size_t n = (size_t)d->n + 2;
 
-	if (!seed)
-		return ts_nomem(&sim->error);
-	seed[n++] = s->seed;
-	seed[n++] = d->seed;
-	for (int64_t k = 0; k < d->n; k++)
-		seed[n++] = ((const struct ts_template *)d->template[k]->state)->seed;
-	for (size_t k = 1; k < n && !owner; k++)
-		for (size_t j = 0; j < k; j++)
-			if (seed[j] == seed[k]) {
-				owner = k == 1 ? s->distribution->id : d->template[k - 2]->id;
-				twice = seed[k];
-			}
-	if (owner)
-		other = ts_seed_next(twice, seed, n);
-	ts_free(seed);
-	if (!owner)
-		return TS_OK;
-	return ts_fail(&sim->error, TS_STATE, &self->where,
-		       "fix %s: the seed %lld of fix %s is used twice; %lld is free", self->style->name,
-		       (long long)twice, owner, (long long)other);
+	for (size_t k = 1; k < n; k++)
+		for (size_t j = 0; j < k; j++) {
+			if (seed_of(s, j) != seed_of(s, k))
+				continue;
+			ts_warn(&sim->log, &self->where,
+				"fix %s: the seed %lld of fix %s is used twice: both draw the same "
+				"random numbers, so sizes and places may depend on each other; give each "
+				"fix a seed of its own%s",
+				self->style->name, (long long)seed_of(s, k),
+				k == 1 ? s->distribution->id : d->template[k - 2]->id,
+				sim->legacy ? " (LIGGGHTS 3.8 refuses it)" : "");
+			return;
+		}
 }
 
 static enum ts_status refuse(struct ts_instance *self, struct tsim *sim)
@@ -211,7 +212,8 @@ static enum ts_status refuse(struct ts_instance *self, struct tsim *sim)
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
 			       "fix %s: a template has atom_type %d, but types go from 1 to %d",
 			       self->style->name, d->largest_type, sim->particles->ntypes);
-	return check_seeds(self, sim);
+	check_seeds(self, sim);
+	return TS_OK;
 }
 
 /* Looked at when the fix is met again: a restart file may have told it how to go on. */

@@ -41,8 +41,8 @@ struct ts_insertion {
 };
 #define TS_INSERTION_ARGS(T)                                                                       \
 	TS_INT("seed", T, base.seed, .range = TS_POSITIVE,                                         \
-	       .help = "seed of the random numbers, a prime above 10000 that neither the "         \
-		       "distribution nor its templates have"),                                     \
+	       .help = TS_SEED_HELP " - and another one than those of the distribution "          \
+		       "and its templates"),                                     \
 	TS_WORD("distributiontemplate", T, base.distribution_id,                                   \
 		.help = "the fix particledistribution/discrete whose particles are inserted"),     \
 	TS_INT("maxattempt", T, base.maxattempt, .fallback = "50", .range = TS_POSITIVE,           \

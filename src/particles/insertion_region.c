@@ -62,7 +62,11 @@ static enum ts_status measure(struct ts_instance *self, struct tsim *sim)
 		return no_volume(self, sim);
 	s->volume = (double)hits / (double)s->ntry_mc * (hi[0] - lo[0]) * (hi[1] - lo[1]) *
 		    (hi[2] - lo[2]);
-	return TS_OK;
+	if (s->volume >= ((const struct ts_region *)s->region->state)->volume_limit)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_RANGE, &s->region->where,
+		       "region %s has a volume of about %g, below its volume_limit", s->region->id,
+		       s->volume);
 }
 
 static bool box_moves(const struct ts_box *box)
@@ -116,7 +120,7 @@ enum ts_status ts_insertion_region_init(struct ts_instance *self, struct tsim *s
 		return TS_OK;
 	TS_TRY(ts_region_update(s->region, sim));
 	TS_TRY(refuse(self, sim));
-	*stream_of(s) = ts_minstd_start(s->base.seed + SEED_OFFSET);
+	*stream_of(s) = ts_minstd_start((s->base.seed + SEED_OFFSET - 1) % 2147483646 + 1);
 	return measure(self, sim);
 }
 

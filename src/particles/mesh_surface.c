@@ -65,13 +65,19 @@ void ts_mesh_surface_fini(struct ts_instance *self)
 	ts_mesh_surface_release(self->state);
 }
 
+/* A flat mesh in a face of the box may miss it by the rounding of its file: 26 * 0.001 > 0.026, and binary files
+ * have 24 bits. */
 static bool is_outside(const struct ts_box *box, const double x[3])
 {
+	static const double ROUNDING = 1e-6;
 	bool outside = false;
 
-	for (int d = 0; d < 3; d++)
-		outside |= (box->face[d][0] == TS_FACE_FIXED && x[d] < box->lo[d]) ||
-			   (box->face[d][1] == TS_FACE_FIXED && x[d] > box->hi[d]);
+	for (int d = 0; d < 3; d++) {
+		double slack = ROUNDING * (box->hi[d] - box->lo[d]);
+
+		outside |= (box->face[d][0] == TS_FACE_FIXED && x[d] < box->lo[d] - slack) ||
+			   (box->face[d][1] == TS_FACE_FIXED && x[d] > box->hi[d] + slack);
+	}
 	return outside;
 }
 

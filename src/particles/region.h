@@ -14,6 +14,8 @@ struct ts_region {
 	int side;  /* 0 in, 1 out */
 	int units; /* 0 lattice, 1 box, -1 not said; ts_domain_scale */
 	struct ts_words move_words, rotate_words, open_words;
+	double volume_limit; /* for who fills it: of a smaller volume it is refused */
+	int64_t seed;	     /* of no effect */
 
 	/* as it was defined; set by ts_region_init */
 	bool defined;
@@ -32,12 +34,19 @@ struct ts_region {
 	bool varies;   /* the surface may change with time */
 	bool reshapes; /* not only by moving */
 };
-#define TS_REGION_ARGS(T)                                                                          \
+#define TS_REGION_SIDE_ARGS(T)                                                                     \
 	TS_ENUM("side", T, region.side, ts_region_sides, .fallback = "in",                         \
 		.help = "which side belongs to the region"),                                       \
 	TS_ENUM("units", T, region.units, ts_region_units, .flags = TS_OPTIONAL,                   \
 		.help = "whether lengths are given in lattice spacings or as they are; see the "   \
 			"command lattice for the default"),                                        \
+	TS_REAL("volume_limit", T, region.volume_limit, .fallback = "0",                           \
+		.range = TS_NOT_NEGATIVE, .unit = "length^3",                                      \
+		.help = "insertion is refused where the region's volume is smaller"),              \
+	TS_INT("seed", T, region.seed, .flags = TS_OPTIONAL, .range = TS_POSITIVE,                 \
+	       .help = "no effect: who draws points in a region has a seed of its own")
+#define TS_REGION_ARGS(T)                                                                          \
+	TS_REGION_SIDE_ARGS(T),                                                                    \
 	TS_SOME_KEYWORD("move", T, region.move_words, 0,                                           \
 			.help = "v_x v_y v_z: displacement by equal-style variables, or NULL"),    \
 	TS_SOME_KEYWORD("rotate", T, region.rotate_words, 0,                                       \

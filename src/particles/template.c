@@ -8,32 +8,24 @@
 
 #include "base/banned.h"
 
-static const int64_t LEAST_SEED = 10000, SEED_LIMIT = 2147483646;
+/* Of math/minstd.h: each of them is a place in its one cycle. */
+static const int64_t SEED_LIMIT = 2147483646;
+static const int64_t LEAST_LIGGGHTS = 10000; /* it takes primes above this one only */
 
-int64_t ts_seed_next(int64_t seed, const int64_t *other, size_t n)
-{
-	for (int64_t s = seed > LEAST_SEED ? seed : LEAST_SEED + 1;; s++) {
-		bool taken = false;
-
-		for (size_t k = 0; k < n; k++)
-			taken |= other[k] == s;
-		if (!taken && ts_is_prime(s))
-			return s;
-	}
-}
-
+/* The stream starts at the seed as it is, which gives LIGGGHTS' numbers for the seeds that it takes, and those of
+ * older editions, which took all, for others. */
 enum ts_status ts_seed_check(struct tsim *sim, const char *what, int64_t seed,
 			     const struct ts_place *where)
 {
 	if (seed > SEED_LIMIT)
 		return ts_fail(&sim->error, TS_RANGE, where,
-			       "%s: the seed is %lld, expected a prime from 10007 to 2147483629", what,
-			       (long long)seed);
-	if (seed > LEAST_SEED && ts_is_prime(seed))
-		return TS_OK;
-	return ts_fail(&sim->error, TS_RANGE, where,
-		       "%s: the seed is %lld, expected a prime above 10000, as %lld is", what,
-		       (long long)seed, (long long)ts_seed_next(seed, NULL, 0));
+			       "%s: the seed is %lld, expected 1 to %lld", what, (long long)seed,
+			       (long long)SEED_LIMIT);
+	if (sim->legacy && !(seed > LEAST_LIGGGHTS && ts_is_prime(seed)))
+		ts_warn(&sim->log, where,
+			"%s: LIGGGHTS 3.8 refuses the seed %lld: it takes primes above %lld only", what,
+			(long long)seed, (long long)LEAST_LIGGGHTS);
+	return TS_OK;
 }
 
 enum ts_status ts_minstd_archive(struct ts_archive *archive, struct tsim *sim, const char *name,

@@ -30,9 +30,12 @@ struct ts_template {
 
 	struct ts_minstd random; /* saved */
 };
+#define TS_SEED_HELP                                                                               \
+	"seed of the random numbers: 1 to 2147483646; primes above 10000 where LIGGGHTS 3.8 shall "  \
+	"read the script, too"
 #define TS_TEMPLATE_ARGS(T)                                                                        \
 	TS_INT("seed", T, base.seed, .flags = TS_POSITIONAL, .range = TS_POSITIVE,                 \
-	       .help = "seed of the random numbers, a prime above 10000"),                         \
+	       .help = TS_SEED_HELP),                         \
 	TS_INT("atom_type", T, base.type, .fallback = "1", .range = TS_POSITIVE,                   \
 	       .help = "type of the particles"),                                                   \
 	TS_LIST_KEYWORD("density", T, base.density_words, .flags = TS_TO_KEYWORD,                  \
@@ -77,11 +80,8 @@ int ts_largest_type(const struct tsim *sim);
  * no such fix. */
 double ts_template_inverse_mass(const struct tsim *sim, int type, double *radius);
 
-/* Refuses a seed that LIGGGHTS refuses: they must be primes above 10000, which keeps apart streams that
- * start near one another. `word` is where it stands, the `what` names the owner. */
+/* Any seed from 1 to 2^31 - 2 will do. `where` it stands, the `what` names the owner. */
 enum ts_status ts_seed_check(struct tsim *sim, const char *what, int64_t seed,
 			     const struct ts_place *where);
-/* The next allowed seed that is not among n others. */
-int64_t ts_seed_next(int64_t seed, const int64_t *other, size_t n);
 
 #endif

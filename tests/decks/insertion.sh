@@ -76,6 +76,36 @@ set group all type 2
 run 30
 print \"full \$(f_grow[1]-count(all))\"" 'none 0' 'mass 1' 'full 0'
 
+# Any seed will do: where the first particle comes to be is told by the stream s <- 16807 s mod 2^31 - 1 of the
+# seed, that of the region 12 places on, after the numbers of ntry_mc points.
+for seed in 5 5330 2147483646; do
+	at=$(awk -v s=$seed 'BEGIN {
+		s = (s + 12 - 1) % 2147483646 + 1
+		for (k = 0; k < 3006; k++) {
+			s = (16807 * s) % 2147483647
+			x[k % 3] = s / 2147483647
+		}
+		printf "%.9f %.9f %.9f", x[0], x[1], x[2]
+	}')
+	prints "${scene/0 1.0 0 0.8 0 0.9/-1 2 -1 2 -1 2}
+region unit block 0 1 0 1 0 1 units box
+${pack/32452867/$seed} all_in no ntry_mc 1001 region unit particles_in_region 1
+run 1
+print \"at \$(x[1]:%.9f) \$(y[1]:%.9f) \$(z[1]:%.9f)\"" "at $at"
+done
+
+# Two fixes with one seed draw the same numbers: told, once. What LIGGGHTS 3.8 refuses is told with legacy only.
+for legacy in no yes; do
+	prints "legacy $legacy
+${scene//154858[0-9][0-9]/5330}
+${pack/32452867/32452843} region bed particles_in_region 3
+run 1
+print \"made \$(count(all))\"" 'made 3' 'warning: fix insert/pack: the seed 32452843 of fix mix is used twice'
+	[ "$(grep -c 'is used twice' out)" = 1 ] &&
+		[ "$(grep -c 'LIGGGHTS 3.8 refuses' out)" = "$([ $legacy = yes ] && echo 3 || echo 0)" ]
+	report "seeds, legacy $legacy" $? out
+done
+
 # a particle feels forces from its first step on, and is integrated with the group of the fix only
 prints "$box
 group grains empty
@@ -111,10 +141,8 @@ $1" "$2"
 }
 with "fix x all particletemplate/sphere 15485917 density constant 2500 radius constant 1e-5" \
 	'mean volume of 4.18879e-15, below volume_limit 1e-12'
-with "fix x all particletemplate/sphere 15486172 density constant 1 radius constant 1" \
-	'the seed is 15486172, expected a prime above 10000, as 15486173 is'
-with "fix x all particletemplate/sphere 9973 density constant 1 radius constant 1" 'as 10007 is'
-with "fix x all particletemplate/sphere 3147483647 density constant 1 radius constant 1" 'to 2147483629'
+with "fix x all particletemplate/sphere 3147483647 density constant 1 radius constant 1" 'expected 1 to 2147483646'
+with "fix x all particletemplate/sphere 0 density constant 1 radius constant 1" 'seed is 0, expected a number > 0'
 with "fix x all particletemplate/sphere 15485917 density constant 1 radius constant -1" 'found -1'
 with "fix x all particletemplate/sphere 15485917 density constant 1 radius constant" 'numbers is missing'
 with "fix x all particletemplate/sphere 15485917 density constant 1 radius uniform number 1 x" \
@@ -134,8 +162,6 @@ with "fix x all particledistribution/discrete 32452883 1 smal 1" "there is no fi
 with "fix x all particledistribution/discrete 32452883 1 move 1" 'expected a particle template'
 with "$pack region bed" '0 of particles_in_region'
 with "$pack region bed particles_in_region 3 mass_in_region 1" '2 of particles_in_region'
-with "${pack/32452867/32452843} region bed particles_in_region 3" \
-	'the seed 32452843 of fix mix is used twice; 32452867 is free'
 with "${pack/once/never} region bed particles_in_region 3" "insert_every is 'never'"
 with "${pack/template mix/template move} region bed particles_in_region 3" \
 	'expected a fix particledistribution/discrete'

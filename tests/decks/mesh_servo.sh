@@ -33,6 +33,25 @@ fix hold all freeze
 run 20000
 print 'is force \$(-f_lid[3]) 23.85'"
 
+# the force by a variable: it is met before and after it changes
+held="$start
+variable load equal 23.85-6*(step>20000)
+$lid target_val v_load vel_max 0.1 kp 0.1 ki 2000
+fix w all wall/gran model hertz tangential history mesh n_meshes 1 meshes lid
+create_atoms 1 single 0.1 0.1 0.0501 units box
+set group all diameter 0.1 density 2385
+fix hold all freeze"
+prints "$held
+run 20000
+print 'force \$(-f_lid[3]:%.6f)'
+run 20000
+print 'then \$(-f_lid[3]:%.6f)'" 'force 23.850000' 'then 17.850000'
+rejects "$held
+fix_modify lid servo/target_val v_nothing
+run 1" 'nothing'
+rejects "${held/23.85-6*(step>20000)/5-step}
+run 10" 'target_val must not be 0'
+
 rejects "$start $lid target_val 0 vel_max 0.1
 run 0" 'target_val must not be 0'
 rejects "$start $lid target_val 1 vel_max 600

@@ -49,10 +49,10 @@ syn match tsimKeyword /\<clear\>/
 syn keyword tsimKeyword  delete dynamic static
 syn match tsimKeyword /\<include\>/ 
 syn keyword tsimKeyword  molecule sc bcc fcc hcp diamond sq sq2 hex custom origin orient
-syn keyword tsimKeyword  spacing a1 a2 a3 file check binsize page one cluster
-syn keyword tsimKeyword  collection/type collection/interval exclude bin nsq fixed omp
-syn keyword tsimKeyword  grain shift tail mix arithmetic sixthpower universe grid part numa
-syn keyword tsimKeyword  add offset nocoeff extra/atom/types extra/bond/types
+syn keyword tsimKeyword  spacing a1 a2 a3 file check binsize contact_distance_factor page
+syn keyword tsimKeyword  one cluster collection/type collection/interval exclude bin nsq
+syn keyword tsimKeyword  fixed omp grain shift tail mix arithmetic sixthpower universe grid
+syn keyword tsimKeyword  part numa add offset nocoeff extra/atom/types extra/bond/types
 syn keyword tsimKeyword  extra/angle/types extra/dihedral/types extra/improper/types
 syn match tsimKeyword /\<fix\>/ 
 syn keyword tsimKeyword  replace trim purge bbox last skip start stop

@@ -5,8 +5,19 @@
 
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
 {
+	struct ts_definition *made = state;
+	const struct ts_word *word = made->line.word;
+
 	(void)where;
-	return ts_define(sim, TS_KIND_COMPUTE, state);
+	/* behind the style's name: `reduce update_on_run_end yes sum ...` */
+	if (made->line.n > 1 && ts_streq(word[1].text, "update_on_run_end")) {
+		if (made->line.n == 2 ||
+		    !(ts_streq(word[2].text, "yes") || ts_streq(word[2].text, "no")))
+			return ts_fail(&sim->error, TS_SYNTAX, &word[made->line.n == 2 ? 1 : 2].place,
+				       "compute: update_on_run_end takes yes or no");
+		made->passed = 2;
+	}
+	return ts_define(sim, TS_KIND_COMPUTE, made);
 }
 
 static const struct ts_arg args[] = {
@@ -21,7 +32,7 @@ const struct ts_command_style ts_command_compute = {
 		.kind = TS_KIND_COMMAND,
 		.summary = "Defines a quantity computed from particles",
 		.doc = "It is evaluated when something asks for it by the name c_ID. See the pages of the compute\n"
-		       "styles.",
+		       "styles. `update_on_run_end yes` of LIGGGHTS, behind the style, is not needed.",
 		.example = "compute energy all ke",
 		.args = args,
 		.state_size = sizeof(struct ts_definition),

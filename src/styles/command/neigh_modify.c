@@ -12,7 +12,7 @@
 struct state {
 	int64_t every, delay, page, one;
 	bool check, once, cluster;
-	double binsize;
+	double binsize, factor;
 	int include;
 	struct ts_words exclude, collections;
 };
@@ -123,6 +123,9 @@ static const struct ts_arg args[] = {
 			"is when they must be"),
 	TS_REAL("binsize", struct state, binsize, .flags = TS_OPTIONAL, .unit = "length",
 		.help = "no effect: cells adapt to the radii"),
+	TS_REAL("contact_distance_factor", struct state, factor, .flags = TS_OPTIONAL,
+		.range = TS_POSITIVE, .unit = "",
+		.help = "no effect: pairs are looked for as far as the laws of contact reach"),
 	TS_INT("page", struct state, page, .flags = TS_OPTIONAL,
 	       .help = "no effect: room is made as it is needed"),
 	TS_INT("one", struct state, one, .flags = TS_OPTIONAL,

@@ -14,11 +14,13 @@ struct state {
 	struct ts_mesh_words words;
 	struct ts_mesh_stress stress;
 	/* arguments */
-	double com[3], axis[3], target, fastest, kp, ki, kd, ratio;
+	double com[3], axis[3], fastest, kp, ki, kd, ratio;
+	struct ts_number wanted;
 	int controlled, mode;
 
 	int moves; /* or was stopped by fix_modify */
 	double unit[3]; /* along the axis */
+	double target;	/* what is wanted, now */
 	double lever;	/* of the corner farthest from the axis, for torque */
 	/* saved */
 	double speed;	/* for the next step: of the mesh, or of that corner */
@@ -49,6 +51,17 @@ static double largest_lever(const struct state *s)
 	return most;
 }
 
+static enum ts_status set_target(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	TS_TRY(ts_number_now(sim, &s->wanted, &self->where, &s->target));
+	if (fabs(s->target) > 0)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "target_val"),
+		       "fix %s: target_val must not be 0: errors are relative to it", self->style->name);
+}
+
 static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
@@ -58,10 +71,7 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "axis"),
 			       "fix %s: the axis has no length", self->style->name);
 	ts_scale(1 / length, s->axis, s->unit);
-	if (!(fabs(s->target) > 0))
-		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "target_val"),
-			       "fix %s: target_val must not be 0: errors are relative to it",
-			       self->style->name);
+	TS_TRY(set_target(self, sim));
 	if (s->mode == AUTO && !(s->ratio > 0))
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "mode"),
 			       "fix %s: mode auto needs `ratio`, > 0", self->style->name);
@@ -176,6 +186,8 @@ static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim
 	TS_TRY(ts_mesh_stress_settle(self, sim));
 	if (s->moves == STOP)
 		return TS_OK;
+	if (s->wanted.variable)
+		TS_TRY(set_target(self, sim));
 	met = -ts_dot(s->stress.sum[s->controlled == TORQUE], s->unit);
 	error = (s->target - met) / fabs(s->target);
 	s->speed = s->mode == AUTO ? scheduled(s, sim, error) : pid(s, error, sim->clock.dt);
@@ -202,7 +214,7 @@ static const struct ts_arg gain_rows[] = {
 	TS_ARGS_END,
 };
 static const struct ts_arg target_rows[] = {
-	TS_REAL("target_val", struct state, target, .flags = TS_POSITIONAL, .help = "target"),
+	TS_NUMBER("target_val", struct state, wanted, .flags = TS_POSITIONAL, .help = "target"),
 	TS_ARGS_END,
 };
 static const struct ts_arg fastest_rows[] = {
@@ -272,8 +284,9 @@ static const struct ts_arg args[] = {
 		.help = "what is controlled: force (the mesh shifts along the axis) or torque (it turns "
 			"about it)"),
 	TS_VEC3("axis", struct state, axis, .flags = TS_STATEFUL, .help = "direction"),
-	TS_REAL("target_val", struct state, target, .unit = "force or torque",
-		.help = "what the mesh should exert on the particles along the axis"),
+	TS_NUMBER("target_val", struct state, wanted, .unit = "force or torque",
+		.help = "what the mesh should exert on the particles along the axis; of a variable, anew in "
+			 "each step"),
 	TS_REAL("vel_max", struct state, fastest, .range = TS_POSITIVE, .unit = "velocity",
 		.help = "largest speed of the mesh; with torque, of its corner farthest from the axis"),
 	TS_REAL("kp", struct state, kp, .fallback = "0.01", .range = TS_NOT_NEGATIVE, .unit = "",

@@ -1,0 +1,104 @@
+#!/bin/bash
+# What scripts of LIGGGHTS have and LIGGGHTS runs: words of no effect here, files and faces that are off by
+# rounding, walls across periodic dimensions.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+
+material='fix m1 all property/global youngsModulus peratomtype 5.e6
+fix m2 all property/global poissonsRatio peratomtype 0.45
+fix m3 all property/global coefficientRestitution peratomtypepair 1 0.3
+fix m4 all property/global coefficientFriction peratomtypepair 1 0.5
+pair_style gran model hertz tangential history
+pair_coeff * *'
+box="units si
+boundary f f f
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+$material
+create_atoms 1 single 0.06 0.5 0.5
+create_atoms 1 single 0.94 0.52 0.5
+set group all diameter 0.1 density 2500
+timestep 1e-5
+fix move all nve/sphere"
+
+# A plane wall across a periodic dimension: the numbers of LIGGGHTS 3.8, with a warning. LAMMPS refuses it.
+periodic="${box/f f f/p p f}
+fix x1 all wall/gran model hertz tangential history primitive type 1 xplane 0.0
+fix x2 all wall/gran model hertz tangential history primitive type 1 xplane 1.0
+velocity all set 0 0.2 0
+group a id 1
+velocity a set -1.5 0.1 0"
+prints "$periodic
+run 10000
+print \"\$(x[1]:%.9f) \$(vy[1]:%.9f) \$(x[2]:%.6f)\"" '0.084715321 0.070758852 0.940000' \
+	'warning: fix wall/gran: a plane wall across the periodic dimension x'
+rejects "${box/f f f/p p f}
+fix x1 all wall/gran hooke 1e5 NULL 10 NULL 0.5 0 xplane 0 1" 'a plane wall across the periodic dimension x'
+
+# Words without effect
+prints "$box
+neigh_modify delay 0 contact_distance_factor 1.2
+region a sphere 0.5 0.5 0.5 0.1 seed 300017 units box volume_limit 1e-12
+region h sphere 0.5 0.5 0.5 0.1 units box
+velocity all set 0.25 0 0
+compute sum all reduce update_on_run_end yes sum vx
+thermo_style custom step c_sum
+run 1
+print \"sum \$(c_sum)\"" 'sum 0.5'
+rejects "$box
+compute sum all reduce update_on_run_end maybe sum vx" 'update_on_run_end takes yes or no'
+
+# The limit of a region is one of insertion into it.
+insert="$box
+fix t all particletemplate/sphere 15485863 atom_type 1 density constant 2500 radius constant 0.01
+fix d all particledistribution/discrete 32452843 1 t 1"
+for limit in 0.0079 0.0081; do
+	script="$insert
+region bed block 0.4 0.6 0.4 0.6 0.4 0.6 units box volume_limit $limit
+fix in all insert/pack seed 32452867 distributiontemplate d insert_every once region bed particles_in_region 3
+run 1
+print \"made \$(count(all))\""
+	if [ $limit = 0.0079 ]; then
+		prints "$script" 'made 5'
+	else
+		rejects "$script" 'region bed has a volume of about 0.008, below its volume_limit'
+	fi
+done
+
+# ---- meshes
+facets() { # z: a square
+	local a='facet normal 0 0 1\nouter loop' b='endloop\nendfacet'
+	printf "$a\nvertex 0 0 $1\nvertex 1000 0 $1\nvertex 1000 1000 $1\n$b\n"
+	printf "$a\nvertex 0 0 $1\nvertex 1000 1000 $1\nvertex 0 1000 $1\n$b\n"
+}
+{
+	printf '# made by hand\n\n; of two triangles\nTitle: a solid floor\nsolid floor\n'
+	facets 26
+	echo 'endsolid floor'
+} >floor.stl
+sed 1,4d floor.stl >plain.stl
+sed 's/facet normal/facet, normal/' floor.stl >torn.stl
+
+# Lines before `solid`; 26 * 0.001 > 0.026
+fall="${box/0 1 units/0 0.026 units}
+delete_atoms group all
+create_atoms 1 single 0.5 0.4 0.02
+set group all diameter 0.01 density 2500
+velocity all set 0 0 0.5"
+for file in plain floor; do
+	prints "$fall
+fix f all mesh/surface file $file.stl type 1 scale 0.001
+fix w all wall/gran model hertz tangential history mesh n_meshes 1 meshes f
+run 2000
+print \"speed \$(vz[1]:%.6f)\""
+	grep '^speed' out >$file.out
+	grep -q '^speed -0.1' $file.out
+	report "bounces back from $file.stl" $? out
+done
+same 'lines before solid' plain.out floor.out
+rejects "$fall
+fix f all mesh/surface file torn.stl type 1 scale 0.001" "expected 'facet', 'solid' or 'endsolid'"
+# a thousandth of the box is no rounding
+rejects "$fall
+fix f all mesh/surface file floor.stl type 1 scale 0.001 move 0 0 0.000026" 'outside the box'
+finish
