@@ -137,6 +137,7 @@ library_sources = \
 	src/flow/immersed.c \
 	src/flow/immersed.h \
 	src/flow/immersed_place.c \
+	src/flow/immersed_size.c \
 	src/flow/implicit.c \
 	src/flow/implicit.h \
 	src/flow/keywords.c \

@@ -226,7 +226,7 @@ fluid 'fix room none void_fraction' >in.fluid_room
 	flow_style projection cells 12 12 12 viscosity 1.1 density 1.3 viscous implicit
 	flow_boundary zlo wall velocity -0.6 0 0
 	flow_boundary zhi wall velocity 0.6 0 0
-	fix ball all immersed/boundary spheres
+	fix ball all immersed/boundary spheres min_cells 3
 	fix i all nve/sphere
 	timestep 2e-3
 	compute spin all property/atom omegay

@@ -93,6 +93,11 @@ struct ts_immersed {
 
 void ts_immersed_release(struct ts_immersed *ib);
 
+/* Refuses a part that is fewer than `least` cells across; `spheres`: parts are particles. immersed_size.c */
+enum ts_status ts_immersed_check_size(struct tsim *sim, const struct ts_place *where,
+				      const struct ts_solid *solid, const struct ts_grid *grid, bool spheres,
+				      double least);
+
 /* Finds the points, after the solid has moved. */
 enum ts_status ts_immersed_place(struct ts_immersed *ib, struct ts_solid *solid,
 				 const struct ts_fluid *fluid);

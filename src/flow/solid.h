@@ -6,6 +6,7 @@
 #include <stdbool.h>
 
 #include "core/sim.h"
+#include "flow/grid.h"
 
 struct ts_mesh_surface;
 
@@ -81,6 +82,10 @@ struct ts_solid *ts_solid_of_mesh(struct ts_mesh_surface *mesh, int dimensions,
 				  const struct ts_solid_given *given);
 struct ts_solid *ts_solid_of_spheres(int group, int dimensions);
 void ts_solid_free(struct ts_solid *solid);
+
+/* How many cells of the grid lie side by side between lo and hi, along the axis where they are fewest; INFINITY
+ * where no axis has both ends. Beyond the grid cells are as wide as at its end. */
+double ts_solid_cells(const struct ts_grid *grid, const double lo[3], const double hi[3], int *axis);
 
 /* Row of the particle that part k is. */
 int32_t ts_solid_sphere_row(const struct ts_solid *solid, size_t part);

@@ -111,7 +111,7 @@ run 1"
 warns 1 "$inviscid
 flow_boundary all slip
 region ball sphere 0.5 0.25 0.125 0.07
-fix body all immersed/boundary region ball
+fix body all immersed/boundary region ball min_cells 0
 run 1"
 warns 0 'include fluid
 run 1'

@@ -225,7 +225,7 @@ pair_coeff * *
 flow_style projection cells 12 12 12 viscosity 0.05 density 1 body_force 1 0.3 0
 fix s all mesh/surface/stress file slab.stl type 1 move $(0.5+v_far) 0.5 $(0.5-v_far) reference_point ${far} 0 -1
 fix w all wall/gran model hertz mesh n_meshes 1 meshes s
-fix b all immersed/boundary mesh s
+fix b all immersed/boundary mesh s min_cells 0
 fix free all move/mesh/free mesh s density 3 omega 0.2 0.7 1
 timestep 2e-4
 run 20

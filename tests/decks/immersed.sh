@@ -183,7 +183,7 @@ fix move all move/mesh mesh surface linear 0.4 0 0
 variable x equal 0.4*time
 variable nil equal 0
 region sliding block 0.26 0.76 0.3 0.7 0.35 0.65 units box move v_x v_nil v_nil
-fix body all immersed/boundary ${body}
+fix body all immersed/boundary ${body} min_cells 3.6
 timestep 5e-4
 thermo 10
 thermo_style custom step f_body[1] f_body[2] f_body[3] f_body[7]
@@ -220,9 +220,9 @@ pair_style gran model hooke tangential history
 pair_coeff * *
 region block block 0.2 0.8 0.2 0.8 0.05 0.4 units box
 region around block 0.2 0.8 0.2 0.8 0.05 0.4 side out units box
-fix body all immersed/boundary region block
+fix body all immersed/boundary region block min_cells 3
 fix wall all wall/gran/region model hooke tangential history type 1 region around
-fix ball all immersed/boundary spheres
+fix ball all immersed/boundary spheres min_cells 2
 fix g all gravity 9.81 vector 0 0 -1
 fix move all nve/sphere
 timestep 5e-4
@@ -243,8 +243,8 @@ pair_coeff * *
 variable x equal 0.1*sin(5*time)
 variable nil equal 0
 region wagging block 1.05 1.35 0.3 0.7 0.3 0.7 units box move v_x v_nil v_nil rotate v_x 1.2 0.5 0.5 0 0 1
-fix bodies all immersed/boundary spheres relax 0.8
-fix wagging all immersed/boundary region wagging
+fix bodies all immersed/boundary spheres relax 0.8 min_cells 3
+fix wagging all immersed/boundary region wagging min_cells 3
 fix step all nve/sphere
 thermo 4
 compute forces all reduce sum f_bodies[1] f_bodies[6]
@@ -302,9 +302,72 @@ plate 2 0.5 >plate.stl # of side 1 about the z axis
 rejects "$scene
 fix m all mesh/surface file plate.stl type 1 move 0.5 0.5 0
 fix b all immersed/boundary mesh m" 'is not closed'
+# ---- bodies of few cells: refused, unless min_cells says otherwise; by -check too, in any unit
+# few UNIT: a scene with cells of UNIT/8
+few() {
+	echo "units si
+boundary f p f
+newton off
+communicate single vel yes
+region box block 0 $1 0 $1 0 $1 units box
+create_box 1 box
+flow_style projection cells 8 8 8 viscosity 1 density 1
+flow_boundary all slip
+timestep \$(1e-4*$1^2)"
+}
+for unit in 1 1e-6 1e3; do
+	rejects "$(few $unit)
+region b block \$(0.2*$unit) \$(0.8*$unit) INF INF \$(0.25*$unit) \$(0.74*$unit) units box
+fix b all immersed/boundary region b
+run 1" '3.92 cells across along z, fewer than 4'
+	"$TSIM" -check -in in.script >out 2>&1
+	[ $? = 1 ] && grep -q 'say .min_cells 3.9.' out
+	report "-check refuses a body of few cells, lengths of $unit" $? out
+	prints "$(few $unit)
+region b block \$(0.2*$unit) \$(0.8*$unit) INF INF \$(0.25*$unit) \$(0.74*$unit) units box
+fix b all immersed/boundary region b min_cells 3.9
+run 1
+print went" went
+	prints "$(few $unit)
+region b block \$(0.2*$unit) \$(0.8*$unit) INF INF \$(0.25*$unit) \$(0.75*$unit) units box
+fix b all immersed/boundary region b
+run 1
+print went" went
+	rejects "$(few $unit)
+create_atoms 1 single \$(0.4*$unit) \$(0.5*$unit) \$(0.99*$unit) units box
+create_atoms 1 single \$(0.6*$unit) \$(0.5*$unit) \$(0.01*$unit) units box
+set group all diameter \$(0.6*$unit) density 1
+set atom 2 diameter \$(0.4*$unit)
+fix b all immersed/boundary spheres
+run 1" 'particle 2 of diameter'
+done
+rejects "$(few 1)
+flow_grid x tanh 1
+region c cylinder y 0.5 0.5 0.25 INF INF units box
+fix c all immersed/boundary region c
+run 1" 'cells across along x'
+cuboid 0.3 0.3 0.2 >small.stl
+rejects "$(few 1)
+fix m all mesh/surface file small.stl type 1 move 0.5 0.5 0.5
+fix b all immersed/boundary mesh m
+run 1" '3.2 cells across along z'
+# a clump is as thick as its largest sphere
+clump="$(few 1)
+create_atoms 1 single 0.4 0.5 0.5 units box
+create_atoms 1 single 0.6 0.5 0.5 units box
+set group all diameter 0.3 density 2
+fix clump all rigid single
+fix b all immersed/boundary spheres"
+rejects "$clump
+run 1" 'particle 1 of diameter 0.3 is 2.4 cells'
+prints "$clump
+set atom 2 diameter 0.6
+run 1
+print went" went
+
 # warns WHAT REGION TEXT
 warns() {
-	printf '%s\nregion b %s units box\nfix b all immersed/boundary region b\ntimestep 1e-4\nrun 1\n' "$scene" "$2" >in.script
+	printf '%s\nregion b %s units box\nfix b all immersed/boundary region b min_cells 0\ntimestep 1e-4\nrun 1\n' "$scene" "$2" >in.script
 	"$TSIM" -in in.script -log none >out 2>&1 && grep -qF -- "$3" out
 	report "$1" $? out
 }

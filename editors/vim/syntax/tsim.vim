@@ -85,8 +85,8 @@ syn keyword tsimKeyword  body clearance tolerance summary conductivity capacity 
 syn keyword tsimKeyword  source convection vanleer central donor exchange ranz_marshall
 syn keyword tsimKeyword  chute spherical hard soft continue message path
 syn keyword tsimKeyword  initial_temperature contact_area area_correction
-syn keyword tsimKeyword  store_contact_data euler centre iterations relax spheres seed
-syn keyword tsimKeyword  distributiontemplate maxattempt overlapcheck all_in
+syn keyword tsimKeyword  store_contact_data euler centre iterations min_cells relax spheres
+syn keyword tsimKeyword  seed distributiontemplate maxattempt overlapcheck all_in
 syn keyword tsimKeyword  random_distribute uncorrelated orientation set_property verbose
 syn keyword tsimKeyword  compress_tags insert_every ntry_mc
 syn keyword tsimKeyword  check_dist_from_subdomain_border warn_region particles_in_region

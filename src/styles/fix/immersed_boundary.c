@@ -34,6 +34,7 @@ struct state {
 	struct ts_number velocity[3], omega[3];
 	double centre[3], share; /* centre NaN: not given */
 	int64_t iterations;
+	double least_cells;
 
 	struct ts_solid *solid;
 	struct ts_solid_given given;
@@ -173,6 +174,8 @@ static enum ts_status place(struct ts_instance *self, struct tsim *sim, const st
 	TS_TRY(s->solid->kind->update(s->solid, sim));
 	if (s->placed && !s->solid->moved && !s->given.velocity && !s->given.omega)
 		return TS_OK;
+	TS_TRY(ts_immersed_check_size(sim, &self->where, s->solid, &fluid->grid, s->body == SPHERES,
+				      s->least_cells));
 	status = ts_immersed_place(&s->immersed, s->solid, fluid);
 	s->placed = true;
 	return status == TS_NOMEM ? ts_nomem(&sim->error) : status;
@@ -411,6 +414,9 @@ static void fini(struct ts_instance *self)
 	       .lo = 1, .hi = 100,                                                                 \
 	       .help = "how often the values beside the surface, which hang on each other, are "   \
 		       "found anew in a step")
+#define MIN_CELLS                                                                                  \
+	TS_REAL("min_cells", struct state, least_cells, .fallback = "4", .range = TS_NOT_NEGATIVE, \
+		.unit = "", .help = "a body with fewer cells across is refused")
 #define RELAX                                                                                      \
 	TS_REAL("relax", struct state, share, .fallback = "1", .range = TS_WITHIN, .lo = 1e-3,     \
 		.hi = 1,                                                                           \
@@ -420,6 +426,7 @@ static const struct ts_arg region_args[] = {
 	TS_REGION("region", struct state, region, .flags = TS_POSITIONAL, .help = "the solid"),
 	GIVEN_ROWS,
 	ITERATIONS,
+	MIN_CELLS,
 	TS_ARGS_END,
 };
 static const struct ts_arg mesh_args[] = {
@@ -428,11 +435,13 @@ static const struct ts_arg mesh_args[] = {
 	GIVEN_ROWS,
 	RELAX,
 	ITERATIONS,
+	MIN_CELLS,
 	TS_ARGS_END,
 };
 static const struct ts_arg sphere_args[] = {
 	RELAX,
 	ITERATIONS,
+	MIN_CELLS,
 	TS_ARGS_END,
 };
 static const struct ts_mode bodies[] = {
@@ -502,7 +511,9 @@ const struct ts_style ts_fix_immersed_boundary = {
 	       "of the fluid inside,\n\n"
 	       "    F = -sum rho (u_forced - u) V/dt + d/dt int rho u dV,\n\n"
 	       "0 before the first step. With `viscous implicit` velocities beside the body lag behind by an error of\n"
-	       "first order in the step: keep that near h^2/nu. A body nowhere thicker than two cells leaks, with a warning.",
+	       "first order in the step: keep that near h^2/nu. Bodies of fewer than `min_cells` cells across, along the\n"
+	       "axis where they are fewest, are refused: with 4 the drag is wrong by 5 to 13 %, with 8 by 1 to 4 %; a clump is\n"
+	       "as thick as its largest sphere. A body nowhere thicker than two cells leaks, with a warning.",
 	.example = "region rod cylinder z 0 0 0.5 INF INF units box\n"
 		   "fix rod all immersed/boundary region rod\n"
 		   "fix spin all immersed/boundary region rod omega 0 0 2.385\n"
