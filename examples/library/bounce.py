@@ -84,7 +84,7 @@ def plot(path, times, heights):
 
 def result(name, value, reference, tolerance):
     ok = abs(value - reference) <= tolerance * abs(reference)
-    print("RESULT %s %.9g %.9g %g %s" % (name, value, reference, tolerance, "ok" if ok else "off"))
+    print("RESULT %s %.6g %.6g %.3g %s" % (name, value, reference, tolerance, "ok" if ok else "off"))
     return ok
 
 

@@ -98,7 +98,7 @@ static int result(const char *name, double value, double reference, double toler
 {
 	int ok = fabs(value - reference) <= tolerance * fabs(reference);
 
-	printf("RESULT %s %.12g %.12g %g %s\n", name, value, reference, tolerance, ok ? "ok" : "off");
+	printf("RESULT %s %.6g %.6g %.3g %s\n", name, value, reference, tolerance, ok ? "ok" : "off");
 	return !ok;
 }
 

@@ -25,6 +25,6 @@ NF == 2 {
 	part = ($1 - angle[k]) / (angle[k + 1] - angle[k])
 	simulated = (1 - part) * value[set, k] + part * value[set, k + 1]
 	off = simulated - $2
-	print "RESULT 4.measured." name[set] "." $1, simulated, $2, within[set],
+	print "RESULT 4.measured." name[set] "." $1, sprintf("%.6g", simulated), $2, within[set],
 		off <= within[set] && -off <= within[set] ? "ok" : "off"
 }
