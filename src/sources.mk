@@ -122,6 +122,7 @@ library_sources = \
 	src/flow/direct.h \
 	src/flow/drag.c \
 	src/flow/drag.h \
+	src/flow/face_pressure.c \
 	src/flow/flow.h \
 	src/flow/flow_force.c \
 	src/flow/flow_force.h \

@@ -31,6 +31,17 @@ report 'file of the channel' $? channel
 order 'profile of a channel' 1.9 plates.inlet.5.profile plates.inlet.10.profile
 # a parabola is exact in the scheme, whatever the grid
 results 'channel, pulled along' poiseuille -var N 4 -var drive force -var within 1e-6
+results 'channel, driven by pressures' poiseuille -var N 4 -var drive pressure -var within 1e-6
+for N in 4 8; do
+	results 'channel, driven by pressures' poiseuille -var N $N -var drive pressure -var wall linear -var within 0.1
+done
+order 'profile driven by pressures' 1.95 plates.pressure.4.profile plates.pressure.8.profile
+# a duct has the errors that it has when it is pulled along
+for drive in force pressure; do
+	results 'duct, driven' poiseuille -var N 5 -var shape duct -var drive $drive -var within 0.05
+	awk '/profile/ { printf "%.5f\n", $3 }' lines >profile.$drive
+done
+same 'duct, driven' profile.force profile.pressure
 results 'duct' poiseuille -var N 5 -var shape duct -var within 0.07
 results 'duct' poiseuille -var N 10 -var shape duct -var within 0.02
 order 'profile of a duct' 1.9 duct.inlet.5.profile duct.inlet.10.profile

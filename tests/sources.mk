@@ -61,6 +61,7 @@ shell_tests = \
 	tests/decks/fixes.sh \
 	tests/decks/flow_faults.sh \
 	tests/decks/flow_outputs.sh \
+	tests/decks/flow_pressure.sh \
 	tests/decks/flow_style.sh \
 	tests/decks/free_mesh.sh \
 	tests/decks/gran_numbers.sh \

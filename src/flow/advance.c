@@ -185,6 +185,7 @@ static enum ts_status make_stage(struct ts_instance *self, struct tsim *sim,
 	ts_projection_blend(p, ((double)p->now_at + scheme->at[s]) / (double)p->done);
 	ts_fluid_fill_velocity(fluid, fluid->u);
 	TS_TRY(parts_force(sim, fluid, fluid->time + scheme->at[s] * dt, length));
+	p->pressure_share = ((double)p->now_at + scheme->pressure_at[s]) / (double)p->done;
 	TS_TRY(ts_projection_project(self, sim, length, length));
 	ts_projection_use(p, s == 0 ? carry : 1, scheme->take[s]);
 	return TS_OK;
@@ -272,7 +273,8 @@ enum ts_status ts_projection_step(struct ts_instance *self, struct tsim *sim, do
 	}
 	divide_used(p, (double)p->done);
 	TS_TRY(parts_settle(sim, &p->fluid, length));
-	ts_projection_settle(p);
+	if (ts_projection_settle(p) != TS_OK)
+		return ts_nomem(&sim->error);
 	ts_projection_clear_sources(p);
 	return TS_OK;
 }

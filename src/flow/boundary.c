@@ -66,9 +66,9 @@ enum ts_status ts_projection_faces(struct ts_instance *self, struct tsim *sim)
 			TS_TRY(set_face(p, sim, d, (enum ts_side)side));
 			kind = p->fluid.face[d][side];
 			poisson->condition[d][side] = kind == TS_FLOW_PERIODIC ? TS_PRESSURE_PERIODIC
-						      : kind == TS_FLOW_OUTLET ? TS_PRESSURE_GIVEN
-									       : TS_PRESSURE_NO_GRADIENT;
-			if (kind == TS_FLOW_OUTLET)
+						      : ts_flow_open(kind)	  ? TS_PRESSURE_GIVEN
+										  : TS_PRESSURE_NO_GRADIENT;
+			if (ts_flow_open(kind))
 				poisson->singular = false;
 		}
 	return TS_OK;
@@ -76,8 +76,7 @@ enum ts_status ts_projection_faces(struct ts_instance *self, struct tsim *sim)
 
 /* ---- values */
 
-/* Where point i of component c stands along axis a; beyond the grid as its last point, or periodically. */
-static double coordinate(const struct ts_grid *grid, int a, int c, int i)
+double ts_flow_coordinate(const struct ts_grid *grid, int a, int c, int i)
 {
 	int n = grid->n[a], last = c == a ? n : n - 1;
 
@@ -87,21 +86,20 @@ static double coordinate(const struct ts_grid *grid, int a, int c, int i)
 	return c == a ? grid->face[a][i] : grid->centre[a][i];
 }
 
-static enum ts_status value_now(struct tsim *sim, const struct ts_flow_condition *condition, int c,
-				double *out)
+enum ts_status ts_flow_formula_now(struct tsim *sim, const struct ts_flow_condition *condition,
+				   const struct ts_flow_formula *formula, double *out)
 {
-	TS_TRY(ts_number_now(sim, &condition->velocity[c], &condition->where, out));
+	TS_TRY(ts_number_now(sim, formula->number, &condition->where, out));
 	if (!isfinite(*out))
 		return ts_fail(&sim->error, TS_RANGE, &condition->where,
-			       "flow_boundary: the velocity v_%s is %g, which is not a finite number",
-			       condition->velocity[c].variable, *out);
+			       "flow_boundary: the %s v_%s is %g, which is not a finite number", formula->what,
+			       formula->number->variable, *out);
 	return TS_OK;
 }
 
-/* Component c at all points of the face across d. */
-static enum ts_status fill_plane(struct tsim *sim, const struct ts_flow_condition *condition,
-				 const struct ts_grid *grid, int d, enum ts_side side, int c,
-				 double *plane)
+enum ts_status ts_flow_fill_plane(struct tsim *sim, const struct ts_flow_condition *condition,
+				  const struct ts_flow_formula *formula, const struct ts_grid *grid, int d,
+				  enum ts_side side, double *plane)
 {
 	int a = d == 0, b = d == 2 ? 1 : 2;
 	double x[3];
@@ -109,26 +107,19 @@ static enum ts_status fill_plane(struct tsim *sim, const struct ts_flow_conditio
 	x[d] = grid->face[d][side == TS_LOW ? 0 : grid->n[d]];
 	for (int ib = -grid->ghosts[b]; ib <= grid->n[b] + grid->ghosts[b] - 1; ib++)
 		for (int ia = -grid->ghosts[a]; ia <= grid->n[a] + grid->ghosts[a] - 1; ia++) {
-			x[a] = coordinate(grid, a, c, ia);
-			x[b] = coordinate(grid, b, c, ib);
+			x[a] = ts_flow_coordinate(grid, a, formula->component, ia);
+			x[b] = ts_flow_coordinate(grid, b, formula->component, ib);
 			TS_TRY(ts_flow_set_coordinates(sim, condition->set, x, &condition->where));
-			TS_TRY(value_now(sim, condition, c,
-					 &plane[ts_flow_plane_at(grid, d, ia, ib)]));
+			TS_TRY(ts_flow_formula_now(sim, condition, formula,
+						   &plane[ts_flow_plane_at(grid, d, ia, ib)]));
 		}
 	return TS_OK;
-}
-
-static size_t plane_size(const struct ts_grid *grid, int d)
-{
-	int b = d == 2 ? 1 : 2;
-
-	return ts_flow_plane_at(grid, d, 0, grid->n[b] + grid->ghosts[b] + 1);
 }
 
 static enum ts_status want_plane(const struct ts_grid *grid, int d, double **plane)
 {
 	if (!*plane)
-		*plane = ts_alloc(plane_size(grid, d), sizeof(double));
+		*plane = ts_alloc(ts_flow_plane_size(grid, d), sizeof(double));
 	return *plane ? TS_OK : TS_NOMEM;
 }
 
@@ -149,7 +140,7 @@ static enum ts_status shape(struct ts_projection *p, int d, enum ts_side side, i
 	struct ts_flow_given *now = &p->now[d][side], *before = &p->before[d][side];
 	struct ts_flow_given *given = &p->fluid.given[d][side];
 	const struct ts_grid *grid = &p->fluid.grid;
-	size_t n = plane_size(grid, d);
+	size_t n = ts_flow_plane_size(grid, d);
 	bool had = before->plane[c];
 
 	if (over_face)
@@ -171,21 +162,21 @@ static enum ts_status evaluate(struct ts_projection *p, struct tsim *sim, int d,
 	const struct ts_flow_condition *condition = &p->condition[d][side];
 	const struct ts_grid *grid = &p->fluid.grid;
 	struct ts_flow_given *now = &p->now[d][side];
-	bool set = condition->set[0] || condition->set[1] || condition->set[2];
 
 	if (condition->once && sim->running)
 		return TS_OK;
 	for (int c = 0; c < grid->dimensions; c++) {
-		bool over_face = set && condition->velocity[c].variable;
+		const struct ts_flow_formula formula = { &condition->velocity[c], "velocity", c };
+		bool over_face = ts_flow_condition_shaped(condition) && condition->velocity[c].variable;
 
 		if (shape(p, d, side, c, over_face) != TS_OK)
 			return ts_nomem(&sim->error);
 		if (over_face)
-			TS_TRY(fill_plane(sim, condition, grid, d, side, c, now->plane[c]));
+			TS_TRY(ts_flow_fill_plane(sim, condition, &formula, grid, d, side, now->plane[c]));
 		else
-			TS_TRY(value_now(sim, condition, c, &now->constant[c]));
+			TS_TRY(ts_flow_formula_now(sim, condition, &formula, &now->constant[c]));
 	}
-	return TS_OK;
+	return ts_projection_give_pressure(p, sim, d, side);
 }
 
 enum ts_status ts_projection_boundary(struct ts_instance *self, struct tsim *sim)
@@ -196,7 +187,7 @@ enum ts_status ts_projection_boundary(struct ts_instance *self, struct tsim *sim
 		for (int side = 0; side < 2; side++)
 			TS_TRY(evaluate(p, sim, d, (enum ts_side)side));
 	if (!p->before_known || (ts_projection_fresh(p) && !sim->running))
-		ts_projection_settle(p);
+		return ts_projection_settle(p) == TS_OK ? TS_OK : ts_nomem(&sim->error);
 	return TS_OK;
 }
 
@@ -206,35 +197,30 @@ static void settle(const struct ts_grid *grid, int d, const struct ts_flow_given
 	for (int c = 0; c < grid->dimensions; c++) {
 		before->constant[c] = now->constant[c];
 		if (now->plane[c])
-			memcpy(before->plane[c], now->plane[c], plane_size(grid, d) * sizeof(double));
+			memcpy(before->plane[c], now->plane[c], ts_flow_plane_size(grid, d) * sizeof(double));
 		else
 			drop_plane(&before->plane[c]);
 	}
 }
 
-void ts_projection_settle(struct ts_projection *p)
+enum ts_status ts_projection_settle(struct ts_projection *p)
 {
 	for (int d = 0; d < p->fluid.grid.dimensions; d++)
 		for (int side = 0; side < 2; side++)
 			settle(&p->fluid.grid, d, &p->now[d][side], &p->before[d][side]);
 	p->before_known = 1;
-}
-
-/* Exact at both ends, and where nothing changes. */
-static double between(double a, double b, double share)
-{
-	return share < 1 ? a + share * (b - a) : b;
+	return ts_projection_settle_pressure(p);
 }
 
 static void blend(const struct ts_grid *grid, int d, const struct ts_flow_given *before,
 		  const struct ts_flow_given *now, double share, struct ts_flow_given *out)
 {
 	for (int c = 0; c < grid->dimensions; c++) {
-		size_t n = out->plane[c] ? plane_size(grid, d) : 0;
+		size_t n = out->plane[c] ? ts_flow_plane_size(grid, d) : 0;
 
-		out->constant[c] = between(before->constant[c], now->constant[c], share);
+		out->constant[c] = ts_flow_between(before->constant[c], now->constant[c], share);
 		for (size_t k = 0; k < n; k++)
-			out->plane[c][k] = between(value_of(before, c, k), value_of(now, c, k), share);
+			out->plane[c][k] = ts_flow_between(value_of(before, c, k), value_of(now, c, k), share);
 	}
 }
 
@@ -262,10 +248,10 @@ enum ts_status ts_projection_archive_given(struct ts_projection *p, struct tsim 
 			if (want_plane(&p->fluid.grid, face / 2, &given->plane[c]) != TS_OK)
 				return ts_nomem(&sim->error);
 			TS_TRY(ts_archive_fixed(archive, name, TS_SAVED_F64, given->plane[c],
-						plane_size(&p->fluid.grid, face / 2)));
+						ts_flow_plane_size(&p->fluid.grid, face / 2)));
 		}
 	}
-	return TS_OK;
+	return ts_projection_archive_pressure(p, sim, archive);
 }
 
 /* ---- what flows in must flow out */

@@ -26,8 +26,11 @@ void ts_fluid_release(struct ts_fluid *fluid)
 		*scalars[k] = NULL;
 	}
 	for (int d = 0; d < 3; d++)
-		for (int side = 0; side < 2; side++)
+		for (int side = 0; side < 2; side++) {
 			release_vector(fluid->given[d][side].plane);
+			ts_free(fluid->pressure[d][side].plane);
+			fluid->pressure[d][side].plane = NULL;
+		}
 	ts_grid_release(&fluid->grid);
 }
 

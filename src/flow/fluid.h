@@ -23,7 +23,20 @@ enum ts_flow_face {
 	TS_FLOW_WALL,  /* no slip; may move */
 	TS_FLOW_SLIP,  /* no flow across, no shear; symmetry */
 	TS_FLOW_INLET, /* velocity given */
-	TS_FLOW_OUTLET /* zero gauge pressure, no normal gradient of velocity */
+	TS_FLOW_OUTLET, /* pressure given, no normal gradient of velocity; what comes back in brings no momentum */
+	TS_FLOW_INTAKE /* an inlet by its pressure: as an outlet, but what comes in moves across as inside */
+};
+
+/* Whether the pressure is given there, and the flow across not. */
+static inline bool ts_flow_open(enum ts_flow_face face)
+{
+	return face == TS_FLOW_OUTLET || face == TS_FLOW_INTAKE;
+}
+
+/* Pressure given on one face of the grid. */
+struct ts_flow_pressure {
+	double constant;
+	double *plane; /* where it varies over the face, by ts_flow_plane_at; NULL: constant */
 };
 
 /* Velocity given at one face of the grid, for walls and inlets. */
@@ -36,6 +49,8 @@ struct ts_fluid {
 	struct ts_grid grid;
 	enum ts_flow_face face[3][2]; /* [axis][enum ts_side] */
 	struct ts_flow_given given[3][2];
+	struct ts_flow_pressure pressure[3][2]; /* on open faces, of the last projection, less: */
+	double pressure_base;
 	/* A component along a wall or an inlet in the first ghost cell: mirror[0] times the velocity given plus
 	 * mirror[1], mirror[2] times those of the two cells inside. */
 	double mirror[3][2][3];
@@ -85,6 +100,18 @@ static inline size_t ts_flow_plane_at(const struct ts_grid *grid, int d, int ia,
 	       (size_t)(ib + grid->ghosts[b]) * (size_t)(grid->n[a] + 2 * grid->ghosts[a] + 1);
 }
 
+static inline size_t ts_flow_plane_size(const struct ts_grid *grid, int d)
+{
+	int b = d == 2 ? 1 : 2;
+
+	return ts_flow_plane_at(grid, d, 0, grid->n[b] + grid->ghosts[b] + 1);
+}
+
+static inline double ts_flow_pressure_at(const struct ts_flow_pressure *p, size_t at)
+{
+	return p->plane ? p->plane[at] : p->constant;
+}
+
 /* Takes memory for u and p on the grid, which has been made; all at rest. */
 enum ts_status ts_fluid_make(struct ts_fluid *fluid);
 void ts_fluid_release(struct ts_fluid *fluid);
@@ -125,8 +152,10 @@ void ts_fluid_fill_velocity(const struct ts_fluid *fluid, double *const u[3]);
 void ts_fluid_fill_ghosts(const struct ts_fluid *fluid, double *const u[3]);
 /* Of a scalar at centres: no gradient at faces that are not periodic. */
 void ts_fluid_fill_centred(const struct ts_fluid *fluid, double *field);
-/* Of a pressure: as a scalar, but zero on outlets. */
+/* Of the pressure: as a scalar, but as `pressure` and `pressure_base` of the fluid say on open faces. */
 void ts_fluid_fill_pressure(const struct ts_fluid *fluid, double *p);
+/* The same without pressure_base. */
+void ts_fluid_fill_relative(const struct ts_fluid *fluid, double *p);
 
 /* Of any field, where the grid is periodic only. */
 void ts_fluid_fill_periodic(const struct ts_fluid *fluid, double *field);

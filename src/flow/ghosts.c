@@ -11,7 +11,7 @@ enum rule {
 	RULE_MIRROR, /* along a wall: the velocity given, on the face itself */
 	RULE_EVEN,   /* symmetric about the face */
 	RULE_OUT,    /* no gradient; nothing comes in with backflow */
-	RULE_ODD     /* zero on the face, which lies between two values */
+	RULE_ODD     /* the value given on the face, which lies between two values */
 };
 
 static inline void fill_line(enum rule rule, double *inner, ptrdiff_t step, double given,
@@ -30,8 +30,8 @@ static inline void fill_line(enum rule rule, double *inner, ptrdiff_t step, doub
 		inner[-step] = inner[-2 * step] = given * inner[0];
 		break;
 	case RULE_ODD:
-		inner[-step] = -inner[0];
-		inner[-2 * step] = -inner[step];
+		inner[-step] = 2 * given - inner[0];
+		inner[-2 * step] = 2 * given - inner[step];
 		break;
 	}
 }
@@ -113,6 +113,7 @@ static void fill_across(const struct ts_fluid *fluid, double *u, const struct pl
 	ptrdiff_t s = side == TS_LOW ? grid->stride[d] : -grid->stride[d];
 	ptrdiff_t face = side == TS_LOW ? 0 : grid->n[d] * grid->stride[d];
 	enum ts_flow_face kind = fluid->face[d][side];
+	bool open = ts_flow_open(kind);
 
 	for (int ib = plane->from[plane->b]; ib < plane->to[plane->b]; ib++)
 		for (int ia = plane->from[plane->a]; ia < plane->to[plane->a]; ia++) {
@@ -121,16 +122,16 @@ static void fill_across(const struct ts_fluid *fluid, double *u, const struct pl
 
 			if (kind == TS_FLOW_SLIP && !keep)
 				at[0] = 0;
-			else if (kind != TS_FLOW_OUTLET && !keep)
+			else if (!open && !keep)
 				at[0] = given_at(&fluid->given[d][side], grid, d, d, ia, ib);
-			at[-s] = kind != TS_FLOW_OUTLET ? 2 * at[0] - at[s] : out > 0 ? at[0] : 0;
-			at[-2 * s] = kind != TS_FLOW_OUTLET ? 2 * at[-s] - at[0] : at[-s];
+			at[-s] = !open ? 2 * at[0] - at[s] : out > 0 || kind == TS_FLOW_INTAKE ? at[0] : 0;
+			at[-2 * s] = !open ? 2 * at[-s] - at[0] : at[-s];
 		}
 }
 
 /* ---- components along the face */
 
-/* 1 where the fluid leaves through an outlet beside a point of component c, else 0. */
+/* 1 where the fluid leaves through an open face beside a point of component c, else 0. */
 static double leaves(const struct ts_grid *grid, const double *across, ptrdiff_t at, int c,
 		     enum ts_side side)
 {
@@ -148,7 +149,7 @@ static void fill_along(const struct ts_fluid *fluid, double *const u[3], int c,
 	ptrdiff_t first = side == TS_LOW ? 0 : (grid->n[d] - 1) * grid->stride[d];
 	ptrdiff_t face = side == TS_LOW ? 0 : grid->n[d] * grid->stride[d];
 	enum ts_flow_face kind = fluid->face[d][side];
-	enum rule rule = kind == TS_FLOW_SLIP ? RULE_EVEN : kind == TS_FLOW_OUTLET ? RULE_OUT : RULE_MIRROR;
+	enum rule rule = kind == TS_FLOW_SLIP ? RULE_EVEN : ts_flow_open(kind) ? RULE_OUT : RULE_MIRROR;
 
 	for (int ib = plane->from[plane->b]; ib < plane->to[plane->b]; ib++)
 		for (int ia = plane->from[plane->a]; ia < plane->to[plane->a]; ia++) {
@@ -214,23 +215,31 @@ void ts_fluid_fill_ghosts(const struct ts_fluid *fluid, double *const u[3])
 
 /* ---- what lives in centres */
 
+/* `given` and `base`: of the rule that wants a value on the face, their sum; NULL: 0. */
 static void fill_side(const struct ts_grid *grid, double *field, const struct plane *plane,
-		      enum ts_side side, enum rule rule)
+		      enum ts_side side, enum rule rule, const struct ts_flow_pressure *given,
+		      double base)
 {
 	int d = plane->d;
 	ptrdiff_t s = side == TS_LOW ? grid->stride[d] : -grid->stride[d];
 	ptrdiff_t first = side == TS_LOW ? 0 : (grid->n[d] - 1) * grid->stride[d];
 
 	for (int ib = plane->from[plane->b]; ib < plane->to[plane->b]; ib++)
-		for (int ia = plane->from[plane->a]; ia < plane->to[plane->a]; ia++)
-			fill_line(rule, field + plane_offset(grid, plane, ia, ib) + first, s, 0, NULL);
+		for (int ia = plane->from[plane->a]; ia < plane->to[plane->a]; ia++) {
+			double value = 0;
+
+			if (given)
+				value = base + ts_flow_pressure_at(given, ts_flow_plane_at(grid, d, ia, ib));
+			fill_line(rule, field + plane_offset(grid, plane, ia, ib) + first, s, value, NULL);
+		}
 }
 
 struct centred_task {
 	const struct ts_fluid *fluid;
 	double *field;
 	int d;
-	enum rule at_outlet;
+	bool is_pressure;
+	double base;
 };
 
 static void centred_rows(void *context, size_t from, size_t to)
@@ -243,14 +252,18 @@ static void centred_rows(void *context, size_t from, size_t to)
 		wrap(grid, task->field, &plane);
 		return;
 	}
-	for (int side = 0; side < 2; side++)
-		fill_side(grid, task->field, &plane, (enum ts_side)side,
-			  task->fluid->face[task->d][side] == TS_FLOW_OUTLET ? task->at_outlet : RULE_EVEN);
+	for (int side = 0; side < 2; side++) {
+		bool given = task->is_pressure && ts_flow_open(task->fluid->face[task->d][side]);
+
+		fill_side(grid, task->field, &plane, (enum ts_side)side, given ? RULE_ODD : RULE_EVEN,
+			  given ? &task->fluid->pressure[task->d][side] : NULL, task->base);
+	}
 }
 
-static void fill_centred(const struct ts_fluid *fluid, double *field, enum rule at_outlet)
+static void fill_centred(const struct ts_fluid *fluid, double *field, bool is_pressure, double base)
 {
-	struct centred_task task = { .fluid = fluid, .field = field, .at_outlet = at_outlet };
+	struct centred_task task = { .fluid = fluid, .field = field, .is_pressure = is_pressure,
+				     .base = base };
 
 	for (task.d = 0; task.d < fluid->grid.dimensions; task.d++)
 		share_rows(fluid, task.d, 2, centred_rows, &task);
@@ -258,12 +271,17 @@ static void fill_centred(const struct ts_fluid *fluid, double *field, enum rule 
 
 void ts_fluid_fill_centred(const struct ts_fluid *fluid, double *field)
 {
-	fill_centred(fluid, field, RULE_EVEN);
+	fill_centred(fluid, field, false, 0);
 }
 
 void ts_fluid_fill_pressure(const struct ts_fluid *fluid, double *p)
 {
-	fill_centred(fluid, p, RULE_ODD);
+	fill_centred(fluid, p, true, fluid->pressure_base);
+}
+
+void ts_fluid_fill_relative(const struct ts_fluid *fluid, double *p)
+{
+	fill_centred(fluid, p, true, 0);
 }
 
 void ts_fluid_fill_periodic(const struct ts_fluid *fluid, double *field)

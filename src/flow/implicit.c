@@ -70,9 +70,9 @@ static void close_end(const struct ts_fluid *fluid, int c, int d, enum ts_side s
 	enum ts_flow_face kind = fluid->face[d][side];
 	const double *mirror = fluid->mirror[d][side];
 
-	if (c == d && kind != TS_FLOW_OUTLET)
+	if (c == d && !ts_flow_open(kind))
 		return; /* the velocity on the boundary is given: no change */
-	if (kind == TS_FLOW_SLIP || kind == TS_FLOW_OUTLET) {
+	if (kind == TS_FLOW_SLIP || ts_flow_open(kind)) {
 		*diagonal += coefficient;
 		return;
 	}

@@ -149,14 +149,16 @@ struct edge {
 };
 
 /* On the face itself. */
-static double face_pressure(const struct edge *e, ptrdiff_t at)
+static double face_pressure(const struct edge *e, const int cell[3], ptrdiff_t at)
 {
 	const struct ts_grid *grid = &e->fluid->grid;
 	const double *p = e->fluid->p, *width = grid->width[e->d];
 	int inward = e->sign > 0 ? -1 : 1;
 
-	if (e->fluid->face[e->d][e->sign > 0] == TS_FLOW_OUTLET)
-		return 0;
+	if (ts_flow_open(e->fluid->face[e->d][e->sign > 0]))
+		return e->fluid->pressure_base +
+		       ts_flow_pressure_at(&e->fluid->pressure[e->d][e->sign > 0],
+					   ts_flow_plane_at(grid, e->d, cell[e->d == 0], cell[e->d == 2 ? 1 : 2]));
 	if (grid->n[e->d] < 2)
 		return p[at];
 	return p[at] + (p[at] - p[at - e->outward]) * width[e->cell] /
@@ -181,7 +183,7 @@ static void add_pressure(const struct edge *e, struct ts_flow_push *out)
 				continue;
 			out->area += area;
 			row += area *
-			       face_pressure(e, (ptrdiff_t)ts_at(grid, cell[0], cell[1], cell[2]));
+			       face_pressure(e, cell, (ptrdiff_t)ts_at(grid, cell[0], cell[1], cell[2]));
 		}
 		out->pressure[e->d] += e->sign * row;
 	}

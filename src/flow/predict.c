@@ -18,8 +18,8 @@ void ts_flow_unknowns(const struct ts_fluid *fluid, int c, int from[3], int to[3
 	}
 	if (grid->periodic[c])
 		return;
-	from[c] = fluid->face[c][TS_LOW] == TS_FLOW_OUTLET ? 0 : 1;
-	to[c] = fluid->face[c][TS_HIGH] == TS_FLOW_OUTLET ? grid->n[c] + 1 : grid->n[c];
+	from[c] = ts_flow_open(fluid->face[c][TS_LOW]) ? 0 : 1;
+	to[c] = ts_flow_open(fluid->face[c][TS_HIGH]) ? grid->n[c] + 1 : grid->n[c];
 }
 
 /* Coefficients of a line at one point, and whose they are. They go to the functions below one by one: a structure

@@ -194,6 +194,7 @@ void ts_projection_release(struct ts_projection *p)
 			ts_free(p->before[d][k / 3].plane[k % 3]);
 		}
 	}
+	ts_projection_release_pressure(p);
 	ts_grid_field_free(p->rhs);
 	ts_grid_field_free(p->increment);
 	ts_grid_field_free(p->empty_before);

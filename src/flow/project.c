@@ -170,10 +170,13 @@ enum ts_status ts_projection_project(struct ts_instance *self, struct tsim *sim,
 	TS_TRY(ts_projection_solver(self, sim, held));
 	TS_TRY(ts_projection_balance(self, sim, &mean));
 	divergence(p, fluid->density / dt, mean);
+	if (ts_projection_press(p) != TS_OK)
+		return ts_nomem(&sim->error);
 	TS_TRY(ts_pressure_style_of(p->pressure)->solve(p->pressure, sim, p->rhs, pressure, &report));
 	fluid->iterations = report.iterations;
-	ts_fluid_fill_pressure(fluid, pressure);
+	ts_fluid_fill_relative(fluid, pressure);
 	correct(p, pressure, dt / fluid->density);
+	ts_projection_pressed(p);
 	if (pressure != fluid->p)
 		add_increment(p, dt);
 	ts_fluid_fill_velocity(fluid, fluid->u);
@@ -192,8 +195,10 @@ enum ts_status ts_projection_start(struct ts_instance *self, struct tsim *sim)
 	/* Any time step gives the same velocity; this one makes numbers of the size of 1. */
 	ahead = fluid->pressure_ahead;
 	fluid->pressure_ahead = false;
+	p->still = true;
 	status = ts_projection_project(self, sim, fluid->density * grid->width[0][0], 0);
 	fluid->pressure_ahead = ahead;
+	p->still = false;
 	TS_TRY(status);
 	memset(fluid->p, 0, grid->size * sizeof *fluid->p);
 	if (p->increment)

@@ -16,14 +16,33 @@
 
 enum ts_wall_form { TS_WALL_QUADRATIC, TS_WALL_LINEAR };
 
+/* Whether the pressure on an open face grows with depth. */
+enum ts_flow_depth { TS_FLOW_PRESSURE_UNSAID, TS_FLOW_EVEN, TS_FLOW_HYDROSTATIC };
+
 /* flow_boundary, for one face. Strings belong to the instance. */
 struct ts_flow_condition {
 	enum ts_flow_face kind;
 	bool said; /* else the default */
 	bool once; /* velocities are evaluated when a run begins, not in each step */
 	struct ts_number velocity[3];
+	struct ts_number pressure;
+	enum ts_flow_depth hydrostatic;
 	const char *set[3]; /* internal variables that get coordinates, or NULL */
 	struct ts_place where;
+};
+
+static inline bool ts_flow_condition_shaped(const struct ts_flow_condition *condition)
+{
+	return condition->set[0] || condition->set[1] || condition->set[2];
+}
+
+enum { TS_FLOW_CENTRES = -1 }; /* points of a face that are no component's */
+
+/* One number given on a face, which may be a formula: what it is, and at the points of which component. */
+struct ts_flow_formula {
+	const struct ts_number *number;
+	const char *what;
+	int component;
 };
 
 struct ts_projection {
@@ -41,6 +60,13 @@ struct ts_projection {
 	/* Velocities given at the last step of the fluid and now; fluid.given is between them. */
 	struct ts_flow_given before[3][2], now[3][2];
 	uint8_t before_known;
+	/* The same for pressures on open faces, and those of the projection to come. */
+	struct ts_flow_pressure pressure_before[3][2], pressure_now[3][2], pressure_next[3][2];
+	double next_base;      /* pressure_base of the fluid in that projection */
+	double pressure_share; /* how far that is from the last step of the fluid (0) to now (1) */
+	struct ts_number level; /* mean pressure where no face is open */
+	double level_now;
+	bool still; /* the projection is one of a field that was set: no pressure drives it */
 
 	bool read; /* the words, into: */
 	int64_t cells[3];
@@ -132,10 +158,41 @@ enum ts_status ts_projection_boundary(struct ts_instance *self, struct tsim *sim
 /* The faces get what is given between the last step of the fluid (0) and now (1). */
 void ts_projection_blend(struct ts_projection *projection, double share);
 /* What is given now becomes what was given at the last step. */
-void ts_projection_settle(struct ts_projection *projection);
+enum ts_status ts_projection_settle(struct ts_projection *projection);
 /* Planes of velocities given, for restart files. */
 enum ts_status ts_projection_archive_given(struct ts_projection *projection, struct tsim *sim,
 					   struct ts_archive *archive);
+/* One of these numbers as it is now; an error where it is not finite. */
+enum ts_status ts_flow_formula_now(struct tsim *sim, const struct ts_flow_condition *condition,
+				   const struct ts_flow_formula *formula, double *out);
+/* At all points of the face. */
+enum ts_status ts_flow_fill_plane(struct tsim *sim, const struct ts_flow_condition *condition,
+				  const struct ts_flow_formula *formula, const struct ts_grid *grid, int d,
+				  enum ts_side side, double *plane);
+/* Where point i of a component (TS_FLOW_CENTRES: of cells) stands along axis a; beyond the grid as its last point, or
+ * periodically. */
+double ts_flow_coordinate(const struct ts_grid *grid, int a, int c, int i);
+
+/* Exact at both ends, and where nothing changes. */
+static inline double ts_flow_between(double a, double b, double share)
+{
+	return share < 1 ? a + share * (b - a) : b;
+}
+
+/* face_pressure.c. What variables say about the pressure on a face, now. */
+enum ts_status ts_projection_give_pressure(struct ts_projection *projection, struct tsim *sim, int d,
+					   enum ts_side side);
+enum ts_status ts_projection_settle_pressure(struct ts_projection *projection);
+/* Before a solve, with rhs made: the pressure on open faces goes into it; the field to be found, and its ghosts, are
+ * without pressure_base, and a change from the last one where the pressure is ahead. After it: as it was. */
+enum ts_status ts_projection_press(struct ts_projection *projection);
+void ts_projection_pressed(struct ts_projection *projection);
+enum ts_status ts_projection_archive_pressure(struct ts_projection *projection, struct tsim *sim,
+					      struct ts_archive *archive);
+void ts_projection_release_pressure(struct ts_projection *projection);
+/* Refuses a body force along a face of even pressure, and a level beside one. */
+enum ts_status ts_projection_check_pressure(struct ts_instance *self, struct tsim *sim);
+
 /* Kinds of the faces by settings and box; refuses what cannot be. */
 enum ts_status ts_projection_faces(struct ts_instance *self, struct tsim *sim);
 /* Flow through the whole boundary outwards per volume of the grid, by the velocities given; refused where

@@ -12,6 +12,7 @@ struct ts_time_scheme {
 	int order, stages;
 	double keep[TS_MOST_STAGES], take[TS_MOST_STAGES];
 	double at[TS_MOST_STAGES]; /* the time a stage ends at, in steps */
+	double pressure_at[TS_MOST_STAGES]; /* when it takes the pressure that is given on faces */
 	bool history;              /* uses the rate of the step before */
 	/* How far the region of stability of du/dt = z u goes along the negative real and along the imaginary
 	 * axis; 0: not at all. */

@@ -43,8 +43,9 @@ syn keyword tsimKeyword  none zlib lz4 flush pbc binary fileper nfile screen
 syn match tsimKeyword /\<log\>/ 
 syn keyword tsimKeyword  both xlo xhi ylo yhi zlo zhi wall slip inlet outlet
 syn match tsimKeyword /\<velocity\>/ 
-syn keyword tsimKeyword  update step once uniform geometric fine lo hi tanh around before
-syn keyword tsimKeyword  inside faces type union subtract intersect empty initialize
+syn keyword tsimKeyword  pressure hydrostatic update step once uniform geometric fine lo hi
+syn keyword tsimKeyword  tanh around before inside faces type union subtract intersect
+syn keyword tsimKeyword  empty initialize
 syn match tsimKeyword /\<clear\>/ 
 syn keyword tsimKeyword  delete dynamic static
 syn match tsimKeyword /\<include\>/ 
@@ -124,10 +125,10 @@ syn keyword tsimKeyword  n_meshes meshes xplane yplane zplane xcylinder ycylinde
 syn keyword tsimKeyword  shear store_force contacts store_force_contact
 syn keyword tsimKeyword  store_force_contact_stress viscosity ab2 rk2 rk3 backward substeps
 syn keyword tsimKeyword  courant quick cubista gamma form fv fd quadratic body_force
-syn keyword tsimKeyword  generic hertz/material dmt jkr mass_velocity viscoelastic tsuji
-syn keyword tsimKeyword  coeff_restitution rolling twisting heat restitution unfinished
-syn keyword tsimKeyword  preconditioner diagonal direct multigrid relaxation side in out
-syn keyword tsimKeyword  open center bounds angle0
+syn keyword tsimKeyword  pressure_level generic hertz/material dmt jkr mass_velocity
+syn keyword tsimKeyword  viscoelastic tsuji coeff_restitution rolling twisting heat
+syn keyword tsimKeyword  restitution unfinished preconditioner diagonal direct multigrid
+syn keyword tsimKeyword  relaxation side in out open center bounds angle0
 
 " numbers of the simulation and of particles
 syn keyword tsimName  id type radius diameter

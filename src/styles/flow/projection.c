@@ -104,6 +104,7 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_projection_boundary(self, sim));
 	for (int d = 0; d < 3; d++)
 		TS_TRY(ts_number_now(sim, &p->body_force[d], &self->where, &p->fluid.body_force[d]));
+	TS_TRY(ts_number_now(sim, &p->level, &self->where, &p->level_now));
 	TS_TRY(ts_projection_step(self, sim, (double)p->waited * sim->clock.dt));
 	p->waited = 0;
 	return TS_OK;
@@ -247,6 +248,7 @@ static enum ts_status describe(struct ts_instance *self, struct tsim *sim, struc
 	double mean;
 
 	TS_TRY(ts_projection_balance(self, sim, &mean));
+	TS_TRY(ts_projection_check_pressure(self, sim));
 	if (p->viscous != TS_VISCOUS_EXPLICIT && p->fluid.empty)
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, viscous_names[p->viscous]),
 			       "flow_style projection: viscous %s does not know the room between particles "
@@ -341,6 +343,8 @@ static const struct ts_arg args[] = {
 		.help = "profile along the normal between a wall and the points beside it"),
 	TS_SOME_KEYWORD("body_force", struct ts_projection, body_words, 0,
 			.help = "FX FY FZ: acceleration of all fluid, numbers or equal-style variables"),
+	TS_NUMBER("pressure_level", struct ts_projection, level, .fallback = "0", .unit = "pressure",
+		  .help = "mean pressure where no face is open: a number or an equal-style variable"),
 	TS_ARGS_END,
 };
 
@@ -356,7 +360,8 @@ const struct ts_flow_style ts_flow_projection = {
 			   "faces. Each step predicts a velocity without pressure and projects it onto the fields "
 			   "without divergence; who solves for the pressure says pressure_style. flow_grid grades the "
 			   "cells, flow_boundary says what is at the faces, flow_set with which velocity the fluid "
-			   "begins.\n\n"
+			   "begins. Without an outlet, or an inlet by its pressure, the pressure is known up to a constant: "
+			   "pressure_level is its mean over the grid.\n\n"
 			   "Where fixes ask for it, the volume-averaged equations are solved: de/dt + div(e u) = 0 and "
 			   "e rho (du/dt + u grad u) = -e grad p + div(e mu grad u) + e rho g + f - k u, e the void "
 			   "fraction, f and k what particles put on the fluid; k u is taken at the new velocity.\n\n"
