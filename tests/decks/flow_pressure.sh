@@ -170,7 +170,7 @@ flow_boundary xlo inlet pressure v_push set y yy hydrostatic yes
 flow_boundary xhi outlet hydrostatic yes
 flow_boundary yhi outlet pressure 0.3
 region ball cylinder z 0.4 0.2 0.15 INF INF
-fix body all immersed/boundary region ball
+fix body all immersed/boundary region ball min_cells 2
 dump i all flow/vtk 10 s*.vti
 compute in all flow/force xlo
 thermo 10
