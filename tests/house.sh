@@ -39,6 +39,13 @@ for file in $(grep -lE '\<ts_(region_contains|region_bounds|chosen)\(' src/*/*.c
 	fi
 done
 
+# A step is defined once: what -explain prices is what runs.
+steps=$(grep -lE 'clock\.step\+\+' $(find src -name '*.c'))
+if [ "$steps" != src/core/plan.c ]; then
+	echo "a step of the simulation is defined in: $steps; only src/core/plan.c should"
+	status=1
+fi
+
 for file in $(sources); do
 	lines=$(wc -l <"$file")
 	if [ "$lines" -gt 800 ]; then

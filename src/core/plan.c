@@ -214,20 +214,25 @@ static enum ts_status set_up(struct ts_plan *plan, struct tsim *sim)
 	TS_TRY(ts_plan_review(plan, sim, sim->clock.last_step - sim->clock.step));
 	if (sim->explain)
 		return TS_OK;
-	if (!sim->resuming) {
-		sim->in_setup = true;
+	return ts_plan_first_forces(plan, sim, !sim->resuming);
+}
+
+enum ts_status ts_plan_first_forces(struct ts_plan *plan, struct tsim *sim, bool anew)
+{
+	sim->in_setup |= anew;
+	if (anew)
 		TS_TRY(ts_plan_stages(plan, sim, TS_STAGE_PRE_FORCE, TS_STAGE_POST_FORCE));
-	}
 	sim->in_setup = sim->resuming = false;
 	return ts_plan_stage(plan, sim, TS_STAGE_SETUP);
 }
 
-/* One step; the order is that of LIGGGHTS. */
-static enum ts_status step(struct ts_plan *plan, struct tsim *sim)
+/* The order is that of LIGGGHTS. */
+enum ts_status ts_plan_step(struct ts_plan *plan, struct tsim *sim)
 {
 	sim->clock.step++;
 	TS_TRY(act_in(plan, sim, TS_STAGE_INITIAL_INTEGRATE, TS_STAGE_CHECK));
 	sim->rebuild |= (sim->full & TS_FULL_REBUILDS) != 0;
+	plan->rebuilds += sim->rebuild;
 	if (sim->rebuild)
 		TS_TRY(act_in(plan, sim, TS_STAGE_PRE_EXCHANGE, TS_STAGE_POST_BUILD));
 	else
@@ -284,7 +289,7 @@ enum ts_status ts_plan_steps(struct ts_plan *plan, struct tsim *sim)
 			break;
 		if (sim->stop) /* one more, of which all know that it is the last */
 			sim->clock.last_step = sim->clock.step + 1;
-		status = step(plan, sim);
+		status = ts_plan_step(plan, sim);
 		look_at_clock(sim);
 	}
 	return leave_run(sim, status);

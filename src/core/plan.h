@@ -16,6 +16,7 @@ struct ts_action {
 struct ts_plan {
 	struct ts_action *actions[TS_NSTAGE];
 	size_t n[TS_NSTAGE], capacity[TS_NSTAGE];
+	int64_t rebuilds; /* steps that found new rows */
 	struct ts_stopwatch {
 		uint64_t spent[TS_NSTAGE]; /* ticks in each stage of this run */
 		uint64_t last;		   /* when it was last looked at */
@@ -44,6 +45,11 @@ enum ts_status ts_plan_run(struct ts_plan *plan, struct tsim *sim, bool setup);
 enum ts_status ts_plan_start(struct ts_plan *plan, struct tsim *sim, bool setup);
 enum ts_status ts_plan_steps(struct ts_plan *plan, struct tsim *sim);
 enum ts_status ts_plan_finish(struct ts_plan *plan, struct tsim *sim);
+/* The one definition of a step. Passes over the particles may still wait when it returns: ts_sweep() before anybody
+ * looks. */
+enum ts_status ts_plan_step(struct ts_plan *plan, struct tsim *sim);
+/* What comes before the first one: forces, if they are to be computed anew, and SETUP. */
+enum ts_status ts_plan_first_forces(struct ts_plan *plan, struct tsim *sim, bool anew);
 /* TS_STOPPED if someone asked for it. */
 enum ts_status ts_plan_stopped(struct tsim *sim);
 

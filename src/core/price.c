@@ -28,26 +28,10 @@ struct trial {
 	struct tsim *sim;
 	double budget;
 	unsigned full; /* parts to be done nevertheless; then nothing but the time of a step is found */
-	int64_t steps, rebuilds;
+	int64_t steps;
 	int to;
 	struct ts_price price;
 };
-
-static enum ts_status step(struct trial *t)
-{
-	struct tsim *sim = t->sim;
-
-	sim->clock.step++;
-	TS_TRY(ts_plan_stages(t->plan, sim, TS_STAGE_INITIAL_INTEGRATE, TS_STAGE_CHECK));
-	sim->rebuild |= (sim->full & TS_FULL_REBUILDS) != 0;
-	t->rebuilds += sim->rebuild;
-	if (sim->rebuild)
-		TS_TRY(ts_plan_stages(t->plan, sim, TS_STAGE_PRE_EXCHANGE, TS_STAGE_POST_BUILD));
-	else
-		TS_TRY(ts_plan_stage(t->plan, sim, TS_STAGE_FORWARD));
-	sim->rebuild = false;
-	return ts_plan_stages(t->plan, sim, TS_STAGE_PRE_FORCE, TS_STAGE_OUTPUT);
-}
 
 /* The first output: what each dump needs for a frame. */
 static enum ts_status try_frames(struct trial *t, double *seconds)
@@ -82,14 +66,15 @@ static enum ts_status try_for(struct trial *t, double budget, double *seconds, i
 {
 	double start = ts_clock(), first = start;
 
-	TS_TRY(step(t));
+	TS_TRY(ts_plan_step(t->plan, t->sim));
 	*seconds = ts_clock() - first;
 	*steps = 1;
 	first = ts_clock();
 	while (ts_clock() - start < budget && *steps < t->steps) {
-		TS_TRY(step(t));
+		TS_TRY(ts_plan_step(t->plan, t->sim));
 		*seconds = (ts_clock() - first) / (double)(*steps)++;
 	}
+	ts_sweep(t->sim);
 	return TS_OK;
 }
 
@@ -97,7 +82,7 @@ static enum ts_status try_for(struct trial *t, double budget, double *seconds, i
 static enum ts_status try_crowd(struct trial *t)
 {
 	const struct ts_instances *systems = &t->sim->instances[TS_KIND_SYSTEM];
-	double often = (double)t->rebuilds / (double)t->price.steps, start, seconds;
+	double often = (double)t->plan->rebuilds / (double)t->price.steps, start, seconds;
 	int64_t steps;
 
 	for (size_t k = 0; k < systems->n; k++) {
@@ -121,10 +106,7 @@ static enum ts_status try_steps(struct trial *t, double *frames)
 {
 	struct ts_price *price = &t->price;
 
-	t->sim->in_setup = true;
-	TS_TRY(ts_plan_stages(t->plan, t->sim, TS_STAGE_PRE_FORCE, TS_STAGE_POST_FORCE));
-	t->sim->in_setup = false;
-	TS_TRY(ts_plan_stage(t->plan, t->sim, TS_STAGE_SETUP));
+	TS_TRY(ts_plan_first_forces(t->plan, t->sim, true));
 	TS_TRY(try_frames(t, frames));
 	TS_TRY(try_for(t, t->budget, &price->seconds, &price->steps));
 	price->crowded = price->seconds;
