@@ -87,6 +87,7 @@ static void print_bill(struct tsim *sim)
 {
 	struct ts_str text = { 0 };
 
+	ts_str_add(&text, sim->bill.open ? "at least " : "about ");
 	ts_price_time(sim->bill.seconds, &text);
 	if (sim->bill.most > 1.15 * sim->bill.seconds) {
 		ts_str_add(&text, " to ");
@@ -95,11 +96,11 @@ static void print_bill(struct tsim *sim)
 	ts_str_add(&text, " and ");
 	ts_price_bytes(sim->bill.bytes, &text);
 	ts_log(&sim->log,
-	       "\nAll runs together: about %s of files.\nNothing was run: values printed by the "
-	       "script are those before the first step, and a run is priced from the state that\n"
+	       "\nAll runs together: %s of files%s.\nNothing was run: values that only a run can give are unknown, "
+	       "and a run is priced from the state that\n"
 	       "the script has without the runs before it, and for the case that its particles come to "
 	       "lie together.\n",
-	       ts_str_text(&text));
+	       ts_str_text(&text), sim->bill.open ? " (how many turns loops take, or how long a run is, only a run can tell)" : "");
 	ts_str_release(&text);
 }
 

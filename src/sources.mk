@@ -530,6 +530,8 @@ library_sources = \
 	src/particles/user_columns.h \
 	src/script/check.c \
 	src/script/check.h \
+	src/script/check_branch.c \
+	src/script/check_loop.c \
 	src/script/check_trace.c \
 	src/script/check_unreached.c \
 	src/script/condition.c \
@@ -562,6 +564,8 @@ library_sources = \
 	src/script/source.h \
 	src/script/substitute.c \
 	src/script/text.c \
+	src/script/unknown.c \
+	src/script/unknown.h \
 	src/script/unused.c \
 	src/script/variable.c \
 	src/script/variable.h \

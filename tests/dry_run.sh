@@ -120,11 +120,10 @@ errors 'nothing to complain of' </dev/null
 report 'nothing is written or made' $?
 says trace '  good.in:9            run 3 times, 300 steps in all of 0.005 from step 0'
 says trace '  good.in:11           jump SELF again: taken 2 times'
-says trace '  good.in:12           if: else; hangs on ke, which only a run can give'
+says trace '  good.in:12           if: any branch; hangs on ke, which only a run can give'
 says trace '  good.in:16           dump restart made/a.restart'
 says trace '  good.in:18           write_restart made/end.restart'
 says trace '  good.in:5            shell mkdir made'
-says trace '  good.in:13'
 says trace 'no errors'
 [ $status = 0 ]
 report 'exit status 0' $?
@@ -148,10 +147,148 @@ label never
 jump SELF never
 END
 errors 'loops that do not end' </dev/null
-says 'a loop that a run ends' '  loops.in:9           jump SELF two: taken 2 times, not followed further'
-says 'a loop that a run ends' '  loops.in:13          if: then, 3 times; hangs on ke, which only a run can give'
-says 'a long loop' '  loops.in:17          jump SELF four: taken 1000 times, not followed further'
-says 'an endless loop' '  loops.in:19          jump SELF never: taken 1000 times, not followed further: is there an end?'
+each='; at least one turn: how many, only a run can tell'
+says 'a loop that a run ends' "  loops.in:7           run 5 steps in each turn of lines 6-9, of 0.005 from step 0$each"
+says 'a loop that a run ends' "  loops.in:12          run 7 steps in each turn of lines 11-13, of 0.005 from step 10 or later$each"
+says 'a loop that a run ends' '  loops.in:13          if: any branch; hangs on ke, which only a run can give'
+says 'a long loop that runs nothing' '  loops.in:17          jump SELF four: taken 1999 times'
+says 'an endless loop' '  loops.in:19          jump SELF never: taken 999 times, not followed further: is there an end?'
+
+# a loop of many turns is gone through until it reaches no new lines, and the rest is counted
+check turns.in <<END
+$ball
+fix m all nve
+variable i loop 1000
+label o
+variable j loop 3
+label n
+run 10
+next j
+jump SELF n
+next i
+jump SELF o
+variable a equal 0
+label w
+variable a equal \${a}+1
+run 5
+if "\${a} < 5" then "jump SELF w"
+variable b equal 0
+label v
+variable b equal \${b}+1
+run 7
+if "\${b} < 50" then "jump SELF v"
+run 20 upto
+variable i loop 2
+print "\$i"
+END
+errors 'many turns' </dev/null
+says 'many turns' '  turns.in:10          run 3000 times, 30000 steps in all of 0.005 from step 0'
+says 'many turns' '  turns.in:14          jump SELF o: 1000 turns, all like the 2 that were gone through'
+says 'few turns' '  turns.in:18          run 5 times, 25 steps in all of 0.005 from step 30000'
+says 'turns that a formula ends' "  turns.in:23          run 7 steps in each turn of lines 21-24, of 0.005 from step 30025$each"
+
+# what scripts of LIGGGHTS do with values that only a run can give; it runs, too
+cat >head.in <<'END'
+atom_style granular
+boundary f f f
+newton off
+communicate single vel yes
+units si
+region reg block -0.05 0.05 -0.05 0.05 0 0.15 units box
+create_box 1 reg
+neighbor 0.002 bin
+fix m1 all property/global youngsModulus peratomtype 5.e6
+fix m2 all property/global poissonsRatio peratomtype 0.45
+fix m3 all property/global coefficientRestitution peratomtypepair 1 0.3
+fix m4 all property/global coefficientFriction peratomtypepair 1 0.5
+pair_style gran model hertz tangential history
+pair_coeff * *
+timestep 0.00001
+fix gravi all gravity 9.81 vector 0 0 -1
+fix zwall all wall/gran model hertz tangential history primitive type 1 zplane 0
+fix pts1 all particletemplate/sphere 15485863 atom_type 1 density constant 2500 radius constant 0.004
+fix pdd1 all particledistribution/discrete 15485867 1 pts1 1
+region bc block -0.03 0.03 -0.03 0.03 0.05 0.14 units box
+fix ins all insert/pack seed 32452843 distributiontemplate pdd1 vel constant 0 0 -0.5 &
+	insert_every once overlapcheck yes all_in yes particles_in_region 100 region bc
+fix integr all nve/sphere
+compute 1 all erotate/sphere
+fix ave all ave/time 10 5 100 c_1
+run 1
+END
+check idioms.in <<END
+include head.in
+variable n equal count(all)
+variable inv equal 1/count(all)
+variable top equal bound(all,zmax)
+variable h equal \${top}+0.01
+variable m equal mass(all)
+print "there are \${n}, 1/n = \${inv}, vz \$(vcm(all,z)), top \$(bound(all,zmax):%.3f)"
+variable s string \${top}
+region upper block INF INF INF INF 0.01 \${h} units box
+group up region upper
+variable k equal \$(vcm(all,x))/v_n+f_ave*c_1+x[3]+v_m
+variable k2 equal (v_k>1||1)*(v_k&&0)
+if "\${n} > 100" then "print many" else "print 'few \${s} \$k'"
+if "\${k2} == 1" then "print 'not unknown'"
+variable turn equal 0
+label loop
+run 100
+variable kin equal 0*ke
+variable turn equal \${turn}+1
+if "\${kin} < 1e-9 && \${turn} > 2" then "jump SELF break"
+if "\${n} > 10000" then quit
+jump SELF loop
+label break
+unfix ins
+variable i loop 3
+label again
+run 20
+next i
+jump SELF again
+if "\$(bound(up,zmax)) > \${h}" then "variable dz equal 1" "fix pull all addforce 0 0 0" &
+elif "\${n} == 0" "variable dz equal 2" else "variable dz equal \${s}"
+run \$(ceil(v_dz))
+write_restart post.restart
+variable lines file made.txt
+clear
+read_restart post.restart
+END
+errors 'idioms of LIGGGHTS' <<'END'
+34:21: cannot open 'made.txt'
+END
+sed '/made.txt/d' idioms.in >idioms.run
+"$TSIM" -check -in idioms.run >out 2>err
+report 'idioms that -check accepts' $? err
+says 'idioms' "  idioms.run:17        run 100 steps in each turn of lines 16-22, of 1e-05 from step 1$each"
+says 'idioms' '  idioms.run:32        run a number of steps that only a run can tell, each of 1e-05 from step 261 or later; hangs on dz, which only a run can give'
+"$TSIM" -in idioms.run -log none >out 2>err
+report 'they run' $? err
+"$TSIM" -explain -in idioms.run -log none >out 2>err
+report '-explain goes the same way' $? err
+grep -q '^All runs together: at least .*only a run can tell' out && grep -q '^there are (unknown), 1/n = (unknown)' out
+report '-explain says what it does not know' $? out
+
+# all branches are checked by what they name, too; what one takes away may be there
+check branches.in <<END
+include head.in
+if "\$(ke) > 0" then "fixx" "fix g2 all gravity 9.8 vector 0 0 -1" else "unfix nosuch" "compute q all nokind"
+if "\$(ke) > 1" then "unfix ins" else "variable z equal 3"
+if "\$(ke) > 2" then "unfix ins"
+unfix g2
+variable file equal floor(ke)
+include part.\${file}
+variable y equal v_z*2+f_zwal
+print \${y}
+group g\${file} typ 1
+END
+errors 'all branches' <<'END'
+2:22: unknown command 'fixx'
+2:79: there is no fix 'nosuch'
+2:102: unknown compute style 'nokind'
+8:24: there is no fix 'zwal'
+10:16: group: style is 'typ'
+END
 
 check follow.in <<'END'
 region b block 0 1 0 1 0 one units box

@@ -76,7 +76,7 @@ static void set_defaults(struct tsim *sim)
 		sim->grain = 8192;
 	sim->columns = 0;
 	sim->fingerprint = 0;
-	sim->planned = false;
+	sim->planned = sim->open_clock = sim->box_moves = false;
 	sim->hard_particles = sim->soft_particles = sim->newton_on = sim->still_ghosts = false;
 	sim->running = sim->rebuild = sim->in_setup = sim->resuming = sim->halted = false;
 	if (sim->threads == 0)
@@ -324,21 +324,18 @@ enum ts_status ts_sim_retire(struct tsim *sim, enum ts_kind kind, const struct t
 
 enum ts_status ts_pardon(struct tsim *sim, enum ts_status status)
 {
-	if (status == TS_OK || !sim->check || !sim->host)
+	if (status == TS_OK || !sim->explain || !sim->host)
 		return status;
 	return sim->host->pardon(sim->host_data, status);
 }
 
-void ts_from_run(struct tsim *sim, const char *name)
+bool ts_from_run(struct tsim *sim, const char *name)
 {
-	static const char *const known[] = { "step", "time", "dt", "elapsed" };
-
-	if (!sim->check || !sim->planned || sim->from_run[0])
-		return;
-	for (size_t k = 0; k < sizeof known / sizeof *known; k++)
-		if (ts_streq(name, known[k]))
-			return;
-	snprintf(sim->from_run, sizeof sim->from_run, "%s", name);
+	if (!sim->explain || !sim->planned)
+		return false;
+	if (!sim->from_run[0])
+		snprintf(sim->from_run, sizeof sim->from_run, "%s", name);
+	return true;
 }
 
 const struct ts_place *ts_instance_word(const struct ts_instance *inst, const char *text)

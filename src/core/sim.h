@@ -38,6 +38,7 @@ struct ts_bill {
 	double seconds, most, bytes; /* of all runs; most: with the particles together */
 	struct ts_price last;	     /* of the last run */
 	double tried;		     /* seconds spent on trials */
+	bool open;		     /* there are runs whose number or length is not known */
 };
 
 /* Looks at run commands (-advise): told before one of them how far it goes, which it may shorten, and after it;
@@ -107,9 +108,11 @@ struct tsim {
 	unsigned full;	   /* bits of enum ts_full */
 	bool explain;      /* -explain: plan runs, do not step or write */
 	bool check;        /* -check: as explain, but errors do not end the script */
-	bool planned;      /* -check: a run would have changed the state by now */
+	bool planned;      /* -explain: a run would have changed the state by now */
 	bool unreached;    /* -check: reads a line that is not run: names are not looked up */
-	char from_run[48]; /* -check: a value read by this line that only a run can give */
+	bool open_clock;   /* -explain: how many steps were made before, only a run can tell */
+	bool box_moves;	   /* a run changes the box */
+	char from_run[48]; /* -explain: a value read by this line that only a run can give */
 	bool hard_particles, soft_particles; /* Young's moduli beyond the usual are meant */
 	bool newton_on, still_ghosts; /* said by the script, of no effect; pair_style gran refuses */
 	bool legacy;       /* LIGGGHTS' numbers: see the command of this name */
@@ -219,8 +222,8 @@ bool ts_sim_has_box(const struct tsim *sim);
 
 /* For reporting several errors at once: with -check an error is noted and becomes TS_OK. */
 enum ts_status ts_pardon(struct tsim *sim, enum ts_status status);
-/* Says that the value of this name was read: -check must know which ones hang on a run. */
-void ts_from_run(struct tsim *sim, const char *name);
+/* Whether the value of this name, which is read now, hangs on a run that was only planned; notes that it was. */
+bool ts_from_run(struct tsim *sim, const char *name);
 
 /* The place of the k-th word of the command that runs (word 0 is its name), or `where`; and of the word
  * that is written so. */

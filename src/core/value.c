@@ -34,23 +34,12 @@ const struct ts_value *ts_value_find(const struct ts_instance *inst, enum ts_sha
 	return NULL;
 }
 
-/* -check has to know what hangs on a run. */
-static void note_read(const struct ts_instance *inst, struct tsim *sim)
-{
-	char name[48];
-
-	snprintf(name, sizeof name, "%c_%s", ts_kind_name(inst->style->kind)[0], inst->id);
-	ts_from_run(sim, name);
-}
-
 enum ts_status ts_value_eval(struct ts_instance *inst, struct tsim *sim, const struct ts_value *value,
 			     struct ts_table *out)
 {
 	size_t columns = value->shape == TS_SCALAR ? 1 : value->columns;
 	enum ts_status status;
 
-	if (sim->check)
-		note_read(inst, sim);
 	if (value->shape == TS_SCALAR || (value->shape == TS_VECTOR && columns))
 		if (ts_table_resize(out, 1, columns) != TS_OK)
 			return ts_nomem(&sim->error);
@@ -462,8 +451,6 @@ enum ts_status ts_ref_scalar(struct tsim *sim, const struct ts_ref *ref,
 {
 	struct ts_ref now;
 
-	if (ref->kind == TS_REF_KEYWORD)
-		ts_from_run(sim, ref->keyword->name);
 	switch (ref->kind) {
 	case TS_REF_KEYWORD:
 		return ref->keyword->eval(sim, out);

@@ -92,6 +92,10 @@ unsigned ts_ref_shapes(const struct tsim *sim, const struct ts_ref *ref);
 enum ts_keyword_flags {
 	TS_KEYWORD_INTEGER = 1,	 /* printed as %8ld */
 	TS_KEYWORD_CONTACTS = 2, /* looks at the forces of contacts */
+	/* what is known of it before a run that changes it: */
+	TS_KEYWORD_CLOCK = 4,	 /* all, if it is known how many steps are made */
+	TS_KEYWORD_BOX = 8,	 /* all, if nothing changes the box */
+	TS_KEYWORD_CONSTANT = 16
 };
 
 /* A named number of a system, usable in thermo_style and expressions; closed by .name NULL. */

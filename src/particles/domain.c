@@ -82,8 +82,12 @@ static void shrink_dimension(const struct tsim *sim, int dim)
 
 void ts_domain_shrink(struct tsim *sim)
 {
-	for (int dim = 0; dim < 3; dim++)
+	for (int dim = 0; dim < 3; dim++) {
+		const enum ts_face *face = sim->domain->box.face[dim];
+
+		sim->box_moves |= face[0] >= TS_FACE_SHRINK || face[1] >= TS_FACE_SHRINK;
 		shrink_dimension(sim, dim);
+	}
 }
 
 /* "p", "f", "fs": one letter for both faces of a dimension, or one for each. */

@@ -1,4 +1,5 @@
 #include "script/check.h"
+#include "script/unknown.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -25,14 +26,19 @@ static const char *const harmless[] = {
 	"compute",
 };
 
-enum ts_status ts_script_check(struct ts_script *script)
+enum ts_status ts_check_new(struct ts_script *script)
 {
 	script->check = ts_alloc(1, sizeof *script->check);
 	if (!script->check)
 		return ts_nomem(&script->sim->error);
 	script->check->last = &script->check->first;
-	script->sim->explain = script->sim->check = true;
 	return TS_OK;
+}
+
+enum ts_status ts_script_check(struct ts_script *script)
+{
+	script->sim->explain = script->sim->check = true;
+	return script->check ? TS_OK : ts_check_new(script);
 }
 
 void ts_check_free(struct ts_script *script)
@@ -46,6 +52,9 @@ void ts_check_free(struct ts_script *script)
 	ts_map_release(&check->lost);
 	ts_map_release(&check->made);
 	ts_map_release(&check->events);
+	ts_map_release(&check->guessed);
+	for (struct ts_check_loop *loop = check->loop; loop; loop = loop->next)
+		ts_free(loop->run);
 	ts_arena_release(&check->arena);
 	ts_free(check);
 	script->check = NULL;
@@ -57,6 +66,55 @@ static bool is_harmless(const char *command)
 		if (ts_streq(harmless[k], command))
 			return true;
 	return false;
+}
+
+/* Does the line name something that was defined with an unknown value? */
+static bool names_guess(const struct ts_check *check, const char *text)
+{
+	char name[64];
+
+	while (text && *text) {
+		size_t n = strcspn(text, " \t\"'"), kept = n < sizeof name ? n : 0;
+
+		memcpy(name, text, kept);
+		name[kept] = '\0';
+		if (kept && ts_map_get(&check->guessed, name))
+			return true;
+		text += n + strspn(text + n, " \t\"'");
+	}
+	return false;
+}
+
+/* A file that was to be read is not there, but the script would have written it. */
+static bool would_be_there(const struct ts_check *check, const struct ts_error *error)
+{
+	for (const struct ts_check_event *e = check->first; e && error->status == TS_IO; e = e->next) {
+		size_t n = e->path ? strcspn(e->path, "*%?") : 0;
+		const char *at = n ? strstr(error->message, e->path) : NULL;
+		char head[256];
+
+		if (n && !at && n < sizeof head && e->path[n]) {
+			snprintf(head, sizeof head, "'%.*s", (int)n, e->path);
+			at = strstr(error->message, head);
+		}
+		if (at)
+			return true;
+	}
+	return false;
+}
+
+/* Whether the error may be there only because a value is unknown, or because nothing is run and written. */
+static bool is_open(const struct ts_script *script, const struct ts_error *error)
+{
+	const struct ts_check *check = script->check;
+	char key[300];
+
+	if (would_be_there(check, error) || ts_unknown_text(script->sim, error->message))
+		return true;
+	if (error->status == TS_SYNTAX || error->status == TS_UNKNOWN)
+		return false;
+	snprintf(key, sizeof key, "%s:%d", error->place.file ? error->place.file : "", error->place.line);
+	return check->alternatives || ts_map_get(&check->guessed, key) || names_guess(check, error->place.text);
 }
 
 /* Whether the error may be there only because of an earlier one. */
@@ -97,8 +155,8 @@ enum ts_status ts_check_keep_error(struct ts_script *script, const char *remark)
 	ts_error_clear(&script->sim->error);
 	if (!key)
 		return ts_nomem(&script->sim->error);
-	if (follows(check, &error)) {
-		check->unjudged++;
+	if (is_open(script, &error) || follows(check, &error)) {
+		*(check->nerrors ? &check->unjudged : &check->open) += 1;
 		return TS_OK;
 	}
 	if (ts_map_get(&check->seen, key))
@@ -109,6 +167,17 @@ enum ts_status ts_check_keep_error(struct ts_script *script, const char *remark)
 	if (check->errors.failed || ts_map_set(&check->seen, key, check) != TS_OK)
 		return ts_nomem(&script->sim->error);
 	return TS_OK;
+}
+
+enum ts_status ts_check_pardon(struct ts_script *script, enum ts_status status)
+{
+	const struct ts_error *error = &script->sim->error;
+
+	if (status == TS_OK || !script->check || status == TS_NOMEM || status == TS_STOPPED)
+		return status;
+	if (!script->sim->check && !is_open(script, error) && !follows(script->check, error))
+		return status;
+	return ts_check_keep_error(script, "");
 }
 
 /* Stands in for a box that could not be made, so that the lines after it can be read. */
@@ -136,7 +205,7 @@ static enum ts_status put_box(struct ts_script *script, struct ts_words words)
 	return status;
 }
 
-static enum ts_status lose(struct ts_script *script, const char *kind, const char *name)
+enum ts_status ts_check_lose(struct ts_script *script, const char *kind, const char *name)
 {
 	struct ts_str key = { 0 };
 	const char *kept;
@@ -160,10 +229,37 @@ static enum ts_status lose_names(struct ts_script *script, struct ts_words words
 		if (makes[k].word == 0)
 			return put_box(script, words);
 		if (makes[k].word < words.n)
-			return lose(script, makes[k].kind, words.word[makes[k].word].text);
+			return ts_check_lose(script, makes[k].kind, words.word[makes[k].word].text);
 	}
 	if (ts_streq(command, "run") && script->sim->clock.step < script->sim->clock.last_step)
 		script->sim->clock.step = script->sim->clock.last_step;
+	return TS_OK;
+}
+
+static enum ts_status guess(struct ts_script *script, const char *text)
+{
+	const char *kept = ts_pool_get(script->sim->pool, text);
+
+	if (!kept || ts_map_set(&script->check->guessed, kept, script->check) != TS_OK)
+		return ts_nomem(&script->sim->error);
+	return TS_OK;
+}
+
+enum ts_status ts_check_guess(struct ts_script *script, const struct ts_line *line, struct ts_words words)
+{
+	const char *command = words.word[0].text;
+	struct ts_check *check = script->check;
+	char place[300];
+
+	check->weak |= !is_harmless(command) || ts_streq(command, "timestep");
+	if (script->sim->from_run[0])
+		check->why = ts_pool_get(script->sim->pool, script->sim->from_run);
+	snprintf(place, sizeof place, "%s:%d", line->row[0].file, line->row[0].line);
+	TS_TRY(guess(script, place));
+	for (size_t k = 0; k < sizeof makes / sizeof *makes; k++)
+		if (ts_streq(makes[k].command, command) && makes[k].word && makes[k].word < words.n &&
+		    !ts_streq(command, "variable"))
+			TS_TRY(guess(script, words.word[makes[k].word].text));
 	return TS_OK;
 }
 
@@ -178,7 +274,7 @@ enum ts_status ts_check_recover(struct ts_script *script, const struct ts_line *
 	if (error->status == TS_OK)
 		ts_fail(error, status, line->rows ? &line->row[0] : NULL, "%s",
 			ts_status_text(status));
-	status = ts_check_keep_error(script, "");
+	status = ts_check_pardon(script, error->status);
 	if (status == TS_OK && !words.n && line->rows)
 		status = ts_words_split(&arena, line->row[0].text, &line->row[0], &words);
 	if (status == TS_OK && words.n)

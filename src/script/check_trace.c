@@ -6,10 +6,9 @@
 #include <sys/stat.h>
 
 #include "script/check.h"
+#include "script/unknown.h"
 
 #include "base/banned.h"
-
-enum { MOST_ROUNDS = 1000, MOST_JUMPS = 100000 };
 
 static const char *keep(struct ts_script *script, struct ts_str *text)
 {
@@ -30,9 +29,12 @@ enum ts_status ts_check_begin_line(struct ts_script *script, const struct ts_pla
 		return TS_OK;
 	ts_str_addf(&text, "%s:%d", row->file, row->line);
 	key = keep(script, &text);
-	if (!key || ts_map_set(&script->check->seen, key, script->check) != TS_OK)
+	if (!key)
 		return ts_nomem(&script->sim->error);
-	return TS_OK;
+	if (ts_map_get(&script->check->seen, key))
+		return TS_OK;
+	script->check->reached++;
+	return ts_map_set(&script->check->seen, key, script->check) == TS_OK ? TS_OK : ts_nomem(&script->sim->error);
 }
 
 static struct ts_check_event *add_event(struct ts_check *check, const char *key)
@@ -53,14 +55,16 @@ enum ts_status ts_check_note(struct ts_script *script, enum ts_check_kind kind,
 	struct ts_check *check = script->check;
 	struct ts_place place = where ? *where : (struct ts_place){ .file = "" };
 	struct ts_check_event *event;
-	struct ts_str text = { 0 };
+	struct ts_str text = { 0 }, shown = { 0 };
 	const char *what, *key;
 	va_list args;
 
 	va_start(args, format);
 	ts_str_vaddf(&text, format, args);
 	va_end(args);
-	what = keep(script, &text);
+	ts_unknown_show(script->sim, ts_str_text(&text), "?", &shown);
+	ts_str_release(&text);
+	what = keep(script, &shown);
 	ts_str_addf(&text, "%d %s:%d %s", (int)kind, place.file, place.line, what ? what : "");
 	key = keep(script, &text);
 	event = what && key ? ts_map_get(&check->events, key) : NULL;
@@ -81,15 +85,22 @@ enum ts_status ts_check_note(struct ts_script *script, enum ts_check_kind kind,
 
 enum ts_status ts_check_run(struct ts_script *script, const struct ts_place *where, int64_t steps)
 {
+	struct tsim *sim = script->sim;
 	struct ts_check_event *event;
 
-	TS_TRY(ts_check_note(script, TS_CHECK_RUN, where, script->sim->from_run, &event, "run"));
+	TS_TRY(ts_check_note(script, TS_CHECK_RUN, where, sim->from_run, &event, "run"));
 	if (event->count == 1) {
-		event->step = script->sim->clock.step;
-		event->dt = script->sim->clock.dt;
+		event->index = script->check->nruns++;
+		event->step = sim->clock.step;
+		event->dt = sim->clock.dt;
+		event->late = sim->open_clock;
 	}
+	event->open |= sim->line.n > 1 && ts_unknown_text(sim, sim->line.word[1].text);
 	event->steps += steps;
-	script->sim->planned = true;
+	script->check->runs++;
+	sim->open_clock |= event->open;
+	sim->bill.open |= event->open;
+	sim->planned = true;
 	return TS_OK;
 }
 
@@ -110,6 +121,7 @@ enum ts_status ts_check_write(struct ts_script *script, const struct ts_place *w
 	struct ts_check *check = script->check;
 	const char *directory = directory_of(script, path);
 	bool makes = ts_streq(what, "shell mkdir");
+	struct ts_check_event *event;
 	struct stat info;
 
 	if (makes)
@@ -122,7 +134,9 @@ enum ts_status ts_check_write(struct ts_script *script, const struct ts_place *w
 			       "%s '%s': there is no directory '%s', and the script does not make "
 			       "it (shell mkdir %s)",
 			       what, path, directory, directory);
-	return ts_check_note(script, TS_CHECK_WRITE, where, NULL, NULL, "%s %s", what, path);
+	TS_TRY(ts_check_note(script, TS_CHECK_WRITE, where, NULL, &event, "%s %s", what, path));
+	event->path = strrchr(event->what, ' ') + 1;
+	return TS_OK;
 }
 
 enum ts_status ts_check_branch(struct ts_script *script, const struct ts_place *where,
@@ -132,39 +146,9 @@ enum ts_status ts_check_branch(struct ts_script *script, const struct ts_place *
 
 	if (!check)
 		return TS_OK;
-	check->hanging += script->sim->from_run[0] != '\0';
+	check->branches++;
 	return ts_check_note(script, TS_CHECK_STEP, where, script->sim->from_run, NULL, "if: %s",
 			     which);
-}
-
-/* Rounds of a loop whose end hangs on a run: the second one sees what the first one left. */
-static int64_t rounds_allowed(const struct ts_check *check, const struct ts_check_event *event)
-{
-	bool waits = check->hanging != event->hanging && check->nexts == event->nexts;
-
-	return waits && event->count > 1 ? 2 : MOST_ROUNDS;
-}
-
-enum ts_status ts_check_jump(struct ts_script *script, const struct ts_place *where,
-			     const char *file, const char *label, bool *follow)
-{
-	struct ts_check *check = script->check;
-	struct ts_check_event *event;
-
-	*follow = true;
-	if (!check)
-		return TS_OK;
-	TS_TRY(ts_check_note(script, TS_CHECK_STEP, where, NULL, &event, "jump %s%s%s", file,
-			     label ? " " : "", label ? label : ""));
-	*follow = event->count <= rounds_allowed(check, event) && ++check->jumps < MOST_JUMPS;
-	event->count -= !*follow;
-	event->bounded |= !*follow;
-	event->endless |= !*follow && check->hanging == event->hanging && check->nexts == event->nexts;
-	event->hanging = check->hanging;
-	event->nexts = check->nexts;
-	check->at = script->source ? script->source->at : 0;
-	check->line = script->source ? script->source->line : 0;
-	return TS_OK;
 }
 
 static void add_place(struct ts_str *out, const struct ts_place *where)
@@ -180,23 +164,61 @@ static void add_count(struct ts_str *out, const char *before, int64_t n, const c
 	ts_str_addf(out, "%s%" PRId64 " %s%s", before, n, what, n == 1 ? "" : "s");
 }
 
-static void add_event_text(const struct ts_check_event *e, struct ts_str *out)
+/* The innermost loop around the place of which it is not known how many turns it takes. */
+static const struct ts_check_loop *open_loop(const struct ts_check *check, const struct ts_place *where)
+{
+	const struct ts_check_loop *found = NULL;
+
+	for (const struct ts_check_loop *l = check->loop; l; l = l->next)
+		if (l->open && where->file && ts_streq(l->file, where->file) && l->from <= where->line &&
+		    where->line <= l->to && (!found || l->from > found->from))
+			found = l;
+	return found;
+}
+
+static void add_run(const struct ts_check *check, const struct ts_check_event *e, struct ts_str *out)
+{
+	const struct ts_check_loop *loop = open_loop(check, &e->where);
+
+	if (e->open) {
+		ts_str_add(out, " a number of steps that only a run can tell, each");
+	} else if (loop && e->count && e->steps % e->count == 0) {
+		add_count(out, " ", e->steps / e->count, "step");
+		ts_str_addf(out, " in each turn of lines %d-%d,", loop->from, loop->to);
+	} else {
+		ts_str_add(out, loop ? " at least" : "");
+		if (e->count > 1)
+			add_count(out, " ", e->count, "time");
+		add_count(out, e->count > 1 ? ", " : " ", e->steps, "step");
+		ts_str_add(out, e->count > 1 ? " in all" : "");
+	}
+	ts_str_addf(out, " of %g from step %" PRId64 "%s", e->dt, e->step, e->late ? " or later" : "");
+	if (loop)
+		ts_str_add(out, "; at least one turn: how many, only a run can tell");
+}
+
+static void add_jump(const struct ts_check_event *e, struct ts_str *out)
+{
+	if (e->turns)
+		ts_str_addf(out, ": %" PRId64 " turns, all like the %" PRId64 " that were gone through", e->turns,
+			    e->count + 1);
+	else
+		add_count(out, ": taken ", e->count, "time");
+	if (e->bounded && !e->turns)
+		ts_str_addf(out, ", not followed further%s", e->endless ? ": is there an end?" : "");
+}
+
+static void add_event_text(const struct ts_check *check, const struct ts_check_event *e, struct ts_str *out)
 {
 	add_place(out, &e->where);
 	ts_str_add(out, e->what);
 	if (e->kind == TS_CHECK_RUN) {
-		if (e->count > 1)
-			add_count(out, " ", e->count, "time");
-		add_count(out, e->count > 1 ? ", " : " ", e->steps, "step");
-		ts_str_addf(out, "%s of %g from step %" PRId64, e->count > 1 ? " in all" : "",
-			    e->dt, e->step);
+		add_run(check, e, out);
 	} else if (strncmp(e->what, "jump", 4) == 0) {
-		add_count(out, ": taken ", e->count, "time");
+		add_jump(e, out);
 	} else if (e->count > 1) {
 		add_count(out, ", ", e->count, "time");
 	}
-	if (e->bounded)
-		ts_str_addf(out, ", not followed further%s", e->endless ? ": is there an end?" : "");
 	if (e->hangs)
 		ts_str_addf(out, "; hangs on %s, which only a run can give", e->hangs);
 	ts_str_add(out, "\n");
@@ -213,7 +235,7 @@ static void add_events(const struct ts_check *check, enum ts_check_kind from, en
 			continue;
 		ts_str_add(out, any ? "" : title);
 		any = true;
-		add_event_text(e, out);
+		add_event_text(check, e, out);
 	}
 }
 
@@ -297,6 +319,9 @@ enum ts_status ts_script_check_report(struct ts_script *script, struct ts_str *e
 	if (check->unjudged)
 		ts_str_addf(report, "; %d more message%s left out, since they may follow from these\n",
 			    check->unjudged, check->unjudged == 1 ? " was" : "s were");
+	if (check->open)
+		ts_str_addf(report, "%d message%s left out that hang on values which only a run can give\n",
+			    check->open, check->open == 1 ? " was" : "s were");
 	*nerrors = check->nerrors;
 	return status;
 }

@@ -22,7 +22,7 @@ static bool is(const struct ts_word *word, const char *text)
 	return !word->quoted && ts_streq(word->text, text);
 }
 
-static enum ts_status holds(struct ts_script *script, const struct ts_word *word, bool *out)
+static enum ts_status holds(struct ts_script *script, const struct ts_word *word, enum ts_truth *out)
 {
 	struct ts_str text = { 0 };
 	enum ts_status status = ts_substitute_text(script, word->text, &word->place, &text);
@@ -95,27 +95,50 @@ static enum ts_status run_branch(struct ts_script *script, struct ts_words words
 	return status;
 }
 
+/* -check: once, the commands of all branches, also of those not taken. An error of the condition waits. */
+static enum ts_status also_read(struct ts_script *script, struct ts_words words, bool *read, enum ts_status waiting)
+{
+	struct ts_error *error = &script->sim->error, kept = *error;
+	enum ts_status status;
+
+	if (*read)
+		return TS_OK;
+	*read = true;
+	if (waiting != TS_OK)
+		ts_error_clear(error);
+	status = ts_check_commands(script, words);
+	if (status == TS_OK && waiting != TS_OK)
+		*error = kept;
+	return status;
+}
+
 static enum ts_status run_if(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	struct ts_words words = ((const struct condition *)state)->words;
 	struct ts_script *script;
+	enum ts_status status;
+	bool read = false;
 	size_t k = 0;
 
 	TS_TRY(ts_script_of(sim, where, &script));
 	TS_TRY(check(sim, words, where));
-	if (script->check)
-		TS_TRY(ts_check_commands(script, words));
 	while (k < words.n) {
-		bool yes = true, otherwise = is(&words.word[k], "else");
+		bool otherwise = is(&words.word[k], "else");
+		enum ts_truth yes = TS_YES;
 		size_t test = k == 0 ? 0 : k + 1, first = otherwise ? k + 1 : test + 1;
 
 		if (!otherwise) {
-			TS_TRY(holds(script, &words.word[test], &yes));
+			status = holds(script, &words.word[test], &yes);
+			if (sim->check && (status != TS_OK || yes != TS_OPEN))
+				TS_TRY(also_read(script, words, &read, status));
+			TS_TRY(status);
 			first += is(&words.word[first], "then");
 		}
-		if (yes && first >= words.n)
+		if (yes != TS_NO && first >= words.n)
 			return no_command(sim, &words.word[k]);
-		if (yes) {
+		if (yes == TS_OPEN && script->check)
+			return ts_check_branches(script, words, k, where);
+		if (yes == TS_YES) {
 			TS_TRY(ts_check_branch(script, where, k ? words.word[k].text : "then"));
 			return run_branch(script, words, first);
 		}

@@ -68,6 +68,16 @@ enum ts_status ts_expr_array(struct ts_expr *e, size_t n, struct ts_operand *out
 	return out->data ? TS_OK : ts_nomem(&e->sim->error);
 }
 
+enum ts_status ts_expr_given(struct ts_expr *e, const char *name, enum ts_status status, struct ts_operand *out)
+{
+	if (!ts_unknown_value(e->script, name, &status))
+		return status;
+	out->scalar = NAN;
+	for (size_t i = 0; out->data && i < out->n; i++)
+		out->data[i] = NAN;
+	return TS_OK;
+}
+
 enum ts_status ts_expr_take(struct ts_expr *e, enum ts_status status, struct ts_table *table,
 			    struct ts_operand *out)
 {
@@ -95,7 +105,9 @@ static enum ts_status read_number(struct ts_expr *e, struct ts_operand *out)
 	copy = ts_expr_copy(e, e->at, e->at + n);
 	if (!copy)
 		return TS_NOMEM;
-	if (!ts_parse_real(copy, &out->scalar))
+	if (ts_unknown_in(e->script, copy))
+		out->scalar = NAN;
+	else if (!ts_parse_real(copy, &out->scalar))
 		return ts_expr_fail(e, TS_SYNTAX, e->at, e->at + n, "'%s' is not a number", copy);
 	e->at += n;
 	return TS_OK;
@@ -284,7 +296,7 @@ enum ts_status ts_expr_scalar(struct ts_script *script, const char *text,
 }
 
 enum ts_status ts_expr_condition(struct ts_script *script, const char *text,
-				 const struct ts_place *place, bool *out)
+				 const struct ts_place *place, enum ts_truth *out)
 {
 	struct ts_expr e = start(script, text, place, TS_FORMULA_SCALAR);
 	struct ts_operand value;
@@ -294,7 +306,9 @@ enum ts_status ts_expr_condition(struct ts_script *script, const char *text,
 	status = evaluate(&e, &value);
 	ts_arena_release(&e.arena);
 	if (status == TS_OK)
-		*out = value.scalar < 0 || value.scalar > 0;
+		*out = ts_unknown(script->sim, value.scalar)	    ? TS_OPEN
+		       : value.scalar < 0 || value.scalar > 0 ? TS_YES
+							      : TS_NO;
 	return status;
 }
 

@@ -7,7 +7,7 @@
 #ifndef TS_SCRIPT_EXPR_H
 #define TS_SCRIPT_EXPR_H
 
-#include "script/interpreter.h"
+#include "script/unknown.h"
 
 struct ts_operand {
 	double scalar;
@@ -47,6 +47,8 @@ enum ts_status ts_expr_expect(struct ts_expr *e, char wanted);
 const char *ts_expr_copy(struct ts_expr *e, size_t at, size_t end); /* NULL: out of memory */
 /* Makes the operand a list of n numbers. */
 enum ts_status ts_expr_array(struct ts_expr *e, size_t n, struct ts_operand *out);
+/* A value that was asked of the simulation, whose name is known: if only a run can give it, it is unknown now. */
+enum ts_status ts_expr_given(struct ts_expr *e, const char *name, enum ts_status status, struct ts_operand *out);
 /* Makes the operand a copy of the first column, unless status says that the table failed; releases the
  * table. */
 enum ts_status ts_expr_take(struct ts_expr *e, enum ts_status status, struct ts_table *table,
@@ -60,6 +62,7 @@ struct ts_operator {
 	const char *help;
 	bool divides; /* the right number must not be 0 */
 	bool compares_words;
+	bool (*decides)(double a, double b); /* what is known of the two is enough; NULL: never */
 };
 extern const struct ts_operator ts_operators[]; /* closed by .text NULL */
 const struct ts_operator *ts_operator_find(const char *text); /* the one the text begins with, or NULL */
@@ -99,6 +102,7 @@ struct ts_expr_function {
 	enum ts_status (*draw)(struct ts_expr *e, const double *arg, struct ts_rng *rng, double *out);
 	enum ts_status (*series)(const double *x, size_t n, double *out); /* of at least `length` */
 	size_t length;
+	bool lazy;	   /* does not look at all arguments: ternary */
 	void (*map)(double *x, size_t n); /* turns a list into another */
 	/* of names */
 	enum ts_status (*words)(struct ts_expr *e, struct ts_words words, struct ts_operand *out);

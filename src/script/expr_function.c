@@ -31,11 +31,19 @@ static enum ts_status check_value(struct ts_expr *e, const struct ts_expr_functi
 static enum ts_status evaluate(struct ts_expr *e, const struct ts_expr_function *f, size_t at,
 			       const double *arg, double *out)
 {
+	bool open = false;
+
+	for (size_t k = 0; k < (f->lazy ? 1 : f->most); k++)
+		open |= ts_unknown(e->sim, arg[k]);
+	if (open) {
+		*out = NAN;
+		return TS_OK;
+	}
 	if (f->pure)
 		*out = f->pure(arg[0]);
 	else
 		TS_TRY(ts_expr_blame(e, f->eval(e, arg, out), at, e->at));
-	return check_value(e, f, at, arg[0], *out);
+	return f->lazy && ts_unknown(e->sim, *out) ? TS_OK : check_value(e, f, at, arg[0], *out);
 }
 
 /* One number by scalar arguments, else one for each element of the lists among them. */
@@ -94,6 +102,11 @@ static enum ts_status drawn(struct ts_expr *e, const struct ts_expr_function *f,
 	uint64_t at_number;
 
 	for (size_t k = 0; k < f->most; k++)
+		if (!arg[k].data && ts_unknown(e->sim, arg[k].scalar)) {
+			out->scalar = NAN;
+			return TS_OK;
+		}
+	for (size_t k = 0; k < f->most; k++)
 		if (arg[k].data && (k + 1 == f->most || !each))
 			return ts_expr_fail(e, TS_SYNTAX, arg[k].at, arg[k].end,
 					    "one number is needed here, found a list");
@@ -117,12 +130,26 @@ static enum ts_status drawn(struct ts_expr *e, const struct ts_expr_function *f,
 	return TS_OK;
 }
 
+/* A list of which something is unknown, or that only a run can fill. */
+static bool open_list(const struct ts_expr *e, const struct ts_expr_function *f, const struct ts_operand *list)
+{
+	bool open = !list->data && ts_unknown(e->sim, list->scalar);
+
+	for (size_t i = 0; list->data && i < list->n; i++)
+		open |= ts_unknown(e->sim, list->data[i]);
+	return open || (list->data && list->n < f->length && e->sim->explain && e->sim->planned);
+}
+
 static enum ts_status of_list(struct ts_expr *e, const struct ts_expr_function *f, size_t at,
 			      struct ts_operand *arg, struct ts_operand *out)
 {
 	size_t n = arg->n;
 	enum ts_status status;
 
+	if (open_list(e, f, arg)) {
+		out->scalar = NAN;
+		return TS_OK;
+	}
 	if (!arg->data)
 		return ts_expr_fail(e, TS_SYNTAX, arg->at, arg->end,
 				    "expected a list: the vector of a compute or fix, a variable "
@@ -130,10 +157,6 @@ static enum ts_status of_list(struct ts_expr *e, const struct ts_expr_function *
 	if (f->map) {
 		f->map(arg->data, n);
 		*out = *arg;
-		return TS_OK;
-	}
-	if (n < f->length && e->sim->explain) {
-		out->scalar = 0; /* nothing has been run that could fill the list */
 		return TS_OK;
 	}
 	if (n < f->length)
@@ -190,20 +213,22 @@ enum ts_status ts_group_function_call(struct ts_expr *e, const struct ts_functio
 	struct ts_word word[TS_MOST_ARGUMENTS] = { 0 };
 	struct ts_words words = { word, 0 };
 	struct ts_table table = { 0 };
+	enum ts_status status;
 
 	TS_TRY(ts_expr_words(e, at, word, TS_MOST_ARGUMENTS, &words.n));
 	TS_TRY(ts_expr_count(e, at, f->name, f->arguments, f->least, f->most, words.n));
-	if (f->peratom && e->kind == TS_FORMULA_PERATOM)
-		return ts_expr_blame(
-			e, ts_expr_take(e, f->peratom(e->sim, words, &table), &table, out), at,
-			e->at);
+	if (f->peratom && e->kind == TS_FORMULA_PERATOM) {
+		status = ts_expr_take(e, f->peratom(e->sim, words, &table), &table, out);
+		return ts_expr_blame(e, ts_expr_given(e, f->name, status, out), at, e->at);
+	}
 	if (!f->eval)
 		return ts_expr_fail(e, TS_STATE, at, e->at,
 				    "%s has a value for each particle; it has its place in a "
 				    "variable of style atom",
 				    f->name);
-	TS_TRY(ts_expr_blame(e, f->eval(e->sim, words, &out->scalar), at, e->at));
-	if (isfinite(out->scalar))
+	status = ts_expr_given(e, f->name, f->eval(e->sim, words, &out->scalar), out);
+	TS_TRY(ts_expr_blame(e, status, at, e->at));
+	if (isfinite(out->scalar) || ts_unknown(e->sim, out->scalar))
 		return TS_OK;
 	return ts_expr_fail(e, TS_RANGE, at, e->at, "%s has no finite value", f->name);
 }

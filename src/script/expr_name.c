@@ -26,7 +26,10 @@ static const struct ts_constant *constant_find(const char *name)
 	return NULL;
 }
 
-/* The number between [ and ], at least `least`. */
+/* An index that only a run can give. */
+static const int64_t OPEN_INDEX = INT64_MIN;
+
+/* The number between [ and ], at least `least`, or OPEN_INDEX. */
 static enum ts_status read_index(struct ts_expr *e, double least, int64_t *out)
 {
 	size_t at = e->at++;
@@ -36,6 +39,9 @@ static enum ts_status read_index(struct ts_expr *e, double least, int64_t *out)
 	if (ts_expr_peek(e) != ']')
 		return ts_expr_fail(e, TS_SYNTAX, at, at + 1, "'[' is never closed");
 	e->at++;
+	*out = OPEN_INDEX;
+	if (ts_unknown(e->sim, k))
+		return TS_OK;
 	if (!(k >= least && k < 9e15) || floor(k) < k)
 		return ts_expr_fail(e, TS_RANGE, at, e->at,
 				    "expected a whole number from %.0f on between [ and ], found "
@@ -61,37 +67,59 @@ static enum ts_status find_particle(struct ts_expr *e, int64_t identity, size_t 
 	return ts_expr_blame(e, status, at, e->at);
 }
 
-/* v_NAME[k]: of a list its k-th number, else the value of the particle with identity k. */
-static enum ts_status element(struct ts_expr *e, struct ts_variable *variable,
-			      const struct ts_place *place, size_t at, struct ts_operand *out)
+/* v_NAME[k] of a variable of particles: of the one with identity k. */
+static enum ts_status of_one(struct ts_expr *e, struct ts_variable *variable, const struct ts_place *place, int64_t k,
+			     size_t at, struct ts_operand *out)
 {
 	struct ts_table table = { 0 };
 	enum ts_status status;
 	size_t row = 0;
-	int64_t k = 0;
 
-	TS_TRY(read_index(e, 1, &k));
-	if (variable->style->vector) {
-		status = ts_variable_vector(e->script, variable, place, &table);
-		row = (size_t)k - 1;
-		if (status == TS_OK && row >= table.rows)
-			status = ts_expr_fail(e, TS_RANGE, at, e->at,
-					      "element [%" PRId64 "] asked for, variable '%s' has "
-					      "%zu",
-					      k, variable->name, table.rows);
-	} else if (variable->style->peratom && !variable->style->number) {
-		TS_TRY(find_particle(e, k, at, &row));
+	status = find_particle(e, k, at, &row);
+	if (status == TS_OK)
 		status = ts_variable_peratom(e->script, variable, place, &table);
-	} else {
-		status = ts_expr_fail(e, TS_SYNTAX, at, e->at,
-				      "variable '%s' (style %s) has one value; '[' has its place "
-				      "behind a variable of style vector or atom",
-				      variable->name, variable->style->name);
-	}
 	if (status == TS_OK)
 		out->scalar = table.data[row];
 	ts_table_release(&table);
+	return ts_expr_given(e, variable->name, status, out);
+}
+
+/* Of a list the k-th number. */
+static enum ts_status of_list(struct ts_expr *e, struct ts_variable *variable, const struct ts_place *place, int64_t k,
+			      size_t at, struct ts_operand *out)
+{
+	struct ts_table table = { 0 };
+	enum ts_status status = ts_variable_vector(e->script, variable, place, &table);
+	bool open = k == OPEN_INDEX;
+
+	for (size_t i = 0; i < table.rows; i++)
+		open |= ts_unknown(e->sim, table.data[i]) && (size_t)k > table.rows;
+	if (status == TS_OK && open)
+		out->scalar = NAN;
+	else if (status == TS_OK && (size_t)k > table.rows)
+		status = ts_expr_fail(e, TS_RANGE, at, e->at,
+				      "element [%" PRId64 "] asked for, variable '%s' has %zu", k,
+				      variable->name, table.rows);
+	else if (status == TS_OK)
+		out->scalar = table.data[k - 1];
+	ts_table_release(&table);
 	return status;
+}
+
+static enum ts_status element(struct ts_expr *e, struct ts_variable *variable,
+			      const struct ts_place *place, size_t at, struct ts_operand *out)
+{
+	int64_t k = 0;
+
+	TS_TRY(read_index(e, 1, &k));
+	if (variable->style->vector)
+		return of_list(e, variable, place, k, at, out);
+	if (variable->style->peratom && !variable->style->number)
+		return of_one(e, variable, place, k, at, out);
+	return ts_expr_fail(e, TS_SYNTAX, at, e->at,
+			    "variable '%s' (style %s) has one value; '[' has its place "
+			    "behind a variable of style vector or atom",
+			    variable->name, variable->style->name);
 }
 
 static enum ts_status variable(struct ts_expr *e, const char *name, size_t at,
@@ -164,37 +192,71 @@ static enum ts_status of_reference(struct ts_expr *e, const struct ts_ref *ref,
 	return ts_ref_scalar(e->sim, ref, place, &out->scalar);
 }
 
+/* Whether the style gives what is asked for, as far as can be told without running. */
+static bool gives(const struct ts_expr *e, const struct ts_ref *ref, unsigned shapes, bool of_identity)
+{
+	const struct ts_value *list = ref->inst ? ts_value_find(ref->inst, TS_VECTOR) : NULL;
+	unsigned wanted = 1u << TS_SCALAR;
+
+	if (e->kind == TS_FORMULA_PERATOM || of_identity)
+		wanted |= 1u << TS_PERATOM;
+	if (e->kind == TS_FORMULA_VECTOR)
+		wanted |= 1u << TS_VECTOR | 1u << TS_LOCAL | 1u << TS_PERATOM;
+	if (list && list->columns && !ref->column && ref->index > (long)list->columns)
+		wanted &= ~(1u << TS_SCALAR);
+	return shapes & wanted;
+}
+
+static enum ts_status read_output(struct ts_expr *e, const char *name, const char *whole, const int64_t k[2], size_t at,
+				  struct ts_operand *out)
+{
+	struct ts_place place = ts_place_inside(e->place, e->length, at, e->at - at);
+	enum ts_status status;
+	bool identity, given;
+	struct ts_ref ref;
+	unsigned shapes;
+
+	TS_TRY(ts_ref_resolve(e->sim, whole, &place, &ref));
+	shapes = ts_ref_shapes(e->sim, &ref);
+	identity = k[0] > 0 && !(shapes & (1u << TS_SCALAR)) &&
+		   (k[1] > 0 || (e->kind == TS_FORMULA_SCALAR && shapes & (1u << TS_PERATOM)));
+	given = gives(e, &ref, shapes, identity);
+	status = identity ? of_identity(e, name, k[0], k[1], at, out) : of_reference(e, &ref, &place, out);
+	return given ? ts_expr_given(e, name, status, out) : status;
+}
+
 /* c_ID, c_ID[k], c_ID[k][j], and the same of fixes */
 static enum ts_status output(struct ts_expr *e, const char *name, size_t at, struct ts_operand *out)
 {
+	enum ts_status status = TS_OK;
 	struct ts_str whole = { 0 };
 	int64_t k[2] = { -1, 0 };
-	enum ts_status status;
-	struct ts_place place;
-	struct ts_ref ref;
-	unsigned shapes = 0;
+	bool open = false;
 
 	ts_str_add(&whole, name);
-	for (int n = 0; n < 2 && e->text[e->at] == '['; n++) {
+	for (int n = 0; n < 2 && status == TS_OK && e->text[e->at] == '['; n++) {
 		status = read_index(e, n, &k[n]);
+		open |= k[n] == OPEN_INDEX;
+		k[n] = k[n] == OPEN_INDEX ? 1 : k[n];
 		ts_str_addf(&whole, "[%" PRId64 "]", k[n]);
-		if (status != TS_OK) {
-			ts_str_release(&whole);
-			return status;
-		}
 	}
-	place = ts_place_inside(e->place, e->length, at, e->at - at);
-	status = whole.failed ? ts_nomem(&e->sim->error)
-			      : ts_ref_resolve(e->sim, whole.text, &place, &ref);
 	if (status == TS_OK)
-		shapes = ts_ref_shapes(e->sim, &ref);
-	if (status == TS_OK && k[0] > 0 && !(shapes & (1u << TS_SCALAR)) &&
-	    (k[1] > 0 || (e->kind == TS_FORMULA_SCALAR && shapes & (1u << TS_PERATOM))))
-		status = of_identity(e, name, k[0], k[1], at, out);
-	else if (status == TS_OK)
-		status = of_reference(e, &ref, &place, out);
+		status = whole.failed ? ts_nomem(&e->sim->error) : read_output(e, name, whole.text, k, at, out);
 	ts_str_release(&whole);
+	if (status == TS_OK && open)
+		*out = (struct ts_operand){ .scalar = NAN, .at = at };
 	return ts_expr_blame(e, status, at, e->at);
+}
+
+/* Some keywords are known without running. */
+static enum ts_status of_keyword(struct ts_expr *e, const struct ts_keyword *keyword, size_t at, struct ts_operand *out)
+{
+	bool known = keyword->flags & TS_KEYWORD_CONSTANT ||
+		     (keyword->flags & TS_KEYWORD_CLOCK && !e->sim->open_clock) ||
+		     (keyword->flags & TS_KEYWORD_BOX && !e->sim->box_moves);
+	enum ts_status status = keyword->eval(e->sim, &out->scalar);
+
+	return ts_expr_blame(e, known ? status : ts_expr_given(e, keyword->name, status, out), at, e->at);
 }
 
 /* A quantity of all particles, e.g. `vx` in an atom-style formula. */
@@ -203,7 +265,8 @@ static enum ts_status column(struct ts_expr *e, const char *name, size_t at, str
 	struct ts_table table = { 0 };
 	enum ts_status status = ts_quantity_eval(e->sim, name, &table);
 
-	return ts_expr_blame(e, ts_expr_take(e, status, &table, out), at, e->at);
+	status = ts_expr_take(e, status, &table, out);
+	return ts_expr_blame(e, ts_expr_given(e, name, status, out), at, e->at);
 }
 
 /* A quantity of the particle with a given identity: vx[17]. */
@@ -216,12 +279,13 @@ static enum ts_status of_particle(struct ts_expr *e, const char *name, size_t at
 	size_t row = 0;
 
 	TS_TRY(read_index(e, 1, &identity));
-	TS_TRY(find_particle(e, identity, at, &row));
-	status = ts_quantity_eval(e->sim, name, &table);
+	status = find_particle(e, identity, at, &row);
+	if (status == TS_OK)
+		status = ts_quantity_eval(e->sim, name, &table);
 	if (status == TS_OK)
 		out->scalar = table.data[row];
 	ts_table_release(&table);
-	return ts_expr_blame(e, status, at, e->at);
+	return ts_expr_blame(e, ts_expr_given(e, name, status, out), at, e->at);
 }
 
 static enum ts_status unknown(struct ts_expr *e, const char *name, size_t at, bool call)
@@ -262,8 +326,6 @@ static enum ts_status call(struct ts_expr *e, const char *name, size_t at, struc
 
 	if (function)
 		return ts_expr_call(e, function, at, out);
-	if (of_group)
-		ts_from_run(e->sim, name);
 	if (of_group)
 		return ts_group_function_call(e, of_group, at, out);
 	return unknown(e, name, at, true);
@@ -309,8 +371,6 @@ enum ts_status ts_expr_name(struct ts_expr *e, const char *name, size_t at, stru
 	}
 	keyword = ts_keyword_find(e->sim, name);
 	if (keyword)
-		ts_from_run(e->sim, name);
-	if (keyword)
-		return ts_expr_blame(e, keyword->eval(e->sim, &out->scalar), at, e->at);
+		return of_keyword(e, keyword, at, out);
 	return unknown(e, name, at, false);
 }

@@ -11,6 +11,17 @@ static bool truth(double a)
 	return a < 0 || a > 0;
 }
 
+/* Operators that may know their result when one side is unknown, a NaN: that is neither true nor false here. */
+static bool either(double a, double b)
+{
+	return truth(a) || truth(b);
+}
+
+static bool not_both(double a, double b)
+{
+	return a == 0 || b == 0;
+}
+
 static double op_or(double a, double b)
 {
 	return truth(a) || truth(b);
@@ -78,21 +89,21 @@ static double op_divide(double a, double b)
 
 /* Longer spellings first, where one begins with another. */
 const struct ts_operator ts_operators[] = {
-	{ "||", 1, op_or, "1 if one of the two is not 0", false, false },
-	{ "|^", 1, op_xor, "1 if exactly one of the two is not 0", false, false },
-	{ "&&", 2, op_and, "1 if neither is 0", false, false },
-	{ "==", 3, op_equal, "1 if equal", false, true },
-	{ "!=", 3, op_unequal, "1 if not equal", false, true },
-	{ "<=", 4, op_not_above, "1 if less or equal", false, false },
-	{ "<", 4, op_below, "1 if less", false, false },
-	{ ">=", 4, op_not_below, "1 if greater or equal", false, false },
-	{ ">", 4, op_above, "1 if greater", false, false },
-	{ "+", 5, op_add, "sum", false, false },
-	{ "-", 5, op_subtract, "difference", false, false },
-	{ "*", 6, op_multiply, "product", false, false },
-	{ "/", 6, op_divide, "quotient", true, false },
-	{ "%", 6, fmod, "remainder, with the sign of the left number", true, false },
-	{ "^", 7, pow, "power", false, false },
+	{ "||", 1, op_or, "1 if one of the two is not 0", false, false, either },
+	{ "|^", 1, op_xor, "1 if exactly one of the two is not 0", false, false, NULL },
+	{ "&&", 2, op_and, "1 if neither is 0", false, false, not_both },
+	{ "==", 3, op_equal, "1 if equal", false, true, NULL },
+	{ "!=", 3, op_unequal, "1 if not equal", false, true, NULL },
+	{ "<=", 4, op_not_above, "1 if less or equal", false, false, NULL },
+	{ "<", 4, op_below, "1 if less", false, false, NULL },
+	{ ">=", 4, op_not_below, "1 if greater or equal", false, false, NULL },
+	{ ">", 4, op_above, "1 if greater", false, false, NULL },
+	{ "+", 5, op_add, "sum", false, false, NULL },
+	{ "-", 5, op_subtract, "difference", false, false, NULL },
+	{ "*", 6, op_multiply, "product", false, false, NULL },
+	{ "/", 6, op_divide, "quotient", true, false, NULL },
+	{ "%", 6, fmod, "remainder, with the sign of the left number", true, false, NULL },
+	{ "^", 7, pow, "power", false, false, NULL },
 	{ .text = NULL },
 };
 
@@ -109,6 +120,10 @@ static enum ts_status checked(struct ts_expr *e, const struct ts_operator *op, s
 {
 	size_t end = at + strlen(op->text);
 
+	if (ts_unknown(e->sim, a) || ts_unknown(e->sim, b)) {
+		*out = op->decides && op->decides(a, b) ? op->apply(a, b) : NAN;
+		return TS_OK;
+	}
 	if (op->divides && !truth(b))
 		return ts_expr_fail(e, TS_RANGE, at, end, "division of %.6g by zero", a);
 	*out = op->apply(a, b);
@@ -135,10 +150,14 @@ enum ts_status ts_op_binary(struct ts_expr *e, const struct ts_operator *op, siz
 	bool words = a->is_word || b->is_word || (a->word && b->word);
 
 	*out = (struct ts_operand){ .at = a->at, .end = b->end };
-	if (words && op->compares_words) {
+	if (words && op->compares_words && !ts_unknown(e->sim, a->scalar) && !ts_unknown(e->sim, b->scalar)) {
 		bool same = a->word && b->word && ts_streq(a->word, b->word);
 
 		out->scalar = op->apply(same, true);
+		return TS_OK;
+	}
+	if (words && op->compares_words) { /* one of them unknown: it may be this word */
+		out->scalar = NAN;
 		return TS_OK;
 	}
 	TS_TRY(ts_op_need_number(e, a));
@@ -164,7 +183,7 @@ enum ts_status ts_op_unary(struct ts_expr *e, char op, struct ts_operand *a)
 		if (op == '-')
 			data[i] = -data[i];
 		else if (op == '!')
-			data[i] = !truth(data[i]);
+			data[i] = ts_unknown(e->sim, data[i]) ? NAN : !truth(data[i]);
 	}
 	a->word = NULL;
 	return TS_OK;

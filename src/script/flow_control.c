@@ -33,6 +33,7 @@ static enum ts_status run_jump(struct tsim *sim, void *state, const struct ts_pl
 	TS_TRY(ts_script_of(sim, where, &script));
 	if (script->skip_jump) {
 		script->skip_jump = false;
+		ts_check_left(script, where);
 		return TS_OK;
 	}
 	if (!script->source)
@@ -126,8 +127,6 @@ static enum ts_status run_next(struct tsim *sim, void *state, const struct ts_pl
 	bool exhausted;
 
 	TS_TRY(ts_script_of(sim, where, &script));
-	if (script->check)
-		script->check->nexts++;
 	for (size_t k = 0; k < next->names.n; k++) {
 		const struct ts_word *name = &next->names.word[k];
 
@@ -138,6 +137,7 @@ static enum ts_status run_next(struct tsim *sim, void *state, const struct ts_pl
 		script->skip_jump = true;
 		ts_variable_delete(script, variable);
 	}
+	ts_check_next(script, next->names);
 	return TS_OK;
 }
 

@@ -68,6 +68,9 @@ enum ts_status ts_substitute(struct ts_script *script, struct ts_line *line, boo
 enum ts_status ts_substitute_text(struct ts_script *script, const char *text,
 				  const struct ts_place *where, struct ts_str *out);
 
+/* TS_OPEN: only a run can tell. */
+enum ts_truth { TS_NO, TS_YES, TS_OPEN };
+
 /* Formulas. The text stands at `place`. */
 enum ts_status ts_expr_scalar(struct ts_script *script, const char *text,
 			      const struct ts_place *place, double *out);
@@ -77,7 +80,7 @@ enum ts_status ts_expr_vector(struct ts_script *script, const char *text,
 			      const struct ts_place *place, struct ts_table *out);
 /* A condition of `if`, where bare names are words that can be compared. */
 enum ts_status ts_expr_condition(struct ts_script *script, const char *text,
-				 const struct ts_place *place, bool *out);
+				 const struct ts_place *place, enum ts_truth *out);
 
 /* random.c: the stream of a seed; what a restart file keeps of a script, streams and variables. */
 enum ts_status ts_script_stream_of(struct ts_script *script, double seed, struct ts_stream **out);

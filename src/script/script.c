@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "script/check.h"
-#include "script/interpreter.h"
+#include "script/unknown.h"
 
 #include "base/banned.h"
 
@@ -26,7 +26,16 @@ static enum ts_status host_scalar(void *host, const char *name, const struct ts_
 	struct ts_variable *variable;
 
 	TS_TRY(ts_variable_require(host, name, where, &variable));
-	return ts_variable_number(host, variable, where, out);
+	TS_TRY(ts_variable_number(host, variable, where, out));
+	*out = ts_unknown_guess(host, *out);
+	return TS_OK;
+}
+
+static enum ts_status guess(struct ts_script *script, struct ts_table *table)
+{
+	for (size_t k = 0; script->sim->explain && k < table->rows; k++)
+		table->data[k] = ts_unknown_guess(script, table->data[k]);
+	return TS_OK;
 }
 
 static enum ts_status host_peratom(void *host, const char *name, const struct ts_place *where,
@@ -35,7 +44,8 @@ static enum ts_status host_peratom(void *host, const char *name, const struct ts
 	struct ts_variable *variable;
 
 	TS_TRY(ts_variable_require(host, name, where, &variable));
-	return ts_variable_peratom(host, variable, where, out);
+	TS_TRY(ts_variable_peratom(host, variable, where, out));
+	return guess(host, out);
 }
 
 static bool host_has_variable(void *host, const char *name)
@@ -63,7 +73,8 @@ static enum ts_status host_vector(void *host, const char *name, const struct ts_
 	struct ts_variable *variable;
 
 	TS_TRY(ts_variable_require(host, name, where, &variable));
-	return ts_variable_vector(host, variable, where, out);
+	TS_TRY(ts_variable_vector(host, variable, where, out));
+	return guess(host, out);
 }
 
 static enum ts_status host_set(void *host, const char *name, const struct ts_place *where,
@@ -118,16 +129,17 @@ static enum ts_status host_list_variables(void *host, struct ts_str *out)
 
 static enum ts_status host_pardon(void *host, enum ts_status status)
 {
-	const struct ts_script *script = host;
-
-	return script->check && status != TS_OK ? ts_check_keep_error(host, "") : status;
+	return ts_check_pardon(host, status);
 }
 
 static enum ts_status host_planned(void *host, const struct ts_place *where, int64_t steps)
 {
 	const struct ts_script *script = host;
 
-	return script->check ? ts_check_run(host, where, steps) : TS_OK;
+	if (script->check)
+		return ts_check_run(host, where, steps);
+	script->sim->planned = true;
+	return TS_OK;
 }
 
 static enum ts_status host_would_write(void *host, const struct ts_place *where, const char *what,
@@ -212,6 +224,15 @@ enum ts_status ts_script_run_words(struct ts_script *script, struct ts_words wor
 	return status;
 }
 
+static enum ts_status begin_line(struct ts_script *script, const struct ts_line *line)
+{
+	if (script->sim->explain && !script->check)
+		TS_TRY(ts_check_new(script));
+	else if (!script->sim->explain)
+		ts_check_free(script);
+	return script->check && line->rows ? ts_check_begin_line(script, &line->row[0]) : TS_OK;
+}
+
 static enum ts_status run_line(struct ts_script *script, struct ts_line *line)
 {
 	struct ts_error *error = &script->sim->error;
@@ -221,11 +242,13 @@ static enum ts_status run_line(struct ts_script *script, struct ts_line *line)
 
 	ts_log_echo(&script->sim->log, ts_str_text(&line->text));
 	ts_line_uncomment(line);
-	status = script->check && line->rows ? ts_check_begin_line(script, &line->row[0]) : TS_OK;
+	status = begin_line(script, line);
 	if (status == TS_OK)
 		status = ts_substitute(script, line, true);
 	if (status == TS_OK)
 		status = ts_line_cut(line, error, &arena, &words);
+	if (status == TS_OK && words.n && script->check && ts_unknown_text(script->sim, ts_str_text(&line->text)))
+		status = ts_check_guess(script, line, words);
 	if (status == TS_OK && words.n)
 		status = ts_script_run_words(script, words);
 	if (status == TS_OK)
@@ -264,7 +287,7 @@ static enum ts_status no_label(struct ts_script *script)
 					"there is no 'label %s' in %s", script->label,
 					script->source->name);
 
-	if (!script->check)
+	if (!script->sim->check)
 		return status;
 	script->label = NULL;
 	if (ts_streq(script->label_place.file, script->source->name))
@@ -301,7 +324,7 @@ enum ts_status ts_script_keep(struct ts_script *script, struct ts_source *source
 	for (text = script->text; text; text = text->next)
 		if (ts_streq(text->name, source->name))
 			return TS_OK;
-	if (source->owns_stream || script->check)
+	if (source->owns_stream || script->sim->check)
 		TS_TRY(ts_source_rest(source, script->sim));
 	text = ts_arena_alloc(&script->arena, 1, sizeof *text);
 	if (!text)

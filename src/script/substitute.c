@@ -1,5 +1,5 @@
 /* Replaces ${name}, $x and $(formula) in lines and texts. */
-#include "script/interpreter.h"
+#include "script/unknown.h"
 #include "script/number_format.h"
 
 #include <string.h>
@@ -64,7 +64,7 @@ static enum ts_status expression(struct ts_script *script, const struct ts_line 
 	if (status == TS_OK)
 		status = ts_expr_scalar(script, inner.text, &place, &value);
 	if (status == TS_OK)
-		ts_number_format_add(out, format, value);
+		ts_unknown_add(script->sim, out, format, value);
 	ts_str_release(&inner);
 	return status;
 }
@@ -89,7 +89,7 @@ static enum ts_status variable(struct ts_script *script, const struct ts_line *l
 	else if (status == TS_OK)
 		status = ts_variable_number(script, found, where, &value);
 	if (status == TS_OK && format)
-		ts_number_format_add(out, format, value);
+		ts_unknown_add(script->sim, out, format, value);
 	ts_str_release(&name);
 	return status;
 }

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "script/interpreter.h"
+#include "script/unknown.h"
 
 #include "base/banned.h"
 
@@ -50,6 +50,15 @@ static enum ts_status write_line(struct tsim *sim, const char *path, const char 
 	return TS_OK;
 }
 
+static void show(struct tsim *sim, const char *text)
+{
+	struct ts_str shown = { 0 };
+
+	ts_unknown_show(sim, text, "(unknown)", &shown);
+	ts_log(&sim->log, "%s\n", ts_str_text(&shown));
+	ts_str_release(&shown);
+}
+
 static enum ts_status run_print(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct print *print = state;
@@ -60,7 +69,7 @@ static enum ts_status run_print(struct tsim *sim, void *state, const struct ts_p
 	TS_TRY(ts_script_of(sim, where, &script));
 	status = ts_substitute_text(script, print->text, ts_script_place(script, 1, where), &text);
 	if (status == TS_OK && print->screen)
-		ts_log(&sim->log, "%s\n", ts_str_text(&text));
+		show(sim, ts_str_text(&text));
 	if (status == TS_OK)
 		status = write_line(sim, print->file, "w", ts_str_text(&text), where);
 	if (status == TS_OK)

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "script/interpreter.h"
+#include "script/unknown.h"
 
 #include "base/banned.h"
 
@@ -191,6 +191,10 @@ enum ts_status ts_variable_text(struct ts_script *script, struct ts_variable *va
 			       "variable '%s' (style %s) has a value for each particle and cannot "
 			       "be put into a line",
 			       variable->name, variable->style->name);
+	if (variable->open && variable->style->number && ts_unknown_read(script, variable->name)) {
+		ts_unknown_add(script->sim, out, "%g", NAN);
+		return TS_OK;
+	}
 	TS_TRY(enter(script, variable, where));
 	TS_TRY(leave(script, variable, variable->style->text(script, variable, where, out), where));
 	return out->failed ? ts_nomem(error) : TS_OK;
@@ -202,7 +206,9 @@ static enum ts_status text_as_number(struct ts_script *script, struct ts_variabl
 	struct ts_str text = { 0 };
 	enum ts_status status = ts_variable_text(script, variable, where, &text);
 
-	if (status == TS_OK && !ts_parse_real(ts_str_text(&text), out))
+	if (status == TS_OK && ts_unknown_in(script, ts_str_text(&text)))
+		*out = NAN;
+	else if (status == TS_OK && !ts_parse_real(ts_str_text(&text), out))
 		status = ts_fail(&script->sim->error, TS_SYNTAX, where,
 				 "variable '%s' is '%s', which is no number", variable->name,
 				 ts_str_text(&text));
@@ -215,6 +221,10 @@ enum ts_status ts_variable_number(struct ts_script *script, struct ts_variable *
 {
 	const struct ts_variable_style *style = variable->style;
 
+	if (variable->open && ts_unknown_read(script, variable->name)) {
+		*out = NAN;
+		return TS_OK;
+	}
 	if (style->peratom && !style->number)
 		return ts_fail(&script->sim->error, TS_STATE, where,
 			       "variable '%s' has a value for each particle; one number is needed "

@@ -85,6 +85,7 @@ struct ts_variable {
 	bool busy;  /* its formula is being evaluated */
 	bool given; /* from the command line */
 	bool used;
+	bool open;   /* -explain: set in a branch that may not be the one */
 	bool in_run; /* a run has taken values from its file */
 };
 

@@ -1,5 +1,5 @@
 /* Variables that keep a formula, evaluated each time they are used: equal, atom, vector. */
-#include "script/interpreter.h"
+#include "script/unknown.h"
 
 #include "base/banned.h"
 
@@ -18,7 +18,7 @@ static enum ts_status equal_text(struct ts_script *script, struct ts_variable *v
 	double value = 0;
 
 	TS_TRY(equal_number(script, variable, where, &value));
-	ts_str_addf(out, "%.15g", value);
+	ts_unknown_add(script->sim, out, "%.15g", value);
 	return TS_OK;
 }
 
@@ -48,8 +48,10 @@ static enum ts_status vector_text(struct ts_script *script, struct ts_variable *
 	enum ts_status status = formula_vector(script, variable, where, &table);
 
 	ts_str_add(out, "[");
-	for (size_t k = 0; status == TS_OK && k < table.rows; k++)
-		ts_str_addf(out, "%s%.15g", k ? "," : "", table.data[k]);
+	for (size_t k = 0; status == TS_OK && k < table.rows; k++) {
+		ts_str_add(out, k ? "," : "");
+		ts_unknown_add(script->sim, out, "%.15g", table.data[k]);
+	}
 	ts_str_add(out, "]");
 	ts_table_release(&table);
 	return status;

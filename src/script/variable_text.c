@@ -3,7 +3,7 @@
 
 #include "base/clock.h"
 #include "script/number_format.h"
-#include "script/interpreter.h"
+#include "script/unknown.h"
 
 #include "base/banned.h"
 
@@ -62,7 +62,7 @@ static enum ts_status format_text(struct ts_script *script, struct ts_variable *
 	(void)where;
 	TS_TRY(ts_variable_require(script, word[0].text, &word[0].place, &source));
 	TS_TRY(ts_variable_number(script, source, &word[0].place, &value));
-	ts_number_format_add(out, word[1].text, value);
+	ts_unknown_add(script->sim, out, word[1].text, value);
 	return TS_OK;
 }
 
@@ -89,8 +89,8 @@ static enum ts_status define_timer(struct ts_script *script, struct ts_variable 
 static enum ts_status plain_text(struct ts_script *script, struct ts_variable *variable,
 				 const struct ts_place *where, struct ts_str *out)
 {
-	(void)script, (void)where;
-	ts_str_addf(out, "%.15g", variable->number);
+	(void)where;
+	ts_unknown_add(script->sim, out, "%.15g", variable->number);
 	return TS_OK;
 }
 
@@ -156,10 +156,12 @@ static enum ts_status define_internal(struct ts_script *script, struct ts_variab
 {
 	const struct ts_word *word = variable->values.word;
 
-	if (ts_parse_real(word->text, &variable->number))
-		return TS_OK;
-	return ts_fail(&script->sim->error, TS_SYNTAX, &word->place,
-		       "expected a number, found '%s'", word->text);
+	if (ts_unknown_in(script, word->text))
+		variable->number = NAN;
+	else if (!ts_parse_real(word->text, &variable->number))
+		return ts_fail(&script->sim->error, TS_SYNTAX, &word->place,
+			       "expected a number, found '%s'", word->text);
+	return TS_OK;
 }
 
 const struct ts_variable_style ts_var_internal = {

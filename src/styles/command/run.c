@@ -65,7 +65,7 @@ static enum ts_status run_plan(struct ts_plan *plan, struct tsim *sim, int64_t s
 	sim->clock.first_step = sim->clock.step;
 	sim->clock.last_step = sim->clock.step + steps;
 	sim->unsafe = r->unsafe;
-	if (sim->check)
+	if (sim->explain && sim->host)
 		TS_TRY(sim->host->planned(sim->host_data, r->where, steps));
 	TS_TRY(ts_plan_compile(plan, sim));
 	TS_TRY(ts_plan_run(plan, sim, r->pre));
@@ -122,6 +122,8 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 			       "run: the last step would be out of range, at most %" PRId64, INT64_MAX);
 	last = r->upto ? r->steps : sim->clock.step + r->steps;
 	r->where = where;
+	if (last < sim->clock.step && sim->open_clock) /* -explain: or so */
+		last = sim->clock.step;
 	if (last < sim->clock.step)
 		return ts_fail(&sim->error, TS_RANGE, ts_sim_word(sim, 1, where),
 			       "run upto %" PRId64 ": the simulation is already at step %" PRId64,

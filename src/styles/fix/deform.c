@@ -248,6 +248,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct span span[3];
 
 	TS_TRY(check(self, sim));
+	sim->box_moves = true;
 	remember(self->state, sim);
 	if (sim->explain || ((struct state *)self->state)->remap != REMAP_V)
 		return TS_OK;

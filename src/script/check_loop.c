@@ -1,0 +1,234 @@
+/* Loops of a script that is gone through without running it. Those that run nothing are followed to their end; others
+ * as long as they reach new lines, or when they have few turns. What is left is multiplied if the number of turns is
+ * known, and told to be not known else. */
+#include <string.h>
+
+#include "script/check.h"
+#include "script/unknown.h"
+
+#include "base/banned.h"
+
+enum { FEW = 20, MOST_ROUNDS = 1000, MOST_JUMPS = 100000, MOST_RUNS = 2000 };
+
+static bool inside(const struct ts_check_loop *loop, const struct ts_place *where)
+{
+	return where->file && ts_streq(loop->file, where->file) && loop->from <= where->line &&
+	       where->line <= loop->to;
+}
+
+/* What has been counted up to here: the next turn begins. */
+static enum ts_status begin_turn(struct ts_script *script, struct ts_check_loop *loop)
+{
+	const struct ts_check *check = script->check;
+
+	loop->reached = check->reached;
+	loop->nexts = check->nexts;
+	loop->branches = check->branches;
+	loop->step = script->sim->clock.step;
+	loop->bill = script->sim->bill;
+	if (TS_GROW(loop->run, loop->run_capacity, check->nruns) != TS_OK)
+		return ts_nomem(&script->sim->error);
+	for (const struct ts_check_event *e = check->first; e; e = e->next)
+		if (e->kind == TS_CHECK_RUN)
+			loop->run[e->index] = (struct ts_check_sum){ e->count, e->steps };
+	loop->nruns = check->nruns;
+	return TS_OK;
+}
+
+static struct ts_check_loop *find_loop(const struct ts_check *check, const char *file, int from, int to)
+{
+	struct ts_check_loop *loop = check->loop;
+
+	while (loop && !(ts_streq(loop->file, file) && (from < 0 || loop->from == from) && loop->to == to))
+		loop = loop->next;
+	return loop;
+}
+
+enum ts_status ts_check_loop_of(struct ts_script *script, const struct ts_place *where, const char *file,
+				const char *label, struct ts_check_loop **out)
+{
+	struct ts_check *check = script->check;
+	const struct ts_source *source = script->source;
+	int from = label ? -1 : 0;
+
+	*out = NULL;
+	if (!source || !ts_streq(file, "SELF") || !where->line || !ts_streq(where->file, source->name))
+		return TS_OK;
+	for (size_t k = 0; label && k < source->nlabels; k++)
+		if (ts_streq(source->label[k].name, label) && source->label[k].at <= source->at) {
+			from = source->label[k].line;
+			break;
+		}
+	if (from < 0)
+		return TS_OK;
+	*out = find_loop(check, source->name, from, where->line);
+	if (*out)
+		return TS_OK;
+	*out = ts_arena_alloc(&check->arena, 1, sizeof **out);
+	if (!*out)
+		return ts_nomem(&script->sim->error);
+	**out = (struct ts_check_loop){ .next = check->loop, .file = source->name, .from = from, .to = where->line };
+	check->loop = *out;
+	return TS_OK;
+}
+
+void ts_check_open(struct ts_script *script, struct ts_check_loop *loop)
+{
+	loop->open = true;
+	script->sim->open_clock |= script->sim->planned;
+	script->sim->bill.open = true;
+}
+
+/* Does it end by a value that only a run can give? */
+static bool ends_open(const struct ts_check *check, const struct ts_check_loop *loop)
+{
+	for (const struct ts_check_event *e = check->first; e; e = e->next)
+		if (e->leaves && inside(loop, &e->where))
+			return true;
+	return false;
+}
+
+static bool has_run(const struct ts_check *check, const struct ts_check_loop *loop)
+{
+	for (const struct ts_check_event *e = check->first; e; e = e->next)
+		if (e->kind == TS_CHECK_RUN && inside(loop, &e->where))
+			return true;
+	return false;
+}
+
+/* The turns that are not gone through are like the last one. */
+static void multiply(struct ts_script *script, const struct ts_check_loop *loop, int64_t left)
+{
+	struct tsim *sim = script->sim;
+	struct ts_bill *bill = &sim->bill;
+
+	for (struct ts_check_event *e = script->check->first; e; e = e->next) {
+		struct ts_check_sum before = { 0 };
+
+		if (e->kind != TS_CHECK_RUN)
+			continue;
+		if (e->index < loop->nruns)
+			before = loop->run[e->index];
+		e->steps += left * (e->steps - before.steps);
+		e->count += left * (e->count - before.count);
+	}
+	sim->clock.step += left * (sim->clock.step - loop->step);
+	bill->seconds += (double)left * (bill->seconds - loop->bill.seconds);
+	bill->most += (double)left * (bill->most - loop->bill.most);
+	bill->bytes += (double)left * (bill->bytes - loop->bill.bytes);
+}
+
+/* As if `next` had found no further value. */
+static void end_next(struct ts_script *script)
+{
+	struct ts_check *check = script->check;
+
+	for (size_t k = 0; k < sizeof check->stepped / sizeof *check->stepped; k++) {
+		struct ts_variable *variable = check->stepped[k] ? ts_variable_find(script, check->stepped[k]) : NULL;
+
+		if (variable)
+			ts_variable_delete(script, variable);
+		check->stepped[k] = NULL;
+	}
+}
+
+/* Another turn? */
+static bool again(struct ts_script *script, struct ts_check_loop *loop)
+{
+	const struct ts_check *check = script->check;
+	bool steps = check->nexts != loop->nexts, news = loop->turns == 1 || check->reached != loop->reached;
+
+	if (!has_run(check, loop))
+		return loop->turns < (steps && check->turns_left ? MOST_JUMPS : MOST_ROUNDS) &&
+		       (!loop->open || loop->turns < FEW);
+	if (check->runs > MOST_RUNS)
+		return false;
+	if (loop->open)
+		return news && loop->turns < MOST_ROUNDS;
+	if (steps && check->turns_left)
+		return news || loop->turns + check->turns_left <= FEW;
+	return loop->turns < FEW;
+}
+
+static enum ts_status close_loop(struct ts_script *script, struct ts_check_loop *loop, struct ts_check_event *event,
+				 bool *follow)
+{
+	struct ts_check *check = script->check;
+	bool steps = check->nexts != loop->nexts;
+
+	loop->turns++;
+	if (!loop->open && ends_open(check, loop))
+		ts_check_open(script, loop);
+	*follow = again(script, loop);
+	if (*follow)
+		return begin_turn(script, loop);
+	event->bounded = true;
+	if (steps && check->turns_left && !loop->open) {
+		event->turns = loop->turns + check->turns_left;
+		multiply(script, loop, check->turns_left);
+	} else {
+		event->endless = !loop->open && !steps && check->branches == loop->branches;
+		ts_check_open(script, loop);
+	}
+	if (steps)
+		end_next(script);
+	loop->turns = 0;
+	return TS_OK;
+}
+
+enum ts_status ts_check_jump(struct ts_script *script, const struct ts_place *where,
+			     const char *file, const char *label, bool *follow)
+{
+	struct ts_check *check = script->check;
+	struct ts_check_event *event;
+	struct ts_check_loop *loop;
+
+	*follow = true;
+	if (!check)
+		return TS_OK;
+	TS_TRY(ts_check_note(script, TS_CHECK_STEP, where, NULL, &event, "jump %s%s%s", file,
+			     label ? " " : "", label ? label : ""));
+	TS_TRY(ts_check_loop_of(script, where, file, label, &loop));
+	if (loop)
+		TS_TRY(close_loop(script, loop, event, follow));
+	if (++check->jumps >= MOST_JUMPS && *follow) {
+		*follow = false;
+		event->bounded = true;
+	}
+	event->count -= !*follow;
+	check->at = script->source ? script->source->at : 0;
+	check->line = script->source ? script->source->line : 0;
+	return TS_OK;
+}
+
+void ts_check_left(struct ts_script *script, const struct ts_place *where)
+{
+	struct ts_check_loop *loop = script->check && where->file
+					     ? find_loop(script->check, where->file, -1, where->line)
+					     : NULL;
+
+	if (loop)
+		loop->turns = 0;
+}
+
+void ts_check_next(struct ts_script *script, struct ts_words names)
+{
+	struct ts_check *check = script->check;
+	size_t most = check ? sizeof check->stepped / sizeof *check->stepped : 0;
+
+	if (!check)
+		return;
+	check->nexts++;
+	check->turns_left = 0;
+	for (size_t k = 0; k < most; k++) {
+		const struct ts_variable *v = k < names.n ? ts_variable_find(script, names.word[k].text) : NULL;
+		int64_t left = v && !v->feed ? v->last - v->at + 1 : 0;
+
+		check->stepped[k] = v ? v->name : NULL;
+		if (left && (!check->turns_left || left < check->turns_left))
+			check->turns_left = left;
+		for (size_t j = 0; v && j < v->values.n; j++)
+			if (ts_unknown_text(script->sim, v->values.word[j].text))
+				check->turns_left = -1;
+	}
+}

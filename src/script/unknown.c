@@ -1,0 +1,74 @@
+#include "script/unknown.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "script/check.h"
+#include "script/number_format.h"
+
+#include "base/banned.h"
+
+/* The number 1, for whoever takes it as a number. */
+static const char mark[] = "00000000000000001";
+
+bool ts_unknown_read(struct ts_script *script, const char *name)
+{
+	return ts_from_run(script->sim, name);
+}
+
+bool ts_unknown_value(struct ts_script *script, const char *name, enum ts_status *status)
+{
+	if (*status == TS_NOMEM || *status == TS_STOPPED || *status == TS_UNKNOWN ||
+	    *status == TS_SYNTAX || !ts_unknown_read(script, name))
+		return false;
+	if (*status != TS_OK)
+		ts_error_clear(&script->sim->error);
+	*status = TS_OK;
+	return true;
+}
+
+void ts_unknown_add(const struct tsim *sim, struct ts_str *out, const char *format, double value)
+{
+	if (ts_unknown(sim, value))
+		ts_str_add(out, mark);
+	else
+		ts_number_format_add(out, format, value);
+}
+
+bool ts_unknown_text(const struct tsim *sim, const char *text)
+{
+	return sim->explain && sim->planned && strstr(text, mark);
+}
+
+bool ts_unknown_in(struct ts_script *script, const char *text)
+{
+	struct tsim *sim = script->sim;
+	const struct ts_check *check = script->check;
+
+	if (!ts_unknown_text(sim, text))
+		return false;
+	ts_from_run(sim, check && check->why ? check->why : "a value");
+	return true;
+}
+
+void ts_unknown_show(const struct tsim *sim, const char *text, const char *what, struct ts_str *out)
+{
+	const char *at;
+
+	while (ts_unknown_text(sim, text)) {
+		at = strstr(text, mark);
+		ts_str_add_n(out, text, (size_t)(at - text));
+		ts_str_add(out, what);
+		text = at + sizeof mark - 1;
+	}
+	ts_str_add(out, text);
+}
+
+double ts_unknown_guess(struct ts_script *script, double value)
+{
+	if (!ts_unknown(script->sim, value))
+		return value;
+	if (script->check)
+		script->check->weak = true;
+	return 1;
+}
