@@ -344,6 +344,8 @@ library_sources = \
 	src/neigh/cells.h \
 	src/neigh/clusters.c \
 	src/neigh/clusters.h \
+	src/neigh/coincide.c \
+	src/neigh/coincide.h \
 	src/neigh/contact_columns.c \
 	src/neigh/contact_columns.h \
 	src/neigh/contact_list.c \
@@ -379,6 +381,8 @@ library_sources = \
 	src/neigh/linkage.h \
 	src/neigh/located.c \
 	src/neigh/located.h \
+	src/neigh/loss.c \
+	src/neigh/loss.h \
 	src/neigh/material_words.c \
 	src/neigh/materials.c \
 	src/neigh/materials.h \

@@ -49,6 +49,7 @@ shell_tests = \
 	tests/decks/cell_regions.sh \
 	tests/decks/chunk_values.sh \
 	tests/decks/clump_stream.sh \
+	tests/decks/coincide.sh \
 	tests/decks/commands.sh \
 	tests/decks/computes.sh \
 	tests/decks/contact_computes.sh \

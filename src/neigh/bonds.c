@@ -6,6 +6,8 @@
 #include <string.h>
 
 #include "core/plan.h"
+#include "math/vec3.h"
+#include "neigh/coincide.h"
 #include "particles/identity.h"
 #include "particles/particles.h"
 
@@ -155,6 +157,19 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+static enum ts_status check_places(struct tsim *sim, const struct ts_bonds *b)
+{
+	double d[3];
+
+	for (size_t k = 0; k < b->n; k++) {
+		size_t i = (size_t)b->row[k][0], j = (size_t)b->row[k][1];
+
+		ts_bond_separation(sim, i, j, d);
+		TS_TRY(ts_coincide_bond(sim, NULL, i, j, ts_norm(d)));
+	}
+	return TS_OK;
+}
+
 /* After a rebuild particles may stand in other rows, or be gone. */
 static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 {
@@ -168,6 +183,7 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 	for (size_t k = 0; k < b->n; k++)
 		for (int s = 0; s < 2; s++)
 			b->row[k][s] = ts_row_of(&map, b->tag[k][s]);
+	TS_TRY(check_places(sim, b));
 	return ts_bonds_index(sim);
 }
 

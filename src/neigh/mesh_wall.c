@@ -1,10 +1,12 @@
 #include "neigh/mesh_wall.h"
 
 #include <math.h>
+#include <stdio.h>
 
 #include "base/parallel.h"
 #include "geom/mesh_distance.h"
 #include "geom/mesh_touch.h"
+#include "neigh/coincide.h"
 #include "neigh/wall_push.h"
 #include "particles/domain.h"
 
@@ -281,8 +283,10 @@ enum ts_status ts_mesh_wall_list(struct ts_instance *self, struct tsim *sim, str
 	struct searching s = { self, sim, mw, NULL, (size_t)team };
 	enum ts_status status = TS_OK;
 
-	for (size_t k = 0; k < mw->nmeshes; k++)
+	for (size_t k = 0; k < mw->nmeshes; k++) {
 		TS_TRY(update_tree(sim, &mw->mesh[k]));
+		mw->mesh[k].checked = mw->mesh[k].surface->travelled;
+	}
 	mw->nvisitors = 0;
 	come_nearer(sim, mw);
 	s.share = ts_alloc(s.shares, sizeof *s.share);
@@ -306,6 +310,71 @@ bool ts_mesh_wall_has_moved(const struct tsim *sim, const struct ts_mesh_wall *m
 	for (size_t k = 0; k < mw->nmeshes; k++)
 		far |= mw->mesh[k].surface->travelled > 0.5 * sim->neigh->built_skin;
 	return far;
+}
+
+/* The longest way of a corner of the triangle in this step. */
+static double way_of(const struct tsim *sim, const struct ts_mesh_surface *s, size_t t)
+{
+	double most = 0;
+
+	for (int k = 0; s->v && k < 3; k++)
+		most = fmax(most, ts_norm(s->v[t][k]));
+	return most * sim->clock.dt;
+}
+
+/* Whether a triangle has come to particle i, or through it, in a step longer than its radius. Images are left out: what
+ * they pass other particles meet. */
+static enum ts_status check_passage(struct tsim *sim, const struct ts_mesh_part_of_wall *part, size_t i, double step,
+				    struct ts_mesh_list *list)
+{
+	const struct ts_particles *p = sim->particles;
+	const struct ts_mesh *m = &part->surface->mesh;
+	char what[120];
+
+	list->n = 0;
+	if (ts_mesh_tree_near(&part->tree, m, p->x[i], p->radius[i] + step, list) != TS_OK)
+		return ts_nomem(&sim->error);
+	for (size_t k = 0; k < list->n; k++) {
+		size_t t = (size_t)list->item[k];
+		double way = way_of(sim, part->surface, t);
+
+		if (!(way > p->radius[i]) || ts_mesh_distance(m, t, p->x[i]) > p->radius[i] + way)
+			continue;
+		snprintf(what, sizeof what, "triangle %zu of mesh %.60s", t + 1, part->by->id);
+		return ts_coincide_passed(sim, &part->by->where, i, way, what);
+	}
+	return TS_OK;
+}
+
+/* Most meshes are slow: then this is all. */
+static bool is_slow(const struct tsim *sim, struct ts_mesh_part_of_wall *part, double *step)
+{
+	double travelled = part->surface->travelled;
+
+	*step = travelled >= part->checked ? travelled - part->checked : travelled;
+	part->checked = travelled;
+	return *step <= sim->neigh->least_radius;
+}
+
+enum ts_status ts_mesh_wall_check_pace(struct ts_instance *self, struct tsim *sim, struct ts_mesh_wall *mw)
+{
+	const struct ts_particles *p = sim->particles;
+	struct ts_mesh_list list = { 0 };
+	enum ts_status status = TS_OK;
+	double step;
+
+	for (size_t k = 0; k < mw->nmeshes && status == TS_OK; k++) {
+		struct ts_mesh_part_of_wall *part = &mw->mesh[k];
+
+		if (is_slow(sim, part, &step))
+			continue;
+		status = update_tree(sim, part);
+		for (size_t i = 0; i < p->n && status == TS_OK; i++)
+			if (ts_in_group(p, i, part->by->group) && ts_wall_meets(self, sim, i, false))
+				status = check_passage(sim, part, i, step, &list);
+	}
+	ts_free(list.item);
+	return status;
 }
 
 /* Whether there is a contact: as of the last step, or found in this one. */
@@ -468,11 +537,21 @@ static void push_share(void *context, size_t from, size_t end)
 	ts_wall_queue_end(&queue);
 }
 
-void ts_mesh_wall_push(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw)
+/* ": triangle 12 of mesh cad" */
+static void name_triangle(const void *context, size_t k, struct ts_str *out)
+{
+	const struct ts_mesh_wall *mw = context;
+	const struct ts_mesh_near *near = &mw->near[k];
+
+	ts_str_addf(out, ", triangle %d of mesh %s", near->triangle + 1, mw->mesh[near->mesh].by->id);
+}
+
+enum ts_status ts_mesh_wall_push(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw)
 {
 	struct task task = { sim, w, mw, come_nearer(sim, mw) };
 
 	/* a contact is worth several particles of other loops */
 	ts_parallel(ts_team(sim, 4 * w->contacts.n), mw->nvisitors, push_share, &task);
 	ts_wall_finish(w);
+	return ts_coincide_wall(sim, w, name_triangle, mw);
 }

@@ -22,6 +22,7 @@ struct ts_mesh_part_of_wall {
 	struct ts_mesh_tree tree;
 	uint64_t moves; /* surface->moves when the tree was built */
 	double travelled; /* surface->travelled when contacts were looked at last */
+	double checked;	  /* the same, when its pace was */
 };
 
 /* Which triangle a contact of the wall is about. */
@@ -68,8 +69,10 @@ enum ts_status ts_mesh_wall_list(struct ts_instance *self, struct tsim *sim, str
 				 struct ts_mesh_wall *mw);
 /* Whether a mesh has moved so far since then that particles must be listed anew. */
 bool ts_mesh_wall_has_moved(const struct tsim *sim, const struct ts_mesh_wall *mw);
+/* Refuses a mesh that moves through particles in one step. */
+enum ts_status ts_mesh_wall_check_pace(struct ts_instance *self, struct tsim *sim, struct ts_mesh_wall *mw);
 /* All forces. */
-void ts_mesh_wall_push(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw);
+enum ts_status ts_mesh_wall_push(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw);
 void ts_mesh_wall_release(struct ts_mesh_wall *mw);
 
 /* Mesh and triangle of the contact k, for who reads reports. */

@@ -12,6 +12,7 @@
 #include "math/vec3.h"
 #include "neigh/bonds.h"
 #include "neigh/leaving.h"
+#include "neigh/loss.h"
 #include "neigh/network.h"
 #include "neigh/order.h"
 #include "neigh/pair.h"
@@ -56,6 +57,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct ts_neigh *nb = self->state;
 
 	sim->particles->describe_contacts = describe_contacts;
+	sim->particles->explain_loss = ts_explain_loss;
 	nb->wanted = ts_sim_only(sim, TS_KIND_PAIR) || sim->full & TS_FULL_ROWS;
 	nb->builds = 0;
 	nb->skin_counts = nb->shown = false; /* whose outputs do says so in its init */
@@ -235,6 +237,7 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 	double least, largest, reach;
 
 	ts_neigh_radii(p, &least, &largest);
+	nb->least_radius = least;
 	reach = nb->wanted ? ts_pair_reach(sim, largest) : 0;
 	if (!sim->resuming)
 		TS_TRY(ts_order_by_place(sim));

@@ -24,6 +24,7 @@ struct ts_neigh {
 	bool fixed_skin;    /* not less either */
 	double built_skin;  /* of the rows now in use */
 	double given_skin;  /* at that time, see ts_neigh_skin */
+	double least_radius; /* at that time, of all particles */
 	int32_t include; /* bit of the group whose members touch each other; 0: all */
 	int32_t nexclude;
 	struct ts_exclude exclude[TS_MAX_EXCLUDE];

@@ -1,8 +1,10 @@
 #include "neigh/primitive_wall.h"
 
 #include <math.h>
+#include <stdio.h>
 
 #include "core/plan.h"
+#include "neigh/coincide.h"
 #include "neigh/wall_push.h"
 #include "particles/domain.h"
 
@@ -171,11 +173,16 @@ bool ts_primitive_wall_moves(const struct ts_primitive_wall *w)
 }
 
 /* A (1 - cos wt), as in LAMMPS. */
-static double displacement(const struct ts_primitive_wall *w, const struct tsim *sim)
+static double displacement_at(const struct ts_primitive_wall *w, double time)
 {
-	double phase = 2 * TS_PI / w->period * (ts_sim_time(sim) - w->origin);
+	double phase = 2 * TS_PI / w->period * (time - w->origin);
 
 	return ts_primitive_wall_moves(w) ? w->amplitude * (1 - cos(phase)) : 0;
+}
+
+static double displacement(const struct ts_primitive_wall *w, const struct tsim *sim)
+{
+	return displacement_at(w, ts_sim_time(sim));
 }
 
 static double wiggle_velocity(const struct ts_primitive_wall *w, const struct tsim *sim)
@@ -261,6 +268,44 @@ static double away(const struct ts_primitive *at, const double x[3])
 				      : ts_primitive_distance(at, x, n);
 }
 
+bool ts_primitive_wall_between(const struct tsim *sim, const struct ts_primitive_wall *w, int dim, double a, double b,
+			       double *position)
+{
+	double moved = displacement(w, sim);
+
+	for (int k = 0; k < w->n; k++) {
+		*position = w->primitive[k].position + moved;
+		if ((int)w->primitive[k].shape == dim && *position >= fmin(a, b) && *position <= fmax(a, b))
+			return true;
+	}
+	return false;
+}
+
+enum ts_status ts_primitive_wall_check_pace(struct ts_instance *self, struct tsim *sim,
+					    const struct ts_primitive_wall *w)
+{
+	const struct ts_particles *p = sim->particles;
+	double now, way;
+	char what[80];
+
+	if (!ts_primitive_wall_moves(w))
+		return TS_OK;
+	now = displacement(w, sim);
+	way = fabs(now - displacement_at(w, ts_sim_time(sim) - sim->clock.dt));
+	for (size_t i = 0; way > sim->neigh->least_radius && i < p->n; i++) {
+		for (int k = 0; k < w->n; k++) {
+			struct ts_primitive at = moved_by(w, k, now);
+
+			if (way <= p->radius[i] || away(&at, p->x[i]) > p->radius[i] + way ||
+			    !ts_wall_meets(self, sim, i, false))
+				continue;
+			snprintf(what, sizeof what, "the wall %.40s", self->id);
+			return ts_coincide_passed(sim, &self->where, i, way, what);
+		}
+	}
+	return TS_OK;
+}
+
 enum ts_status ts_primitive_wall_list(struct ts_instance *self, struct tsim *sim, struct ts_wall *wall,
 				      struct ts_primitive_wall *w)
 {
@@ -320,7 +365,7 @@ static void push_share(void *context, size_t from, size_t to)
 	ts_wall_queue_end(&queue);
 }
 
-void ts_primitive_wall_push(struct tsim *sim, struct ts_wall *wall, const struct ts_primitive_wall *w,
+enum ts_status ts_primitive_wall_push(struct tsim *sim, struct ts_wall *wall, const struct ts_primitive_wall *w,
 			    int type)
 {
 	struct push push = { sim, wall, w, { { 0 } }, type };
@@ -330,6 +375,7 @@ void ts_primitive_wall_push(struct tsim *sim, struct ts_wall *wall, const struct
 		push.at[k] = moved_by(w, k, moved);
 	ts_wall_contacts_parallel(sim, &wall->contacts, push_share, &push);
 	ts_wall_finish(wall);
+	return ts_coincide_wall(sim, wall, NULL, NULL);
 }
 
 void ts_primitive_wall_plan(struct ts_instance *self, struct tsim *sim,

@@ -31,11 +31,17 @@ enum ts_status ts_primitive_wall_read(struct ts_instance *self, struct tsim *sim
 bool ts_primitive_wall_moves(const struct ts_primitive_wall *w);
 /* Whether the wall has gone so far since the last rebuild that another is due. */
 bool ts_primitive_wall_has_moved(const struct tsim *sim, const struct ts_primitive_wall *w);
+/* Whether one of its planes, as it stands now, bounds the dimension between the places a and b; where. */
+bool ts_primitive_wall_between(const struct tsim *sim, const struct ts_primitive_wall *w, int dim, double a, double b,
+			       double *position);
+/* Refuses a plane that moves through particles in one step. */
+enum ts_status ts_primitive_wall_check_pace(struct ts_instance *self, struct tsim *sim,
+					    const struct ts_primitive_wall *w);
 /* Between ts_wall_rebuild_start and _finish: lists particles of the group. */
 enum ts_status ts_primitive_wall_list(struct ts_instance *self, struct tsim *sim, struct ts_wall *wall,
 				      struct ts_primitive_wall *w);
 /* All forces; the surface has the material of this type. */
-void ts_primitive_wall_push(struct tsim *sim, struct ts_wall *wall, const struct ts_primitive_wall *w,
+enum ts_status ts_primitive_wall_push(struct tsim *sim, struct ts_wall *wall, const struct ts_primitive_wall *w,
 			    int type);
 /* Warnings before a run. */
 void ts_primitive_wall_plan(struct ts_instance *self, struct tsim *sim,

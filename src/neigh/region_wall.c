@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "math/vec3.h"
+#include "neigh/coincide.h"
 #include "neigh/wall_push.h"
 #include "particles/particles.h"
 
@@ -227,7 +228,7 @@ static void push_share(void *context, size_t from, size_t to)
 	push_contacts(context, from, to, spot);
 }
 
-void ts_region_wall_push(struct tsim *sim, struct ts_wall *wall, struct ts_region_wall *w, int type)
+enum ts_status ts_region_wall_push(struct tsim *sim, struct ts_wall *wall, struct ts_region_wall *w, int type)
 {
 	struct task task = { sim, wall, w, type, ts_region_varies(w->region) };
 
@@ -238,6 +239,7 @@ void ts_region_wall_push(struct tsim *sim, struct ts_wall *wall, struct ts_regio
 	else
 		push_contacts(&task, 0, wall->contacts.n, w->spot);
 	ts_wall_finish(wall);
+	return ts_coincide_wall(sim, wall, NULL, NULL);
 }
 
 enum ts_status ts_region_wall_archive(struct ts_archive *a, struct ts_region_wall *w)

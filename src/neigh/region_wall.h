@@ -40,7 +40,7 @@ enum ts_status ts_region_wall_list(struct ts_instance *self, struct tsim *sim, s
 /* Before the forces: updates the region, and says whether it has gone so far that particles must be listed anew. */
 enum ts_status ts_region_wall_follow(struct tsim *sim, struct ts_region_wall *w, bool *list);
 /* All forces; the surface has the material of this type. */
-void ts_region_wall_push(struct tsim *sim, struct ts_wall *wall, struct ts_region_wall *w, int type);
+enum ts_status ts_region_wall_push(struct tsim *sim, struct ts_wall *wall, struct ts_region_wall *w, int type);
 enum ts_status ts_region_wall_archive(struct ts_archive *a, struct ts_region_wall *w);
 
 #endif

@@ -1,5 +1,7 @@
 #include "neigh/row_search.h"
 
+#include "neigh/coincide.h"
+
 #include "base/clones.h"
 #include "base/four.h"
 #include "base/parallel.h"
@@ -26,6 +28,7 @@ static int32_t bound_of(const struct ts_row_search *s, int level, size_t i)
 struct wanted {
 	double at[4], skin; /* its place and radius */
 	int32_t bound;	    /* see above */
+	ts_four_marks *same; /* whether somebody is at the same place */
 };
 
 /* Those of the places from .. to-1 that are near; written without branches, as most are not. There must be room for
@@ -34,8 +37,10 @@ TS_INLINE size_t near(const struct ts_level *level, int32_t from, int32_t to, co
 {
 	static const ts_four_marks next = { 0, 1, 2, 3 };
 	const ts_four skin = TS_FOUR_ALL(w->skin), radius = TS_FOUR_ALL(w->at[3]);
+	const ts_four close = TS_FOUR_ALL(TS_COINCIDE * TS_COINCIDE * w->at[3] * w->at[3]);
 	const long long least = w->bound;
 	const ts_four_marks bound = { least, least, least, least };
+	ts_four_marks same = { 0 };
 	size_t n = 0;
 
 	for (int32_t k = from; k < to; k += 4) {
@@ -54,11 +59,13 @@ TS_INLINE size_t near(const struct ts_level *level, int32_t from, int32_t to, co
 		}
 		hit.all = (square < reach * reach) & (*(const ts_four_marks_anywhere *)(level->list + k) > bound) &
 			  (next < left);
+		same |= hit.all & (square <= close);
 		for (int q = 0; q < 4; q++) {
 			out[n] = (int32_t)level->list[k + q];
 			n -= (size_t)hit.one[q];
 		}
 	}
+	*w->same |= same;
 	return n;
 }
 
@@ -66,8 +73,9 @@ TS_CLONES static void search_level(const struct ts_row_search *s, int l, size_t 
 {
 	const struct ts_particles *p = s->sim->particles;
 	const struct ts_level *level = &s->cells.level[l];
+	ts_four_marks same = { 0 };
 	const struct wanted w = { { p->xhold[i][0], p->xhold[i][1], p->xhold[i][2], p->radius[i] }, s->skin,
-				  bound_of(s, l, i) };
+				  bound_of(s, l, i), &same };
 	int lo[3], hi[3];
 
 	ts_cells_range(level, w.at, w.at[3] + level->reach + s->skin, lo, hi);
@@ -85,6 +93,7 @@ TS_CLONES static void search_level(const struct ts_row_search *s, int l, size_t 
 			f->n += near(level, from, to, &w, f->partner + f->n);
 		}
 	}
+	f->coincide |= (same[0] | same[1] | same[2] | same[3]) != 0;
 }
 
 /* Leaves out pairs that cannot move, and excluded ones. */
@@ -171,6 +180,7 @@ static enum ts_status search_all(struct tsim *sim, struct ts_row_search *s)
 			return ts_nomem(&sim->error);
 		s->share[t].first = s->n;
 		s->n += s->share[t].n;
+		s->coincide |= s->share[t].coincide;
 	}
 	if (s->n >= (size_t)INT32_MAX)
 		return ts_fail(&sim->error, TS_RANGE, NULL,

@@ -14,6 +14,7 @@ struct ts_row_found {
 	size_t n, capacity;
 	uint64_t *key, *spare; /* to sort partners */
 	size_t key_capacity, spare_capacity;
+	bool coincide; /* some may be at the same place as their particle */
 	enum ts_status status;
 };
 
@@ -28,6 +29,7 @@ struct ts_row_search {
 	int shares;
 	uint32_t *count; /* of each particle: how many of its partners make rows with it as the first */
 	size_t n;	 /* rows in all */
+	bool coincide;	 /* of some of them the partners may be at the same place */
 
 	struct ts_cells cells;
 };

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/parallel.h"
+#include "neigh/coincide.h"
 #include "neigh/row_history.h"
 #include "neigh/row_search.h"
 #include "neigh/row_slots.h"
@@ -155,6 +156,8 @@ static enum ts_status build(struct tsim *sim, struct ts_rows *rows, struct ts_ro
 	if (rows->sphere) /* the first look at where particles are compares with something */
 		memset(rows->sphere, 0, rows->sphere_capacity * sizeof *rows->sphere);
 	ts_parallel(found->shares, (size_t)found->shares, fill_shares, &filling);
+	if (found->coincide && !rows->both_held)
+		TS_TRY(ts_coincide_rows(sim, rows));
 	TS_TRY(index_rows(sim, rows));
 	if (sim->resuming) /* shown without being computed */
 		TS_TRY(ts_rows_keep(sim, rows));

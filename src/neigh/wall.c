@@ -151,9 +151,16 @@ void ts_wall_start(struct ts_wall *w, struct tsim *sim)
 
 void ts_wall_finish(struct ts_wall *w)
 {
-	for (size_t k = 0; k < w->contacts.n; k++)
-		if (w->contacts.touching[k])
-			ts_sub(w->force, w->contacts.force[k], w->force);
+	uint8_t *touching = w->contacts.touching;
+
+	w->inside = TS_WALL_NONE;
+	for (size_t k = 0; k < w->contacts.n; k++) {
+		if (!touching[k])
+			continue;
+		ts_sub(w->force, w->contacts.force[k], w->force);
+		if (touching[k] == TS_TOUCH_INSIDE && w->inside == TS_WALL_NONE)
+			w->inside = k;
+	}
 }
 
 size_t ts_wall_history(const struct ts_wall *w, const struct tsim *sim)

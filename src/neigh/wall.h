@@ -20,11 +20,15 @@
 #include "neigh/wall_batch.h"
 #include "neigh/wall_contacts.h"
 
+struct ts_primitive_wall;
+
 /* First member of the state of every wall with contact laws; its style is of TS_FAMILY_WALL. */
 struct ts_wall {
 	struct ts_granular_words words; /* `model ...`; off: the model of the pair style */
 	struct ts_wall_contacts contacts;
 	double force[3]; /* on the wall, in the last step */
+	size_t inside; /* the first contact in the last step whose particle has its centre in the surface; TS_WALL_NONE */
+	const struct ts_primitive_wall *primitive; /* what it is made of, or NULL; set in init */
 	int meshes;	 /* how many it is made of; 0: it is a plane or the like. Set in init */
 	struct ts_words area_words;
 	bool store_force, store_contacts[2];
@@ -46,6 +50,7 @@ struct ts_wall {
 };
 
 #define TS_FAMILY_WALL "wall"
+#define TS_WALL_NONE SIZE_MAX
 
 /* Words that all walls take. */
 #define TS_WALL_ARGS(T, f)                                                                         \
@@ -88,7 +93,8 @@ static inline bool ts_wall_meets(const struct ts_instance *self, const struct ts
 
 /* Forces and what is stored of them are 0. */
 void ts_wall_start(struct ts_wall *w, struct tsim *sim);
-/* Adds up the force on the wall, in the order of contacts. */
+/* Adds up the force on the wall, in the order of contacts; notes whether a centre lies in its surface, which
+ * ts_coincide_wall (neigh/coincide.h) refuses. */
 void ts_wall_finish(struct ts_wall *w);
 
 /* Checks that the law exists for particles of the group and a wall of this type, and reports the

@@ -26,11 +26,14 @@ struct ts_wall_seen {
 	int32_t type;		     /* of the surface */
 };
 
+/* Whether a contact touches: not at all, with a direction, or so that the centre of the particle lies in the surface. */
+enum { TS_TOUCH_NOT, TS_TOUCH_BESIDE, TS_TOUCH_INSIDE };
+
 struct ts_wall_contacts {
 	size_t n;
 	int32_t *row;	   /* of the particle */
 	int32_t (*key)[2]; /* identity of the particle, number of the element */
-	uint8_t *touching; /* whether they did when they were looked at last; 0: there is no force, no memory */
+	uint8_t *touching; /* whether they did when they were looked at last, as above; 0: there is no force, no memory */
 	struct ts_wall_seen *seen;
 	double *memory;	   /* width numbers each; zero where they do not touch */
 	double (*force)[3]; /* on the particle, in this step */

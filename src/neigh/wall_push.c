@@ -1,6 +1,7 @@
 #include "base/clones.h"
 TS_UNROLLED
 
+#include "neigh/coincide.h"
 #include "neigh/wall_batch.h"
 #include "neigh/wall_push.h"
 #include "particles/rigid.h"
@@ -292,6 +293,8 @@ void ts_wall_push(struct ts_wall_queue *q, size_t k, const struct ts_wall_spot *
 		ts_wall_contact_rest(c, k);
 		return;
 	}
+	if (ts_coincide(spot->distance, q->sim->particles->radius[i]))
+		c->touching[k] = TS_TOUCH_INSIDE;
 	q->spot[q->n] = *spot;
 	q->contact[q->n++] = k;
 	if (q->n == TS_COLUMN)

@@ -70,23 +70,27 @@ static enum ts_status report_lost(struct tsim *sim, size_t i, int face)
 	struct ts_particles *p = sim->particles;
 	const double *v = p->v[i];
 	double travel = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) * sim->clock.dt / p->radius[i];
-	struct ts_str contacts = { 0 };
-	char text[900];
+	struct ts_str contacts = { 0 }, cause = { 0 };
+	char text[1100];
 	enum ts_status status = TS_OK;
 
 	if (p->lost_policy == TS_LOST_IGNORE || (p->lost_policy == TS_LOST_WARN && p->lost_warned))
 		return TS_OK;
 	if (p->describe_contacts)
 		p->describe_contacts(sim, i, &contacts);
+	if (travel > 0.1)
+		ts_str_add(&cause, "it moves a large part of its radius in a step: the time step is too large or "
+				   "something is too stiff");
+	else if (p->explain_loss)
+		p->explain_loss(sim, i, face, &cause);
 	snprintf(text, sizeof text,
 		 "particle %d (type %d) left the box through its fixed face %s at step %" PRId64
-		 ": position (%g %g %g), velocity (%g %g %g); last contacts: %.300s; probable cause: %s",
+		 ": position (%g %g %g), velocity (%g %g %g); last contacts: %.300s; probable cause: %.400s",
 		 p->tag[i], p->type[i], faces[face], sim->clock.step, p->x[i][0], p->x[i][1],
 		 p->x[i][2], v[0], v[1], v[2], contacts.length ? contacts.text : "none",
-		 travel > 0.1 ? "it moves a large part of its radius in a step: the time step is too "
-				"large or something is too stiff"
-			      : "no wall stands at that face");
+		 cause.length ? cause.text : "no wall stands at that face");
 	ts_str_release(&contacts);
+	ts_str_release(&cause);
 	if (p->lost_policy == TS_LOST_ERROR)
 		status = ts_fail(&sim->error, TS_PHYSICS, NULL, "%s", text);
 	else

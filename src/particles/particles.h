@@ -115,6 +115,8 @@ struct ts_particles {
 	size_t by_tag_capacity;
 	/* Says whom particle i touches; set by who keeps the contacts. */
 	void (*describe_contacts)(struct tsim *sim, size_t i, struct ts_str *out);
+	/* Says why particle i may have left through face 2 * dim + side; set by who knows the walls. */
+	void (*explain_loss)(struct tsim *sim, size_t i, int face, struct ts_str *out);
 };
 
 enum ts_lost { TS_LOST_IGNORE, TS_LOST_WARN, TS_LOST_ERROR };

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "neigh/cells.h"
+#include "neigh/coincide.h"
 #include "particles/domain.h"
 #include "particles/exchange.h"
 #include "particles/identity.h"
@@ -17,6 +18,7 @@ struct create_bonds {
 	int mode, group_a, group_b;
 	int64_t type, tag_a, tag_b;
 	double least, most;
+	const struct ts_place *where;
 };
 
 static double distance(const struct tsim *sim, size_t i, size_t j)
@@ -58,6 +60,7 @@ static enum ts_status bond_particle(struct tsim *sim, const struct create_bonds 
 				d = distance(sim, i, j);
 				if (d < c->least || d > c->most)
 					continue;
+				TS_TRY(ts_coincide_bond(sim, c->where, i, j, d));
 				TS_TRY(ts_bonds_add(sim, p->tag[i], p->tag[j], (int)c->type, d));
 			}
 		}
@@ -106,6 +109,8 @@ static enum ts_status bond_single(struct tsim *sim, const struct create_bonds *c
 {
 	struct ts_identities map;
 	int64_t tags[2] = { c->tag_a, c->tag_b };
+	size_t i, j;
+	double d;
 
 	TS_TRY(ts_identities(sim, false, &map));
 	for (int k = 0; k < 2; k++)
@@ -115,16 +120,19 @@ static enum ts_status bond_single(struct tsim *sim, const struct create_bonds *c
 	if (c->tag_a == c->tag_b)
 		return ts_fail(&sim->error, TS_RANGE, where,
 			       "create_bonds: a particle cannot be bonded to itself");
-	return ts_bonds_add(sim, (int32_t)c->tag_a, (int32_t)c->tag_b, (int)c->type,
-			    distance(sim, (size_t)ts_row_of(&map, c->tag_a),
-				     (size_t)ts_row_of(&map, c->tag_b)));
+	i = (size_t)ts_row_of(&map, c->tag_a);
+	j = (size_t)ts_row_of(&map, c->tag_b);
+	d = distance(sim, i, j);
+	TS_TRY(ts_coincide_bond(sim, where, i, j, d));
+	return ts_bonds_add(sim, (int32_t)c->tag_a, (int32_t)c->tag_b, (int)c->type, d);
 }
 
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
 {
-	const struct create_bonds *c = state;
+	struct create_bonds *c = state;
 	size_t before = sim->bonds->n;
 
+	c->where = where;
 	if (c->type > sim->bonds->ntypes)
 		return ts_fail(&sim->error, TS_RANGE, where,
 			       "create_bonds: there is no `bond_coeff %" PRId64 " ...` yet", c->type);
@@ -183,7 +191,8 @@ const struct ts_command_style ts_command_create_bonds = {
 		   .kind = TS_KIND_COMMAND,
 		   .summary = "bonds pairs of particles at their present distance",
 		   .doc = "The present distance of the centres becomes the rest length of the bond. Pairs "
-			  "that are bonded already are left as they are.",
+			  "that are bonded already are left as they are. Particles at the same place cannot be "
+			  "bonded: the bond would have no direction.",
 		   .example = "create_bonds many rock rock 1 0.0 1.05e-3\ncreate_bonds single/bond 1 12 17",
 		   .args = args,
 		   .state_size = sizeof(struct create_bonds) },

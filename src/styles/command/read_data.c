@@ -3,6 +3,7 @@
 
 #include "io/data.h"
 #include "neigh/bonds.h"
+#include "neigh/coincide.h"
 #include "particles/domain.h"
 #include "particles/identity.h"
 #include "particles/user_columns.h"
@@ -101,7 +102,6 @@ static enum ts_status make_bonds(struct tsim *sim, const struct ts_data *data,
 				 const struct ts_data_options *o)
 {
 	struct ts_bonds *b = sim->bonds;
-	const struct ts_particles *p = sim->particles;
 	int64_t ntypes = data->nbond_types + o->bond_type_offset + o->extra_bond_types;
 	struct ts_identities map;
 
@@ -115,15 +115,17 @@ static enum ts_status make_bonds(struct tsim *sim, const struct ts_data *data,
 		int32_t j = (int32_t)(from->tag[1] + o->tag_offset);
 		int64_t type = from->type + o->bond_type_offset;
 		double d[3];
+		size_t row[2];
 
 		if (type < 1)
 			return ts_fail(&sim->error, TS_RANGE, &place,
 				       "type %d of the bond with its offset is %lld", from->type,
 				       (long long)type);
-		for (int dim = 0; dim < 3; dim++)
-			d[dim] = p->x[ts_row_of(&map, i)][dim] - p->x[ts_row_of(&map, j)][dim];
-		ts_box_nearest(&sim->domain->box, d);
-		TS_TRY(ts_bonds_add(sim, i, j, (int)type, sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2])));
+		row[0] = (size_t)ts_row_of(&map, i);
+		row[1] = (size_t)ts_row_of(&map, j);
+		ts_bond_separation(sim, row[0], row[1], d);
+		TS_TRY(ts_coincide_bond(sim, &place, row[0], row[1], ts_norm(d)));
+		TS_TRY(ts_bonds_add(sim, i, j, (int)type, ts_norm(d)));
 	}
 	ts_bonds_sort(b);
 	return refuse_repeated(sim, data);

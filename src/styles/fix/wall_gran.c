@@ -74,6 +74,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(check_shape(self, sim));
 	TS_TRY(ts_wall_law_choose(self, sim, &w->law, &w->wall));
 	TS_TRY(w->mesh_word ? find_meshes(self, sim) : place_primitive(self, sim));
+	w->wall.primitive = w->mesh_word ? NULL : &w->primitive;
 	w->wall.meshes = w->mesh_word ? (int)w->mesh.nmeshes : 0;
 	w->wall.moves = !w->mesh_word && ts_primitive_wall_moves(&w->primitive);
 	w->wall.warm = !w->mesh_word && !isnan(w->primitive.temperature);
@@ -112,11 +113,12 @@ static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
 
 static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 {
-	const struct wall *w = self->state;
+	struct wall *w = self->state;
 
 	sim->rebuild |= w->mesh_word ? ts_mesh_wall_has_moved(sim, &w->mesh)
 				     : ts_primitive_wall_has_moved(sim, &w->primitive);
-	return TS_OK;
+	return w->mesh_word ? ts_mesh_wall_check_pace(self, sim, &w->mesh)
+			    : ts_primitive_wall_check_pace(self, sim, &w->primitive);
 }
 
 static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
@@ -124,11 +126,9 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	struct wall *w = self->state;
 
 	ts_wall_start(&w->wall, sim);
-	if (!w->mesh_word) {
-		ts_primitive_wall_push(sim, &w->wall, &w->primitive, (int)w->type);
-		return TS_OK;
-	}
-	ts_mesh_wall_push(sim, &w->wall, &w->mesh);
+	if (!w->mesh_word)
+		return ts_primitive_wall_push(sim, &w->wall, &w->primitive, (int)w->type);
+	TS_TRY(ts_mesh_wall_push(sim, &w->wall, &w->mesh));
 	return ts_mesh_stress_collect(sim, &w->wall, &w->mesh);
 }
 
@@ -192,7 +192,11 @@ static const char doc[] =
 	"their numbers, or `granular` and the words of pair_coeff (pair_style granular), those of LAMMPS (but a\n"
 	"material meets the wall as it meets itself, E* = E/(2 (1 - nu^2)), k_t NULL = 8 G*, where LAMMPS of 29 Sep 2021\n"
 	"has E/(2 (1 - nu)) and E (2 - nu)(1 + nu)/4, as `legacy yes` has); with neither, those of the pair style. Planes and cylinders are\n"
-	"two-sided. On the axis of a cylinder there is no force. Each particle remembers its contact with the\n"
+	"two-sided: they push a particle to the side where its centre is. A particle whose centre lies in the surface\n"
+	"itself, within 1e-12 of its radius, is on neither side: the run is refused or stops. On the axis of a cylinder the\n"
+	"distance is the same all around, and there is no force. A plane or mesh that moves by more than the radius of a\n"
+	"particle near it in one step passes through without a contact, and stops the run; the message says which time step\n"
+	"would do. Each particle remembers its contact with the\n"
 	"wall as with a partner. The centre of a cylinder is given along the next two axes in cyclic order:\n"
 	"xcylinder y z, ycylinder z x, zcylinder x y.\n\n"
 	"`shear DIM V`: the surface moves with V along DIM, but stays where it is. Where DIM is not the axis of\n"

@@ -57,8 +57,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	if (far)
 		TS_TRY(list(self, sim));
 	ts_wall_start(&w->wall, sim);
-	ts_region_wall_push(sim, &w->wall, &w->region, (int)w->type);
-	return TS_OK;
+	return ts_region_wall_push(sim, &w->wall, &w->region, (int)w->type);
 }
 
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
@@ -98,7 +97,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 static const char doc[] =
 	"The particles of the group meet the surface of a region: a block, cone, cylinder, plane or sphere, or a union\n"
 	"or intersection of such. They meet it from the side that the region says: `side in` keeps them in, `side out`\n"
-	"keeps them out, and others feel nothing; where faces are `open` they meet the others from both sides. From\n"
+	"keeps them out, and others feel nothing (one whose centre lies in the surface itself stops the run); where faces are `open` they meet the others from both sides. From\n"
 	"within each face counts (three in a corner of a block), from without the nearest point of the surface. Of a\n"
 	"union or intersection the faces of its members count as far as they bound the whole; two that coincide there\n"
 	"count for nothing, so let one member reach a little farther.\n\n"

@@ -1,0 +1,156 @@
+#include "neigh/coincide.h"
+
+#include <inttypes.h>
+#include <math.h>
+
+#include "neigh/limits.h"
+#include "neigh/pair.h"
+
+#include "base/banned.h"
+
+/* ---- particles */
+
+static bool same_place(const struct ts_particles *p, size_t i, size_t j)
+{
+	return ts_coincide(sqrt(ts_distance2(p->xhold[i], p->xhold[j])),
+			   fmin(p->radius[i], p->radius[j]));
+}
+
+/* Whether nobody moves it but its own prescription. */
+static bool held(const struct ts_particles *p, size_t i, uint32_t prescribed)
+{
+	return p->imass[i] == 0 || (p->mask[i] & prescribed);
+}
+
+/* Whether the pair would feel a force. */
+static bool meets(const struct tsim *sim, size_t i, size_t j)
+{
+	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
+	const struct ts_particles *p = sim->particles;
+
+	return pair && ts_pair_model(pair->state, p->type[i], p->type[j])->normal != TS_NORMAL_OFF;
+}
+
+/* Whether row a comes before row b by identities: what is told must not depend on the order in
+ * memory. */
+static bool before(const struct ts_rows *rows, size_t a, size_t b)
+{
+	int32_t p[2], q[2];
+
+	for (int k = 0; k < 2; k++) {
+		p[k] = rows->tag[k][a];
+		q[k] = rows->tag[k][b];
+	}
+	if (p[0] > p[1])
+		p[0] = rows->tag[1][a], p[1] = rows->tag[0][a];
+	if (q[0] > q[1])
+		q[0] = rows->tag[1][b], q[1] = rows->tag[0][b];
+	return p[0] != q[0] ? p[0] < q[0] : p[1] < q[1];
+}
+
+enum ts_status ts_coincide_rows(struct tsim *sim, const struct ts_rows *rows)
+{
+	const struct ts_particles *p = sim->particles;
+	const uint32_t prescribed = ts_prescribed(sim);
+	size_t first = 0, n = 0;
+	int32_t tag[2];
+	const double *x;
+
+	for (size_t r = 0; r < rows->n; r++) {
+		size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
+
+		if (!same_place(p, i, j) || (held(p, i, prescribed) && held(p, j, prescribed)) ||
+		    !meets(sim, i, j))
+			continue;
+		first = n++ && before(rows, first, r) ? first : r;
+	}
+	if (!n)
+		return TS_OK;
+	x = p->x[rows->i[first]];
+	for (int k = 0; k < 2; k++)
+		tag[k] = rows->tag[k][first];
+	return ts_fail(
+		&sim->error, TS_PHYSICS, NULL,
+		"at step %" PRId64
+		" particles %d and %d are at the same place (%g %g %g)%s: a contact force has "
+		"no direction there; delete one of them (`delete_atoms overlap`), or create them "
+		"apart",
+		sim->clock.step, tag[0] < tag[1] ? tag[0] : tag[1],
+		tag[0] < tag[1] ? tag[1] : tag[0], x[0], x[1], x[2],
+		n > 1 ? ", and so are others" : "");
+}
+
+/* ---- walls */
+
+static const struct ts_instance *instance_of(const struct tsim *sim, const struct ts_wall *wall)
+{
+	const struct ts_instance *by = NULL;
+	const struct ts_wall *w;
+
+	for (size_t k = 0; (w = ts_walls_next(sim, &k, &by)) && w != wall;)
+		;
+	return by;
+}
+
+enum ts_status ts_coincide_wall(struct tsim *sim, struct ts_wall *wall, ts_wall_part_fn *part,
+				const void *context)
+{
+	const struct ts_particles *p = sim->particles;
+	const struct ts_instance *by = instance_of(sim, wall);
+	struct ts_str where = { 0 };
+	size_t k = wall->inside, i;
+	enum ts_status status;
+
+	if (k == TS_WALL_NONE)
+		return TS_OK;
+	i = (size_t)wall->contacts.row[k];
+	if (p->mask[i] & ts_prescribed(sim))
+		return TS_OK;
+	if (part)
+		part(context, k, &where);
+	status = ts_fail(
+		&sim->error, TS_PHYSICS, by ? &by->where : NULL,
+		"at step %" PRId64
+		" the centre of particle %d (type %d) at (%g %g %g) lies in the surface of wall "
+		"%s%s: it is on neither side, and no contact force has a direction there; %s",
+		sim->clock.step, p->tag[i], p->type[i], p->x[i][0], p->x[i][1], p->x[i][2],
+		by ? by->id : "", ts_str_text(&where),
+		sim->in_setup ? "place it a radius away from the wall, or move the wall"
+			      : "the time step is too large or the contact too soft, or the "
+				"particle was put there");
+	ts_str_release(&where);
+	return status;
+}
+
+/* ---- bonds */
+
+enum ts_status ts_coincide_bond(struct tsim *sim, const struct ts_place *where, size_t i, size_t j,
+				double distance)
+{
+	const struct ts_particles *p = sim->particles;
+	int32_t a = p->tag[i], b = p->tag[j];
+
+	if (!ts_coincide(distance, fmin(p->radius[i], p->radius[j])))
+		return TS_OK;
+	return ts_fail(&sim->error, TS_PHYSICS, where,
+		       "particles %d and %d are at the same place (%g %g %g): a bond between them "
+		       "has no direction; "
+		       "delete one of them (`delete_atoms overlap`), or create them apart",
+		       a < b ? a : b, a < b ? b : a, p->x[i][0], p->x[i][1], p->x[i][2]);
+}
+
+/* ---- surfaces that move too far in a step: the bound is that of particles, a radius */
+
+enum ts_status ts_coincide_passed(struct tsim *sim, const struct ts_place *where, size_t i,
+				  double way, const char *what)
+{
+	const struct ts_particles *p = sim->particles;
+
+	return ts_fail(&sim->error, TS_PHYSICS, where,
+		       "%s moves by %.3g in step %" PRId64
+		       ", more than the radius %g of particle %d (type %d) near it at "
+		       "(%g %g %g): it passes through particles without a contact; use `timestep "
+		       "%.2g` or less",
+		       what, way, sim->clock.step, p->radius[i], p->tag[i], p->type[i], p->x[i][0],
+		       p->x[i][1], p->x[i][2], 0.9 * sim->clock.dt * p->radius[i] / way);
+}
