@@ -131,10 +131,11 @@ END_TEST
 /* A spring that slips all the time. */
 START_TEST(test_slip)
 {
-	static const int laws[] = { TS_TANGENTIAL_HISTORY, TS_TANGENTIAL_LINEAR, TS_TANGENTIAL_MINDLIN_FORCE };
+	static const int laws[] = { TS_TANGENTIAL_HISTORY, TS_TANGENTIAL_INCREMENTAL, TS_TANGENTIAL_LINEAR,
+				    TS_TANGENTIAL_MINDLIN_FORCE };
 
-	for (size_t k = 0; k < 3; k++) {
-		const struct ts_granular_model m = { .normal = k ? TS_NORMAL_AREA_HERTZ : TS_NORMAL_HERTZ,
+	for (size_t k = 0; k < sizeof laws / sizeof *laws; k++) {
+		const struct ts_granular_model m = { .normal = k > 1 ? TS_NORMAL_AREA_HERTZ : TS_NORMAL_HERTZ,
 						     .tangential = laws[k],
 						     .no_tangential_damping = true };
 		double memory[TS_GRANULAR_MEMORY + 1] = { 0 }, before[TS_GRANULAR_MEMORY + 1], dt = 1e-5;

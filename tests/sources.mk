@@ -65,6 +65,7 @@ shell_tests = \
 	tests/decks/flow_pressure.sh \
 	tests/decks/flow_style.sh \
 	tests/decks/free_mesh.sh \
+	tests/decks/gran_laws.sh \
 	tests/decks/gran_numbers.sh \
 	tests/decks/granular_laws.sh \
 	tests/decks/groups.sh \

@@ -94,10 +94,7 @@ static const struct {
 } choices[] = {
 	{ "model", "hertz/break", FRAGMENTS },
 	{ "model", "hysteretic/nonlinear2", OTHER_EDITION },
-	{ "model", "jkr", OTHER_EDITION },
 	{ "model", "luding", "hooke/hysteresis is the law of its kind here" },
-	{ "tangential", "incremental_history", OTHER_EDITION },
-	{ "tangential", "jkr_tan", OTHER_EDITION },
 	{ "rolling_friction", "cdtnonlinear2", OTHER_EDITION },
 	{ "cohesion", "bond", BONDS },
 	{ "cohesion", "bond/nonlinear", BONDS },

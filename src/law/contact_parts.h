@@ -102,7 +102,8 @@ static inline void ts_contact_split(const struct ts_granular_model *m,
 	limit = c->friction * fabs(n.limit + (m->reduce ? ts_cohesion_force(m, c, t) : 0));
 	for (int k = 0; k < 3; k++)
 		friction[k] = total[k] - normal * t->n[k];
-	if (m->tangential != TS_TANGENTIAL_HISTORY && !(ts_norm(friction) < (1 - 1e-12) * limit)) {
+	if (m->tangential != TS_TANGENTIAL_HISTORY && m->tangential != TS_TANGENTIAL_INCREMENTAL &&
+	    !(ts_norm(friction) < (1 - 1e-12) * limit)) {
 		ts_scale(1, out->force[TS_PART_VISCOUS], out->force[TS_PART_SLIP]);
 		ts_scale(0, out->force[TS_PART_VISCOUS], out->force[TS_PART_VISCOUS]);
 	}

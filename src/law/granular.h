@@ -32,6 +32,7 @@ enum ts_tangential_law {
 	TS_TANGENTIAL_OFF,
 	TS_TANGENTIAL_HISTORY,
 	TS_TANGENTIAL_NO_HISTORY,
+	TS_TANGENTIAL_INCREMENTAL,
 	TS_TANGENTIAL_SLIDER,
 	/* their spring turns with the contact: law/tangential_turning.h */
 	TS_TANGENTIAL_LINEAR,

@@ -16,7 +16,7 @@
  * coeff_restitution  the same f, gamma_0 = 2 beta of hooke, sqrt(5) beta of hertz, beta = -ln e/sqrt(ln^2 e + pi^2): the
  *         restitution is e (D. Antypov, J. A. Elliott, EPL 94 (2011) 50004)
  *
- * k_t as given, or times a for the laws of Mindlin. Friction of surfaces that stick is limited by F_e + 2 F_p, F_p the
+ * k_t as given, or times a for the laws of Mindlin and those of LIGGGHTS. Friction of surfaces that stick is limited by F_e + 2 F_p, F_p the
  * force that parts them, 4 pi w R and 3 pi w R (C. Thornton, J. Phys. D 24 (1991) 1942). */
 #ifndef TS_LAW_NORMAL_AREA_H
 #define TS_LAW_NORMAL_AREA_H
@@ -128,7 +128,8 @@ TS_INLINE void ts_normal_area(const struct ts_granular_model *m, const struct ts
 		f->area = sqrt(t->r_eff * t->overlap);
 	if (m->normal != TS_NORMAL_AREA_HOOKE)
 		f->kn *= f->area;
-	if (m->tangential >= TS_TANGENTIAL_MINDLIN)
+	if (m->tangential >= TS_TANGENTIAL_MINDLIN || m->tangential == TS_TANGENTIAL_HISTORY ||
+	    m->tangential == TS_TANGENTIAL_INCREMENTAL)
 		f->kt *= f->area;
 	f->gamman = c->gamman * ts_damping_factor(m, t, f);
 	f->gammat = c->gammat * f->gamman;

@@ -3,7 +3,10 @@
  * history      a spring along the slip since the first touch, xi: F_t = -k_t xi - gamma_t v_t, but
  *              at the limit mu |F_n| the spring alone, shortened to it, without damping
  *              (P. A. Cundall, O. D. L. Strack, Geotechnique 29 (1979) 47)
- * slider       the same, but the limit holds for spring and dashpot together, and the spring is
+ * incremental  as history, but the memory is the force of the spring, P: P <- (P - (P.n) n) - k_t v_t h with the k_t
+ *              of the step; where k_t grows with the overlap, loading gives more force than unloading takes
+ *              (C. Thornton, S. J. Cummins, P. W. Cleary, Powder Technol. 210 (2011) 189)
+ * slider       the same as history, but the limit holds for spring and dashpot together, and the spring is
  *              shortened to what the dashpot leaves of it (L. E. Silbert et al., Phys. Rev. E 64
  *              (2001) 051302; LAMMPS)
  * no_history   F_t = -min(gamma_t, mu |F_n| / |v_t|) v_t
@@ -33,6 +36,27 @@ TS_INLINE void ts_tangential_history(const struct ts_granular_pair *c, const str
 	for (int k = 0; k < 3; k++) {
 		force[k] = -n->kt * share * xi[k] - gamma * t->slip[k];
 		xi[k] *= step > 0 ? share : 1;
+	}
+}
+
+TS_INLINE void ts_tangential_incremental(const struct ts_granular_pair *c, const struct ts_touch *t,
+					     const struct ts_normal *n, double step, double spring[3],
+					     double force[3])
+{
+	double limit = c->friction * fabs(n->limit), size, share, gamma;
+	bool slides;
+
+	if (step > 0)
+		ts_project(t->n, spring);
+	ts_axpy(-n->kt * step, t->slip, spring);
+	size = ts_norm(spring);
+	/* without branches, so that several contacts are computed at once */
+	slides = size > limit;
+	share = slides ? limit / size : 1;
+	gamma = slides ? 0 : n->gammat;
+	for (int k = 0; k < 3; k++) {
+		force[k] = share * spring[k] - gamma * t->slip[k];
+		spring[k] *= step > 0 ? share : 1;
 	}
 }
 
@@ -83,6 +107,8 @@ TS_INLINE void ts_tangential_force(const struct ts_granular_model *m,
 {
 	if (m->tangential == TS_TANGENTIAL_HISTORY)
 		ts_tangential_history(c, t, n, step, xi, force);
+	else if (m->tangential == TS_TANGENTIAL_INCREMENTAL)
+		ts_tangential_incremental(c, t, n, step, xi, force);
 	else if (m->tangential == TS_TANGENTIAL_SLIDER)
 		ts_tangential_slider(c, t, n, step, xi, force);
 	else if (m->tangential == TS_TANGENTIAL_NO_HISTORY)

@@ -72,7 +72,8 @@ TS_INLINE struct ts_slider ts_tangential_slider_of(const struct ts_granular_mode
 	return (struct ts_slider){ .k = n->kt,
 				   .gamma = n->gammat,
 				   .limit = c->friction * fabs(n->limit),
-				   .force = m->tangential == TS_TANGENTIAL_MINDLIN_FORCE ||
+				   .force = m->tangential == TS_TANGENTIAL_INCREMENTAL ||
+					    m->tangential == TS_TANGENTIAL_MINDLIN_FORCE ||
 					    m->tangential == TS_TANGENTIAL_MINDLIN_RESCALE_FORCE };
 }
 

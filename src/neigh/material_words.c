@@ -39,6 +39,11 @@ static bool remembers(const struct ts_granular_words *w)
 	return w->tangential == TS_TANGENTIAL_HISTORY;
 }
 
+static bool can_be_located(const struct ts_granular_words *w)
+{
+	return has_normal(w) && w->normal != TS_WORD_JKR && w->tangential < TS_TANGENTIAL_INCREMENTAL;
+}
+
 static bool rolls(const struct ts_granular_words *w)
 {
 	return w->rolling != TS_ROLLING_OFF;
@@ -55,7 +60,7 @@ static const struct {
 } keywords[] = {
 	{ "limitForce", "a normal model", has_normal },
 	{ "tangential_damping", "a normal model", has_normal },
-	{ "located", "a normal model", has_normal },
+	{ "located", "a normal model without adhesion, and tangential off, history or no_history", can_be_located },
 	{ "absolute_damping", "model hooke/stiffness", is_stiffness },
 	{ "ktToKnUser", "model hooke or hooke/hysteresis", is_hooke },
 	{ "viscous", "model hooke or hooke/hysteresis", is_hooke },
@@ -65,6 +70,24 @@ static const struct {
 	{ "heating_tangential_history", "tangential history", remembers },
 	{ "disableNormalWhenBonded", "model hertz or hooke", is_hertz_or_hooke },
 };
+
+/* Laws that need each other, or exclude each other. */
+static enum ts_status check_laws(struct tsim *sim, const struct ts_instance *self, const char *who,
+				 const struct ts_granular_words *w)
+{
+	bool jkr = w->normal == TS_WORD_JKR;
+
+	if (w->tangential == TS_WORD_JKR_TAN && !jkr)
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "jkr_tan"),
+			       "%s: 'jkr_tan' belongs to model jkr, which is not chosen here", who);
+	if (jkr && w->cohesion != TS_COHESION_OFF)
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "cohesion"),
+			       "%s: model jkr has its own adhesion (workOfAdhesion); leave cohesion out", who);
+	if (jkr && w->limit_force)
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "limitForce"),
+			       "%s: 'limitForce' does not go with model jkr, which pulls", who);
+	return TS_OK;
+}
 
 static int rank_of(const char *text)
 {
@@ -108,5 +131,5 @@ enum ts_status ts_granular_words_check(struct tsim *sim, const struct ts_instanc
 					       word->text, keywords[n].of);
 		}
 	}
-	return TS_OK;
+	return check_laws(sim, self, who, words);
 }

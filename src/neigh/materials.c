@@ -9,9 +9,10 @@
 
 const char *const ts_normal_names[] = {
 	"off", "spring", "hooke", "hertz", "hooke/stiffness", "hertz/stiffness", "hooke/hysteresis",
-	NULL
+	"jkr", NULL
 };
-const char *const ts_tangential_names[] = { "off", "history", "no_history", NULL };
+const char *const ts_tangential_names[] = { "off",     "history", "no_history", "incremental_history",
+					    "jkr_tan", NULL };
 const char *const ts_rolling_names[] = { "off", "cdt", "epsd", "epsd2", "epsd3", NULL };
 const char *const ts_cohesion_names[] = { "off", "sjkr", "sjkr2", NULL };
 const char *const ts_surface_names[] = { "default", NULL };
@@ -19,9 +20,12 @@ const char *const ts_surface_names[] = { "default", NULL };
 struct ts_granular_model ts_granular_model_of(const struct tsim *sim,
 					      const struct ts_granular_words *w)
 {
+	bool sticks = w->normal == TS_WORD_JKR;
+
 	return (struct ts_granular_model){
-		.normal = w->normal,
-		.tangential = w->tangential,
+		.normal = sticks ? TS_NORMAL_AREA_JKR : w->normal,
+		.damping = sticks ? TS_DAMPING_RESTITUTION : TS_DAMPING_VELOCITY,
+		.tangential = w->tangential == TS_WORD_JKR_TAN ? TS_TANGENTIAL_MINDLIN : w->tangential,
 		.rolling = w->rolling,
 		.cohesion = w->cohesion,
 		.no_tension = w->limit_force,
@@ -50,7 +54,8 @@ enum needs {
 	ROLLING = 512,
 	ROLLING_DASHPOT = 1024,
 	ROLLING_STIFFNESS = 2048,
-	COHESION = 4096
+	COHESION = 4096,
+	ADHESION = 8192
 };
 
 static unsigned needs_of(const struct ts_granular_model *m)
@@ -61,6 +66,7 @@ static unsigned needs_of(const struct ts_granular_model *m)
 		[TS_NORMAL_HOOKE_STIFFNESS] = STIFFNESS,
 		[TS_NORMAL_HERTZ_STIFFNESS] = STIFFNESS | STIFFNESS_DAMPING,
 		[TS_NORMAL_HOOKE_HYSTERESIS] = ELASTIC | VELOCITY | HYSTERESIS,
+		[TS_NORMAL_AREA_JKR] = ELASTIC | RESTITUTION | ADHESION,
 	};
 	unsigned needs = normal[m->normal];
 
@@ -118,6 +124,7 @@ static const struct property of_pairs[] = {
 	PAIR(ROLLING, "coefficientRollingFriction", rolling_friction, ANY),
 	PAIR(ROLLING_DASHPOT, "coefficientRollingViscousDamping", rolling_viscosity, ANY),
 	PAIR(COHESION, "cohesionEnergyDensity", cohesion, ANY),
+	PAIR(ADHESION, "workOfAdhesion", surface_energy, NOT_NEGATIVE),
 	PAIR(VISCOUS, "FluidViscosity", viscosity, POSITIVE),
 	PAIR(VISCOUS, "CriticalStokes", critical_stokes, POSITIVE),
 	PAIR(VISCOUS, "MaximumRestitution", largest_restitution, { 0, 1, true }),
@@ -224,6 +231,19 @@ static enum ts_status elastic(struct tsim *sim, int a, int b, const char *who,
 	return TS_OK;
 }
 
+/* The constants of law/normal_area.h for a material: k = 4/3 Y*, k_t = 8 G*; the work of adhesion W parts two surfaces
+ * of energy w = W/2, so that they part at 3 pi w R* = 3/2 pi W R*. The dashpots are those of model hertz with the
+ * radius of the contact area instead of sqrt(R* delta): 2 sqrt(5/6) |beta| sqrt(2 Y* a m*) = sqrt(5) |beta| sqrt(k a m*),
+ * and with 8 G* instead of 2 Y*. */
+static void stick(struct ts_granular_pair *out)
+{
+	out->kn = 4.0 / 3.0 * out->young;
+	out->kt = 8 * out->shear;
+	out->gamman = -sqrt(5) * out->damping;
+	out->gammat = 2 * sqrt(out->shear / out->young);
+	out->surface_energy *= 0.5;
+}
+
 enum ts_status ts_granular_material(struct tsim *sim, const struct ts_granular_model *model, int a,
 				    int b, const char *who, const struct ts_place *where,
 				    struct ts_granular_pair *out)
@@ -248,5 +268,7 @@ enum ts_status ts_granular_material(struct tsim *sim, const struct ts_granular_m
 		out->log_restitution = l;
 		out->damping = l / sqrt(l * l + TS_PI * TS_PI);
 	}
+	if (needs & ADHESION)
+		stick(out);
 	return TS_OK;
 }

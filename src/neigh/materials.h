@@ -12,6 +12,8 @@ struct ts_granular_words {
 	bool limit_force, tangential_damping, absolute_damping, kt_to_kn, viscous, reduce, torsion;
 	bool heating[2], potential, dissipated, unbonded, located;
 };
+/* Words that stand for laws of another number in law/granular.h; the other words have the numbers of the laws. */
+enum { TS_WORD_JKR = TS_NORMAL_HOOKE_HYSTERESIS + 1, TS_WORD_JKR_TAN = TS_TANGENTIAL_INCREMENTAL + 1 };
 extern const char *const ts_normal_names[],
 	*const ts_tangential_names[], *const ts_rolling_names[], *const ts_cohesion_names[],
 									 *const ts_surface_names[];

@@ -135,7 +135,7 @@ double ts_pair_reach(const struct tsim *sim, double radius)
 	const struct ts_pair *pair = inst ? inst->state : NULL;
 	double most = 0;
 
-	for (int a = 1; pair && pair->model_offset && a <= pair->ntypes; a++)
+	for (int a = 1; pair && pair->sticks && a <= pair->ntypes; a++)
 		for (int b = a; b <= pair->ntypes; b++)
 			if (ts_normal_sticks(ts_pair_model(pair, a, b)))
 				most = fmax(most, ts_jkr_reach(ts_pair_law(pair, a, b), 0.5 * radius));

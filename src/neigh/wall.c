@@ -136,8 +136,16 @@ enum ts_status ts_wall_rebuild_finish(struct ts_wall *w, struct tsim *sim,
 
 double ts_wall_reach(const struct ts_wall *w, double radius)
 {
+	size_t types = (size_t)w->ntypes + 1;
+	double most = 0;
+
+	if (!w->law || !w->own_model || !ts_normal_sticks(&w->model))
+		return 0;
 	/* hollow surfaces stick farther; they are found while their curvature is less than half the sphere's */
-	return w->given && ts_normal_sticks(&w->model) ? ts_jkr_reach(&w->numbers, 2 * radius) : 0;
+	for (size_t k = 0; k < types * types; k++)
+		if (w->law[k].kn > 0)
+			most = fmax(most, ts_jkr_reach(&w->law[k], 2 * radius));
+	return most;
 }
 
 void ts_wall_start(struct ts_wall *w, struct tsim *sim)

@@ -114,21 +114,21 @@ syn keyword tsimKeyword  check_region_every region_mark mark_step marker_style d
 syn keyword tsimKeyword  heaviside check_mark_every insert_stream n_tracer peratomtype
 syn keyword tsimKeyword  peratomtypepair matrix tether couple method divided kernel reach
 syn keyword tsimKeyword  least model hooke hertz hooke/stiffness hertz/stiffness
-syn keyword tsimKeyword  hooke/hysteresis tangential history no_history rolling_friction
-syn keyword tsimKeyword  cdt epsd epsd2 epsd3 cohesion sjkr sjkr2 surface limitForce
-syn keyword tsimKeyword  tangential_damping absolute_damping ktToKnUser viscous
-syn keyword tsimKeyword  tangential_reduce torsionTorque heating_normal_hertz
-syn keyword tsimKeyword  heating_tangential_history computeElasticPotential
-syn keyword tsimKeyword  computeDissipatedEnergy disableNormalWhenBonded located
-syn keyword tsimKeyword  hooke/history hertz/history granular limit_damping primitive
-syn keyword tsimKeyword  n_meshes meshes xplane yplane zplane xcylinder ycylinder zcylinder
-syn keyword tsimKeyword  shear store_force contacts store_force_contact
-syn keyword tsimKeyword  store_force_contact_stress viscosity ab2 rk2 rk3 backward substeps
-syn keyword tsimKeyword  courant quick cubista gamma form fv fd quadratic body_force
-syn keyword tsimKeyword  pressure_level generic hertz/material dmt jkr mass_velocity
-syn keyword tsimKeyword  viscoelastic tsuji coeff_restitution rolling twisting heat
-syn keyword tsimKeyword  restitution unfinished preconditioner diagonal direct multigrid
-syn keyword tsimKeyword  relaxation side in out open center bounds angle0
+syn keyword tsimKeyword  hooke/hysteresis jkr tangential history no_history
+syn keyword tsimKeyword  incremental_history jkr_tan rolling_friction cdt epsd epsd2 epsd3
+syn keyword tsimKeyword  cohesion sjkr sjkr2 surface limitForce tangential_damping
+syn keyword tsimKeyword  absolute_damping ktToKnUser viscous tangential_reduce
+syn keyword tsimKeyword  torsionTorque heating_normal_hertz heating_tangential_history
+syn keyword tsimKeyword  computeElasticPotential computeDissipatedEnergy
+syn keyword tsimKeyword  disableNormalWhenBonded located hooke/history hertz/history
+syn keyword tsimKeyword  granular limit_damping primitive n_meshes meshes xplane yplane
+syn keyword tsimKeyword  zplane xcylinder ycylinder zcylinder shear store_force contacts
+syn keyword tsimKeyword  store_force_contact store_force_contact_stress viscosity ab2 rk2
+syn keyword tsimKeyword  rk3 backward substeps courant quick cubista gamma form fv fd
+syn keyword tsimKeyword  quadratic body_force pressure_level generic hertz/material dmt
+syn keyword tsimKeyword  mass_velocity viscoelastic tsuji coeff_restitution rolling
+syn keyword tsimKeyword  twisting heat restitution unfinished preconditioner diagonal
+syn keyword tsimKeyword  direct multigrid relaxation side in out open center bounds angle0
 
 " numbers of the simulation and of particles
 syn keyword tsimName  id type radius diameter

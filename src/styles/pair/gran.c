@@ -40,7 +40,7 @@ static enum ts_status check_words(struct ts_instance *self, struct tsim *sim)
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
 			       "pair gran needs a model first: `model hertz tangential history`");
 	TS_TRY(ts_granular_words_check(sim, self, "pair gran", &g->words));
-	if (sim->newton_on && g->words.tangential == TS_TANGENTIAL_HISTORY)
+	if (sim->newton_on && ts_tangential_remembers(&g->pair.model))
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "pair gran with tangential history needs `newton off`");
 	if (sim->still_ghosts)
@@ -54,8 +54,9 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct gran *g = self->state;
 
-	TS_TRY(check_words(self, sim));
 	g->pair.model = ts_granular_model_of(sim, &g->words);
+	g->pair.sticks = ts_normal_sticks(&g->pair.model);
+	TS_TRY(check_words(self, sim));
 	if (!sim->particles->ntypes)
 		return TS_OK;
 	TS_TRY(ts_pair_prepare(sim, self));
@@ -128,12 +129,21 @@ static const char gran_doc[] =
 	"latter times "
 	"sqrt(R* delta). `hooke/hysteresis`: loading with hooke's k_n, unloading steeper, adhesion "
 	"at the "
-	"end. Y* and G*: 1/Y* = sum (1-nu^2)/Y, 1/G* = sum 2(2-nu)(1+nu)/Y over the partners.\n\n"
+	"end. `jkr`: surfaces that stick, F_n = 4 Y* a^3/(3 R*) - sqrt(8 pi W Y* a^3) with the radius a of the contact "
+	"area from delta = a^2/R* - sqrt(2 pi W a/Y*), W the work of adhesion; once they have met they pull "
+	"beyond their touch and part at 3/2 pi W R* (K. L. Johnson, K. Kendall, A. D. Roberts, Proc. R. Soc. Lond. A 324 "
+	"(1971) 301). k_t = 8 G* a; dashpots as hertz, with a instead of "
+	"sqrt(R* delta). Y* and G*: 1/Y* = sum (1-nu^2)/Y, 1/G* = sum 2(2-nu)(1+nu)/Y over the partners.\n\n"
 	"`tangential history`: F_t = -k_t xi - gamma_t v_t, xi the slip since the first touch in "
 	"the plane "
 	"of contact; beyond mu |F_n| the spring alone, shortened to it. `no_history`: F_t = "
 	"-min(gamma_t, mu "
-	"|F_n|/|v_t|) v_t. `rolling_friction cdt`: torque mu_r k_n delta R* against the relative "
+	"|F_n|/|v_t|) v_t. `incremental_history`: as `history`, but what is remembered is the force of the spring, "
+	"which changes by -k_t v_t dt with the k_t of the step (C. Thornton, S. J. Cummins, P. W. Cleary, "
+	"Powder Technol. 210 (2011) 189); with a constant k_t both are the same. `jkr_tan`, of model jkr: LAMMPS' `mindlin`, "
+	"spring and dashpot limited together. With model jkr friction is limited by mu (F_e + 3 pi W R*), F_e the "
+	"force without the dashpot, and acts as long as surfaces stick. "
+	"`rolling_friction cdt`: torque mu_r k_n delta R* against the relative "
 	"rotation; "
 	"`epsd`, `epsd2`, `epsd3`: a spring and dashpot of rolling, limited to mu_r |F_n| R*. "
 	"`cohesion "
@@ -142,7 +152,7 @@ static const char gran_doc[] =
 	"The constants come from fix property/global: youngsModulus, poissonsRatio (per type); "
 	"coefficientRestitution, coefficientFriction, coefficientRollingFriction, "
 	"coefficientRollingViscousDamping (epsd, epsd3), "
-	"cohesionEnergyDensity, kn, kt, gamman, gammat (the stiffness laws; gamman_abs, gammat_abs "
+	"cohesionEnergyDensity, workOfAdhesion (jkr; resolutionJKR has no effect: the root is found to round-off), kn, kt, gamman, gammat (the stiffness laws; gamman_abs, gammat_abs "
 	"with "
 	"absolute_damping), coefficientMaxElasticStiffness, coefficientAdhesionStiffness, "
 	"coefficientPlasticityDepth (hysteresis), FluidViscosity, CriticalStokes, "
