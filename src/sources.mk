@@ -75,6 +75,8 @@ library_sources = \
 	src/core/ref_list.c \
 	src/core/ref_list.h \
 	src/core/registry.c \
+	src/core/review.c \
+	src/core/review.h \
 	src/core/settings.c \
 	src/core/settings.h \
 	src/core/sim.c \
@@ -489,6 +491,8 @@ library_sources = \
 	src/particles/insertion_region.h \
 	src/particles/integrate.c \
 	src/particles/integrate.h \
+	src/particles/integrators.c \
+	src/particles/integrators.h \
 	src/particles/lattice.c \
 	src/particles/lattice.h \
 	src/particles/material.c \
@@ -532,6 +536,13 @@ library_sources = \
 	src/particles/type_factors.h \
 	src/particles/user_columns.c \
 	src/particles/user_columns.h \
+	src/review/checks.h \
+	src/review/motion.c \
+	src/review/numbers.c \
+	src/review/overlap.c \
+	src/review/table.c \
+	src/review/touching.h \
+	src/review/walls.c \
 	src/script/check.c \
 	src/script/check.h \
 	src/script/check_branch.c \
@@ -634,6 +645,7 @@ library_sources = \
 	src/styles/command/rerun.c \
 	src/styles/command/reset_timestep.c \
 	src/styles/command/restart.c \
+	src/styles/command/review.c \
 	src/styles/command/run.c \
 	src/styles/command/set.c \
 	src/styles/command/soft_particles.c \

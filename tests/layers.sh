@@ -19,6 +19,7 @@ allowed() {
 	advise) echo base math core io neigh particles script crosscheck advise ;;
 	program) echo base core crosscheck advise script program tsim.h ;;
 	library) echo base math geom core particles script library tsim.h ;;
+	review) echo base math law geom core particles neigh review ;;
 	styles) echo base math law geom core particles neigh flow io ;;
 	esac
 }

@@ -93,6 +93,7 @@ shell_tests = \
 	tests/decks/refusals.sh \
 	tests/decks/region_walls.sh \
 	tests/decks/regions.sh \
+	tests/decks/review.sh \
 	tests/decks/rigid.sh \
 	tests/decks/scales.sh \
 	tests/decks/skin.sh \

@@ -211,6 +211,7 @@ static enum ts_status set_up(struct ts_plan *plan, struct tsim *sim)
 	if (!sim->resuming)
 		TS_TRY(ts_plan_stage(plan, sim, TS_STAGE_EXCHANGE));
 	TS_TRY(ts_plan_stages(plan, sim, TS_STAGE_BUILD, TS_STAGE_POST_BUILD));
+	TS_TRY(ts_review_scene(sim, sim->clock.last_step - sim->clock.step));
 	TS_TRY(ts_plan_review(plan, sim, sim->clock.last_step - sim->clock.step));
 	if (sim->explain)
 		return TS_OK;

@@ -82,6 +82,9 @@ static void set_defaults(struct tsim *sim)
 	if (sim->threads == 0)
 		sim->threads = threads && ts_parse_int(threads, &n) && n > 0 && n < 1024 ? (int)n
 											 : 1;
+	ts_review_set(&sim->review, NULL, TS_REVIEW_WARN);
+	sim->review.made = sim->review.stale = sim->review.doubtful = false;
+	sim->units_given = false;
 	sim->timeout = 0;
 	sim->timeout_every = 10;
 	for (int k = 0; k < TS_NSTANDARD; k++)
@@ -128,6 +131,7 @@ void ts_sim_free(struct tsim *sim)
 	free_instances(sim);
 	ts_log_close(&sim->log, &sim->error);
 	ts_holds_end(&sim->holds);
+	ts_review_release(&sim->review);
 	ts_pool_free(sim->pool);
 	ts_free(sim);
 }

@@ -10,6 +10,7 @@
 #include "base/status.h"
 #include "base/str.h"
 #include "core/host.h"
+#include "core/review.h"
 #include "core/style.h"
 #include "core/sweep.h"
 
@@ -102,6 +103,7 @@ struct tsim {
 
 	struct ts_clock clock;
 	enum ts_units units;
+	bool units_given;  /* by the command */
 	int dimension;
 	int threads;
 	int grain; /* a loop is shared among threads only as far as each gets so many rounds */
@@ -169,6 +171,8 @@ struct tsim {
 	double timeout; /* ts_clock() when runs are to end (timer timeout); 0: never */
 	int64_t timeout_every; /* steps between looks */
 	const char *standard[TS_NSTANDARD]; /* names of computes; NULL: none */
+
+	struct ts_review review; /* of the scene before a run */
 
 	const char *settings; /* the last record of settings in the log; core/settings.h */
 	struct ts_words line; /* of the command that runs */

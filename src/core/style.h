@@ -63,6 +63,9 @@ enum ts_stage { TS_STAGE_LIST(TS_STAGE_ENUM) TS_NSTAGE };
 
 typedef enum ts_status ts_hook_fn(struct ts_instance *self, struct tsim *sim);
 
+/* Which motion of the particles of its group a fix steps forward. */
+enum ts_integrates { TS_MOVES = 1, TS_TURNS = 2, TS_OBEYS = 4 /* as forces say */ };
+
 /* What all styles have in common; first member of the tables of each kind. */
 struct ts_style {
 	const char *name;
@@ -106,6 +109,9 @@ struct ts_style {
 	/* Appends limits of the time step and other lines to the plan; see core/plan.h. Also asked while the run
 	 * goes on, after any step: must not change anything then. */
 	enum ts_status (*plan)(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *);
+	/* What a check of the table in src/review/table.c cannot see: told by ts_review_find, see core/review.h. */
+	ts_hook_fn *review;
+	unsigned integrates; /* fixes: enum ts_integrates */
 	void (*fini)(struct ts_instance *self);
 };
 

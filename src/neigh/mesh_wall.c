@@ -424,6 +424,15 @@ static void local_place(const struct tsim *sim, const struct ts_mesh_near *near,
 		x[d] = sim->particles->x[i][d] - near->shift[d] * ts_box_length(&sim->domain->box, d);
 }
 
+double ts_mesh_wall_distance(const struct tsim *sim, const struct ts_mesh_wall *mw, size_t k, size_t i)
+{
+	const struct ts_mesh_near *near = &mw->near[k];
+	double x[3];
+
+	local_place(sim, near, i, x);
+	return ts_mesh_distance(&mw->mesh[near->mesh].surface->mesh, (size_t)near->triangle, x);
+}
+
 /* Whether there is no touch yet, and when there may be. */
 static bool waits(const struct ts_mesh *m, struct ts_mesh_near *near, const struct ts_mesh_visitor *v, const double x[3])
 {

@@ -75,6 +75,9 @@ enum ts_status ts_mesh_wall_check_pace(struct ts_instance *self, struct tsim *si
 enum ts_status ts_mesh_wall_push(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw);
 void ts_mesh_wall_release(struct ts_mesh_wall *mw);
 
+/* How far particle i is from the triangle of contact k now. */
+double ts_mesh_wall_distance(const struct tsim *sim, const struct ts_mesh_wall *mw, size_t k, size_t i);
+
 /* Mesh and triangle of the contact k, for who reads reports. */
 static inline const struct ts_mesh_near *ts_mesh_wall_near(const struct ts_mesh_wall *mw, size_t k)
 {

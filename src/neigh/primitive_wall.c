@@ -306,6 +306,14 @@ enum ts_status ts_primitive_wall_check_pace(struct ts_instance *self, struct tsi
 	return TS_OK;
 }
 
+double ts_primitive_wall_distance(const struct ts_primitive_wall *w, const struct tsim *sim, int k,
+				  const double x[3])
+{
+	struct ts_primitive at = moved_by(w, k, displacement(w, sim));
+
+	return away(&at, x);
+}
+
 enum ts_status ts_primitive_wall_list(struct ts_instance *self, struct tsim *sim, struct ts_wall *wall,
 				      struct ts_primitive_wall *w)
 {

@@ -135,6 +135,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 			ts_particles_fill_initial(&p->column[k], 0, p->n);
 		sim->generation++;
 		p->ntypes = ntypes;
+		p->settled = sim->clock.step > 0 ? p->max_tag : 0;
 	}
 	TS_TRY(archive_groups(p, a));
 	TS_TRY(ts_group_archive_dynamic(sim, a));
@@ -183,6 +184,16 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 	return TS_OK;
 }
 
+/* From now on forces decide where the particles lie. */
+static enum ts_status settle(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_particles *p = self->state;
+
+	if (sim->clock.last_step > sim->clock.step + 1) /* one step is only a set-up, as the review has it */
+		p->settled = p->max_tag;
+	return TS_OK;
+}
+
 static const struct ts_saved saved[] = {
 	TS_SAVE_I32(struct ts_particles, max_tag),
 	TS_SAVE_I32(struct ts_particles, lost_policy),
@@ -201,7 +212,8 @@ const struct ts_system_style ts_particles_system = {
 		   .init = init,
 		   .plan = plan,
 		   .hook = { [TS_STAGE_POST_INTEGRATE] = ts_group_step,
-			     [TS_STAGE_EXCHANGE] = ts_group_start },
+			     [TS_STAGE_EXCHANGE] = ts_group_start,
+			     [TS_STAGE_SETUP] = settle },
 		   .waits = TS_WAITS(POST_INTEGRATE),
 		   .fini = fini },
 	.slot = offsetof(struct tsim, particles),

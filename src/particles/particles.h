@@ -93,6 +93,7 @@ struct ts_particles {
 	const char *atom_style; /* words of the command: columns of data files; NULL: sphere */
 	int ntypes;
 	int32_t max_tag;
+	int32_t settled; /* particles up to this identity have been in a run: they lie as forces have put them */
 	enum ts_inertia inertia; /* as its integrator says */
 	struct ts_materials materials; /* of the types, from files */
 	double *type_mass; /* `mass` command, by type; 0: not given */

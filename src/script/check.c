@@ -134,8 +134,9 @@ static const char *place_key(struct ts_script *script, const struct ts_error *er
 	struct ts_str key = { 0 };
 	const char *kept;
 
-	if (place->line)
-		ts_str_addf(&key, "%s:%d:%d", place->file, place->line, place->column);
+	if (place->line) /* at the line of a run several findings of the review may be told, which name their check */
+		ts_str_addf(&key, "%s:%d:%d%s", place->file, place->line, place->column,
+			    error->source_line ? "" : error->source);
 	else
 		ts_str_add(&key, error->message);
 	kept = key.failed ? NULL : ts_pool_get(script->sim->pool, ts_str_text(&key));
@@ -223,6 +224,7 @@ static enum ts_status lose_names(struct ts_script *script, struct ts_words words
 	const char *command = words.word[0].text;
 
 	script->check->weak |= !is_harmless(command);
+	script->sim->review.doubtful = script->check->weak;
 	for (size_t k = 0; k < sizeof makes / sizeof *makes; k++) {
 		if (!ts_streq(makes[k].command, command))
 			continue;

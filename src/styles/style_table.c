@@ -77,6 +77,7 @@ TS_STYLE(command, ts_command_style, ts_command_replicate)
 TS_STYLE(command, ts_command_style, ts_command_rerun)
 TS_STYLE(command, ts_command_style, ts_command_reset_timestep)
 TS_STYLE(command, ts_command_style, ts_command_restart)
+TS_STYLE(command, ts_command_style, ts_command_review)
 TS_STYLE(command, ts_command_style, ts_command_run)
 TS_STYLE(command, ts_command_style, ts_command_set)
 TS_STYLE(command, ts_command_style, ts_command_shell)
@@ -352,6 +353,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_command_rerun.style,
 	&ts_command_reset_timestep.style,
 	&ts_command_restart.style,
+	&ts_command_review.style,
 	&ts_command_run.style,
 	&ts_command_set.style,
 	&ts_command_shell.style,

@@ -58,13 +58,13 @@ syn keyword tsimKeyword  extra/angle/types extra/dihedral/types extra/improper/t
 syn match tsimKeyword /\<fix\>/ 
 syn keyword tsimKeyword  replace trim purge bbox last skip start stop
 syn match tsimKeyword /\<dump\>/ 
-syn keyword tsimKeyword  post upto pre unsafe diameter density density/disc
+syn keyword tsimKeyword  post warn error upto pre unsafe diameter density density/disc
 syn match tsimKeyword /\<mass\>/ 
 syn keyword tsimKeyword  vx vy vz omegax omegay omegaz omega type/fraction type/ratio
 syn keyword tsimKeyword  type/subset property/atom d_NAME i_NAME d2_NAME i2_NAME lj coul
-syn keyword tsimKeyword  lj/coul angle dihedral lost ignore warn error lost/bond norm line
-syn keyword tsimKeyword  temp press si cgs micro real metal electron nano index loop world
-syn keyword tsimKeyword  uloop string getenv
+syn keyword tsimKeyword  lj/coul angle dihedral lost ignore lost/bond norm line temp press
+syn keyword tsimKeyword  si cgs micro real metal electron nano index loop world uloop
+syn keyword tsimKeyword  string getenv
 syn match tsimKeyword /\<timer\>/ 
 syn keyword tsimKeyword  internal atomfile equal vector create zero linear angular
 syn keyword tsimKeyword  angularIndividual sum dist gaussian mom rot local geom bias pair
@@ -148,7 +148,7 @@ syn keyword tsimName  false on off
 syn match tsimFunction /\<\%(sqrt\|exp\|ln\|log\|abs\|sign\|sin\|cos\|tan\|asin\|acos\|atan\|atan2\|ceil\|floor\|round\|ternary\|random\|normal\|ramp\|vdisplace\|swiggle\|cwiggle\|stagger\|logfreq\|logfreq2\|logfreq3\|stride\|stride2\|sum\|ave\|min\|max\|trap\|slope\|stderr\|sort\|rsort\|next\|is_file\|is_os\|is_defined\|is_active\|is_available\|extract_setting\|volume\|count\|mass\|ke\|gyration\|xcm\|vcm\|fcm\|angmom\|torque\|inertia\|omega\|bound\|property\|gmask\|rmask\|grmask\)\ze(/
 
 " commands, at the start of a line
-syn match tsimCommand /^\s*\%(atom_modify\|atom_style\|balance\|bond_coeff\|bond_style\|boundary\|box\|change_box\|clear\|comm_modify\|comm_style\|communicate\|compute\|compute_modify\|create_atoms\|create_particles\|create_bonds\|create_box\|delete_atoms\|delete_bonds\|dimension\|displace_atoms\|dump\|dump_modify\|echo\|fix\|fix_modify\|flow_boundary\|flow_grid\|flow_set\|flow_style\|group\|hard_particles\|if\|include\|info\|jump\|label\|lattice\|legacy\|log\|mass\|material\|modify_timing\|neigh_modify\|neighbor\|newton\|next\|package\|pair_coeff\|pair_modify\|pair_style\|partition\|partitioner_style\|pressure_style\|print\|processors\|quit\|read_data\|read_dump\|read_restart\|region\|replicate\|rerun\|reset_timestep\|restart\|run\|set\|shell\|soft_particles\|special_bonds\|thermo\|thermo_log\|thermo_modify\|thermo_style\|timer\|timestep\|uncompute\|undump\|unfix\|units\|variable\|velocity\|write_data\|write_dump\|write_restart\|write_restart_on_signal\)\ze\%(\s\|$\)/
+syn match tsimCommand /^\s*\%(atom_modify\|atom_style\|balance\|bond_coeff\|bond_style\|boundary\|box\|change_box\|clear\|comm_modify\|comm_style\|communicate\|compute\|compute_modify\|create_atoms\|create_particles\|create_bonds\|create_box\|delete_atoms\|delete_bonds\|dimension\|displace_atoms\|dump\|dump_modify\|echo\|fix\|fix_modify\|flow_boundary\|flow_grid\|flow_set\|flow_style\|group\|hard_particles\|if\|include\|info\|jump\|label\|lattice\|legacy\|log\|mass\|material\|modify_timing\|neigh_modify\|neighbor\|newton\|next\|package\|pair_coeff\|pair_modify\|pair_style\|partition\|partitioner_style\|pressure_style\|print\|processors\|quit\|read_data\|read_dump\|read_restart\|region\|replicate\|rerun\|reset_timestep\|restart\|review\|run\|set\|shell\|soft_particles\|special_bonds\|thermo\|thermo_log\|thermo_modify\|thermo_style\|timer\|timestep\|uncompute\|undump\|unfix\|units\|variable\|velocity\|write_data\|write_dump\|write_restart\|write_restart_on_signal\)\ze\%(\s\|$\)/
 
 " styles, behind their command, name and group
 syn match tsimHead /^\s*fix\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_fix

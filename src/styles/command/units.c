@@ -26,6 +26,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 		return ts_fail(&sim->error, TS_RANGE, where,
 			       "units %s are for atoms: use si, cgs, micro or lj", names[s->units]);
 	sim->units = (enum ts_units)s->units;
+	sim->units_given = true;
 	sim->thermo->norm = sim->thermo->norm_default = s->units == TS_UNITS_LJ;
 	ts_sim_set_dt(sim, ts_units_dt(sim->units));
 	return TS_OK;

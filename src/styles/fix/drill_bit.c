@@ -313,6 +313,7 @@ const struct ts_style ts_fix_drill_bit = {
 	.saved = saved,
 	.values = values,
 	.init = find_rows,
+	.integrates = TS_MOVES,
 	.hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,
 		  [TS_STAGE_EXCHANGE] = exchange,
 		  [TS_STAGE_POST_BUILD] = post_build,

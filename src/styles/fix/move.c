@@ -404,6 +404,7 @@ const struct ts_style ts_fix_move = {
 	.values = values,
 	.init = init,
 	.family = TS_FAMILY_PRESCRIBED,
+	.integrates = TS_MOVES | TS_TURNS,
 	.hook = {
 		[TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,
 		[TS_STAGE_POST_BUILD] = take_in,

@@ -26,6 +26,7 @@ const struct ts_style ts_fix_nve = {
 	       "LIGGGHTS and LAMMPS.",
 	.example = "fix move rock nve",
 	.cite = "W. C. Swope et al., J. Chem. Phys. 76 (1982) 637",
+	.integrates = TS_MOVES | TS_OBEYS,
 	.hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,
 		  [TS_STAGE_FINAL_INTEGRATE] = final_integrate },
 	.waits = TS_WAITS(INITIAL_INTEGRATE) | TS_WAITS(FINAL_INTEGRATE),

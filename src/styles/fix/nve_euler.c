@@ -30,6 +30,7 @@ const struct ts_style ts_fix_nve_euler = {
 	       "reproduce work done with it; prefer fix nve.",
 	.example = "fix move rock nve/euler",
 	.init = init,
+	.integrates = TS_MOVES | TS_OBEYS,
 	.hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate },
 	.waits = TS_WAITS(INITIAL_INTEGRATE),
 };

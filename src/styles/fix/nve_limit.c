@@ -124,6 +124,7 @@ const struct ts_style ts_fix_nve_limit = {
 	.saved = saved,
 	.values = values,
 	.init = init,
+	.integrates = TS_MOVES | TS_OBEYS,
 	.hook = {
 		[TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,
 		[TS_STAGE_FINAL_INTEGRATE] = final_integrate,

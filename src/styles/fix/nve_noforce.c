@@ -23,5 +23,6 @@ const struct ts_style ts_fix_nve_noforce = {
 	.doc = "x += h v with the velocity as it is: for particles that push others but are not pushed. See "
 	       "fix move for prescribed paths.",
 	.example = "velocity piston set 0 0 -0.1\nfix push piston nve/noforce",
+	.integrates = TS_MOVES,
 	.hook[TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,
 };

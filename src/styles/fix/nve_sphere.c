@@ -86,6 +86,7 @@ const struct ts_style ts_fix_nve_sphere = {
 	.args = args,
 	.state_size = sizeof(struct nve_sphere),
 	.init = init,
+	.integrates = TS_MOVES | TS_OBEYS | TS_TURNS,
 	.hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,
 		  [TS_STAGE_FINAL_INTEGRATE] = final_integrate },
 	.waits = TS_WAITS(INITIAL_INTEGRATE) | TS_WAITS(FINAL_INTEGRATE),

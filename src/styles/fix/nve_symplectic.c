@@ -19,6 +19,7 @@ const struct ts_style ts_fix_nve_symplectic = {
 	       "bounded; stable for h < 2/omega as velocity Verlet.",
 	.example = "fix move rock nve/symplectic",
 	.cite = "E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration (2006), I.1",
+	.integrates = TS_MOVES | TS_OBEYS,
 	.hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate },
 	.waits = TS_WAITS(INITIAL_INTEGRATE),
 };

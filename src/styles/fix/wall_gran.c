@@ -71,6 +71,17 @@ static enum ts_status place_primitive(struct ts_instance *self, struct tsim *sim
 	return ts_primitive_wall_read(self, sim, &w->primitive);
 }
 
+static double distance(const struct ts_instance *self, const struct tsim *sim, size_t k, int *type)
+{
+	const struct wall *w = self->state;
+	const struct ts_wall_contacts *c = &w->wall.contacts;
+	size_t i = (size_t)c->row[k];
+
+	*type = (int)(w->mesh_word ? w->mesh.mesh[ts_mesh_wall_near(&w->mesh, k)->mesh].surface->type : w->type);
+	return w->mesh_word ? ts_mesh_wall_distance(sim, &w->mesh, k, i)
+			    : ts_primitive_wall_distance(&w->primitive, sim, c->key[k][1], sim->particles->x[i]);
+}
+
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct wall *w = self->state;
@@ -79,6 +90,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_wall_law_choose(self, sim, &w->law, &w->wall));
 	TS_TRY(w->mesh_word ? find_meshes(self, sim) : place_primitive(self, sim));
 	w->wall.primitive = w->mesh_word ? NULL : &w->primitive;
+	w->wall.distance = distance;
 	w->wall.meshes = w->mesh_word ? (int)w->mesh.nmeshes : 0;
 	w->wall.moves = !w->mesh_word && ts_primitive_wall_moves(&w->primitive);
 	w->wall.warm = !w->mesh_word && !isnan(w->primitive.temperature);

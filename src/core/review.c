@@ -1,0 +1,128 @@
+#include "core/review.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/hash.h"
+#include "core/sim.h"
+
+#include "base/banned.h"
+
+static int number_of(const char *name)
+{
+	for (int k = 0; ts_review_table[k].name && k < TS_REVIEW_MOST; k++)
+		if (ts_streq(ts_review_table[k].name, name))
+			return k;
+	return -1;
+}
+
+bool ts_review_set(struct ts_review *review, const char *name, enum ts_review_answer answer)
+{
+	int only = name ? number_of(name) : -1;
+
+	if (name && only < 0)
+		return false;
+	for (int k = 0; k < TS_REVIEW_MOST; k++)
+		if (!name || k == only)
+			review->answer[k] = (uint8_t)answer;
+	return true;
+}
+
+bool ts_review_wants(const struct tsim *sim, const char *name)
+{
+	int k = number_of(name);
+
+	return k >= 0 && sim->review.answer[k] != TS_REVIEW_OFF;
+}
+
+void ts_review_release(struct ts_review *review)
+{
+	ts_free(review->told);
+	*review = (struct ts_review){ 0 };
+}
+
+/* ---- findings ---- */
+
+static uint64_t cause_of(const char *check, const struct ts_place *where, const char *format)
+{
+	struct ts_hash hash = ts_hash_start();
+
+	ts_hash_text(&hash, check);
+	ts_hash_text(&hash, where && where->file ? where->file : "");
+	ts_hash_add(&hash, where ? &where->line : &(int){ 0 }, sizeof where->line);
+	ts_hash_text(&hash, format);
+	return ts_hash_value(&hash);
+}
+
+/* Whether it is new; it is told from now on. */
+static enum ts_status note(struct tsim *sim, uint64_t cause, bool *new)
+{
+	struct ts_review *r = &sim->review;
+
+	*new = false;
+	for (size_t k = 0; k < r->ntold; k++)
+		if (r->told[k] == cause)
+			return TS_OK;
+	if (TS_GROW(r->told, r->told_capacity, r->ntold + 1) != TS_OK)
+		return ts_nomem(&sim->error);
+	r->told[r->ntold++] = cause;
+	*new = true;
+	return TS_OK;
+}
+
+enum ts_status ts_review_find(struct tsim *sim, const char *check, const struct ts_place *where,
+			      const char *format, ...)
+{
+	uint64_t cause = cause_of(check, where, format);
+	int k = number_of(check);
+	char text[900];
+	va_list args;
+	bool new = true;
+
+	if (k < 0 || sim->review.answer[k] == TS_REVIEW_OFF)
+		return TS_OK;
+	if (!where)
+		where = ts_sim_word(sim, 0, NULL);
+	va_start(args, format);
+	vsnprintf(text, sizeof text, format, args);
+	va_end(args);
+	TS_TRY(note(sim, cause, &new));
+	if (sim->review.answer[k] == TS_REVIEW_ERROR && (new || !sim->check))
+		return ts_fail_at(&sim->error, TS_STATE, where, check, 0, "%s (review: %s)", text,
+				  check);
+	if (new)
+		ts_warn(&sim->log, where, "%s (review: %s)", text, check);
+	return TS_OK;
+}
+
+/* ---- the review ---- */
+
+static enum ts_status ask_styles(struct tsim *sim)
+{
+	for (int kind = 0; kind < TS_NKIND; kind++) {
+		const struct ts_instances *list = &sim->instances[kind];
+
+		for (size_t k = 0; k < list->n; k++)
+			if (list->item[k]->style->review)
+				TS_TRY(ts_pardon(sim,
+						 list->item[k]->style->review(list->item[k], sim)));
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_review_scene(struct tsim *sim, int64_t steps)
+{
+	struct ts_review *r = &sim->review;
+
+	if ((sim->resuming && r->made) || r->doubtful)
+		return TS_OK;
+	r->steps = steps;
+	for (int k = 0; ts_review_table[k].name; k++)
+		if (ts_review_table[k].look && r->answer[k] != TS_REVIEW_OFF)
+			TS_TRY(ts_pardon(sim, ts_review_table[k].look(sim)));
+	TS_TRY(ask_styles(sim));
+	r->made = true;
+	r->stale = r->stale || (sim->explain && steps > 0);
+	return TS_OK;
+}

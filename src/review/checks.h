@@ -1,0 +1,18 @@
+/* The checks of a scene, by subject; the table is in review/table.c. */
+#ifndef TS_REVIEW_CHECKS_H
+#define TS_REVIEW_CHECKS_H
+
+#include "core/sim.h"
+
+/* motion.c */
+enum ts_status ts_review_integrator(struct tsim *sim);
+enum ts_status ts_review_rotation(struct tsim *sim);
+/* numbers.c */
+enum ts_status ts_review_units(struct tsim *sim);
+enum ts_status ts_review_diameter(struct tsim *sim);
+/* overlap.c */
+enum ts_status ts_review_overlap(struct tsim *sim);
+/* walls.c */
+enum ts_status ts_review_wall_overlap(struct tsim *sim);
+
+#endif

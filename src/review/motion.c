@@ -1,0 +1,106 @@
+/* Checks of the review: who moves and turns the particles. */
+#include "review/checks.h"
+
+#include <stdio.h>
+
+#include "neigh/heat.h"
+#include "neigh/wall.h"
+#include "particles/integrators.h"
+#include "particles/rigid.h"
+
+#include "base/banned.h"
+
+/* Runs of no step or of one only set something up: insertion, a first output. */
+enum { SET_UP_STEPS = 1 };
+
+enum ts_status ts_review_integrator(struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+	uint32_t moved = ts_integrated(sim, TS_MOVES);
+	size_t idle = 0, first = 0;
+
+	if (sim->review.steps <= SET_UP_STEPS || sim->outside || (!moved && ts_heat_of(sim)))
+		return TS_OK; /* a program moves them; or heat flows in a packing at rest */
+	for (size_t i = p->n; i-- > 0;) {
+		if (p->mask[i] & moved || !(p->imass[i] > 0) || ts_rigid_member(p, i))
+			continue;
+		first = i;
+		idle++;
+	}
+	if (!idle)
+		return TS_OK;
+	return ts_review_find(
+		sim, "integrator", NULL,
+		"%zu of %zu particles are moved by no fix and stay where they are, the first is "
+		"particle %d (type %d) at (%g %g %g); add `fix ID GROUP nve/sphere`, or `fix ID "
+		"GROUP "
+		"freeze` if they are to stay",
+		idle, p->n, p->tag[first], p->type[first], p->x[first][0], p->x[first][1],
+		p->x[first][2]);
+}
+
+/* ---- rotation ---- */
+
+static bool has_type(const struct ts_particles *p, int group, int type)
+{
+	for (size_t i = 0; i < p->n; i++)
+		if (p->type[i] == type && ts_in_group(p, i, group))
+			return true;
+	return false;
+}
+
+static bool rubs(const struct ts_granular_model *model, const struct ts_granular_pair *law)
+{
+	return model->tangential != TS_TANGENTIAL_OFF && law->friction > 0;
+}
+
+/* The friction of a particle of this type with other particles, or with walls that have a law of
+ * their own; 0: none. */
+static double friction_of(const struct tsim *sim, int type)
+{
+	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
+	const struct ts_particles *p = sim->particles;
+	const struct ts_wall *w;
+
+	for (int t = 1; pair && t <= p->ntypes; t++)
+		if (rubs(ts_pair_model(pair->state, type, t), ts_pair_law(pair->state, type, t)))
+			return ts_pair_law(pair->state, type, t)->friction;
+	for (size_t k = 0; (w = ts_walls_next(sim, &k, NULL));)
+		for (int t = 0; w->own_model && w->law && t <= w->ntypes; t++)
+			if (rubs(&w->model, ts_wall_law(w, sim, t, type)))
+				return ts_wall_law(w, sim, t, type)->friction;
+	return 0;
+}
+
+static enum ts_status look_at_fix(struct tsim *sim, const struct ts_instance *fix)
+{
+	const struct ts_particles *p = sim->particles;
+
+	for (int t = 1; t <= p->ntypes; t++) {
+		double friction = friction_of(sim, t);
+
+		if (friction > 0 && has_type(p, fix->group, t))
+			return ts_review_find(sim, "rotation", &fix->where,
+					      "fix %s moves particles but does not turn them, and "
+					      "the contacts of "
+					      "type %d have friction (coefficient %g), which makes "
+					      "particles turn; use "
+					      "`fix %s %s nve/sphere`",
+					      fix->style->name, t, friction, fix->id,
+					      ts_group_name(sim, fix->group));
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_review_rotation(struct tsim *sim)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+
+	if (sim->clamped ||
+	    sim->review.steps <= SET_UP_STEPS) /* clamped: until overlaps are gone */
+		return TS_OK;
+	for (size_t k = 0; k < fixes->n; k++)
+		if (fixes->item[k]->style->integrates == (TS_MOVES | TS_OBEYS))
+			TS_TRY(look_at_fix(sim, fixes->item[k]));
+	return TS_OK;
+}

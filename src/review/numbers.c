@@ -1,0 +1,83 @@
+/* Checks of the review: units, sizes and densities. */
+#include "review/checks.h"
+
+#include <math.h>
+
+#include "particles/body.h"
+#include "particles/gravity.h"
+#include "particles/property.h"
+
+#include "base/banned.h"
+
+/* Gravity as on the earth, in one of the systems of units; 0: none is so. */
+static double earth(struct tsim *sim, const struct ts_instance **by)
+{
+	for (size_t k = 0; (*by = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_GRAVITY, &k));) {
+		const struct ts_number *g = &((const struct ts_gravity *)(*by)->state)->magnitude;
+
+		if (!g->variable && fabs(g->value) > 9.7 && fabs(g->value) < 9.9)
+			return g->value;
+	}
+	return 0;
+}
+
+enum ts_status ts_review_units(struct tsim *sim)
+{
+	const struct ts_instance *by = NULL;
+	const struct ts_property *young;
+	double g;
+
+	if (sim->units_given || sim->units != TS_UNITS_LJ)
+		return TS_OK;
+	g = earth(sim, &by);
+	if (g != 0)
+		return ts_review_find(sim, "units", &by->where,
+				      "gravity is %g, as on the earth in SI units, but the script "
+				      "has no `units` and "
+				      "runs in units lj (time step %g unless `timestep` says "
+				      "otherwise); begin it with "
+				      "`units si`, or `units lj` if that is meant",
+				      g, sim->clock.dt);
+	young = ts_property_find(sim, "youngsModulus", &by);
+	if (young && young->n && young->value[0] >= 1e5)
+		return ts_review_find(sim, "units", &by->where,
+				      "youngsModulus is %g, as in SI units, but the script has no "
+				      "`units` and runs in "
+				      "units lj (time step %g unless `timestep` says otherwise); "
+				      "begin it with `units "
+				      "si`, or `units lj` if that is meant",
+				      young->value[0], sim->clock.dt);
+	return TS_OK;
+}
+
+/* As ts_particles_add makes them. */
+static bool untouched(const struct tsim *sim, size_t i)
+{
+	const struct ts_particles *p = sim->particles;
+
+	return !(fabs(p->radius[i] - 0.5) > 0) &&
+	       fabs(p->mass[i] / ts_body_volume(sim, 0.5) - 1) < 1e-12;
+}
+
+enum ts_status ts_review_diameter(struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+	size_t n = 0, first = 0;
+
+	if (sim->units == TS_UNITS_LJ)
+		return TS_OK;
+	for (size_t i = p->n; i-- > 0;) {
+		if (!untouched(sim, i))
+			continue;
+		first = i;
+		n++;
+	}
+	if (!n)
+		return TS_OK;
+	return ts_review_find(sim, "diameter", NULL,
+			      "%zu of %zu particles have the diameter 1 and the density 1 that "
+			      "create_atoms gives, the "
+			      "first is particle %d (type %d); say `set type %d diameter D density "
+			      "RHO` before the run",
+			      n, p->n, p->tag[first], p->type[first], p->type[first]);
+}

@@ -1,0 +1,88 @@
+/* Checks of the review: particles that overlap each other. */
+#include "review/checks.h"
+
+#include <math.h>
+
+#include "law/energy.h"
+#include "neigh/bonds.h"
+#include "neigh/contact_list.h"
+#include "neigh/pair.h"
+#include "neigh/row_loop.h"
+#include "review/touching.h"
+
+#include "base/banned.h"
+
+/* Contacts under load are seldom deeper than a hundredth of a radius. */
+const double ts_review_depth = 0.05;
+
+void ts_review_add(struct ts_review_overlaps *o, const struct ts_granular_model *model,
+		   const struct ts_granular_pair *law, const struct ts_touch *t)
+{
+	const double nothing[TS_GRANULAR_MEMORY + 1] = { 0 };
+	double least = t->wall ? t->radius[0] : fmin(t->radius[0], t->radius[1]);
+	double depth = t->overlap / least;
+	double energy =
+		ts_granular_has_energy(model) ? ts_granular_energy(model, law, t, nothing) : 0;
+
+	o->n++;
+	o->energy += energy;
+	o->newest = depth > o->depth;
+	if (!o->newest)
+		return;
+	o->depth = depth;
+	o->overlap = t->overlap;
+	o->speed = energy > 0 ? sqrt(2 * energy / t->m_eff) : 0;
+}
+
+/* Both have been in a run before: forces have brought them there. */
+static bool settled(const struct ts_particles *p, size_t i, size_t j)
+{
+	return p->tag[i] <= p->settled && p->tag[j] <= p->settled;
+}
+
+static void look_at_row(const struct tsim *sim, const struct ts_pair *pair, size_t r,
+			struct ts_review_overlaps *o)
+{
+	const struct ts_rows *rows = &sim->neigh->rows;
+	const struct ts_particles *p = sim->particles;
+	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
+	const struct ts_granular_model *model = ts_pair_model(pair, p->type[i], p->type[j]);
+	struct ts_touch t;
+
+	if (settled(p, i, j) || !ts_contact_counts(sim, r, 0) ||
+	    ts_bonds_has(sim->bonds, p->tag[i], p->tag[j]))
+		return;
+	ts_row_touch(p, i, j, model, &t);
+	if (!(t.overlap > ts_review_depth * fmin(t.radius[0], t.radius[1])))
+		return;
+	ts_review_add(o, model, ts_pair_law(pair, p->type[i], p->type[j]), &t);
+	if (o->newest)
+		o->a = i, o->b = p->tag[j];
+}
+
+static enum ts_status report(struct tsim *sim, const struct ts_review_overlaps *o)
+{
+	const struct ts_particles *p = sim->particles;
+	const double *x = p->x[o->a];
+
+	return ts_review_find(sim, "overlap", NULL,
+			      "contacts that overlap by more than %g %% of a radius at the start: "
+			      "%zu, the worst by %g (%.3g %%), "
+			      "of particles %d and %d at (%g %g %g); they hold an energy of %g, "
+			      "with which the worst pair "
+			      "flies apart at a speed of %g; place the particles farther apart, "
+			      "check their diameters, "
+			      "or use `fix nve/limit` until the overlaps are gone",
+			      100 * ts_review_depth, o->n, o->overlap, 100 * o->depth, p->tag[o->a],
+			      o->b, x[0], x[1], x[2], o->energy, o->speed);
+}
+
+enum ts_status ts_review_overlap(struct tsim *sim)
+{
+	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
+	struct ts_review_overlaps o = { 0 };
+
+	for (size_t r = 0; pair && !ts_review_blind(sim) && r < sim->neigh->rows.n; r++)
+		look_at_row(sim, pair->state, r, &o);
+	return o.n ? report(sim, &o) : TS_OK;
+}

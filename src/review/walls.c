@@ -1,0 +1,100 @@
+/* Checks of the review: particles in walls. */
+#include "review/checks.h"
+
+#include <math.h>
+
+#include "neigh/wall.h"
+#include "review/touching.h"
+
+#include "base/banned.h"
+
+static void touch_wall(const struct tsim *sim, size_t i, double distance,
+		       const struct ts_granular_model *model, struct ts_touch *t)
+{
+	const struct ts_particles *p = sim->particles;
+
+	*t = (struct ts_touch){ .wall = true,
+				.n = { 1 },
+				.distance = distance,
+				.radius = { p->radius[i] },
+				.mass = { p->mass[i] },
+				.overlap = p->radius[i] - distance,
+				.r_eff = p->radius[i],
+				.m_eff = 1 / p->imass[i] };
+	ts_granular_arms(model, t);
+}
+
+/* The deepest contact of the particle that contact k is the first of; *next: the first of another.
+ */
+static size_t deepest(const struct ts_instance *by, const struct tsim *sim, size_t k, size_t *next,
+		      double *distance, int *type)
+{
+	const struct ts_wall *w = by->state;
+	const struct ts_wall_contacts *c = &w->contacts;
+	size_t first = k;
+
+	*distance = INFINITY;
+	for (; k < c->n && c->row[k] == c->row[first]; k++) {
+		int of;
+		double d = w->distance(by, sim, k, &of);
+
+		if (d < *distance) {
+			*distance = d;
+			*type = of;
+		}
+	}
+	*next = k;
+	return (size_t)c->row[first];
+}
+
+static enum ts_status report(struct tsim *sim, const struct ts_instance *by,
+			     const struct ts_review_overlaps *o)
+{
+	const struct ts_particles *p = sim->particles;
+	const double *x = p->x[o->a];
+
+	return ts_review_find(sim, "wall_overlap", &by->where,
+			      "particles that overlap this wall by more than %g %% of their radius "
+			      "at the start: %zu, the worst by "
+			      "%g (%.3g %%), particle %d at (%g %g %g); they hold an energy of %g, "
+			      "with which the worst flies "
+			      "off at a speed of %g; move the wall or the particles, check their "
+			      "diameters, or use `fix "
+			      "nve/limit` until the overlaps are gone",
+			      100 * ts_review_depth, o->n, o->overlap, 100 * o->depth, p->tag[o->a],
+			      x[0], x[1], x[2], o->energy, o->speed);
+}
+
+static enum ts_status look_at_wall(struct tsim *sim, const struct ts_instance *by,
+				   const struct ts_wall *w)
+{
+	const struct ts_particles *p = sim->particles;
+	struct ts_review_overlaps o = { 0 };
+
+	for (size_t k = 0; k < w->contacts.n;) {
+		int type = 1;
+		double distance;
+		size_t i = deepest(by, sim, k, &k, &distance, &type);
+		struct ts_touch t;
+
+		if (!(distance < (1 - ts_review_depth) * p->radius[i]) || p->tag[i] <= p->settled ||
+		    !(p->imass[i] > 0))
+			continue;
+		touch_wall(sim, i, distance, ts_wall_model(w, sim), &t);
+		ts_review_add(&o, ts_wall_model(w, sim), ts_wall_law(w, sim, type, p->type[i]), &t);
+		if (o.newest)
+			o.a = i;
+	}
+	return o.n ? report(sim, by, &o) : TS_OK;
+}
+
+enum ts_status ts_review_wall_overlap(struct tsim *sim)
+{
+	const struct ts_instance *by;
+	const struct ts_wall *w;
+
+	for (size_t k = 0; !ts_review_blind(sim) && (w = ts_walls_next(sim, &k, &by));)
+		if (w->distance)
+			TS_TRY(look_at_wall(sim, by, w));
+	return TS_OK;
+}

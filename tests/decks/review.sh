@@ -1,0 +1,255 @@
+#!/bin/bash
+# The review of the scene before a run: each mistake is told once, with numbers and place, and sound scenes have none.
+# shellcheck source=tests/lib_cases.sh
+. "$top_srcdir/tests/lib_cases.sh" || exit 99
+
+start='units si
+boundary f f f
+region box block 0 1 0 1 0 1 units box
+create_box 2 box'
+law='pair_style gran model hooke/stiffness tangential history
+pair_coeff * *
+fix m1 all property/global kn peratomtypepair 2 1e4 1e4 1e4 1e4
+fix m2 all property/global kt peratomtypepair 2 3e3 3e3 3e3 3e3
+fix m3 all property/global gamman peratomtypepair 2 1 1 1 1
+fix m4 all property/global gammat peratomtypepair 2 1 1 1 1
+fix m5 all property/global coefficientFriction peratomtypepair 2 0.4 0.4 0.4 0.4'
+two="create_atoms 1 single 0.3 0.5 0.15 units box
+create_atoms 1 single 0.6 0.5 0.15 units box
+set group all diameter 0.2 density 1000"
+rest='timestep 1e-4
+run 10'
+
+# found WHAT CHECK SCRIPT [TEXT ...]: the run and -check find this once, with the texts, and nothing else; with `review
+# error` it is refused, with `review off` silent
+found() {
+	local what=$1 check=$2 ok=0 mode
+	printf '%s\n' "$3" >in.script
+	shift 3
+	"$TSIM" -in in.script -log run.log -screen none >out 2>&1 </dev/null || ok=1
+	grep '(review: ' run.log >told
+	"$TSIM" -check -in in.script 2>&1 </dev/null | grep '(review: ' >told.check
+	for told in told told.check; do
+		[ "$(grep -c . $told)" = 1 ] && grep -qE "^in\.script:[0-9]+: warning: .*\(review: $check\)$" $told || ok=1
+		for text in "$@"; do
+			grep -qF -- "$text" $told || { ok=1; echo "missing: $text" >>told; }
+		done
+	done
+	for mode in error off; do
+		sed "1i review $mode $check" in.script >in.$mode
+	done
+	"$TSIM" -in in.error -log none -screen none >out 2>&1 </dev/null && ok=1
+	grep -qE "^in\.error:[0-9]+:[0-9]+: error: .*\(review: $check\)$" out || ok=1
+	"$TSIM" -check -in in.error >out 2>&1 </dev/null && ok=1
+	"$TSIM" -in in.off -log off.log -screen none >out 2>&1 </dev/null || ok=1
+	grep -q 'review:' off.log && ok=1
+	echo "$check" >>provoked
+	report "$what" $ok told
+}
+
+# sound WHAT SCRIPT: neither the run nor -check finds anything
+sound() {
+	printf '%s\n' "$2" >in.script
+	"$TSIM" -in in.script -log run.log -screen none >out 2>&1 </dev/null && ! grep '(review: ' run.log >told &&
+		! "$TSIM" -check -in in.script 2>&1 </dev/null | grep '(review: ' >told
+	report "$1" $? told
+}
+
+whole="$start
+$two
+$law
+fix move all nve/sphere"
+sound 'a sound scene' "$whole
+$rest"
+
+# ---- integrator ----
+found 'no integrator' integrator "$start
+$two
+$law
+$rest" '2 of 2 particles are moved by no fix' 'particle 1 (type 1)' 'fix ID GROUP nve/sphere'
+found 'no integrator for some, in a loop of runs' integrator "$start
+$two
+$law
+group some id 1
+fix move some nve/sphere
+timestep 1e-4
+label again
+variable k loop 3
+run 10
+next k
+jump SELF again
+run 10" '1 of 2 particles' 'particle 2'
+sound 'frozen particles' "$start
+$two
+$law
+group some id 1
+group rest id 2
+fix move some nve/sphere
+fix hold rest freeze
+$rest"
+sound 'prescribed motion' "$start
+$two
+$law
+group some id 1
+group rest id 2
+fix move some nve/sphere
+fix pull rest move linear 0.1 0 0
+$rest"
+sound 'rigid bodies' "$start
+$two
+$law
+fix body all rigid single
+$rest"
+sound 'a run that only sets up' "$start
+$two
+$law
+run 0
+run 1
+fix move all nve/sphere
+$rest"
+sound 'particles that come in the run' "$start
+$law
+fix t all particletemplate/sphere 15485863 atom_type 1 density constant 1000 radius constant 0.02
+fix d all particledistribution/discrete 15485867 1 t 1.0
+region in block 0.1 0.9 0.1 0.9 0.1 0.9 units box
+fix ins all insert/pack seed 32452843 distributiontemplate d maxattempt 100 insert_every once overlapcheck yes all_in yes particles_in_region 20 region in
+timestep 1e-4
+run 1
+fix move all nve/sphere
+run 10"
+
+# ---- rotation ----
+found 'nve with friction' rotation "$start
+$two
+$law
+fix move all nve
+$rest" 'fix nve' 'coefficient 0.4' 'fix move all nve/sphere'
+sound 'nve without friction' "$start
+$two
+pair_style spring/dashpot
+pair_coeff * * stiffness 1e4 damping 0
+fix move all nve
+$rest"
+sound 'nve with a coefficient of 0' "$start
+$two
+${law/0.4 0.4 0.4 0.4/0 0 0 0}
+fix move all nve
+$rest"
+
+# ---- units ----
+found 'no units: gravity' units "${whole/units si/# no units}
+fix g all gravity 9.81 vector 0 0 -1
+thermo_modify norm no
+$rest" 'gravity is 9.81' 'units si'
+sound 'units lj are meant' "${whole/units si/units lj}
+fix g all gravity 9.81 vector 0 0 -1
+$rest"
+sound 'no units, and no sign of others' "${whole/units si/# no units}
+fix g all gravity 1 vector 0 0 -1
+$rest"
+
+# ---- diameter ----
+found 'diameter never set' diameter "${start/0 1 0 1 0 1/-5 5 -5 5 -5 5}
+create_atoms 1 single 0 0 0 units box
+create_atoms 2 single 2 0 0 units box
+set type 2 diameter 0.2 density 1000
+$law
+fix move all nve/sphere
+timestep 1e-6
+run 10" '1 of 2 particles' 'particle 1 (type 1)' 'set type 1 diameter D density RHO'
+sound 'diameter 1 in units lj' "units lj
+region box block -5 5 -5 5 -5 5 units box
+create_box 1 box
+create_atoms 1 single 0 0 0 units box
+pair_style spring/dashpot
+pair_coeff * * stiffness 1e2 damping 0
+fix move all nve
+timestep 1e-3
+run 10"
+
+# ---- overlap: k/2 delta^2 = 5000 0.04^2 = 8, m* = 1000 pi/6 0.2^3/2 = 2.0944, sqrt(2 8/2.0944) = 2.764 ----
+found 'overlap at the start' overlap "${whole/0.6 0.5 0.15/0.46 0.5 0.15}
+$rest" ': 1, the worst by 0.04 (40 %)' 'particles 1 and 2 at (0.3 0.5 0.15)' 'an energy of 8,' 'a speed of 2.76'
+across=${whole/0.3 0.5 0.15/0.02 0.5 0.15}
+across=${across/boundary f f f/boundary p f f}
+found 'overlap across a periodic face' overlap "${across/0.6 0.5 0.15/0.86 0.5 0.15}
+$rest" ': 1, the worst by 0.04 (40 %)'
+sound 'a small overlap' "${whole/0.6 0.5 0.15/0.496 0.5 0.15}
+$rest"
+sound 'overlaps that fix nve/limit takes out' "${whole/0.6 0.5 0.15/0.46 0.5 0.15}
+unfix move
+fix move all nve/limit radius_ratio 0.01
+$rest"
+sound 'an overlap that came in a run' "$whole
+velocity all set 0.6 0 0
+set atom 2 vx -0.6
+run 0
+timestep 1e-3
+run 110
+timestep 1e-4
+run 10"
+sound 'bonded on purpose' "${whole/0.6 0.5 0.15/0.46 0.5 0.15}
+bond_style contact
+bond_coeff 1 stiffness 1e4 ultimate 1e9
+create_bonds many all all 1 0.1 0.2
+$rest"
+printf '%s\n' "${whole/0.6 0.5 0.15/0.46 0.5 0.15}" 'write_restart start.restart' >in.write
+"$TSIM" -in in.write -log none -screen none
+found 'overlap from a restart file written before the first step' overlap "read_restart start.restart
+$law
+fix move all nve/sphere
+$rest" ': 1, the worst by 0.04'
+
+# ---- wall_overlap ----
+found 'in a plane wall' wall_overlap "$whole
+fix floor all wall/gran primitive type 1 zplane 0.1
+$rest" ': 2, the worst by 0.05 (50 %)' 'particle 1 at (0.3 0.5 0.15)' 'an energy of 25,'
+cat >plate.stl <<'STL'
+solid plate
+facet normal 0 0 1
+outer loop
+vertex 0.1 0.1 0.09
+vertex 0.9 0.1 0.09
+vertex 0.9 0.9 0.09
+endloop
+endfacet
+facet normal 0 0 1
+outer loop
+vertex 0.1 0.1 0.09
+vertex 0.9 0.9 0.09
+vertex 0.1 0.9 0.09
+endloop
+endfacet
+endsolid
+STL
+found 'in a mesh' wall_overlap "$whole
+fix plate all mesh/surface file plate.stl type 1
+fix floor all wall/gran mesh n_meshes 1 meshes plate
+$rest" ': 2, the worst by 0.04 (40 %)'
+sound 'on a wall' "$whole
+fix floor all wall/gran primitive type 1 zplane 0.05
+$rest"
+
+# ---- the command ----
+rejects "$start
+review off overlpa" "there is no check 'overlpa'; did you mean 'overlap'?"
+rejects "$start
+review silent" "answer is 'silent'"
+
+# ---- every check is provoked here, and told in doc/review.md ----
+sed -n 's/^\t{ "\([a-z_]*\)",.*/\1/p' "$top_srcdir/src/review/table.c" | sort >checks
+sort -u provoked >here
+same 'every check is provoked' checks here
+sed -n 's/^### `\([a-z_]*\)`.*/\1/p' "$top_srcdir/doc/review.md" | sort >told
+same 'every check is in doc/review.md' checks told
+find "$top_srcdir/src" -name '*.c' -exec cat {} + | tr '\n\t' '  ' | grep -oE 'ts_review_find\( *sim, *"[a-z_]*"' |
+	sed 's/.*"\(.*\)"/\1/' | sort -u >used
+same 'every finding has a check' checks used
+
+# ---- sound scenes ----
+for script in "$top_srcdir"/tests/decks/in.* "$top_srcdir"/examples/drilling/in.drilling "$top_srcdir"/examples/materials/in.*; do
+	(cd "$(dirname "$script")" && "$TSIM" -check -in "$script") 2>&1 </dev/null | grep '(review: ' >told
+	[ ! -s told ]
+	report "no finding in $(basename "$script")" $? told
+done
+finish
