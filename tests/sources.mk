@@ -75,6 +75,7 @@ shell_tests = \
 	tests/decks/info.sh \
 	tests/decks/inputs.sh \
 	tests/decks/insertion.sh \
+	tests/decks/integrators.sh \
 	tests/decks/last_words.sh \
 	tests/decks/legacy.sh \
 	tests/decks/located.sh \

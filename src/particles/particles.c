@@ -3,6 +3,7 @@
 #include "core/plan.h"
 #include "geom/box.h"
 #include "particles/group_dynamic.h"
+#include "particles/integrators.h"
 #include "particles/property.h"
 
 #include "base/banned.h"
@@ -178,6 +179,8 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 		ts_report_left_out(report, "columns", TS_FULL_COLUMNS, saved_bytes,
 				   "%s: no live style needs them", ts_str_text(&unused));
 	ts_str_release(&unused);
+	if (!report->limits_only)
+		TS_TRY(ts_integrators_check(sim));
 	report->bytes += bytes;
 	ts_report_line(report, "particles", "%zu of %d types, %.0f bytes each", p->n, p->ntypes,
 		       p->capacity ? bytes / (double)p->capacity : 0.0);

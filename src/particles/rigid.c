@@ -6,6 +6,7 @@
 #include "core/plan.h"
 #include "math/rigid_turn.h"
 #include "particles/body.h"
+#include "particles/integrators.h"
 #include "particles/moments.h"
 #include "particles/rigid_motion.h"
 
@@ -279,6 +280,8 @@ static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_rigid_dissolve_orphans(sim));
 	TS_TRY(ts_rigid_list(sim));
 	TS_TRY(drop_incomplete(sim));
+	if (sim->rebuild && r->n)
+		TS_TRY(ts_integrators_check_members(sim, r->member, r->start[r->n]));
 	for (size_t b = 0; b < r->n; b++)
 		for (size_t k = r->start[b]; k < r->start[b + 1]; k++)
 			sim->particles->imass[r->member[k]] = 1 / r->body[b].mass;

@@ -40,6 +40,40 @@ print 'is all \$(f_flow[2]) 300'
 print 'is rate \$(f_flow[4]) \$(100/0.1)'
 print 'is deleted \$(f_flow[5]) 0'"
 
+# who reads the rates does not change them, nor does a restart in between; intervals of their own
+rates() { # EXTRA LINES: what the table says
+	printf '%s\n' "$start $rain
+fix flow all massflow/mesh mesh cad vec_side 0 0 -1 count once
+thermo 25
+thermo_style custom step f_flow[2] f_flow[3] f_flow[4]
+thermo_modify lost ignore
+$1" >in.script
+	"$TSIM" -in in.script -log rates.log -screen none >out 2>&1 </dev/null || cat out
+	rows rates.log
+}
+rates 'run 350' >alone
+rates 'fix p all print 7 "$(f_flow[3]) $(f_flow[4])" screen no
+fix a all ave/time 1 3 3 f_flow[3]
+variable r equal f_flow[4]
+run 60
+print "$(v_r)"
+run 13
+print "$(v_r)"
+run 277' | awk '$1 % 25 == 0' >read
+awk '$1 % 25 == 0' alone >alone.asked
+same 'reading changes no rate' read alone.asked
+awk '{ if (NR > 1 && ($2 - n) / (($1 - s) * 1e-3) != $4) bad = 1; n = $2; s = $1 } END { exit bad || n != 300 }' alone
+report 'rates are those since the row before' $? alone
+agree 'intervals' "$start $rain
+fix flow all massflow/mesh mesh cad vec_side 0 0 -1 count once interval 80
+run 80
+variable first equal \$(f_flow[2])
+run 80
+print 'is rate \$(f_flow[4]*0.08) \$(f_flow[2]-v_first)'
+print 'is some \$(f_flow[2]-v_first) 100'
+run 1
+print 'is new \$(f_flow[4]) 0'"
+
 # deleted ones leave; none is forgotten
 agree 'deleted' "$start $rain
 variable m equal \$(mass(all))

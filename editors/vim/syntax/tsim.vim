@@ -96,7 +96,7 @@ syn keyword tsimKeyword  massrate insertion_face extrude_length duration law rub
 syn keyword tsimKeyword  oesterle saffman mei vec_side multiple point_at_outlet inside_out
 syn keyword tsimKeyword  writeTime
 syn match tsimKeyword /\<delete_atoms\>/ 
-syn keyword tsimKeyword  sum_property temperature element_exclusion_list precision
+syn keyword tsimKeyword  interval sum_property temperature element_exclusion_list precision
 syn keyword tsimKeyword  curvature extrude_planar curvature_tolerant heal
 syn keyword tsimKeyword  auto_remove_duplicates surface_vel surface_ang_vel reference_point
 syn keyword tsimKeyword  stress wear finnie ctrlPV force axis target_val vel_max kp ki kd

@@ -2,6 +2,7 @@
 #include "geom/mesh_touch.h"
 #include "geom/mesh_tree.h"
 #include "io/textfile.h"
+#include "io/thermo.h"
 #include "neigh/neigh.h"
 #include "particles/mesh_surface.h"
 #include "particles/particles.h"
@@ -14,10 +15,9 @@
 
 #include "base/banned.h"
 
-/* What has passed up to a step. */
+/* What had passed at a time. */
 struct mark {
-	double mass, number;
-	int64_t step;
+	double mass, number, time;
 };
 
 /* A particle has passed this triangle. */
@@ -31,6 +31,7 @@ struct state {
 	const char *mesh, *file, *append, *property;
 	double side[3], outlet[3];
 	int count;
+	int64_t interval;
 	bool inside_out, screen, write_time, deletes;
 
 	struct ts_mesh_surface *surface;
@@ -44,7 +45,7 @@ struct state {
 	struct ts_textfile out;
 	/* saved */
 	double mass, number, deleted_mass, deleted_number, sum;
-	struct mark before, now; /* of the last outputs */
+	struct mark before; /* when the present interval began */
 	int64_t *doomed;	 /* particles that have passed and are deleted at the next rebuild */
 	size_t ndoomed, capacity;
 };
@@ -145,6 +146,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct state *s = self->state;
 	struct ts_word mesh = { .text = s->mesh, .place = *ts_instance_word(self, s->mesh) };
 
+	if (!s->surface)
+		s->before.time = ts_sim_time(sim);
 	TS_TRY(check_words(self, sim));
 	sim->neigh->skin_counts |= s->deletes; /* at rebuilds */
 	TS_TRY(ts_mesh_surface_require(sim, &mesh, &s->surface));
@@ -326,11 +329,25 @@ static int by_tag(const void *a, const void *b)
 	return (*p > *q) - (*p < *q);
 }
 
+/* Whether the step before this one ended an interval: as `interval` says, else a row of the table that is asked for;
+ * where only the ends of runs are, the run began. Reading the rates does not matter. */
+static bool ended(const struct state *s, const struct tsim *sim)
+{
+	const struct ts_thermo *t = sim->thermo;
+	int64_t last = sim->clock.step - 1;
+
+	if (s->interval > 0)
+		return last % s->interval == 0;
+	return t->every || t->variable ? t->counted == last + 1 : last == sim->clock.first_step;
+}
+
 static enum ts_status post_integrate(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
 
+	if (ended(s, sim))
+		s->before = (struct mark){ s->mass, s->number, ts_sim_time(sim) - sim->clock.dt };
 	s->npassages = 0;
 	if (!s->tree.n || s->moves != s->surface->moves) {
 		ts_mesh_tree_release(&s->tree);
@@ -380,28 +397,36 @@ static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
 
 static double per_time(const struct state *s, const struct tsim *sim, double before, double now)
 {
-	int64_t steps = s->now.step - s->before.step;
+	double time = ts_sim_time(sim) - s->before.time;
 
-	return steps > 0 ? (now - before) / ((double)steps * sim->clock.dt) : 0;
+	return time > 0.5 * sim->clock.dt ? (now - before) / time : 0;
 }
 
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
-	struct state *s = self->state;
+	const struct state *s = self->state;
 
 	TS_TRY(ts_table_resize(out, s->property ? 7 : 6, 1));
-	if (sim->clock.step != s->now.step) {
-		s->before = s->now;
-		s->now = (struct mark){ s->mass, s->number, sim->clock.step };
-	}
 	out->data[0] = s->mass;
 	out->data[1] = s->number;
-	out->data[2] = per_time(s, sim, s->before.mass, s->now.mass);
-	out->data[3] = per_time(s, sim, s->before.number, s->now.number);
+	out->data[2] = per_time(s, sim, s->before.mass, s->mass);
+	out->data[3] = per_time(s, sim, s->before.number, s->number);
 	out->data[4] = s->deleted_mass;
 	out->data[5] = s->deleted_number;
 	if (s->property)
 		out->data[6] = s->sum;
+	return TS_OK;
+}
+
+/* Older files have the step instead. */
+static enum ts_status archive_time(struct state *s, const struct tsim *sim, struct ts_archive *a)
+{
+	int64_t step;
+
+	if (ts_archive_writing(a) || ts_archive_has(a, "before.time"))
+		return ts_archive_fixed(a, "before.time", TS_SAVED_F64, &s->before.time, 1);
+	TS_TRY(ts_archive_fixed(a, "before.step", TS_SAVED_I64, &step, 1));
+	s->before.time = ts_sim_time(sim) - (double)(sim->clock.step - step) * sim->clock.dt;
 	return TS_OK;
 }
 
@@ -411,6 +436,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	void *doomed = s->doomed;
 	enum ts_status status;
 
+	TS_TRY(archive_time(s, sim, a));
 	TS_TRY(ts_particles_archive_column(a, sim, "marks", s->column));
 	status = ts_archive_array(a, "doomed", TS_SAVED_I64, &doomed, &s->capacity, &s->ndoomed);
 	s->doomed = doomed;
@@ -446,6 +472,9 @@ static const struct ts_arg args[] = {
 	TS_FLAG("writeTime", struct state, write_time, .help = "these lines tell the time"),
 	TS_BOOL("delete_atoms", struct state, deletes, .fallback = "no",
 		.help = "whether particles that pass are deleted, when neighbours are next listed anew"),
+	TS_INT("interval", struct state, interval, .flags = TS_OPTIONAL | TS_STATEFUL, .range = TS_POSITIVE,
+	       .help = "f_ID[3], f_ID[4] are rates since the last multiple of so many steps, before this one; without it, "
+		       "since the last row of the table in the log"),
 	TS_WORD("sum_property", struct state, property, .flags = TS_OPTIONAL | TS_STATEFUL,
 		.help = "NAME or NAME[k], a number of fix property/atom that is summed over the particles that pass"),
 	TS_ARGS_END,
@@ -453,7 +482,7 @@ static const struct ts_arg args[] = {
 
 static const struct ts_value values[] = {
 	{ "passed", "mass, 1, mass/time, 1/time, mass, 1, that of the property",
-	  "mass and number that have passed, both per time since the output before, mass and number deleted; with "
+	  "mass and number that have passed, both per time since the last row of the table, mass and number deleted; with "
 	  "sum_property its sum",
 	  TS_VECTOR, 0, NULL, eval },
 	{ .name = NULL },
@@ -467,10 +496,6 @@ static const struct ts_saved saved[] = {
 	TS_SAVE_F64(struct state, sum),
 	TS_SAVE_F64(struct state, before.mass),
 	TS_SAVE_F64(struct state, before.number),
-	TS_SAVE_I64(struct state, before.step),
-	TS_SAVE_F64(struct state, now.mass),
-	TS_SAVE_F64(struct state, now.number),
-	TS_SAVE_I64(struct state, now.step),
 	TS_SAVED_ROWS_END,
 };
 
@@ -484,8 +509,11 @@ const struct ts_style ts_fix_massflow_mesh = {
 	       "than the radius and half of the skin of the neighbour list. The mesh is no wall for it, unless a fix\n"
 	       "wall/gran makes it one. Who gets round the rim does not count. The outer side is where vec_side points to, or, for any\n"
 	       "mesh, where (x - p).(point_at_outlet - x) > 0 for a centre x and the nearest point p of the mesh.\n\n"
-	       "f_ID[1], f_ID[2]: mass and number that have passed; f_ID[3], f_ID[4]: the same per time, since\n"
-	       "the values were last asked for in another step; f_ID[5], f_ID[6]: mass and number deleted;\n"
+	       "f_ID[1], f_ID[2]: mass and number that have passed; f_ID[3], f_ID[4]: the same per time, over the\n"
+	       "steps since the last row of the table in the log that `thermo N` asked for, before this step (thermo 0: since\n"
+	       "the run began), or since the last multiple of `interval`. In rows of the table these are LIGGGHTS' numbers;\n"
+	       "there, who reads them in between begins a new interval for all, here reading changes nothing.\n"
+	       "f_ID[5], f_ID[6]: mass and number deleted;\n"
 	       "f_ID[7]: with sum_property, its sum over what has passed. A sphere of a rigid body counts as the\n"
 	       "part of the body that its mass is; delete_atoms deletes a body when all of it has passed.\n"
 	       "f_massflow_ID of a particle: -1 not met, 0 last on the inner side, 1 on the outer side, 2 done\n"
