@@ -122,9 +122,57 @@ START_TEST(constants)
 }
 END_TEST
 
+/* As many brackets as the page says, whatever stands between them. */
+START_TEST(brackets)
+{
+	static const struct {
+		const char *open;
+		double value;
+	} in[] = { { "(", 1 }, { "-(", 1 }, { "0*1+(", 1 }, { "abs(", 1 } };
+	char text[4096];
+
+	for (size_t k = 0; k < sizeof in / sizeof *in; k++)
+		for (int n = 500; n <= 501; n++) {
+			double out;
+
+			text[0] = '\0';
+			for (int i = 0; i < n; i++)
+				strcat(text, in[k].open);
+			strcat(text, "1");
+			for (int i = 0; i < n; i++)
+				strcat(text, ")");
+			ck_assert_int_eq(tsim_value(sim, text, &out) == 0, n == 500);
+			if (n == 500)
+				expect_value(text, in[k].value);
+			else
+				ck_assert_ptr_nonnull(strstr(tsim_error(sim), "more than 500"));
+			tsim_error_clear(sim);
+		}
+}
+END_TEST
+
+/* Each variable is evaluated once: else this would take 2^63 additions. But what is drawn is drawn anew. */
+START_TEST(once_each)
+{
+	char line[64];
+
+	expect_output("variable a0 equal 1\nvariable r equal random(0,1,17)\nvariable s equal v_r", "");
+	for (int k = 0; k < 63; k++) {
+		snprintf(line, sizeof line, "variable a%d equal v_a%d+v_a%d", k + 1, k, k);
+		expect_output(line, "");
+	}
+	expect_value("v_a63", 9223372036854775808.0);
+	ck_assert(value("v_s-v_s") != 0);
+	expect_output("variable a0 equal 3", "");
+	expect_value("v_a2", 12);
+}
+END_TEST
+
 static void add(TCase *all)
 {
 	tcase_add_test(all, groups);
+	tcase_add_test(all, brackets);
+	tcase_add_test(all, once_each);
 	tcase_add_test(all, steps);
 	tcase_add_test(all, names);
 	tcase_add_test(all, constants);

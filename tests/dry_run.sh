@@ -79,9 +79,9 @@ errors 'all errors at once' <<'END'
 12:11: direction is missing
 13:7: there is no group 'sme'
 14:16: unknown compute style 'kee'
-8:19: expected a number or a name
 16:35: unknown quantity 'foo'
 16:39: unknown quantity 'bar'
+8:19: expected a number or a name
 22:11: there is no 'label nowhere'
 23:21: unknown command 'prnt'
 23:66: expected a number or v_name
@@ -289,6 +289,68 @@ errors 'all branches' <<'END'
 8:24: there is no fix 'zwal'
 10:16: group: style is 'typ'
 END
+
+# what acts later is read before the first step: by -check and by a run
+scene="$ball
+fix m all nve
+compute pp all property/atom x
+compute all all ke"
+
+# early WHAT PLACE MESSAGE: the lines on standard input are refused so by both, without a step
+early() {
+	{ echo "$scene" && cat; } >early.in
+	good=0
+	for how in -check -screen; do
+		"$TSIM" $how $([ $how = -check ] || echo none) -in early.in -log early.log 2>err >out </dev/null && good=1
+		[ "$(grep -c 'error: ' err)" = 1 ] && grep -q "^early.in:$2: error: .*$3" err || good=1
+		[ $how = -check ] || ! grep -q '^ *5 ' early.log || good=1
+	done
+	report "$1" $good err
+}
+early 'a column of thermo_style' 8:26 "unknown quantity 'foo'" <<'END'
+thermo_style custom step foo
+run 10
+END
+early 'a shape in thermo_style' 8:26 'numbers of particles' <<'END'
+thermo_style custom step c_pp
+run 10
+END
+early 'a shape in a variable' 8:18 'no scalar' <<'END'
+variable n equal c_pp
+run 10
+END
+early 'a command of run every' 8:21 "unknown command 'prnt'" <<'END'
+run 10000 every 10 "prnt x"
+END
+early 'a style in run every' 8:31 "unknown fix style 'gravty'" <<'END'
+run 10000 every 10 "fix g all gravty 3"
+END
+early 'a variable in run every' 8:27 "unknown variable 'z'" <<'END'
+run 10000 every 10 "print ${z}"
+END
+early 'a formula in run every' 8:29 'no scalar' <<'END'
+run 10000 every 10 "print $(c_pp)"
+END
+early 'a formula of a fix' 8:18 "no compute 'nope'" <<'END'
+variable w equal c_nope
+fix a all ave/time 5000 1 5000 v_w
+run 10000
+END
+early 'a formula of thermo_style' 9:18 "no compute 'nope'" <<'END'
+thermo_style custom step v_w
+variable w equal c_nope
+thermo 5000
+run 10000
+END
+printf '%s\n' "$scene" 'thermo_style custom step c_later v_w' 'variable w equal c_later*2' 'compute later all ke' \
+	'run 20 every 5 "variable q equal ke" "print $q" "reset_timestep 0"' >late.in
+"$TSIM" -check -in late.in >out 2>err && timeout 20 "$TSIM" -in late.in -log none >out 2>err &&
+	[ "$(grep -cx '0' out)" = 4 ]
+report 'what is defined in time, and steps counted anew' $? err
+printf '%s\n' "$scene" 'run 20 every 5 "clear"' >clear.in
+timeout 20 "$TSIM" -in clear.in -log none >out 2>err
+[ $? = 1 ] && grep -q '^clear.in:8:14: error: run: .*`clear`' err
+report 'clear in run every' $? err
 
 check follow.in <<'END'
 region b block 0 1 0 1 0 one units box

@@ -25,6 +25,12 @@ struct ts_host {
 	bool (*has_variable)(void *host, const char *variable);
 	bool (*is_peratom)(void *host, const char *variable);
 	bool (*is_vector)(void *host, const char *variable);
+	/* Whether the variable can give a value of this shape as far as names and shapes in its formula say, before it
+	 * is asked for one. */
+	enum ts_status (*reads)(void *host, const char *variable, enum ts_shape shape,
+				const struct ts_place *where);
+	/* The same of commands that are to be executed later, one after the other. */
+	enum ts_status (*reads_commands)(void *host, struct ts_words commands);
 	/* Gives a variable of style internal its number, for the formulas that use it. */
 	enum ts_status (*set)(void *host, const char *variable, const struct ts_place *where,
 			      double value);

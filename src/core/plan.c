@@ -6,6 +6,7 @@
 
 #include "base/clock.h"
 #include "core/pending.h"
+#include "core/ref_list.h"
 #include "core/settings.h"
 #include "core/uses.h"
 
@@ -111,6 +112,7 @@ enum ts_status ts_plan_compile(struct ts_plan *plan, struct tsim *sim)
 		for (size_t i = 0; i < list->n; i++) {
 			if (list->item[i]->style->init)
 				TS_TRY(ts_pardon(sim, list->item[i]->style->init(list->item[i], sim)));
+			TS_TRY(ts_pardon(sim, ts_refs_read(sim, list->item[i])));
 			TS_TRY(add_actions(plan, sim, list->item[i]));
 		}
 	}

@@ -231,6 +231,27 @@ enum ts_status ts_ref_list_init(struct tsim *sim, const char *what, struct ts_ar
 	return TS_OK;
 }
 
+enum ts_status ts_refs_read(struct tsim *sim, const struct ts_instance *inst)
+{
+	enum ts_kind kind = inst->style->kind;
+
+	if (kind != TS_KIND_FIX && kind != TS_KIND_COMPUTE && kind != TS_KIND_DUMP)
+		return TS_OK;
+	for (size_t k = 0; k < inst->words.n; k++) {
+		const struct ts_word *word = &inst->words.word[k];
+		const char *name = word->text + 2;
+
+		if (strncmp(word->text, "v_", 2) != 0 || !sim->host->has_variable(sim->host_data, name))
+			continue;
+		TS_TRY(sim->host->reads(sim->host_data, name,
+					sim->host->is_peratom(sim->host_data, name)  ? TS_PERATOM
+					: sim->host->is_vector(sim->host_data, name) ? TS_VECTOR
+										     : TS_SCALAR,
+					&word->place));
+	}
+	return TS_OK;
+}
+
 void ts_ref_list_release(struct ts_ref_list *list)
 {
 	ts_table_release(&list->column);

@@ -111,6 +111,7 @@ struct tsim {
 	bool explain;      /* -explain: plan runs, do not step or write */
 	bool check;        /* -check: as explain, but errors do not end the script */
 	bool planned;      /* -explain: a run would have changed the state by now */
+	bool dry;	   /* formulas are only read: do names exist, are shapes right? */
 	bool unreached;    /* -check: reads a line that is not run: names are not looked up */
 	bool open_clock;   /* -explain: how many steps were made before, only a run can tell */
 	bool box_moves;	   /* a run changes the box */

@@ -469,6 +469,13 @@ enum ts_status ts_ref_scalar(struct tsim *sim, const struct ts_ref *ref,
 			  : instance_scalar(sim, &now, where, out);
 }
 
+enum ts_status ts_ref_reads(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where)
+{
+	if (ref->kind != TS_REF_VARIABLE)
+		return TS_OK;
+	return sim->host->reads(sim->host_data, ref->variable, ref->index ? TS_VECTOR : TS_SCALAR, where);
+}
+
 static enum ts_status one_column(struct tsim *sim, const struct ts_ref *ref,
 				 const struct ts_place *where, enum ts_shape shape,
 				 struct ts_table *out)

@@ -86,6 +86,9 @@ enum ts_status ts_ref_vector(struct tsim *sim, const struct ts_ref *ref,
 /* One column of a local table: c_ID[k], or c_ID where it has one column. */
 enum ts_status ts_ref_local(struct tsim *sim, const struct ts_ref *ref,
 			    const struct ts_place *where, struct ts_table *out);
+/* Before it is asked for a number for the first time: is the formula of a variable right, as far as names and shapes
+ * tell? */
+enum ts_status ts_ref_reads(struct tsim *sim, const struct ts_ref *ref, const struct ts_place *where);
 /* Which of the shapes a ref can give: bit (1 << shape) set. */
 unsigned ts_ref_shapes(const struct tsim *sim, const struct ts_ref *ref);
 

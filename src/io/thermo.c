@@ -24,6 +24,17 @@ static const char *make_title(struct tsim *sim, const char *name)
 	return ts_arena_strdup(&sim->thermo->arena, title);
 }
 
+/* A compute, fix or variable may be defined before the run; what is there must be of the right shape. */
+static enum ts_status read_now(struct tsim *sim, struct ts_ref_input *input)
+{
+	enum ts_status status = ts_ref_input_resolve(sim, "thermo_style", TS_WANT(SCALAR), input);
+
+	if (status == TS_OK || !sim->error.missing[0])
+		return status;
+	ts_error_clear(&sim->error);
+	return TS_OK;
+}
+
 enum ts_status ts_thermo_columns(struct tsim *sim, struct ts_words names, bool multi)
 {
 	struct ts_thermo *t = sim->thermo;
@@ -48,6 +59,8 @@ enum ts_status ts_thermo_columns(struct tsim *sim, struct ts_words names, bool m
 		if (!t->column[k].title)
 			return ts_nomem(&sim->error);
 	}
+	for (size_t k = 0; k < copy.n; k++)
+		TS_TRY(ts_pardon(sim, read_now(sim, &t->column[k].input)));
 	t->n = copy.n;
 	return TS_OK;
 }
@@ -82,19 +95,23 @@ enum ts_status ts_thermo_format(struct tsim *sim, struct ts_words words)
 
 static enum ts_status resolve(struct ts_thermo *t, struct tsim *sim)
 {
-	for (size_t k = 0; k < t->n; k++)
-		TS_TRY(ts_pardon(sim, ts_ref_input_resolve(sim, "thermo_style", TS_WANT(SCALAR),
-							   &t->column[k].input)));
+	for (size_t k = 0; k < t->n; k++) {
+		struct ts_ref_input *input = &t->column[k].input;
+		enum ts_status status = ts_ref_input_resolve(sim, "thermo_style", TS_WANT(SCALAR), input);
+
+		if (status == TS_OK)
+			status = ts_ref_reads(sim, &input->ref, &input->where);
+		TS_TRY(ts_pardon(sim, status));
+	}
 	return set_formats(t, sim);
 }
 
-/* Else they are resolved at the first row. */
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 			   struct ts_plan_report *report)
 {
 	const struct ts_thermo *t = self->state;
 
-	if (!sim->explain)
+	if (report->limits_only)
 		return TS_OK;
 	TS_TRY(resolve(self->state, sim));
 	return ts_report_output(report, "rows of the log", ts_report_times(sim, t->every) + 2,

@@ -128,7 +128,7 @@ void ts_check_open(struct ts_script *script, struct ts_check_loop *loop);
 enum ts_status ts_check_branches(struct ts_script *script, struct ts_words words, size_t k,
 				 const struct ts_place *where);
 
-/* check_unreached.c: reads a command of a branch not taken, or a line never reached. */
+/* check_unreached.c: reads a command of a branch not taken, or a line never reached; or one that is to be run later. */
 enum ts_status ts_check_unreached(struct ts_script *script, const struct ts_line *line,
 				  const char *remark);
 /* All commands of an `if`. */

@@ -6,7 +6,7 @@
 
 #include "base/banned.h"
 
-enum { DEEPEST = 500, BINDING = 8 /* tighter than any binary operator */ };
+enum { DEEPEST = 500, PATIENCE = 10000 /* formulas in one, until a request to stop is heard */ };
 
 enum ts_status ts_expr_fail(struct ts_expr *e, enum ts_status code, size_t at, size_t end,
 			    const char *format, ...)
@@ -171,19 +171,12 @@ static enum ts_status read_list(struct ts_expr *e, struct ts_operand *out)
 	return ts_expr_expect(e, ']');
 }
 
-/* A number, a name, a bracket, or one of these behind - or !. */
-static enum ts_status read_operand(struct ts_expr *e, struct ts_operand *out)
+/* A number, a name, or a bracket. */
+static enum ts_status read_plain(struct ts_expr *e, struct ts_operand *out)
 {
 	char c = ts_expr_peek(e);
 
 	*out = (struct ts_operand){ .at = e->at };
-	if (c == '-' || c == '!' || c == '+') {
-		size_t at = e->at++;
-
-		TS_TRY(ts_expr_read(e, BINDING, out));
-		out->at = at;
-		return ts_op_unary(e, c, out);
-	}
 	if (c == '(') {
 		size_t at = e->at++;
 
@@ -209,17 +202,39 @@ static enum ts_status read_operand(struct ts_expr *e, struct ts_operand *out)
 	return TS_OK;
 }
 
-/* Operators of at least this level. */
+/* The same, perhaps behind - or !, of which the last acts first. */
+static enum ts_status read_operand(struct ts_expr *e, struct ts_operand *out)
+{
+	size_t first, at;
+
+	ts_expr_peek(e);
+	first = e->at;
+	while (strchr("-!+", e->text[e->at]) && e->text[e->at]) {
+		e->at++;
+		ts_expr_peek(e);
+	}
+	at = e->at;
+	TS_TRY(read_plain(e, out));
+	while (at-- > first)
+		if (strchr("-!+", e->text[at]))
+			TS_TRY(ts_op_unary(e, e->text[at], out));
+	out->at = first;
+	return TS_OK;
+}
+
+/* Operators of at least this level; level 1 is a whole formula, or what stands in brackets. */
 enum ts_status ts_expr_read(struct ts_expr *e, int level, struct ts_operand *out)
 {
 	const struct ts_operator *op;
 	struct ts_operand right, result;
 	size_t at;
 
-	if (e->script->formula_depth >= DEEPEST)
+	int depth = e->script->formula_depth;
+
+	if (level == 1 && depth > DEEPEST)
 		return ts_expr_fail(e, TS_RANGE, e->at, e->at + 1,
 				    "the formula is nested too deeply, more than %d times", DEEPEST);
-	e->script->formula_depth++;
+	e->script->formula_depth += level == 1;
 	TS_TRY(read_operand(e, out));
 	for (;;) {
 		ts_expr_peek(e);
@@ -232,7 +247,7 @@ enum ts_status ts_expr_read(struct ts_expr *e, int level, struct ts_operand *out
 		TS_TRY(ts_op_binary(e, op, at, out, &right, &result));
 		*out = result;
 	}
-	e->script->formula_depth--;
+	e->script->formula_depth = depth;
 	return TS_OK;
 }
 
@@ -270,8 +285,13 @@ static struct ts_expr start(struct ts_script *script, const char *text,
 static enum ts_status evaluate(struct ts_expr *e, struct ts_operand *out)
 {
 	int depth = e->script->formula_depth;
-	enum ts_status status = ts_expr_read(e, 1, out);
+	enum ts_status status;
 
+	e->script->reading += depth == 0;
+	e->script->formulas = depth ? e->script->formulas + 1 : 0;
+	if (e->sim->stop && e->script->formulas > PATIENCE)
+		return ts_expr_fail(e, TS_STOPPED, 0, e->length, "stopped on request in a formula that takes long");
+	status = ts_expr_read(e, 1, out);
 	e->script->formula_depth = depth;
 	if (status != TS_OK)
 		return status;
@@ -293,6 +313,29 @@ enum ts_status ts_expr_scalar(struct ts_script *script, const char *text,
 	if (status == TS_OK)
 		*out = value.scalar;
 	return status;
+}
+
+struct ts_dry ts_dry_begin(struct ts_script *script)
+{
+	struct ts_dry before = { script->sim->dry, script->sim->looking, script->misfit };
+
+	script->sim->dry = script->sim->looking = true;
+	script->misfit = false;
+	return before;
+}
+
+enum ts_status ts_dry_end(struct ts_script *script, struct ts_dry before, enum ts_status status, bool now)
+{
+	bool meant = status == TS_NOMEM || script->misfit ||
+		     (now && (status == TS_UNKNOWN || status == TS_SYNTAX));
+
+	script->sim->dry = before.dry;
+	script->sim->looking = before.looking;
+	script->misfit = before.misfit;
+	if (status == TS_OK || meant)
+		return status;
+	ts_error_clear(&script->sim->error);
+	return TS_OK;
 }
 
 enum ts_status ts_expr_condition(struct ts_script *script, const char *text,

@@ -110,6 +110,10 @@ static enum ts_status drawn(struct ts_expr *e, const struct ts_expr_function *f,
 		if (arg[k].data && (k + 1 == f->most || !each))
 			return ts_expr_fail(e, TS_SYNTAX, arg[k].at, arg[k].end,
 					    "one number is needed here, found a list");
+	if (e->sim->dry) {
+		out->scalar = NAN;
+		return TS_OK;
+	}
 	TS_TRY(ts_expr_blame(e, ts_script_stream_of(e->script, arg[f->most - 1].scalar, &stream), at,
 			     e->at));
 	if (each) {
@@ -117,6 +121,7 @@ static enum ts_status drawn(struct ts_expr *e, const struct ts_expr_function *f,
 		n = e->rows;
 		to = out->data;
 	}
+	e->script->drawn++;
 	at_number = advance(e->sim, each ? &stream->rounds : &stream->draws);
 	for (size_t i = 0; i < n; i++) {
 		struct ts_rng rng = { (uint64_t)stream->seed, each ? (uint64_t)e->id[i] : 0,
@@ -137,7 +142,7 @@ static bool open_list(const struct ts_expr *e, const struct ts_expr_function *f,
 
 	for (size_t i = 0; list->data && i < list->n; i++)
 		open |= ts_unknown(e->sim, list->data[i]);
-	return open || (list->data && list->n < f->length && e->sim->explain && e->sim->planned);
+	return open || e->sim->dry || (list->data && list->n < f->length && e->sim->explain && e->sim->planned);
 }
 
 static enum ts_status of_list(struct ts_expr *e, const struct ts_expr_function *f, size_t at,

@@ -207,6 +207,13 @@ static bool gives(const struct ts_expr *e, const struct ts_ref *ref, unsigned sh
 	return shapes & wanted;
 }
 
+/* In a formula that is only read. */
+static enum ts_status nothing(struct ts_operand *out)
+{
+	out->scalar = NAN;
+	return TS_OK;
+}
+
 static enum ts_status read_output(struct ts_expr *e, const char *name, const char *whole, const int64_t k[2], size_t at,
 				  struct ts_operand *out)
 {
@@ -221,6 +228,9 @@ static enum ts_status read_output(struct ts_expr *e, const char *name, const cha
 	identity = k[0] > 0 && !(shapes & (1u << TS_SCALAR)) &&
 		   (k[1] > 0 || (e->kind == TS_FORMULA_SCALAR && shapes & (1u << TS_PERATOM)));
 	given = gives(e, &ref, shapes, identity);
+	e->script->misfit |= !given;
+	if (e->sim->dry && given)
+		return nothing(out);
 	status = identity ? of_identity(e, name, k[0], k[1], at, out) : of_reference(e, &ref, &place, out);
 	return given ? ts_expr_given(e, name, status, out) : status;
 }
@@ -254,8 +264,11 @@ static enum ts_status of_keyword(struct ts_expr *e, const struct ts_keyword *key
 	bool known = keyword->flags & TS_KEYWORD_CONSTANT ||
 		     (keyword->flags & TS_KEYWORD_CLOCK && !e->sim->open_clock) ||
 		     (keyword->flags & TS_KEYWORD_BOX && !e->sim->box_moves);
-	enum ts_status status = keyword->eval(e->sim, &out->scalar);
+	enum ts_status status;
 
+	if (e->sim->dry)
+		return nothing(out);
+	status = keyword->eval(e->sim, &out->scalar);
 	return ts_expr_blame(e, known ? status : ts_expr_given(e, keyword->name, status, out), at, e->at);
 }
 
@@ -263,8 +276,11 @@ static enum ts_status of_keyword(struct ts_expr *e, const struct ts_keyword *key
 static enum ts_status column(struct ts_expr *e, const char *name, size_t at, struct ts_operand *out)
 {
 	struct ts_table table = { 0 };
-	enum ts_status status = ts_quantity_eval(e->sim, name, &table);
+	enum ts_status status;
 
+	if (e->sim->dry)
+		return nothing(out);
+	status = ts_quantity_eval(e->sim, name, &table);
 	status = ts_expr_take(e, status, &table, out);
 	return ts_expr_blame(e, ts_expr_given(e, name, status, out), at, e->at);
 }

@@ -19,6 +19,7 @@ static enum ts_status eval_next(struct ts_expr *e, struct ts_words words, struct
 	struct ts_table table = { 0 };
 	bool exhausted = false;
 
+	e->script->drawn++;
 	TS_TRY(ts_variable_require(e->script, word->text, &word->place, &variable));
 	if (variable->style == &ts_var_file)
 		TS_TRY(ts_variable_number(e->script, variable, &word->place, &out->scalar));

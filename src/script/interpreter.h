@@ -34,6 +34,10 @@ struct ts_script {
 	bool programs;		     /* `shell` may start programs */
 	int branches;		     /* commands of `if` that are being run */
 	int depth;		  /* of scripts and commands in each other */
+	uint64_t reading;	  /* of formulas, from outside: within one each variable is evaluated once */
+	uint64_t formulas;	  /* evaluated in this one */
+	uint64_t drawn;		  /* values that differ from one look to the next: of random(), next() */
+	bool misfit;		  /* a formula has named an output that is not of the shape that is needed there */
 	int formula_depth;	  /* of formulas, over all variables that use each other */
 	struct ts_words current;  /* the command that runs */
 	struct ts_stream *stream; /* one per seed of random() and normal() */
@@ -78,6 +82,13 @@ enum ts_status ts_expr_peratom(struct ts_script *script, const char *text,
 			       const struct ts_place *place, struct ts_table *out);
 enum ts_status ts_expr_vector(struct ts_script *script, const char *text,
 			      const struct ts_place *place, struct ts_table *out);
+/* Begins to read formulas only, and ends it: `status` is that of the formulas. What their numbers have caused is
+ * forgiven, and what is not there yet, unless it is asked for now. */
+struct ts_dry {
+	bool dry, looking, misfit;
+};
+struct ts_dry ts_dry_begin(struct ts_script *script);
+enum ts_status ts_dry_end(struct ts_script *script, struct ts_dry before, enum ts_status status, bool now);
 /* A condition of `if`, where bare names are words that can be compared. */
 enum ts_status ts_expr_condition(struct ts_script *script, const char *text,
 				 const struct ts_place *place, enum ts_truth *out);

@@ -77,6 +77,63 @@ static enum ts_status host_vector(void *host, const char *name, const struct ts_
 	return guess(host, out);
 }
 
+static enum ts_status host_reads(void *host, const char *name, enum ts_shape shape,
+				 const struct ts_place *where)
+{
+	struct ts_dry before = ts_dry_begin(host);
+	struct ts_table table = { 0 };
+	struct ts_variable *variable;
+	enum ts_status status = ts_variable_require(host, name, where, &variable);
+	double number;
+
+	if (status == TS_OK && shape == TS_PERATOM && variable->style->peratom)
+		status = ts_variable_peratom(host, variable, where, &table);
+	else if (status == TS_OK && shape == TS_VECTOR)
+		status = ts_variable_vector(host, variable, where, &table);
+	else if (status == TS_OK && !variable->style->vector)
+		status = ts_variable_number(host, variable, where, &number);
+	ts_table_release(&table);
+	return ts_dry_end(host, before, status, true);
+}
+
+/* Does one of the commands define what is missing? */
+static bool comes_later(const struct ts_error *error, struct ts_words commands)
+{
+	bool found = strncmp(error->missing, "variable ", strlen("variable ")) == 0;
+
+	for (size_t k = 0; k < commands.n && found; k++)
+		if (strstr(commands.word[k].text, error->missing))
+			return true;
+	return false;
+}
+
+static enum ts_status host_reads_commands(void *host, struct ts_words commands)
+{
+	struct ts_script *script = host;
+	struct ts_line line = { 0 };
+	enum ts_status status = TS_OK;
+
+	for (size_t k = 0; k < commands.n && status == TS_OK; k++) {
+		const struct ts_word *word = &commands.word[k];
+		struct ts_dry before = ts_dry_begin(script);
+		struct ts_str text = { 0 };
+
+		status = ts_substitute_text(script, word->text, &word->place, &text);
+		ts_str_release(&text);
+		if (status != TS_OK && comes_later(&script->sim->error, commands)) {
+			ts_error_clear(&script->sim->error);
+			status = TS_OK;
+		}
+		status = ts_dry_end(script, before, status, true);
+		if (status == TS_OK && ts_line_set(&line, word->text, strlen(word->text), &word->place) != TS_OK)
+			status = ts_nomem(&script->sim->error);
+		if (status == TS_OK)
+			status = ts_check_unreached(script, &line, "");
+	}
+	ts_line_release(&line);
+	return status;
+}
+
 static enum ts_status host_set(void *host, const char *name, const struct ts_place *where,
 			       double value)
 {
@@ -89,6 +146,7 @@ static enum ts_status host_set(void *host, const char *name, const struct ts_pla
 			       "variable '%s' is of style %s; one of style internal is needed here",
 			       name, variable->style->name);
 	variable->number = value;
+	script->reading++; /* what was read with the number of before is of no use */
 	return TS_OK;
 }
 
@@ -101,6 +159,7 @@ static void host_suggest_variable(void *host, struct ts_suggest *suggest)
 {
 	const struct ts_script *script = host;
 
+	ts_variables_pack(host);
 	for (size_t k = 0; k < script->variables.n; k++)
 		ts_suggest_try(suggest, script->variables.item[k]->name);
 }
@@ -110,6 +169,7 @@ static enum ts_status host_list_variables(void *host, struct ts_str *out)
 {
 	struct ts_script *script = host;
 
+	ts_variables_pack(script);
 	for (size_t k = 0; k < script->variables.n; k++) {
 		struct ts_variable *v = script->variables.item[k];
 
@@ -160,6 +220,8 @@ static const struct ts_host host_table = {
 	.is_peratom = host_is_peratom,
 	.is_vector = host_is_vector,
 	.set = host_set,
+	.reads = host_reads,
+	.reads_commands = host_reads_commands,
 	.archive = host_archive,
 	.list_variables = host_list_variables,
 	.suggest_variable = host_suggest_variable,
@@ -455,24 +517,24 @@ enum ts_status ts_script_define(struct ts_script *script, const char *name, cons
 					{ .text = style },
 					{ .text = value } };
 	struct ts_variable *old = ts_variable_find(script, name);
-	const char *kept = old ? old->name : NULL;
 	enum ts_status status;
 
 	if (old && old->busy)
 		return ts_fail(&script->sim->error, TS_STATE, NULL,
 			       "variable '%s' cannot change while it is evaluated", name);
-	if (old)
-		old->name = ""; /* hidden until the new one is there */
+	if (old) /* hidden until the new one is there */
+		ts_map_remove(&script->variables.by_name, old->name);
 	status = ts_sim_command(script->sim, (struct ts_words){ word, value ? 4 : 3 });
 	if (old && status == TS_OK)
 		ts_variable_delete(script, old);
-	else if (old)
-		old->name = kept;
+	else if (old && ts_map_set(&script->variables.by_name, old->name, old) != TS_OK)
+		return ts_nomem(&script->sim->error);
 	return status;
 }
 
-const char *ts_script_variable(const struct ts_script *script, size_t k)
+const char *ts_script_variable(struct ts_script *script, size_t k)
 {
+	ts_variables_pack(script);
 	return k < script->variables.n ? script->variables.item[k]->name : NULL;
 }
 

@@ -28,7 +28,7 @@ enum ts_status ts_script_set(struct ts_script *script, const char *name, const c
 enum ts_status ts_script_define(struct ts_script *script, const char *name, const char *style,
 				const char *value);
 /* Name of the k-th variable; NULL: there are no more. */
-const char *ts_script_variable(const struct ts_script *script, size_t k);
+const char *ts_script_variable(struct ts_script *script, size_t k);
 /* A number by an expression: "v_x", "2*PI", "c_ke", "step" ... */
 enum ts_status ts_script_value(struct ts_script *script, const char *expression, double *out);
 

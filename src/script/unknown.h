@@ -10,7 +10,7 @@
 
 static inline bool ts_unknown(const struct tsim *sim, double value)
 {
-	return sim->explain && isnan(value);
+	return (sim->explain || sim->dry) && isnan(value);
 }
 
 /* Whether the value of that name, which is read now, is one. */

@@ -155,6 +155,7 @@ void ts_script_warn_unused(struct ts_script *script)
 	struct search s = { .script = script };
 
 	s.last = &s.first;
+	ts_variables_pack(script);
 	for (size_t k = 0; k < script->variables.n; k++) {
 		const struct ts_variable *variable = script->variables.item[k];
 

@@ -14,10 +14,7 @@ const struct ts_variable_style *const ts_variable_styles[] = { TS_VARIABLE_STYLE
 
 struct ts_variable *ts_variable_find(const struct ts_script *script, const char *name)
 {
-	for (size_t k = 0; k < script->variables.n; k++)
-		if (ts_streq(script->variables.item[k]->name, name))
-			return script->variables.item[k];
-	return NULL;
+	return ts_map_get(&script->variables.by_name, name);
 }
 
 enum ts_status ts_variable_require(struct ts_script *script, const char *name,
@@ -30,6 +27,7 @@ enum ts_status ts_variable_require(struct ts_script *script, const char *name,
 		(*out)->used = true;
 		return TS_OK;
 	}
+	ts_variables_pack(script);
 	for (size_t k = 0; k < script->variables.n; k++)
 		ts_suggest_try(&suggest, script->variables.item[k]->name);
 	return ts_missing(&script->sim->error, "variable", name, where, "unknown variable '%s'%s", name,
@@ -47,22 +45,37 @@ static void release(struct ts_variable *variable)
 void ts_variable_delete(struct ts_script *script, struct ts_variable *variable)
 {
 	struct ts_variables *all = &script->variables;
-	size_t k = 0;
 
-	while (k < all->n && all->item[k] != variable)
-		k++;
-	if (k == all->n)
-		return;
+	all->item[variable->place] = NULL;
+	if (ts_variable_find(script, variable->name) == variable) /* not replaced */
+		ts_map_remove(&all->by_name, variable->name);
 	release(variable);
-	all->n--;
-	for (; k < all->n; k++)
-		all->item[k] = all->item[k + 1];
+	if (++all->deleted > all->n / 2)
+		ts_variables_pack(script);
+}
+
+void ts_variables_pack(struct ts_script *script)
+{
+	struct ts_variables *all = &script->variables;
+	size_t n = 0;
+
+	for (size_t k = 0; k < all->n && all->deleted; k++) {
+		if (!all->item[k])
+			continue;
+		all->item[k]->place = n;
+		all->item[n++] = all->item[k];
+	}
+	if (all->deleted)
+		all->n = n;
+	all->deleted = 0;
 }
 
 void ts_variables_release(struct ts_script *script)
 {
+	ts_variables_pack(script);
 	for (size_t k = 0; k < script->variables.n; k++)
 		release(script->variables.item[k]);
+	ts_map_release(&script->variables.by_name);
 	ts_free(script->variables.item);
 	script->variables = (struct ts_variables){ 0 };
 }
@@ -143,14 +156,17 @@ enum ts_status ts_variable_define(struct ts_script *script, const struct ts_word
 	made->where = name->place;
 	made->name = ts_arena_strdup(&made->arena, name->text);
 	status = made->name ? read_values(script, made, values) : ts_nomem(error);
+	if (status == TS_OK && ts_map_set(&all->by_name, made->name, made) != TS_OK)
+		status = ts_nomem(error);
 	if (status != TS_OK) {
 		release(made);
 		return status;
 	}
 	made->used = old && old->used;
+	made->place = all->n;
+	all->item[all->n++] = made;
 	if (old)
 		ts_variable_delete(script, old);
-	all->item[all->n++] = made;
 	return TS_OK;
 }
 

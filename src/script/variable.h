@@ -6,6 +6,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "base/map.h"
 #include "base/words.h"
 #include "core/archive.h"
 #include "core/value.h"
@@ -78,7 +79,9 @@ struct ts_variable {
 	struct ts_words values; /* as written */
 	int64_t at, last;	/* index: which value; loop: the number itself */
 	int pad;		/* loop: digits */
-	double number;		/* internal, once, timer */
+	double number;		/* internal, once, timer; of a formula: as it was read last */
+	uint64_t reading;	/* of the script, when that was */
+	size_t place;		/* among all */
 	struct ts_variable_feed *feed;
 	struct ts_arena arena;
 	struct ts_place where;
@@ -89,9 +92,11 @@ struct ts_variable {
 	bool in_run; /* a run has taken values from its file */
 };
 
+/* In the order in which they were defined, and by name. */
 struct ts_variables {
-	struct ts_variable **item;
-	size_t n, capacity;
+	struct ts_variable **item; /* NULL: deleted since the last ts_variables_pack */
+	size_t n, capacity, deleted;
+	struct ts_map by_name;
 };
 
 struct ts_variable *ts_variable_find(const struct ts_script *script, const char *name);
@@ -102,6 +107,8 @@ enum ts_status ts_variable_require(struct ts_script *script, const char *name,
 enum ts_status ts_variable_define(struct ts_script *script, const struct ts_word *name,
 				  const struct ts_variable_style *style, struct ts_words values);
 void ts_variable_delete(struct ts_script *script, struct ts_variable *variable);
+/* From now on until one is deleted item[0..n-1] are those that exist. */
+void ts_variables_pack(struct ts_script *script);
 void ts_variables_release(struct ts_script *script);
 
 enum ts_status ts_variable_text(struct ts_script *script, struct ts_variable *variable,

@@ -7,9 +7,17 @@ static enum ts_status equal_number(struct ts_script *script, struct ts_variable 
 				   const struct ts_place *where, double *out)
 {
 	const struct ts_word *formula = &variable->values.word[0];
+	uint64_t drawn = script->drawn;
 
 	(void)where;
-	return ts_expr_scalar(script, formula->text, &formula->place, out);
+	if (script->formula_depth && variable->reading == script->reading) {
+		*out = variable->number;
+		return TS_OK;
+	}
+	TS_TRY(ts_expr_scalar(script, formula->text, &formula->place, out));
+	variable->number = *out;
+	variable->reading = drawn == script->drawn ? script->reading : 0;
+	return TS_OK;
 }
 
 static enum ts_status equal_text(struct ts_script *script, struct ts_variable *variable,
@@ -57,12 +65,40 @@ static enum ts_status vector_text(struct ts_script *script, struct ts_variable *
 	return status;
 }
 
+/* What is there already must be of the right shape; what is not may come later. */
+static enum ts_status read_formula(struct ts_script *script, struct ts_variable *variable,
+				   enum ts_status (*read)(struct ts_script *script, const char *text,
+							  const struct ts_place *place, struct ts_table *out))
+{
+	const struct ts_word *formula = &variable->values.word[0];
+	struct ts_dry before = ts_dry_begin(script);
+	struct ts_table table = { 0 };
+	enum ts_status status;
+	double number;
+
+	status = read ? read(script, formula->text, &formula->place, &table)
+		      : ts_expr_scalar(script, formula->text, &formula->place, &number);
+	ts_table_release(&table);
+	return ts_dry_end(script, before, status, false);
+}
+
+static enum ts_status define_equal(struct ts_script *script, struct ts_variable *variable)
+{
+	return read_formula(script, variable, NULL);
+}
+
+static enum ts_status define_vector(struct ts_script *script, struct ts_variable *variable)
+{
+	return read_formula(script, variable, ts_expr_vector);
+}
+
 const struct ts_variable_style ts_var_equal = {
 	.name = "equal",
 	.values = "formula",
 	.help = "a formula with one value",
 	.least = 1,
 	.most = 1,
+	.define = define_equal,
 	.text = equal_text,
 	.number = equal_number,
 	.peratom = formula_peratom,
@@ -83,6 +119,7 @@ const struct ts_variable_style ts_var_vector = {
 	.help = "a formula whose value is a list of numbers, such as f_trace or [1,2.5,4]",
 	.least = 1,
 	.most = 1,
+	.define = define_vector,
 	.text = vector_text,
 	.vector = formula_vector,
 };

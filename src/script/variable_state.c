@@ -39,6 +39,7 @@ static enum ts_status write_states(struct ts_script *script, struct ts_archive *
 	double number;
 	enum ts_status status;
 
+	ts_variables_pack(script);
 	for (size_t k = 0; k < script->variables.n; k++)
 		if (is_kept(script->variables.item[k], &number))
 			ts_str_addf(&names, "%s ", script->variables.item[k]->name);

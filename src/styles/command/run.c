@@ -93,17 +93,23 @@ static enum ts_status run_once(struct tsim *sim, int64_t steps, const struct run
 static enum ts_status run_pieces(struct tsim *sim, int64_t last, const struct run *r)
 {
 	const struct ts_word *word = r->pieces.word;
-	int64_t every;
+	int64_t every, left = last - sim->clock.step;
 
 	if (!ts_parse_int(word[0].text, &every) || every < 1)
 		return ts_fail(&sim->error, TS_SYNTAX, &word[0].place,
 			       "run: every is '%s', expected a number of steps > 0", word[0].text);
-	if (sim->check) /* the commands once */
+	if (sim->explain) /* the commands once */
 		every = last - sim->clock.step;
-	while (sim->clock.step < last && !sim->halted) {
-		int64_t left = last - sim->clock.step;
-
+	else
+		TS_TRY(sim->host->reads_commands(sim->host_data, ts_words_from(r->pieces, 1)));
+	while (left > 0 && !sim->halted) {
+		if (!ts_sim_has_box(sim))
+			return ts_fail(&sim->error, TS_STATE, &word[0].place,
+				       "run: a command of `every` has removed the box, and the run cannot go on "
+				       "for %" PRId64 " steps more; `clear` has its place behind the run",
+				       left);
 		TS_TRY(run_once(sim, left < every ? left : every, r));
+		left -= every; /* a command may count the steps anew */
 		for (size_t k = 1; k < r->pieces.n; k++)
 			if (!ts_streq(word[k].text, "NULL"))
 				TS_TRY(sim->host->execute(sim->host_data, word[k].text,
@@ -177,7 +183,8 @@ const struct ts_command_style ts_command_run = {
 			  "only if something they depend on has changed since the last step, so that a "
 			  "run cut into several is the same, bit for bit.\n\n"
 			  "`every M \"command\" ...` interrupts the run every M steps to execute the "
-			  "commands; variables in them are substituted each time.\n\n"
+			  "commands; variables in them are substituted each time. Before the first step they are "
+			  "read: that commands, styles, arguments and variables exist.\n\n"
 			  "What changes over a run counts from its first to its last step. With `start` and "
 			  "`stop` several runs, or one that goes on from a restart file, count as one.\n\n"
 			  "A step beyond a limit of stability is refused. While the run goes on limits are looked at "
