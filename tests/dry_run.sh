@@ -231,6 +231,8 @@ variable k equal \$(vcm(all,x))/v_n+f_ave*c_1+x[3]+v_m
 variable k2 equal (v_k>1||1)*(v_k&&0)
 if "\${n} > 100" then "print many" else "print 'few \${s} \$k'"
 if "\${k2} == 1" then "print 'not unknown'"
+variable word string at_\${top}
+if "\${word} == at_1" then "print 'any'" else "print 'branch'"
 variable turn equal 0
 label loop
 run 100
@@ -255,13 +257,14 @@ clear
 read_restart post.restart
 END
 errors 'idioms of LIGGGHTS' <<'END'
-34:21: cannot open 'made.txt'
+36:21: cannot open 'made.txt'
 END
 sed '/made.txt/d' idioms.in >idioms.run
 "$TSIM" -check -in idioms.run >out 2>err
 report 'idioms that -check accepts' $? err
-says 'idioms' "  idioms.run:17        run 100 steps in each turn of lines 16-22, of 1e-05 from step 1$each"
-says 'idioms' '  idioms.run:32        run a number of steps that only a run can tell, each of 1e-05 from step 261 or later; hangs on dz, which only a run can give'
+says 'idioms' "  idioms.run:19        run 100 steps in each turn of lines 18-24, of 1e-05 from step 1$each"
+says 'idioms' '  idioms.run:16        if: any branch; hangs on bound, which only a run can give'
+says 'idioms' '  idioms.run:34        run a number of steps that only a run can tell, each of 1e-05 from step 261 or later; hangs on dz, which only a run can give'
 "$TSIM" -in idioms.run -log none >out 2>err
 report 'they run' $? err
 "$TSIM" -explain -in idioms.run -log none >out 2>err

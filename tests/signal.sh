@@ -85,4 +85,23 @@ printf 'label a\njump SELF a\n' >in.loop
 timeout -s TERM 0.3 "$TSIM" -in in.loop -log none >out 2>err
 grep -q 'stopped on request' err
 report 'a loop of the script without a run' $? err
+
+# soon WHAT MESSAGE: the script on standard input would take for ever, and ends when it is told to
+soon() {
+	cat >in.long
+	timeout -k 20 -s INT 0.5 "$TSIM" -in in.long -log none >out 2>err
+	[ $? = 124 ] && grep -q "$2" err
+	report "$1" $? err
+}
+soon 'a placement that cannot end' 'stopped on request: .* placed, none is made' <<'END'
+units si
+region b block 0 1 0 1 0 1 units box
+create_box 1 b
+create_atoms 1 random 1000000000 17 b overlap 0.4 maxtry 1000000000
+END
+{
+	echo 'variable a0 equal random(0,1,17)'
+	for k in $(seq 63); do echo "variable a$k equal v_a$((k - 1))+v_a$((k - 1))"; done
+	echo 'print "$(v_a63)"'
+} | soon 'a formula that takes for ever' 'stopped on request in a formula'
 finish

@@ -121,6 +121,7 @@ static enum ts_status read_quoted(struct ts_expr *e, struct ts_operand *out)
 		return ts_expr_fail(e, TS_SYNTAX, e->at, e->at + 1, "this quote is never closed");
 	out->word = ts_expr_copy(e, e->at + 1, end - 1);
 	out->is_word = true;
+	out->scalar = out->word && ts_unknown_in(e->script, out->word) ? NAN : 0;
 	e->at = end;
 	return out->word ? TS_OK : TS_NOMEM;
 }

@@ -359,7 +359,7 @@ static enum ts_status bare_word(struct ts_expr *e, const char *name, struct ts_o
 	}
 	out->word = name;
 	out->is_word = !constant;
-	out->scalar = constant ? constant->value : 0;
+	out->scalar = constant ? constant->value : ts_unknown_in(e->script, name) ? NAN : 0;
 	return TS_OK;
 }
 

@@ -126,4 +126,6 @@ rejects 'region r wedge axis z radius 1 bounds 0 1 angle0 0 angle 10' 'c1 is mis
 rejects 'region r mesh/tet file a.vtk scale 1' 'cannot open'
 rejects 'region r plane 0 0 0 0 0 1
 print "$(volume(r))"' 'is not known'
+rejects "region r0 sphere 0 0 0 1
+$(for k in $(seq 59); do echo "region r$k union 2 r$((k - 1)) r$((k - 1))"; done)" 'is made of 2.1e+06 regions'
 finish

@@ -2,7 +2,9 @@
 #include "core/sim.h"
 
 #include <math.h>
+#include <stdio.h>
 
+#include "base/clock.h"
 #include "geom/pointhash.h"
 #include "math/rng.h"
 #include "particles/domain.h"
@@ -13,6 +15,7 @@
 #include "base/banned.h"
 
 enum { BOX, REGION, SINGLE, RANDOM, MESH };
+enum { LOOK = 1024 }; /* tries until a request to stop is heard */
 
 struct state {
 	int64_t type;
@@ -80,7 +83,7 @@ static enum ts_status place_one(struct tsim *sim, const struct state *s, struct 
 
 	ts_sites_limits(sim, s->region, lo, hi);
 	*placed = false;
-	for (int64_t try = 0; try < s->most_tries; try++) {
+	for (int64_t try = 0; try < s->most_tries && !(sim->stop && try % LOOK == 0); try++) {
 		for (int d = 0; d < 3; d++)
 			x[d] = lo[d] + (hi[d] - lo[d]) * ts_rng_uniform(&rng);
 		if (sim->dimension == 2)
@@ -97,12 +100,25 @@ static enum ts_status place_one(struct tsim *sim, const struct state *s, struct 
 	return TS_OK;
 }
 
+static void tell_progress(struct tsim *sim, int64_t done, int64_t placed, int64_t count, double *next)
+{
+	char text[128];
+
+	if (!sim->log.progress || ts_clock() < *next)
+		return;
+	*next = ts_clock() + 0.2;
+	snprintf(text, sizeof text, "create_atoms: %lld of %lld tried, %lld placed", (long long)done, (long long)count,
+		 (long long)placed);
+	ts_log_progress(&sim->log, text);
+}
+
 static enum ts_status at_random(struct tsim *sim, const struct state *s, struct ts_sites *to,
 				const struct ts_place *where)
 {
 	struct ts_pointhash hash = { 0 };
 	enum ts_status status = TS_OK;
 	int64_t missing = 0;
+	double next = ts_clock() + 1;
 
 	if (s->distance > 0) {
 		status = ts_pointhash_start(&hash, s->distance) == TS_OK ? add_existing(sim, &hash)
@@ -114,7 +130,13 @@ static enum ts_status at_random(struct tsim *sim, const struct state *s, struct 
 		status = place_one(sim, s, &hash, ts_rng_start((uint64_t)s->seed, (uint64_t)k), to,
 				   &placed);
 		missing += !placed;
+		tell_progress(sim, k + 1, k + 1 - missing, s->count, &next);
+		if (status == TS_OK && sim->stop && k + 1 < s->count)
+			status = ts_fail(&sim->error, TS_STOPPED, where,
+					 "stopped on request: %lld of %lld particles had been placed, none is made",
+					 (long long)(k + 1 - missing), (long long)s->count);
 	}
+	ts_log_progress(&sim->log, "");
 	ts_pointhash_release(&hash);
 	if (status == TS_OK && missing)
 		ts_warn(&sim->log, where,

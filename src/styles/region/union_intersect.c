@@ -10,14 +10,24 @@ struct state {
 	int64_t n;
 	struct ts_words names;
 	struct ts_instance **member;
+	double parts; /* plain regions in it, each as often as it is asked about a point */
 };
 
-extern const struct ts_region_style ts_region_intersect;
+static const double MOST_PARTS = 2e6;
+
+extern const struct ts_region_style ts_region_union, ts_region_intersect;
 
 /* An intersection has the points that are in all of its members, a union those in any. */
 static bool wants_all(const struct ts_instance *self)
 {
 	return self->style == &ts_region_intersect.style;
+}
+
+static double parts_of(const struct ts_instance *region)
+{
+	bool made_of_others = region->style == &ts_region_union.style || wants_all(region);
+
+	return made_of_others ? ((const struct state *)region->state)->parts : 1;
 }
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -33,11 +43,18 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	if (!s->member)
 		return ts_nomem(&sim->error);
 	TS_TRY(ts_region_init(self, sim));
+	s->parts = 0;
 	for (size_t k = 0; k < s->names.n; k++) {
 		TS_TRY(ts_sim_require(sim, TS_KIND_REGION, &s->names.word[k], &s->member[k]));
+		s->parts += parts_of(s->member[k]);
 		s->region.varies |= ts_region_varies(s->member[k]);
 		s->region.reshapes |= ts_region_reshapes(s->member[k]);
 	}
+	if (s->parts > MOST_PARTS)
+		return ts_fail(&sim->error, TS_RANGE, &self->where,
+			       "region %s: with its members and theirs it is made of %.3g regions, of which each point "
+			       "is asked; at most %g are allowed: name each region once",
+			       self->style->name, s->parts, MOST_PARTS);
 	return TS_OK;
 }
 
@@ -156,7 +173,7 @@ const struct ts_region_style ts_region_union = {
 		.kind = TS_KIND_REGION,
 		.summary = "All points of any of several regions",
 		.doc = "A point belongs to it if it belongs to at least one of the n regions; the side of each\n"
-		       "counts.",
+		       "counts. With the members of members, each counted as often as it is named, at most 2e6 regions.",
 		.example = "region both union 2 left right",
 		.args = args,
 		.state_size = sizeof(struct state),
