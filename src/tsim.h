@@ -7,6 +7,8 @@
  *
  * Errors. Functions of type int return 0 on success, else a code of enum tsim_status; the
  * simulation then holds the message and its place. The first error stays until tsim_error_clear.
+ * NULL, where nothing else is said about it, is refused with TSIM_RANGE; with sim = NULL other functions
+ * give 0 or NULL. An array of no elements may be NULL.
  * Memory. Arrays belong to the caller. Texts and tables that are returned belong to the simulation;
  * how long they last is said at each. Structures that may grow begin with their size, which the
  * caller sets: TSIM_INIT does it.

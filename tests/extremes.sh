@@ -142,4 +142,20 @@ says 'an expression too deep' '.' "print \$($(printf '(%.0s' {1..100000})1)"
 says 'a line of a megabyte' '.' "bogus $(head -c 1000000 /dev/zero | tr '\0' x)"
 says 'a thermo interval of 0' '.' "$ready
 thermo -1"
+
+# memory: told before it is taken; where it ends, at which line
+many='create_atoms 1 random 1000000000 12345 box'
+printf '%s\n' "$box" "$many" >in.script
+timeout 10 "$TSIM" -in in.script -log none >out 2>err </dev/null
+[ $? = 1 ] && grep -qF "in.script:5:1: error: create_atoms: out of memory: 1000000000 particles take " err
+report "more particles than memory" $? err
+timeout 10 "$TSIM" -check -in in.script -log none >out 2>&1 </dev/null
+[ $? = 1 ] && grep -qF 'create_atoms: out of memory: 1000000000 particles take ' out
+report "more particles than memory, -check" $? out
+if ! nm "$TSIM" 2>/dev/null | grep -q __asan_init; then
+	printf '%s\n' "$box" 'lattice sc 0.0025' 'create_atoms 1 box' >in.script
+	(ulimit -v 600000 && exec timeout 60 "$TSIM" -in in.script -log none) >out 2>err </dev/null
+	[ $? = 1 ] && grep -q 'in.script:6:.*out of memory' err
+	report "out of memory names the line" $? err
+fi
 finish

@@ -172,6 +172,7 @@ unit_tests = \
 	tests/check_law_stages \
 	tests/check_leaving \
 	tests/check_library \
+	tests/check_library_null \
 	tests/check_library_steps \
 	tests/check_math \
 	tests/check_mesh \
@@ -312,6 +313,10 @@ tests_check_leaving_LDADD = $(tests_ldadd)
 tests_check_library_SOURCES = tests/check_library.c $(tests_common)
 tests_check_library_CFLAGS = $(tests_cflags)
 tests_check_library_LDADD = $(tests_ldadd)
+
+tests_check_library_null_SOURCES = tests/check_library_null.c $(tests_common)
+tests_check_library_null_CFLAGS = $(tests_cflags)
+tests_check_library_null_LDADD = $(tests_ldadd)
 
 tests_check_library_steps_SOURCES = tests/check_library_steps.c $(tests_common)
 tests_check_library_steps_CFLAGS = $(tests_cflags)

@@ -12,12 +12,12 @@ SAME(I32);
 
 size_t tsim_count(struct tsim *sim)
 {
-	return sim->particles->n;
+	return sim ? sim->particles->n : 0;
 }
 
 uint64_t tsim_generation(struct tsim *sim)
 {
-	return sim->generation;
+	return sim ? sim->generation : 0;
 }
 
 const char *tsim_quantity_name(size_t k)
@@ -113,6 +113,10 @@ static enum ts_status put(struct tsim *sim, const char *name, const int32_t *row
 
 int tsim_column_read(struct tsim *sim, const char *name, double *out, size_t n)
 {
+	TS_LIBRARY_NEEDS(sim, sim);
+	TS_LIBRARY_NEEDS(sim, name);
+	TS_LIBRARY_NEEDS_ARRAY(sim, out, n);
+
 	enum ts_status status = check_count(sim, n);
 
 	if (status == TS_OK)
@@ -122,6 +126,10 @@ int tsim_column_read(struct tsim *sim, const char *name, double *out, size_t n)
 
 int tsim_column_write(struct tsim *sim, const char *name, const double *in, size_t n)
 {
+	TS_LIBRARY_NEEDS(sim, sim);
+	TS_LIBRARY_NEEDS(sim, name);
+	TS_LIBRARY_NEEDS_ARRAY(sim, in, n);
+
 	enum ts_status status = check_count(sim, n);
 
 	if (status == TS_OK)
@@ -131,6 +139,10 @@ int tsim_column_write(struct tsim *sim, const char *name, const double *in, size
 
 int tsim_gather(struct tsim *sim, const char *name, const int32_t *id, double *out, size_t n)
 {
+	TS_LIBRARY_NEEDS(sim, sim);
+	TS_LIBRARY_NEEDS(sim, name);
+	TS_LIBRARY_NEEDS_ARRAY(sim, out, n);
+
 	int32_t *rows = NULL;
 	enum ts_status status = ts_library_rows(sim, id, n, &rows);
 
@@ -142,6 +154,10 @@ int tsim_gather(struct tsim *sim, const char *name, const int32_t *id, double *o
 
 int tsim_scatter(struct tsim *sim, const char *name, const int32_t *id, const double *in, size_t n)
 {
+	TS_LIBRARY_NEEDS(sim, sim);
+	TS_LIBRARY_NEEDS(sim, name);
+	TS_LIBRARY_NEEDS_ARRAY(sim, in, n);
+
 	int32_t *rows = NULL;
 	enum ts_status status = ts_library_rows(sim, id, n, &rows);
 
@@ -153,6 +169,7 @@ int tsim_scatter(struct tsim *sim, const char *name, const int32_t *id, const do
 
 int tsim_hold(struct tsim *sim, void *data)
 {
+	TS_LIBRARY_NEEDS(sim, sim);
 	if (!data)
 		return TSIM_OK;
 	return ts_library_settle(sim, ts_hold(&sim->holds, data));
@@ -160,15 +177,15 @@ int tsim_hold(struct tsim *sim, void *data)
 
 void tsim_release(struct tsim *sim, const void *data)
 {
-	if (data)
+	if (sim && data)
 		ts_hold_release(&sim->holds, data);
 }
 
 const char *tsim_column_name(struct tsim *sim, size_t k)
 {
-	const struct ts_particles *p = sim->particles;
+	const struct ts_particles *p = sim ? sim->particles : NULL;
 
-	for (size_t c = 0; c < p->ncolumns; c++)
+	for (size_t c = 0; p && c < p->ncolumns; c++)
 		if (p->column[c].active && k-- == 0)
 			return p->column[c].name;
 	return NULL;
@@ -212,6 +229,10 @@ static bool is_writable(const struct tsim *sim, const struct ts_column *c)
 
 int tsim_column_view(struct tsim *sim, const char *name, struct tsim_view *out)
 {
+	TS_LIBRARY_NEEDS(sim, sim);
+	TS_LIBRARY_NEEDS(sim, name);
+	TS_LIBRARY_NEEDS(sim, out);
+
 	const struct ts_column *c = find_column(sim->particles, name);
 	struct ts_stepping *stepping = &sim->library->stepping;
 	struct tsim_view full;

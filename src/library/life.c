@@ -68,10 +68,13 @@ int tsim_open_with(const struct tsim_options *options, struct tsim **out)
 	struct tsim_options o = { 0 };
 	enum ts_status status;
 
-	memcpy(&o, options, options->size < sizeof o ? options->size : sizeof o);
+	if (!out)
+		return TSIM_RANGE;
 	*out = tsim_open();
 	if (!*out)
 		return TSIM_NOMEM;
+	TS_LIBRARY_NEEDS(*out, options);
+	memcpy(&o, options, options->size < sizeof o ? options->size : sizeof o);
 	if (o.threads < 0 || o.threads > 1024)
 		return (int)ts_fail(&(*out)->error, TS_RANGE, NULL,
 				    "%d threads asked for, possible are 1 to 1024", o.threads);
@@ -97,6 +100,13 @@ int ts_library_settle(struct tsim *sim, enum ts_status status)
 	if (status != TS_OK && sim->error.status == TS_OK)
 		ts_fail(&sim->error, status, NULL, "%s", ts_status_text(status));
 	return (int)status;
+}
+
+int ts_library_null(struct tsim *sim, const char *function, const char *argument)
+{
+	if (sim)
+		ts_fail(&sim->error, TS_RANGE, NULL, "%s: the argument %s is NULL", function, argument);
+	return TSIM_RANGE;
 }
 
 enum ts_status ts_library_idle(struct tsim *sim, const char *what)
@@ -150,7 +160,8 @@ const char *tsim_error(struct tsim *sim)
 
 void tsim_error_where(struct tsim *sim, struct tsim_error_place *out)
 {
-	const struct ts_error *error = &sim->error;
+	const struct ts_error none = { .status = TS_NOMEM, .message = "out of memory" };
+	const struct ts_error *error = sim ? &sim->error : &none;
 	const struct ts_place *place = &error->place;
 	const struct tsim_error_place full = {
 		.status = (int)error->status,
@@ -162,11 +173,14 @@ void tsim_error_where(struct tsim *sim, struct tsim_error_place *out)
 		.text = place->text ? place->text : "",
 	};
 
-	ts_library_give(out, &full, sizeof full);
+	if (out)
+		ts_library_give(out, &full, sizeof full);
 }
 
 void tsim_error_clear(struct tsim *sim)
 {
+	if (!sim)
+		return;
 	ts_error_clear(&sim->error);
 	sim->stop = 0;
 }
@@ -178,11 +192,13 @@ const char *tsim_status_text(int status)
 
 void tsim_screen(struct tsim *sim, FILE *stream)
 {
-	sim->log.screen = stream;
+	if (sim)
+		sim->log.screen = stream;
 }
 
 int tsim_log(struct tsim *sim, const char *path)
 {
+	TS_LIBRARY_NEEDS(sim, sim);
 	return (int)ts_log_open(&sim->log, &sim->error, NULL, path, false);
 }
 
@@ -195,6 +211,8 @@ static void pass_on(void *data, enum ts_log_level level, const char *text)
 
 void tsim_on_log(struct tsim *sim, tsim_log_fn *fn, void *data)
 {
+	if (!sim)
+		return;
 	sim->library->on_log = fn;
 	sim->library->on_log_data = data;
 	sim->log.sink = fn ? pass_on : NULL;

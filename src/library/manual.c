@@ -14,7 +14,7 @@ const char *tsim_kind(size_t k)
 
 static bool find_kind(const char *name, enum ts_kind *out)
 {
-	return ts_kind_find(name, out) && *out != TS_KIND_SYSTEM;
+	return name && ts_kind_find(name, out) && *out != TS_KIND_SYSTEM;
 }
 
 const char *tsim_style(const char *kind, size_t k, const char **summary)
@@ -35,10 +35,15 @@ const char *tsim_style(const char *kind, size_t k, const char **summary)
 
 static const struct ts_style *find(const char *kind, const char *style, struct ts_str *why)
 {
-	struct ts_suggest suggest = ts_suggest_start(kind);
+	struct ts_suggest suggest;
 	const struct ts_style *found;
 	enum ts_kind number;
 
+	if (!kind || !style) {
+		ts_str_addf(why, "the argument %s is NULL", kind ? "style" : "kind");
+		return NULL;
+	}
+	suggest = ts_suggest_start(kind);
 	if (!find_kind(kind, &number)) {
 		for (size_t k = 0; tsim_kind(k); k++)
 			ts_suggest_try(&suggest, tsim_kind(k));
@@ -65,8 +70,10 @@ int tsim_help(const char *kind, const char *style, int markdown, char *out, size
 	if (found)
 		ts_help_page(found, markdown, &text);
 	bad = text.failed;
-	ts_library_copy(ts_str_text(&text), out, room, length);
+	ts_library_copy(ts_str_text(&text), out, out ? room : 0, length);
 	ts_str_release(&text);
+	if (room && !out)
+		return TSIM_RANGE;
 	if (bad)
 		return TSIM_NOMEM;
 	return found ? TSIM_OK : TSIM_UNKNOWN;
@@ -120,6 +127,8 @@ int tsim_argument(const char *kind, const char *style, size_t k, struct tsim_arg
 	ts_str_release(&ignored);
 	if (!row)
 		return TSIM_UNKNOWN;
+	if (!out)
+		return TSIM_RANGE;
 	full = (struct tsim_argument){
 		.name = row->name,
 		.help = row->help ? row->help : "",

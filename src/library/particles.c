@@ -102,6 +102,9 @@ static enum ts_status create(struct tsim *sim, const struct tsim_particles *from
 
 int tsim_create(struct tsim *sim, const struct tsim_particles *particles, int32_t *id)
 {
+	TS_LIBRARY_NEEDS(sim, sim);
+	TS_LIBRARY_NEEDS(sim, particles);
+
 	struct tsim_particles full = { 0 };
 
 	memcpy(&full, particles, particles->size < sizeof full ? particles->size : sizeof full);
@@ -124,11 +127,12 @@ static enum ts_status delete_rows(struct tsim *sim, const int32_t *row, size_t n
 
 int tsim_delete(struct tsim *sim, const int32_t *id, size_t n)
 {
+	TS_LIBRARY_NEEDS(sim, sim);
+	TS_LIBRARY_NEEDS_ARRAY(sim, id, n);
+
 	int32_t *rows = NULL;
 	enum ts_status status = ts_library_idle(sim, "tsim_delete");
 
-	if (status == TS_OK && n && !id)
-		status = ts_fail(&sim->error, TS_RANGE, NULL, "tsim_delete needs identities");
 	if (status == TS_OK && n)
 		status = ts_library_rows(sim, id, n, &rows);
 	if (status == TS_OK)
@@ -148,12 +152,15 @@ static enum ts_status require_group(struct tsim *sim, const char *name, int *bit
 
 int tsim_group_bit(struct tsim *sim, const char *name, int *bit)
 {
+	TS_LIBRARY_NEEDS(sim, sim);
+	TS_LIBRARY_NEEDS(sim, name);
+	TS_LIBRARY_NEEDS(sim, bit);
 	return ts_library_settle(sim, require_group(sim, name, bit));
 }
 
 const char *tsim_group_name(struct tsim *sim, int bit)
 {
-	return bit >= 0 && bit < TS_MAX_GROUPS ? ts_group_name(sim, bit) : NULL;
+	return sim && bit >= 0 && bit < TS_MAX_GROUPS ? ts_group_name(sim, bit) : NULL;
 }
 
 static enum ts_status check_members(struct tsim *sim, size_t n)
@@ -166,6 +173,10 @@ static enum ts_status check_members(struct tsim *sim, size_t n)
 
 int tsim_group_get(struct tsim *sim, const char *name, unsigned char *member, size_t n)
 {
+	TS_LIBRARY_NEEDS(sim, sim);
+	TS_LIBRARY_NEEDS(sim, name);
+	TS_LIBRARY_NEEDS_ARRAY(sim, member, n);
+
 	int bit;
 	enum ts_status status = require_group(sim, name, &bit);
 
@@ -195,5 +206,8 @@ static enum ts_status set_group(struct tsim *sim, const char *name, const unsign
 
 int tsim_group_set(struct tsim *sim, const char *name, const unsigned char *member, size_t n)
 {
+	TS_LIBRARY_NEEDS(sim, sim);
+	TS_LIBRARY_NEEDS(sim, name);
+	TS_LIBRARY_NEEDS_ARRAY(sim, member, n);
 	return ts_library_settle(sim, set_group(sim, name, member, n));
 }

@@ -17,16 +17,24 @@ static enum ts_status between_runs(struct tsim *sim, const char *what)
 
 int tsim_line(struct tsim *sim, const char *line)
 {
+	TS_LIBRARY_NEEDS(sim, sim);
+	TS_LIBRARY_NEEDS(sim, line);
 	return tsim_text(sim, line, "line");
 }
 
 int tsim_string(struct tsim *sim, const char *text)
 {
+	TS_LIBRARY_NEEDS(sim, sim);
+	TS_LIBRARY_NEEDS(sim, text);
 	return tsim_text(sim, text, "string");
 }
 
 int tsim_text(struct tsim *sim, const char *text, const char *name)
 {
+	TS_LIBRARY_NEEDS(sim, sim);
+	TS_LIBRARY_NEEDS(sim, text);
+	TS_LIBRARY_NEEDS(sim, name);
+
 	enum ts_status status = between_runs(sim, "a script line");
 
 	if (status == TS_OK)
@@ -36,6 +44,9 @@ int tsim_text(struct tsim *sim, const char *text, const char *name)
 
 int tsim_file(struct tsim *sim, const char *path)
 {
+	TS_LIBRARY_NEEDS(sim, sim);
+	TS_LIBRARY_NEEDS(sim, path);
+
 	enum ts_status status = between_runs(sim, "a script");
 
 	if (status == TS_OK)
@@ -45,6 +56,10 @@ int tsim_file(struct tsim *sim, const char *path)
 
 int tsim_stream(struct tsim *sim, FILE *stream, const char *name)
 {
+	TS_LIBRARY_NEEDS(sim, sim);
+	TS_LIBRARY_NEEDS(sim, stream);
+	TS_LIBRARY_NEEDS(sim, name);
+
 	enum ts_status status = between_runs(sim, "a script");
 
 	if (status == TS_OK)
@@ -54,6 +69,10 @@ int tsim_stream(struct tsim *sim, FILE *stream, const char *name)
 
 int tsim_check_report(struct tsim *sim, int *errors, char *out, size_t room, size_t *length)
 {
+	TS_LIBRARY_NEEDS(sim, sim);
+	TS_LIBRARY_NEEDS(sim, errors);
+	TS_LIBRARY_NEEDS_ARRAY(sim, out, room);
+
 	struct ts_str text = { 0 }, report = { 0 };
 	enum ts_status status;
 
@@ -77,16 +96,19 @@ int tsim_has_quit(struct tsim *sim, int *status)
 {
 	int ignored;
 
-	return ts_script_quit(sim->host_data, status ? status : &ignored);
+	return sim ? ts_script_quit(sim->host_data, status ? status : &ignored) : 0;
 }
 
 void tsim_stop(struct tsim *sim)
 {
-	sim->stop = 1;
+	if (sim)
+		sim->stop = 1;
 }
 
 int tsim_step(struct tsim *sim, int64_t n)
 {
+	TS_LIBRARY_NEEDS(sim, sim);
+
 	enum ts_status status = ts_library_idle(sim, "tsim_step");
 
 	if (status == TS_OK && !ts_sim_has_box(sim))
@@ -205,6 +227,9 @@ static enum ts_status remove_call(struct tsim *sim, enum tsim_stage stage,
 
 int tsim_on_step(struct tsim *sim, enum tsim_stage stage, tsim_step_fn *fn, void *data)
 {
+	TS_LIBRARY_NEEDS(sim, sim);
+	TS_LIBRARY_NEEDS(sim, fn);
+
 	enum ts_status status = check_stage(sim, stage);
 
 	if (status == TS_OK)
@@ -215,6 +240,9 @@ int tsim_on_step(struct tsim *sim, enum tsim_stage stage, tsim_step_fn *fn, void
 
 int tsim_off_step(struct tsim *sim, enum tsim_stage stage, tsim_step_fn *fn, void *data)
 {
+	TS_LIBRARY_NEEDS(sim, sim);
+	TS_LIBRARY_NEEDS(sim, fn);
+
 	enum ts_status status = check_stage(sim, stage);
 
 	if (status == TS_OK)

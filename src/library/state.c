@@ -13,9 +13,15 @@ void tsim_box(struct tsim *sim, struct tsim_box *out)
 				       [TS_FACE_FIXED] = 'f',
 				       [TS_FACE_SHRINK] = 's',
 				       [TS_FACE_MINIMUM] = 'm' };
-	const struct ts_box *box = &sim->domain->box;
-	struct tsim_box full = { .exists = ts_sim_has_box(sim), .dimension = sim->dimension };
+	const struct ts_box *box = sim ? &sim->domain->box : NULL;
+	struct tsim_box full = { 0 };
 
+	if (!sim || !out) {
+		ts_library_null(sim, __func__, "out");
+		return;
+	}
+	full.exists = ts_sim_has_box(sim);
+	full.dimension = sim->dimension;
 	for (int d = 0; d < 3; d++) {
 		full.lo[d] = box->lo[d];
 		full.hi[d] = box->hi[d];
@@ -29,11 +35,11 @@ void tsim_box(struct tsim *sim, struct tsim_box *out)
 void tsim_clock(struct tsim *sim, int64_t *step, double *time, double *dt)
 {
 	if (step)
-		*step = sim->clock.step;
+		*step = sim ? sim->clock.step : 0;
 	if (time)
-		*time = ts_sim_time(sim);
+		*time = sim ? ts_sim_time(sim) : 0;
 	if (dt)
-		*dt = sim->clock.dt;
+		*dt = sim ? sim->clock.dt : 0;
 }
 
 typedef double setting_fn(const struct tsim *sim);
@@ -144,6 +150,10 @@ const char *tsim_setting_name(size_t k, const char **help)
 
 int tsim_setting(struct tsim *sim, const char *name, double *out)
 {
+	TS_LIBRARY_NEEDS(sim, sim);
+	TS_LIBRARY_NEEDS(sim, name);
+	TS_LIBRARY_NEEDS(sim, out);
+
 	struct ts_suggest suggest = ts_suggest_start(name);
 
 	for (int k = 0; k < NSETTINGS; k++) {
@@ -162,7 +172,7 @@ const char *tsim_live(struct tsim *sim, const char *kind, size_t k, const char *
 	const struct ts_instances *list;
 	enum ts_kind number;
 
-	if (!ts_kind_find(kind, &number) || number == TS_KIND_SYSTEM)
+	if (!sim || !kind || !ts_kind_find(kind, &number) || number == TS_KIND_SYSTEM)
 		return NULL;
 	list = &sim->instances[number];
 	if (k >= list->n)

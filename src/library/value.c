@@ -17,6 +17,9 @@ _Static_assert((int)TSIM_PER_PARTICLE == (int)TS_PERATOM, "shapes agree");
 
 int tsim_value(struct tsim *sim, const char *formula, double *out)
 {
+	TS_LIBRARY_NEEDS(sim, sim);
+	TS_LIBRARY_NEEDS(sim, formula);
+	TS_LIBRARY_NEEDS(sim, out);
 	return ts_library_settle(sim, ts_script_value(sim->host_data, formula, out));
 }
 
@@ -70,6 +73,10 @@ static enum ts_status evaluate(struct tsim *sim, const char *name, enum tsim_sha
 
 int tsim_evaluate(struct tsim *sim, const char *name, enum tsim_shape shape, struct tsim_table *out)
 {
+	TS_LIBRARY_NEEDS(sim, sim);
+	TS_LIBRARY_NEEDS(sim, name);
+	TS_LIBRARY_NEEDS(sim, out);
+
 	struct ts_table *table = &sim->library->table;
 	enum ts_status status = evaluate(sim, name, shape, table);
 	const struct tsim_table full = { 0, table->data, table->rows, table->columns };
@@ -82,6 +89,10 @@ int tsim_evaluate(struct tsim *sim, const char *name, enum tsim_shape shape, str
 int tsim_read(struct tsim *sim, const char *name, enum tsim_shape shape, double *out, size_t rows,
 	      size_t columns)
 {
+	TS_LIBRARY_NEEDS(sim, sim);
+	TS_LIBRARY_NEEDS(sim, name);
+	TS_LIBRARY_NEEDS_ARRAY(sim, out, rows && columns);
+
 	struct ts_table *table = &sim->library->table;
 	enum ts_status status = evaluate(sim, name, shape, table);
 
@@ -97,6 +108,11 @@ int tsim_read(struct tsim *sim, const char *name, enum tsim_shape shape, double 
 int tsim_extent(struct tsim *sim, const char *name, enum tsim_shape shape, size_t *rows,
 		size_t *columns)
 {
+	TS_LIBRARY_NEEDS(sim, sim);
+	TS_LIBRARY_NEEDS(sim, name);
+	TS_LIBRARY_NEEDS(sim, rows);
+	TS_LIBRARY_NEEDS(sim, columns);
+
 	struct ts_table *table = &sim->library->table;
 	enum ts_status status = evaluate(sim, name, shape, table);
 
@@ -107,6 +123,10 @@ int tsim_extent(struct tsim *sim, const char *name, enum tsim_shape shape, size_
 
 int tsim_output(struct tsim *sim, const char *name, size_t k, struct tsim_output *out)
 {
+	TS_LIBRARY_NEEDS(sim, sim);
+	TS_LIBRARY_NEEDS(sim, name);
+	TS_LIBRARY_NEEDS(sim, out);
+
 	struct ts_ref ref;
 	enum ts_status status = ts_ref_resolve(sim, name, NULL, &ref);
 	const struct ts_value *value;
@@ -137,6 +157,10 @@ static enum ts_status before_change(struct tsim *sim)
 
 int tsim_variable(struct tsim *sim, const char *name, const char *value)
 {
+	TS_LIBRARY_NEEDS(sim, sim);
+	TS_LIBRARY_NEEDS(sim, name);
+	TS_LIBRARY_NEEDS(sim, value);
+
 	enum ts_status status = before_change(sim);
 
 	if (status == TS_OK)
@@ -153,11 +177,18 @@ static enum ts_status define(struct tsim *sim, const char *name, const char *sty
 
 int tsim_variable_set(struct tsim *sim, const char *name, const char *style, const char *value)
 {
+	TS_LIBRARY_NEEDS(sim, sim);
+	TS_LIBRARY_NEEDS(sim, name);
+	TS_LIBRARY_NEEDS(sim, style);
+	TS_LIBRARY_NEEDS(sim, value);
 	return ts_library_settle(sim, define(sim, name, style, value));
 }
 
 int tsim_variable_number(struct tsim *sim, const char *name, double value)
 {
+	TS_LIBRARY_NEEDS(sim, sim);
+	TS_LIBRARY_NEEDS(sim, name);
+
 	char text[32];
 
 	if (!isfinite(value))
@@ -170,6 +201,10 @@ int tsim_variable_number(struct tsim *sim, const char *name, double value)
 
 int tsim_variable_text(struct tsim *sim, const char *name, char *out, size_t room, size_t *length)
 {
+	TS_LIBRARY_NEEDS(sim, sim);
+	TS_LIBRARY_NEEDS(sim, name);
+	TS_LIBRARY_NEEDS_ARRAY(sim, out, room);
+
 	struct ts_str wanted = { 0 }, text = { 0 };
 	enum ts_status status;
 
@@ -188,5 +223,5 @@ int tsim_variable_text(struct tsim *sim, const char *name, char *out, size_t roo
 
 const char *tsim_variable_name(struct tsim *sim, size_t k)
 {
-	return ts_script_variable(sim->host_data, k);
+	return sim ? ts_script_variable(sim->host_data, k) : NULL;
 }

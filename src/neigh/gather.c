@@ -89,6 +89,8 @@ enum ts_status ts_gather_index(const struct tsim *sim, struct ts_gather *g,
 	t.entry = g->entry;
 	for (size_t i = 0; i < n + 2; i++)
 		g->first[i] = 0;
+	if (!pairs->n)
+		return TS_OK;
 	ts_parallel(threads, n, count_share, &t);
 	t.longest = begin_lists(g->first, n);
 	ts_parallel(threads, n, list_share, &t);

@@ -150,7 +150,7 @@ static enum ts_status archive_numbers(struct ts_archive *a, struct ts_ledger *l)
 	return ts_archive_fixed(a, "newest", TS_SAVED_I32, &l->newest, 1);
 }
 
-static enum ts_status archive_actor(struct ts_archive *a, struct ts_ledger *l, size_t k)
+static enum ts_status archive_actor(struct ts_archive *a, struct tsim *sim, struct ts_ledger *l, size_t k)
 {
 	struct ts_ledger_actor *actor = &l->actor[k];
 	double number[10] = { actor->work.sum,	   actor->work.lost,  actor->work.turnover,
@@ -166,6 +166,8 @@ static enum ts_status archive_actor(struct ts_archive *a, struct ts_ledger *l, s
 	actor->work = (struct ts_running){ number[0], number[1], number[2] };
 	actor->own = (struct ts_running){ number[3], number[4], number[5] };
 	actor->heat = (struct ts_running){ number[6], number[7], number[8] };
+	if (!(number[9] >= 0 && number[9] <= INT32_MAX))
+		return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible books of an energy ledger");
 	actor->pushes = (int)number[9];
 	return TS_OK;
 }
@@ -187,6 +189,6 @@ enum ts_status ts_ledger_archive(struct ts_instance *self, struct tsim *sim, str
 		l->nactors = (size_t)n;
 	}
 	for (size_t k = 0; k < l->nactors; k++)
-		TS_TRY(archive_actor(a, l, k));
+		TS_TRY(archive_actor(a, sim, l, k));
 	return ts_ledger_archive_columns(sim, l, a);
 }

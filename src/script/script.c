@@ -279,7 +279,9 @@ enum ts_status ts_script_run_words(struct ts_script *script, struct ts_words wor
 	script->current = words;
 	status = ts_sim_command(script->sim, words);
 	script->current = outer;
-	if (status != TS_OK && status != TS_NOMEM && !error->place.line) {
+	if (status == TS_NOMEM) /* who only passes it on may have left no message */
+		ts_nomem(error);
+	if (status != TS_OK && !error->place.line) {
 		error->place = words.word[0].place;
 		error->place.column = error->place.length = 0;
 	}

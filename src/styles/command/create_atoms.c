@@ -3,6 +3,8 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include "base/clock.h"
 #include "geom/pointhash.h"
@@ -300,6 +302,47 @@ static enum ts_status on_lattice(struct tsim *sim, const struct state *s, struct
 
 /* ---- particles */
 
+/* Numbers of a particle in all columns that there are. */
+static double bytes_of_one(const struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+	double bytes = 0;
+
+	for (size_t k = 0; k < p->ncolumns; k++)
+		if (p->column[k].active)
+			bytes += (double)(p->column[k].width * p->column[k].element);
+	return bytes;
+}
+
+/* The memory of this machine, or what the process may take of it. */
+static double memory_there_is(void)
+{
+	double all = (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
+	struct rlimit limit;
+
+	if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+		all = fmin(all, (double)limit.rlim_cur);
+	return all;
+}
+
+/* Says what n particles take before it is taken, and refuses what there is not: the system grants more than it has, and
+ * ends the process when it is used. */
+static enum ts_status weigh(struct tsim *sim, const struct state *s, double n, const struct ts_place *where)
+{
+	static const double MUCH = 1e9;
+	double hash = s->mode == RANDOM && s->distance > 0 ? 4 * sizeof(double) + 2 * sizeof(int32_t) : 0;
+	double bytes = n * (bytes_of_one(sim) + sizeof(struct ts_site) + hash), there = memory_there_is();
+
+	if (bytes > there && there > 0)
+		return ts_fail(&sim->error, TS_NOMEM, where,
+			       "create_atoms: out of memory: %.10g particles take %.3g GB, and there are %.3g GB; create "
+			       "fewer",
+			       n, bytes / 1e9, there / 1e9);
+	if (bytes > MUCH)
+		ts_log(&sim->log, "create_atoms: %.10g particles take %.3g GB\n", n, bytes / 1e9);
+	return TS_OK;
+}
+
 static enum ts_status make(struct tsim *sim, const struct ts_sites *from)
 {
 	struct ts_particles *p = sim->particles;
@@ -342,6 +385,13 @@ static enum ts_status refuse(struct tsim *sim, const struct state *s, const stru
 	return TS_OK;
 }
 
+static enum ts_status random_ones(struct tsim *sim, const struct state *s, struct ts_sites *to,
+				  const struct ts_place *where)
+{
+	TS_TRY(weigh(sim, s, (double)s->count, where));
+	return at_random(sim, s, to, where);
+}
+
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
 {
 	const struct state *s = state;
@@ -353,9 +403,11 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	if (s->mode == SINGLE)
 		status = single(sim, s, &to, where);
 	else if (s->mode == RANDOM)
-		status = at_random(sim, s, &to, where);
+		status = random_ones(sim, s, &to, where);
 	else
 		status = on_lattice(sim, s, &to, where);
+	if (status == TS_OK && s->mode != RANDOM)
+		status = weigh(sim, s, (double)to.n, where);
 	if (status == TS_OK)
 		status = make(sim, &to);
 	ts_sites_release(&to);
@@ -442,7 +494,9 @@ const struct ts_command_style ts_command_create_atoms = {
 		       "with internal-style variables xx and yy and `var v set x xx set y yy`.\n\n"
 		       "random draws the tries for its k-th particle from a random stream of its own, keyed by\n"
 		       "seed and k, and with overlap rejects positions that are too near to a particle. That\n"
-		       "fills space up to about a third.",
+		       "fills space up to about a third.\n\n"
+		       "More than 1 GB of memory for the particles is told before it is taken; more than the machine has, or\n"
+		       "the process may take, is refused.",
 		.example = "create_atoms 1 box\n"
 			   "create_atoms 1 region bed basis 2 3 ratio 0.5 7919\n"
 			   "create_atoms 1 single 0.5 0.5 0.9 units box\n"
