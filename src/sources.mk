@@ -187,6 +187,8 @@ library_sources = \
 	src/flow/transport.c \
 	src/flow/transport.h \
 	src/flow/watch.c \
+	src/flow/way_out.c \
+	src/flow/way_out.h \
 	src/flow/words.c \
 	src/geom/ball_corner.c \
 	src/geom/ball_corner.h \

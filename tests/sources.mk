@@ -60,6 +60,7 @@ shell_tests = \
 	tests/decks/energy_ledger.sh \
 	tests/decks/euler.sh \
 	tests/decks/fixes.sh \
+	tests/decks/flow_closed.sh \
 	tests/decks/flow_faults.sh \
 	tests/decks/flow_outputs.sh \
 	tests/decks/flow_pressure.sh \

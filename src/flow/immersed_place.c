@@ -67,19 +67,21 @@ static int cell_of(const struct ts_grid *grid, int d, double x)
 }
 
 /* Points near the part: two cells around its box; of an axis that is not periodic those between the
- * boundaries, where nothing is given. */
+ * boundaries, where nothing is given, and those on open faces. */
 static void ranges(struct search *s)
 {
 	const struct ts_grid *grid = s->grid;
 
 	for (int d = 0; d < 3; d++) {
-		int n = grid->n[d], first = d == s->component && !grid->periodic[d];
-		double lo = grid->face[d][0], hi = grid->face[d][n];
+		bool across = d == s->component && !grid->periodic[d];
+		int n = grid->n[d] + (across && ts_flow_open(s->fluid->face[d][TS_HIGH]));
+		int first = across && !ts_flow_open(s->fluid->face[d][TS_LOW]);
+		double lo = grid->face[d][0], hi = grid->face[d][grid->n[d]];
 		bool all = !(s->hi[d] - s->lo[d] < period(grid, d));
 
 		s->from[d] = first;
 		s->to[d] = n;
-		if (grid->periodic[d] && all)
+		if ((grid->periodic[d] && all) || d >= grid->dimensions)
 			continue;
 		if (grid->periodic[d] || (s->lo[d] > lo && s->lo[d] < hi))
 			s->from[d] = cell_of(grid, d, s->lo[d]) - 2;
@@ -141,6 +143,8 @@ static enum ts_status add_point(struct search *s, const int i[3], const double x
 	p->volume = 1;
 	for (int d = 0; d < 3; d++)
 		p->volume *= width(s, d, i[d]);
+	if (!s->grid->periodic[s->component] && (p->index == 0 || p->index == s->grid->n[s->component]))
+		p->volume *= 0.5; /* half of it is outside of the grid */
 	return TS_OK;
 }
 

@@ -80,6 +80,7 @@ struct ts_projection {
 	double history_dt;  /* how long that was; 0: there is none */
 	double *increment;  /* change of the pressure, where viscosity is implicit */
 	double theta;	    /* how far it is: 1/2 or 1 */
+	bool closed_varies; /* what is given where bodies close fluid off changes: it is looked at in each step */
 	bool told_walls;    /* that walls hold a fluid without viscosity */
 	bool filled;	    /* ghosts of u are those of the faces as they are */
 	double *rhs;

@@ -6,6 +6,7 @@
 
 #include "core/plan.h"
 #include "flow/immersed.h"
+#include "flow/way_out.h"
 #include "geom/mesh_distance.h"
 #include "math/exactsum.h"
 #include "math/vec3.h"
@@ -41,6 +42,9 @@ struct state {
 	struct ts_solid_stand stand; /* saved */
 	struct ts_immersed immersed;
 	bool placed, told;
+	bool stepped;	       /* it has been placed in a step of this run */
+	double seen_at, drift; /* when it was placed last; cells it has moved since fluid without a way out was sought */
+	size_t seen_inside;    /* points inside, then */
 	bool begun; /* a step of the fluid, in substeps */
 	struct record own; /* saved: of a region or a mesh */
 	const struct ts_mesh_surface *surface; /* of a mesh */
@@ -67,6 +71,7 @@ static double limit(const struct ts_instance *self, const struct ts_fluid *fluid
 static enum ts_status settle(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
 			     double length);
 static void load(const struct ts_instance *self, const struct ts_mesh_surface *mesh, double out[2][3]);
+static void block(const struct ts_instance *self, struct ts_way_out *search);
 
 /* ---- before a run */
 
@@ -140,11 +145,11 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	TS_TRY(ts_flow_require_fluid(sim, "fix immersed/boundary", &self->where, &fluid));
 	s->part = (struct ts_flow_part){ .force = force, .carry = carry, .limit = limit,
-					.settle = settle, .load = load };
+					.settle = settle, .load = load, .block = block };
 	TS_TRY(read_motion(self, sim));
 	ts_solid_free(s->solid);
 	s->solid = NULL;
-	s->placed = s->begun = false;
+	s->placed = s->begun = s->stepped = false;
 	if (s->body == REGION)
 		return make_region(self, sim, sim->dimension);
 	return (s->body == MESH ? make_mesh : make_spheres)(self, sim, sim->dimension);
@@ -200,6 +205,49 @@ static void tell(struct ts_instance *self, struct tsim *sim)
 	s->told = true;
 }
 
+/* A region that moves, and a mesh, have their velocity from a step. */
+static bool waits(const struct state *s)
+{
+	if (s->stepped || s->given.velocity || s->given.omega)
+		return false;
+	return s->body == REGION ? ((const struct ts_region *)s->region->state)->moves :
+				   s->surface && s->surface->v;
+}
+
+static void block(const struct ts_instance *self, struct ts_way_out *search)
+{
+	const struct state *s = self->state;
+
+	if (s->placed)
+		ts_way_out_body(search, self, &s->immersed, s->solid,
+				s->body == SPHERES ? TS_BODY_FREE : waits(s) ? TS_BODY_UNKNOWN : TS_BODY_DRIVEN);
+}
+
+/* Whether it closes off fluid that has to go somewhere. */
+static enum ts_status seek(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	s->drift = 0;
+	s->seen_inside = s->immersed.inside;
+	return ts_flow_way_out(sim);
+}
+
+/* The same when it has moved, or grown, so far that it may have reached something. */
+static enum ts_status seek_again(struct ts_instance *self, struct tsim *sim, double time)
+{
+	static const double FAR = 0.5, GROWN = 0.02;
+	struct state *s = self->state;
+	double grown = fabs((double)s->immersed.inside - (double)s->seen_inside);
+
+	s->drift += s->immersed.rate * fmax(0, time - s->seen_at);
+	s->seen_at = time;
+	if (!s->stepped) /* of the fluid, for the first time */
+		s->drift = 2 * FAR;
+	s->stepped = true;
+	return s->drift > FAR || grown > GROWN * (double)s->seen_inside ? seek(self, sim) : TS_OK;
+}
+
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 			   struct ts_plan_report *report)
 {
@@ -210,7 +258,9 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 		return TS_OK;
 	TS_TRY(ts_flow_require_fluid(sim, "fix immersed/boundary", &self->where, &fluid));
 	TS_TRY(place(self, sim, fluid));
+	s->seen_at = fluid->time;
 	tell(self, sim);
+	TS_TRY(seek(self, sim));
 	ts_report_line(report, "immersed body", "%s: %zu points of velocities inside, %zu beside the surface",
 		       self->id, s->immersed.inside, s->immersed.nbands);
 	return TS_OK;
@@ -223,9 +273,9 @@ static enum ts_status force(struct ts_instance *self, struct tsim *sim, struct t
 {
 	struct state *s = self->state;
 
-	(void)time;
 	if (!s->begun) {
 		TS_TRY(place(self, sim, fluid));
+		TS_TRY(seek_again(self, sim, time));
 		ts_immersed_begin(&s->immersed, s->solid->parts);
 	}
 	s->begun = true;
@@ -513,7 +563,13 @@ const struct ts_style ts_fix_immersed_boundary = {
 	       "0 before the first step. With `viscous implicit` velocities beside the body lag behind by an error of\n"
 	       "first order in the step: keep that near h^2/nu. Bodies of fewer than `min_cells` cells across, along the\n"
 	       "axis where they are fewest, are refused: with 4 the drag is wrong by 5 to 13 %, with 8 by 1 to 4 %; a clump is\n"
-	       "as thick as its largest sphere. A body nowhere thicker than two cells leaks, with a warning.",
+	       "as thick as its largest sphere. A body nowhere thicker than two cells leaks, with a warning.\n\n"
+	       "No pressure can bring fluid through a body. When a run begins, and as bodies move, cells are filled from the\n"
+	       "outlets (and inlets by pressure) through all faces of cells whose centre is in the fluid. A body that\n"
+	       "closes off a part into which faces of the grid bring more than they take is refused, with the place; so is\n"
+	       "a region or mesh that pushes or draws fluid there, in a part at least three cells wide. Parts into which\n"
+	       "nothing flows are legal. A body may stand on walls and outlets; on an inlet by velocity only where that\n"
+	       "is the velocity of the body.",
 	.example = "region rod cylinder z 0 0 0.5 INF INF units box\n"
 		   "fix rod all immersed/boundary region rod\n"
 		   "fix spin all immersed/boundary region rod omega 0 0 2.385\n"

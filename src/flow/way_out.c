@@ -1,0 +1,490 @@
+#include "flow/way_out.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "flow/projection.h"
+
+#include "base/banned.h"
+
+/* Of what a body pushes into a pocket, how much may be that of the steps by which the grid has its
+ * surface. */
+static const double STEPS = 0.1;
+
+/* Far above round-off. */
+static const double UNEVEN = 1e-9;
+
+/* A pocket narrower than this many cells is not resolved: a gap that closes, or a corner. */
+enum { WIDE = 3 };
+
+/* Labels of cells. */
+enum { UNSEEN = 0, FREE = 1, FIRST_POCKET = 2 };
+
+struct pocket {
+	double net, gross;   /* what comes in by the faces of the grid, per time; with sizes */
+	double pushed, push; /* the same of bodies */
+	int lo[3], hi[3];
+	int face; /* where most comes in: 2 d + side; -1: nowhere */
+	double most;
+	bool unknown;	 /* how a body beside it moves */
+	uint16_t body;	 /* from 1: one beside it; 0: there is none */
+	double place[3]; /* mean place of the faces where that body ends it */
+	size_t ends;
+};
+
+struct body {
+	const struct ts_instance *self;
+	const struct ts_immersed *ib;
+	const struct ts_solid *solid;
+	enum ts_body_motion motion;
+};
+
+struct ts_way_out {
+	struct ts_projection *p;
+	const struct ts_grid *grid;
+	uint16_t *owner[3]; /* of lower faces: the body that gives the velocity, from 1; 0: fluid */
+	int32_t *label;	    /* of cells */
+	size_t *stack, nstack;
+	struct body *body;
+	size_t nbodies, body_capacity;
+	struct pocket *pocket;
+	size_t npockets, pocket_capacity;
+	bool varies; /* what is given at a pocket, or under a body, changes with time */
+	enum ts_status status;
+};
+
+void ts_way_out_body(struct ts_way_out *s, const struct ts_instance *self,
+		     const struct ts_immersed *ib, const struct ts_solid *solid,
+		     enum ts_body_motion motion)
+{
+	if (s->status != TS_OK || s->nbodies == UINT16_MAX)
+		return;
+	s->status = TS_GROW(s->body, s->body_capacity, s->nbodies + 1);
+	if (s->status != TS_OK)
+		return;
+	s->body[s->nbodies++] = (struct body){ self, ib, solid, motion };
+	for (int c = 0; c < s->grid->dimensions; c++)
+		for (size_t k = ib->first[c]; k < ib->first[c + 1]; k++)
+			if (!ib->point[k].outside)
+				s->owner[c][ib->point[k].at] = (uint16_t)s->nbodies;
+}
+
+/* ---- cells and their faces */
+
+static void index_of(const struct ts_grid *grid, size_t at, int i[3])
+{
+	ptrdiff_t rest = (ptrdiff_t)(at - grid->origin);
+
+	i[2] = grid->dimensions == 3 ? (int)(rest / grid->stride[2]) : 0;
+	rest -= grid->dimensions == 3 ? i[2] * grid->stride[2] : 0;
+	i[1] = (int)(rest / grid->stride[1]);
+	i[0] = (int)(rest % grid->stride[1]);
+}
+
+/* One face of a cell: its place in the field of the component, and the cell across. */
+struct link {
+	size_t face, cell;
+	bool boundary; /* there is none across */
+};
+
+static struct link link_of(const struct ts_grid *grid, size_t at, const int i[3], int d, int side)
+{
+	const size_t s = (size_t)grid->stride[d], all = (size_t)grid->n[d] * s;
+	bool last = i[d] == (side ? grid->n[d] - 1 : 0);
+	struct link link = { side ? at + s : at, side ? at + s : at - s,
+			     last && !grid->periodic[d] };
+
+	if (last && grid->periodic[d]) {
+		link.face = side ? at + s - all : at;
+		link.cell = side ? at + s - all : at - s + all;
+	}
+	return link;
+}
+
+static double area_of(const struct ts_grid *grid, const int i[3], int d)
+{
+	double area = 1;
+
+	for (int a = 0; a < 3; a++)
+		area *= a == d ? 1 : grid->width[a][i[a]];
+	return area;
+}
+
+static bool is_open(const struct ts_way_out *s, int d, int side)
+{
+	return ts_flow_open(s->p->fluid.face[d][side]);
+}
+
+/* The velocity across the boundary that is given at the cell. */
+static double given_there(const struct ts_way_out *s, const int i[3], int d, int side)
+{
+	const struct ts_flow_given *now = &s->p->now[d][side];
+	int a = d == 0, b = d == 2 ? 1 : 2;
+
+	if (is_open(s, d, side) || s->p->fluid.face[d][side] == TS_FLOW_SLIP)
+		return 0;
+	return now->plane[d] ? now->plane[d][ts_flow_plane_at(s->grid, d, i[a], i[b])]
+			     : now->constant[d];
+}
+
+/* Whether that may be another one at the next step. */
+static bool varies_there(const struct ts_way_out *s, int d, int side)
+{
+	const struct ts_flow_condition *condition = &s->p->condition[d][side];
+
+	return !is_open(s, d, side) && condition->velocity[d].variable && !condition->once;
+}
+
+/* ---- filling */
+
+static void see(struct ts_way_out *s, size_t cell, int32_t label)
+{
+	if (s->label[cell] != UNSEEN)
+		return;
+	s->label[cell] = label;
+	s->stack[s->nstack++] = cell;
+}
+
+/* Through an open boundary, which no body covers. */
+static bool leads_out(const struct ts_way_out *s, size_t at, const int i[3])
+{
+	for (int d = 0; d < s->grid->dimensions; d++)
+		for (int side = 0; side < 2; side++) {
+			struct link link = link_of(s->grid, at, i, d, side);
+
+			if (link.boundary && is_open(s, d, side) && !s->owner[d][link.face])
+				return true;
+		}
+	return false;
+}
+
+static void note_end(struct ts_way_out *s, struct pocket *pocket, const int i[3], int d, int side,
+		     uint16_t body)
+{
+	double x[3];
+
+	for (int a = 0; a < 3; a++)
+		x[a] = a == d ? s->grid->face[a][i[a] + side] : s->grid->centre[a][i[a]];
+	pocket->unknown |= s->body[body - 1].motion == TS_BODY_UNKNOWN;
+	if (!pocket->body)
+		pocket->body = body;
+	if (pocket->body != body)
+		return;
+	pocket->ends++;
+	for (int a = 0; a < 3; a++)
+		pocket->place[a] += (x[a] - pocket->place[a]) / (double)pocket->ends;
+}
+
+static void note_boundary(struct ts_way_out *s, struct pocket *pocket, const int i[3], int d,
+			  int side)
+{
+	double flow = given_there(s, i, d, side) * area_of(s->grid, i, d) * (side ? -1 : 1);
+
+	s->varies |= varies_there(s, d, side);
+	pocket->net += flow;
+	pocket->gross += fabs(flow);
+	if (fabs(flow) > pocket->most) {
+		pocket->most = fabs(flow);
+		pocket->face = 2 * d + side;
+	}
+}
+
+/* All that hangs together with the cells on the stack; what is found of a pocket goes there. */
+static void fill(struct ts_way_out *s, int32_t label, struct pocket *pocket)
+{
+	while (s->nstack) {
+		size_t at = s->stack[--s->nstack];
+		int i[3];
+
+		index_of(s->grid, at, i);
+		for (int d = 0; d < s->grid->dimensions; d++) {
+			if (pocket) {
+				pocket->lo[d] = i[d] < pocket->lo[d] ? i[d] : pocket->lo[d];
+				pocket->hi[d] = i[d] > pocket->hi[d] ? i[d] : pocket->hi[d];
+			}
+			for (int side = 0; side < 2; side++) {
+				struct link link = link_of(s->grid, at, i, d, side);
+				uint16_t body = s->owner[d][link.face];
+
+				if (!link.boundary && !body)
+					see(s, link.cell, label);
+				if (pocket && body)
+					note_end(s, pocket, i, d, side, body);
+				if (pocket && link.boundary)
+					note_boundary(s, pocket, i, d, side);
+			}
+		}
+	}
+}
+
+#define EACH_CELL(grid, i)                                                                         \
+	for (i[2] = 0; i[2] < (grid)->n[2]; i[2]++)                                                \
+		for (i[1] = 0; i[1] < (grid)->n[1]; i[1]++)                                        \
+			for (i[0] = 0; i[0] < (grid)->n[0]; i[0]++)
+
+static void fill_free(struct ts_way_out *s)
+{
+	int i[3];
+
+	EACH_CELL(s->grid, i)
+	{
+		size_t at = ts_at(s->grid, i[0], i[1], i[2]);
+
+		if (s->label[at] != UNSEEN || !leads_out(s, at, i))
+			continue;
+		see(s, at, FREE);
+		fill(s, FREE, NULL);
+	}
+}
+
+static enum ts_status fill_pockets(struct ts_way_out *s)
+{
+	int i[3];
+
+	EACH_CELL(s->grid, i)
+	{
+		size_t at = ts_at(s->grid, i[0], i[1], i[2]);
+		struct pocket pocket = { .face = -1 };
+		int32_t label = FIRST_POCKET + (int32_t)s->npockets;
+
+		if (s->label[at] != UNSEEN)
+			continue;
+		memcpy(pocket.lo, i, sizeof pocket.lo);
+		memcpy(pocket.hi, i, sizeof pocket.hi);
+		see(s, at, label);
+		fill(s, label, &pocket);
+		if (memcmp(pocket.lo, pocket.hi, sizeof pocket.lo) == 0 && pocket.gross == 0) {
+			s->label[at] = FREE; /* within a body */
+			continue;
+		}
+		TS_TRY(TS_GROW(s->pocket, s->pocket_capacity, s->npockets + 1));
+		s->pocket[s->npockets++] = pocket;
+	}
+	return TS_OK;
+}
+
+/* ---- what bodies push */
+
+static void push(struct ts_way_out *s, int32_t label, double flow)
+{
+	struct pocket *pocket;
+
+	if (label < FIRST_POCKET)
+		return;
+	pocket = &s->pocket[label - FIRST_POCKET];
+	pocket->pushed += flow;
+	pocket->push += fabs(flow);
+}
+
+static void push_all(struct ts_way_out *s, const struct body *body)
+{
+	const struct ts_immersed *ib = body->ib;
+
+	for (int c = 0; c < s->grid->dimensions; c++)
+		for (size_t k = ib->first[c]; k < ib->first[c + 1]; k++) {
+			const struct ts_immersed_point *point = &ib->point[k];
+			struct link link;
+			double flow;
+			int i[3];
+
+			if (point->outside || point->target == 0)
+				continue;
+			index_of(s->grid, point->at, i);
+			if (i[c] >= s->grid->n[c])
+				continue; /* of an open face */
+			flow = point->target * area_of(s->grid, i, c);
+			link = link_of(s->grid, point->at, i, c, 0);
+			if (link.boundary || s->label[link.cell] == s->label[point->at])
+				continue;
+			push(s, s->label[point->at], flow);
+			push(s, s->label[link.cell], -flow);
+		}
+}
+
+/* ---- what is wrong */
+
+/* "fix dam (immersed/boundary region dam)" */
+static void name_of(const struct body *body, char *out, size_t size)
+{
+	const struct ts_instance *self = body->self;
+	size_t words = body->motion == TS_BODY_FREE ? 1 : 2; /* spheres have no name of their own */
+	int n = snprintf(out, size, "fix %s (%s", self->id, self->style->name);
+
+	for (size_t k = 0; k < words && k < self->words.n && n > 0 && (size_t)n < size; k++)
+		n += snprintf(out + n, size - (size_t)n, " %s", self->words.word[k].text);
+	if (n > 0 && (size_t)n < size)
+		snprintf(out + n, size - (size_t)n, ")");
+}
+
+static bool is_wide(const struct ts_way_out *s, const struct pocket *pocket)
+{
+	for (int d = 0; d < s->grid->dimensions; d++)
+		if (pocket->hi[d] - pocket->lo[d] + 1 < WIDE && s->grid->n[d] >= WIDE)
+			return false;
+	return true;
+}
+
+static enum ts_status judge(const struct ts_way_out *s, struct tsim *sim,
+			    const struct pocket *pocket)
+{
+	const struct ts_instance *self = pocket->body ? s->body[pocket->body - 1].self : NULL;
+	double net = pocket->net + pocket->pushed, gross = pocket->gross + pocket->push;
+	const double *x = pocket->place;
+	char name[256];
+
+	if (!self || pocket->unknown || fabs(net) <= (pocket->push > 0 ? STEPS : UNEVEN) * gross)
+		return TS_OK;
+	name_of(&s->body[pocket->body - 1], name, sizeof name);
+	if (pocket->gross > UNEVEN * gross)
+		return ts_fail(&sim->error, TS_PHYSICS, &self->where,
+			       "%s: the body closes off the fluid beside flow_boundary %c%s about "
+			       "(%.4g %.4g %.4g): through the faces of the grid it flows %s there "
+			       "at %g per time, and "
+			       "there is no way to an outlet; leave a gap of a cell or more, or "
+			       "make the velocities "
+			       "given there balance",
+			       name, "xyz"[pocket->face / 2], pocket -> face % 2 ? "hi" : "lo",
+			       x[0], x[1], x[2], pocket->net < 0 ? "out" : "in", fabs(pocket->net));
+	if (!is_wide(s, pocket))
+		return TS_OK;
+	return ts_fail(&sim->error, TS_PHYSICS, &self->where,
+		       "%s: the body %s fluid at %g per time that it closes off about (%.4g %.4g "
+		       "%.4g), and which has no way to an outlet; leave a gap of a cell or more, "
+		       "or give that part an "
+		       "outlet (flow_boundary)",
+		       name, net > 0 ? "pushes" : "draws", fabs(net), x[0], x[1], x[2]);
+}
+
+/* ---- bodies on inlets */
+
+static bool near_face(const struct ts_grid *grid, int d, int side, const double lo[3],
+		      const double hi[3])
+{
+	double x = grid->face[d][side ? grid->n[d] : 0];
+
+	return lo[d] <= x && x <= hi[d];
+}
+
+/* Whether one part of a body stands where the fluid comes in with another velocity than it has. */
+static enum ts_status look_at_inlet(struct ts_way_out *s, struct tsim *sim, const struct body *body,
+				    size_t part, int d, int side)
+{
+	const struct ts_grid *grid = s->grid;
+	const struct ts_solid *solid = body->solid;
+	int a = d == 0, b = d == 2 ? 1 : 2, i[3] = { 0 };
+	bool varies = varies_there(s, d, side);
+	double x[3], v[3];
+	char name[256];
+
+	x[d] = grid->face[d][side ? grid->n[d] : 0];
+	for (i[b] = 0; i[b] < grid->n[b]; i[b]++)
+		for (i[a] = 0; i[a] < grid->n[a]; i[a]++) {
+			double given = given_there(s, i, d, side);
+
+			x[a] = grid->centre[a][i[a]];
+			x[b] = grid->centre[b][i[b]];
+			if ((given == 0 && !varies) || !solid->kind->inside(solid, part, x))
+				continue;
+			s->varies |= varies;
+			ts_solid_velocity(&solid->motion[part], x, v);
+			if (given == 0 || body->motion == TS_BODY_UNKNOWN ||
+			    fabs(given - v[d]) <= UNEVEN * fabs(given))
+				continue;
+			name_of(body, name, sizeof name);
+			return ts_fail(&sim->error, TS_PHYSICS, &body->self->where,
+				       "%s: the body stands on flow_boundary %c%s, at (%.4g %.4g "
+				       "%.4g), where fluid is to cross the face with velocity %g "
+				       "and the body has "
+				       "%g: move it off, or give there the velocity of the body, "
+				       "by a formula with "
+				       "`set`",
+				       name, "xyz"[d], side ? "hi" : "lo", x[0], x[1], x[2], given,
+				       v[d]);
+		}
+	return TS_OK;
+}
+
+static enum ts_status look_at_inlets(struct ts_way_out *s, struct tsim *sim)
+{
+	for (size_t k = 0; k < s->nbodies; k++)
+		for (size_t part = 0; part < s->body[k].solid->parts; part++) {
+			const struct ts_solid *solid = s->body[k].solid;
+			double lo[3], hi[3];
+
+			solid->kind->bounds(solid, part, lo, hi);
+			for (int face = 0; face < 2 * s->grid->dimensions; face++)
+				if (!s->grid->periodic[face / 2] &&
+				    near_face(s->grid, face / 2, face % 2, lo, hi))
+					TS_TRY(look_at_inlet(s, sim, &s->body[k], part, face / 2,
+							     face % 2));
+		}
+	return TS_OK;
+}
+
+/* ---- all of it */
+
+static void mark_bodies(struct ts_way_out *s, struct tsim *sim)
+{
+	struct ts_instance *part;
+
+	for (size_t k = 0; (part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));) {
+		const struct ts_flow_part *flow_part = part->state;
+
+		if (flow_part->block)
+			flow_part->block(part, s);
+	}
+}
+
+static enum ts_status take_memory(struct ts_way_out *s)
+{
+	for (int d = 0; d < s->grid->dimensions; d++)
+		if (!(s->owner[d] = ts_alloc(s->grid->size, sizeof **s->owner)))
+			return TS_NOMEM;
+	s->label = ts_alloc(s->grid->size, sizeof *s->label);
+	s->stack = ts_alloc(ts_grid_cells(s->grid), sizeof *s->stack);
+	return s->label && s->stack ? TS_OK : TS_NOMEM;
+}
+
+static enum ts_status search(struct ts_way_out *s, struct tsim *sim)
+{
+	enum ts_status status = take_memory(s);
+
+	if (status == TS_OK)
+		mark_bodies(s, sim);
+	if (status != TS_OK || s->status != TS_OK)
+		return ts_nomem(&sim->error);
+	if (s->nbodies == 0)
+		return TS_OK;
+	TS_TRY(look_at_inlets(s, sim));
+	fill_free(s);
+	if (fill_pockets(s) != TS_OK)
+		return ts_nomem(&sim->error);
+	for (size_t k = 0; k < s->nbodies && s->npockets; k++)
+		if (s->body[k].motion == TS_BODY_DRIVEN)
+			push_all(s, &s->body[k]);
+	for (size_t k = 0; k < s->npockets; k++)
+		TS_TRY(judge(s, sim, &s->pocket[k]));
+	return TS_OK;
+}
+
+enum ts_status ts_flow_way_out(struct tsim *sim)
+{
+	struct ts_instance *flow = ts_sim_only(sim, TS_KIND_FLOW);
+	struct ts_way_out s = { 0 };
+	enum ts_status status;
+
+	if (!flow || !ts_streq(flow->style->family, TS_FAMILY_PROJECTION))
+		return TS_OK;
+	s.p = flow->state;
+	s.grid = &s.p->fluid.grid;
+	status = search(&s, sim);
+	s.p->closed_varies = s.varies;
+	for (int d = 0; d < 3; d++)
+		ts_free(s.owner[d]);
+	ts_free(s.label);
+	ts_free(s.stack);
+	ts_free(s.body);
+	ts_free(s.pocket);
+	return status;
+}
