@@ -19,7 +19,7 @@ static const double UNEVEN = 1e-9;
 enum { WIDE = 3 };
 
 /* Labels of cells. */
-enum { UNSEEN = 0, FREE = 1, FIRST_POCKET = 2 };
+enum { OUTSIDE = -1, UNSEEN = 0, FREE = 1, FIRST_POCKET = 2 };
 
 struct pocket {
 	double net, gross;   /* what comes in by the faces of the grid, per time; with sizes */
@@ -146,19 +146,6 @@ static void see(struct ts_way_out *s, size_t cell, int32_t label)
 	s->stack[s->nstack++] = cell;
 }
 
-/* Through an open boundary, which no body covers. */
-static bool leads_out(const struct ts_way_out *s, size_t at, const int i[3])
-{
-	for (int d = 0; d < s->grid->dimensions; d++)
-		for (int side = 0; side < 2; side++) {
-			struct link link = link_of(s->grid, at, i, d, side);
-
-			if (link.boundary && is_open(s, d, side) && !s->owner[d][link.face])
-				return true;
-		}
-	return false;
-}
-
 static void note_end(struct ts_way_out *s, struct pocket *pocket, const int i[3], int d, int side,
 		     uint16_t body)
 {
@@ -190,8 +177,8 @@ static void note_boundary(struct ts_way_out *s, struct pocket *pocket, const int
 	}
 }
 
-/* All that hangs together with the cells on the stack; what is found of a pocket goes there. */
-static void fill(struct ts_way_out *s, int32_t label, struct pocket *pocket)
+/* All that hangs together with the cell on the stack. */
+static void fill_pocket(struct ts_way_out *s, int32_t label, struct pocket *pocket)
 {
 	while (s->nstack) {
 		size_t at = s->stack[--s->nstack];
@@ -199,19 +186,17 @@ static void fill(struct ts_way_out *s, int32_t label, struct pocket *pocket)
 
 		index_of(s->grid, at, i);
 		for (int d = 0; d < s->grid->dimensions; d++) {
-			if (pocket) {
-				pocket->lo[d] = i[d] < pocket->lo[d] ? i[d] : pocket->lo[d];
-				pocket->hi[d] = i[d] > pocket->hi[d] ? i[d] : pocket->hi[d];
-			}
+			pocket->lo[d] = i[d] < pocket->lo[d] ? i[d] : pocket->lo[d];
+			pocket->hi[d] = i[d] > pocket->hi[d] ? i[d] : pocket->hi[d];
 			for (int side = 0; side < 2; side++) {
 				struct link link = link_of(s->grid, at, i, d, side);
 				uint16_t body = s->owner[d][link.face];
 
 				if (!link.boundary && !body)
 					see(s, link.cell, label);
-				if (pocket && body)
+				if (body)
 					note_end(s, pocket, i, d, side, body);
-				if (pocket && link.boundary)
+				if (link.boundary)
 					note_boundary(s, pocket, i, d, side);
 			}
 		}
@@ -223,19 +208,58 @@ static void fill(struct ts_way_out *s, int32_t label, struct pocket *pocket)
 		for (i[1] = 0; i[1] < (grid)->n[1]; i[1]++)                                        \
 			for (i[0] = 0; i[0] < (grid)->n[0]; i[0]++)
 
-static void fill_free(struct ts_way_out *s)
+/* The cell across a face, which no body holds, of a cell that is free. Most have one beside them in
+ * memory. */
+static inline void go_across(struct ts_way_out *s, size_t at, int d, int side)
 {
+	const size_t stride = (size_t)s->grid->stride[d];
+	size_t cell = side ? at + stride : at - stride, face = side ? cell : at;
+	struct link link;
 	int i[3];
 
-	EACH_CELL(s->grid, i)
-	{
-		size_t at = ts_at(s->grid, i[0], i[1], i[2]);
-
-		if (s->label[at] != UNSEEN || !leads_out(s, at, i))
-			continue;
-		see(s, at, FREE);
-		fill(s, FREE, NULL);
+	if (s->label[cell] == UNSEEN) {
+		if (!s->owner[d][face])
+			see(s, cell, FREE);
+		return;
 	}
+	if (s->label[cell] != OUTSIDE || !s->grid->periodic[d])
+		return;
+	index_of(s->grid, at, i);
+	link = link_of(s->grid, at, i, d, side);
+	if (!s->owner[d][link.face])
+		see(s, link.cell, FREE);
+}
+
+/* From the cells at an open face on. */
+static void fill_from(struct ts_way_out *s, int d, int side)
+{
+	const struct ts_grid *grid = s->grid;
+	int a = d == 0, b = d == 2 ? 1 : 2, i[3];
+
+	i[d] = side ? grid->n[d] - 1 : 0;
+	for (i[b] = 0; i[b] < grid->n[b]; i[b]++)
+		for (i[a] = 0; i[a] < grid->n[a]; i[a]++) {
+			size_t at = ts_at(grid, i[0], i[1], i[2]);
+
+			if (!s->owner[d][side ? at + (size_t)grid->stride[d] : at])
+				see(s, at, FREE);
+		}
+	while (s->nstack) {
+		size_t at = s->stack[--s->nstack];
+
+		for (int e = 0; e < grid->dimensions; e++) {
+			go_across(s, at, e, TS_LOW);
+			go_across(s, at, e, TS_HIGH);
+		}
+	}
+}
+
+static void fill_free(struct ts_way_out *s)
+{
+	for (int d = 0; d < s->grid->dimensions; d++)
+		for (int side = 0; side < 2; side++)
+			if (is_open(s, d, side))
+				fill_from(s, d, side);
 }
 
 static enum ts_status fill_pockets(struct ts_way_out *s)
@@ -253,7 +277,7 @@ static enum ts_status fill_pockets(struct ts_way_out *s)
 		memcpy(pocket.lo, i, sizeof pocket.lo);
 		memcpy(pocket.hi, i, sizeof pocket.hi);
 		see(s, at, label);
-		fill(s, label, &pocket);
+		fill_pocket(s, label, &pocket);
 		if (memcmp(pocket.lo, pocket.hi, sizeof pocket.lo) == 0 && pocket.gross == 0) {
 			s->label[at] = FREE; /* within a body */
 			continue;
@@ -446,6 +470,18 @@ static enum ts_status take_memory(struct ts_way_out *s)
 	return s->label && s->stack ? TS_OK : TS_NOMEM;
 }
 
+/* All that is not a cell of the grid. */
+static void mark_outside(struct ts_way_out *s)
+{
+	const struct ts_grid *grid = s->grid;
+
+	memset(s->label, 0xff, grid->size * sizeof *s->label); /* OUTSIDE, -1, in all bytes */
+	for (int k = 0; k < grid->n[2]; k++)
+		for (int j = 0; j < grid->n[1]; j++)
+			memset(s->label + ts_at(grid, 0, j, k), 0,
+			       (size_t)grid->n[0] * sizeof *s->label);
+}
+
 static enum ts_status search(struct ts_way_out *s, struct tsim *sim)
 {
 	enum ts_status status = take_memory(s);
@@ -457,6 +493,7 @@ static enum ts_status search(struct ts_way_out *s, struct tsim *sim)
 	if (s->nbodies == 0)
 		return TS_OK;
 	TS_TRY(look_at_inlets(s, sim));
+	mark_outside(s);
 	fill_free(s);
 	if (fill_pockets(s) != TS_OK)
 		return ts_nomem(&sim->error);
