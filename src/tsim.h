@@ -130,7 +130,7 @@ TSIM_API int tsim_step(struct tsim *sim, int64_t n);
 
 enum tsim_stage {
 	TSIM_BEFORE_FORCE, /* positions of the new step, velocities of the half step; f is 0 */
-	TSIM_AFTER_FORCE,  /* after all fixes; what is added to f acts in this step */
+	TSIM_AFTER_FORCE,  /* after all fixes but drags that relax velocities; what is added to f acts in this step */
 	TSIM_END_OF_STEP   /* velocities of the full step; before dumps and the table of the log */
 };
 enum { TSIM_STAGES = 3 };

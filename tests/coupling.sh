@@ -44,6 +44,27 @@ rejects "$still
 fix d all drag/koch_hill void 1.3" 'void'
 rejects "$solved
 fix e all void_fraction reach 0" 'reach'
+rejects "$still
+fix a all added_mass
+fix b all added_mass coefficient 0.1" 'fix a (line 10) gives particles of this group an added mass'
+rejects "$still
+create_atoms 1 single 0.5 0.5 0.505 units box
+set group all diameter 0.01 density 2385
+fix a all added_mass
+fix m all rigid single
+timestep 1e-3
+run 1" 'belongs to a rigid body'
+# what acts when all forces are known
+"$TSIM" -explain -in <(printf '%s\n' "$still
+fix a all added_mass
+fix d all drag/stokes scheme exact
+fix x all drag/stokes
+fix g all addforce 0 0 1
+fix m all nve
+timestep 1e-3
+run 1") -log none >out 2>&1
+grep -q 'POST_FORCE  *added_mass:a drag/stokes:d drag/stokes:x addforce:g then drag/stokes:d then added_mass:a$' out
+report 'the plan says who acts last' $? out
 
 # ---- without particles; where the fluid or the void fraction goes
 empty='units si
@@ -88,6 +109,13 @@ fix d all drag/stokes
 fix m all nve
 timestep 26.6
 run 1" 'is beyond the stability limit 26.5 of explicit fix drag/stokes, 2 tau'
+rejects "$still
+create_atoms 1 single 0.5 0.5 0.505 units box
+set group all diameter 0.01 density 2385
+fix d all drag/stokes scheme exact
+fix m all rigid single
+timestep 26.6
+run 1" 'limit 26.5 of fix drag/stokes on members of rigid bodies, whose drag is explicit, 2 tau'
 prints "$still
 fix d all drag/stokes
 fix m all nve

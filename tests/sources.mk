@@ -162,6 +162,7 @@ unit_tests = \
 	tests/check_coupling \
 	tests/check_crosscheck \
 	tests/check_drag \
+	tests/check_drag_order \
 	tests/check_energy \
 	tests/check_flow \
 	tests/check_flow_measures \
@@ -270,6 +271,10 @@ tests_check_crosscheck_LDADD = $(tests_ldadd)
 tests_check_drag_SOURCES = tests/check_drag.c $(tests_common)
 tests_check_drag_CFLAGS = $(tests_cflags)
 tests_check_drag_LDADD = $(tests_ldadd)
+
+tests_check_drag_order_SOURCES = tests/check_drag_order.c $(tests_common)
+tests_check_drag_order_CFLAGS = $(tests_cflags)
+tests_check_drag_order_LDADD = $(tests_ldadd)
 
 tests_check_energy_SOURCES = tests/check_energy.c $(tests_common)
 tests_check_energy_CFLAGS = $(tests_cflags)

@@ -34,11 +34,13 @@ uint64_t ts_plan_site(const struct ts_instance *inst, int stage)
 static enum ts_status add_action(struct ts_plan *plan, struct tsim *sim, struct ts_instance *inst,
 				 int stage, ts_hook_fn *hook)
 {
+	bool usual = hook == inst->style->hook[stage], watches = hook == inst->style->watch;
+
 	if (TS_GROW(plan->actions[stage], plan->capacity[stage], plan->n[stage] + 1) != TS_OK)
 		return ts_nomem(&sim->error);
 	plan->actions[stage][plan->n[stage]++] = (struct ts_action){
-		hook, inst, ts_plan_site(inst, stage), hook == inst->style->watch,
-		hook != inst->style->watch && inst->style->waits >> stage & 1u
+		hook, inst, ts_plan_site(inst, stage), watches,
+		usual && inst->style->waits >> stage & 1u, !usual && !watches
 	};
 	return TS_OK;
 }
@@ -48,6 +50,24 @@ static enum ts_status add_actions(struct ts_plan *plan, struct tsim *sim, struct
 	for (int stage = 0; stage < TS_NSTAGE; stage++) {
 		if (inst->style->hook[stage])
 			TS_TRY(add_action(plan, sim, inst, stage, inst->style->hook[stage]));
+	}
+	return TS_OK;
+}
+
+/* Who needs the forces of all others, the outside program's too. */
+static enum ts_status add_late(struct ts_plan *plan, struct tsim *sim, int when)
+{
+	for (int k = 0; k < NORDER; k++) {
+		const struct ts_instances *list = &sim->instances[kind_order[k]];
+
+		for (size_t i = 0; i < list->n; i++) {
+			struct ts_instance *inst = list->item[i];
+			ts_hook_fn *hook = inst->style->late[when];
+
+			if (!hook || (inst->style->is_late && !inst->style->is_late(inst)))
+				continue;
+			TS_TRY(add_action(plan, sim, inst, TS_STAGE_POST_FORCE, hook));
+		}
 	}
 	return TS_OK;
 }
@@ -118,6 +138,8 @@ enum ts_status ts_plan_compile(struct ts_plan *plan, struct tsim *sim)
 	}
 	if (sim->outside)
 		TS_TRY(add_actions(plan, sim, sim->outside));
+	for (int when = 0; when < TS_NLATE; when++)
+		TS_TRY(add_late(plan, sim, when));
 	return add_watchers(plan, sim);
 }
 

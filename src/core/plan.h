@@ -11,6 +11,7 @@ struct ts_action {
 	uint64_t site; /* for random numbers: ts_draws in core/sim.h */
 	bool watches;  /* what others do */
 	bool waits;    /* with what it does: see core/sweep.h */
+	bool late;     /* one of the late hooks of struct ts_style */
 };
 
 struct ts_plan {

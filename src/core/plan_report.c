@@ -154,7 +154,8 @@ static void print_stages(const struct ts_plan *plan, struct tsim *sim)
 
 			if (k && plan->actions[stage][k].watches) /* once a stage */
 				continue;
-			ts_log(&sim->log, " %s%s%s", inst->style->name,
+			ts_log(&sim->log, "%s%s%s%s",
+			       plan->actions[stage][k].late ? " then " : " ", inst->style->name,
 			       *inst->id && inst->style->kind != TS_KIND_SYSTEM ? ":" : "",
 			       inst->style->kind != TS_KIND_SYSTEM ? inst->id : "");
 		}

@@ -61,6 +61,10 @@ enum ts_stage { TS_STAGE_LIST(TS_STAGE_ENUM) TS_NSTAGE };
 #undef TS_STAGE_ENUM
 #define TS_WAITS(stage) (1u << TS_STAGE_##stage)
 
+/* The order among late hooks: forces that depend on all others, and last what depends on the acceleration. */
+enum ts_late { TS_LATE_RELAX, TS_LATE_INERTIA, TS_NLATE };
+
+struct ts_restraint;
 typedef enum ts_status ts_hook_fn(struct ts_instance *self, struct tsim *sim);
 
 /* Which motion of the particles of its group a fix steps forward. */
@@ -95,6 +99,12 @@ struct ts_style {
 	unsigned columns; /* particle columns it needs: bits of particles/particles.h */
 	ts_hook_fn *init;
 	ts_hook_fn *hook[TS_NSTAGE];
+	/* In POST_FORCE once more, after all hooks of it and functions of the outside program, in script order: what
+	 * they have added up to decides what these add. */
+	ts_hook_fn *late[TS_NLATE];
+	bool (*is_late)(const struct ts_instance *self); /* asked after init; NULL: always */
+	/* Fixes: which part of a force on a particle takes effect. See particles/restraint.h. */
+	const struct ts_restraint *restraint;
 	unsigned waits; /* TS_WAITS of stages in whose hooks passes over particles may wait: core/sweep.h */
 	/* Fixes: looks on, from INITIAL_INTEGRATE to END_OF_STEP, as each stage begins and after each action of
 	 * others in it: sim->acted says which. It changes nothing. */

@@ -2,14 +2,16 @@
 
 #include "base/banned.h"
 
-double ts_added_density(const struct tsim *sim, int group)
+struct ts_added ts_added_find(const struct tsim *sim)
 {
 	const struct ts_instance *flow = ts_sim_only(sim, TS_KIND_FLOW), *inst;
-	size_t k = 0;
+	struct ts_added added = { 0 };
 
-	while ((inst = ts_flow_part_named(sim, "added_mass", &k)))
-		if (inst->group == 0 || inst->group == group)
-			return ((const struct ts_added_mass *)inst->state)->coefficient *
-			       ts_flow_style_of(flow)->density(flow);
-	return 0;
+	for (size_t k = 0; added.n < sizeof added.of / sizeof *added.of &&
+			   (inst = ts_flow_part_named(sim, "added_mass", &k)); added.n++) {
+		added.of[added.n].group = inst->group;
+		added.of[added.n].density = ((const struct ts_added_mass *)inst->state)->coefficient *
+					    ts_flow_style_of(flow)->density(flow);
+	}
+	return added;
 }

@@ -4,28 +4,26 @@
 #include <string.h>
 
 #include "core/plan.h"
-#include "flow/added_mass.h"
-#include "flow/projection.h"
 #include "particles/body.h"
 #include "particles/particles.h"
 #include "particles/rigid.h"
 
 #include "base/banned.h"
 
-enum { EXPLICIT, EXACT, IMPLICIT };
 const char *const ts_drag_schemes[] = { "explicit", "exact", "implicit", NULL };
 const char *const ts_drag_axes[] = { "x", "y", "z", "xy", "xz", "yz", "xyz", NULL };
-static const int axes_bits[] = { 1, 2, 4, 3, 5, 6, 7 };
 
-static const struct ts_drag_style *style_of(const struct ts_instance *self)
+bool ts_drag_acts_along(const struct ts_drag *drag, int k)
 {
-	return (const struct ts_drag_style *)self->style;
+	static const int bits[] = { 1, 2, 4, 3, 5, 6, 7 };
+
+	return bits[drag->axes] >> k & 1;
 }
 
 static enum ts_status check_numbers(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_drag *s = self->state;
-	const struct ts_drag_style *style = style_of(self);
+	const struct ts_drag_style *style = ts_drag_style_of(self);
 	const struct ts_flow_style *flow = ts_flow_style_of(s->flow);
 	const char *name = self->style->name;
 	size_t k = 0;
@@ -47,8 +45,29 @@ static enum ts_status check_numbers(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static enum ts_status settle(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
-			     double length);
+/* ---- drags that relax velocities act when all other forces are known */
+
+bool ts_drag_is_late(const struct ts_instance *self)
+{
+	return ((const struct ts_drag *)self->state)->scheme != TS_DRAG_EXPLICIT;
+}
+
+/* All drags that relax velocities: on a particle that several act on they do it together. */
+static enum ts_status find_others(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_drag *s = self->state;
+	struct ts_instance *part;
+
+	s->nlate = 0;
+	for (size_t k = 0; (part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));) {
+		if (part->style->late[TS_LATE_RELAX] != ts_drag_late || !ts_drag_is_late(part))
+			continue;
+		if (TS_GROW(s->late, s->late_capacity, s->nlate + 1) != TS_OK)
+			return ts_nomem(&sim->error);
+		s->late[s->nlate++] = part->state;
+	}
+	return TS_OK;
+}
 
 enum ts_status ts_drag_init(struct ts_instance *self, struct tsim *sim)
 {
@@ -61,13 +80,17 @@ enum ts_status ts_drag_init(struct ts_instance *self, struct tsim *sim)
 	s->fluid = NULL;
 	if (ts_flow_style_of(s->flow)->fluid)
 		TS_TRY(ts_flow_require_fluid(sim, self->style->name, &self->where, &s->fluid));
-	s->part.settle = s->fluid && s->two_way && !s->lagged ? settle : NULL;
+	s->part.settle = s->fluid && s->two_way && !s->lagged ? ts_drag_settle : NULL;
 	if (s->fluid && s->two_way)
 		TS_TRY(ts_fluid_want(s->fluid, sim,
 				     s->lagged ? TS_FLUID_FORCE : TS_FLUID_FORCE | TS_FLUID_EXCHANGE));
-	s->added = ts_added_density(sim, self->group);
+	s->added = ts_added_find(sim);
+	TS_TRY(find_others(self, sim));
+	TS_TRY(ts_restraints_find(&s->restraints, sim, self, ts_drag_is_late(self)));
 	return check_numbers(self, sim);
 }
+
+/* ---- the fluid at a particle */
 
 static double void_at(const struct ts_drag *s, const double place[3], const int cell[3])
 {
@@ -107,9 +130,8 @@ static void cell_velocity(const struct ts_fluid *fluid, const int cell[3], doubl
 	}
 }
 
-/* The fluid where particle i is; false: there is none. */
-static bool sample(const struct ts_instance *self, const struct ts_particles *p, size_t i,
-		   struct ts_slip *slip, double w[3])
+bool ts_drag_sample(const struct ts_instance *self, const struct ts_particles *p, size_t i,
+		    struct ts_slip *slip, double w[3])
 {
 	const struct ts_drag *s = self->state;
 	double place[3];
@@ -129,102 +151,82 @@ static bool sample(const struct ts_instance *self, const struct ts_particles *p,
 		w[k] -= p->v[i][k];
 	slip->diameter = 2 * p->radius[i];
 	slip->speed = sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
-	slip->empty = style_of(self)->crowded ? void_at(s, place, cell) : 1;
+	slip->empty = ts_drag_style_of(self)->crowded ? void_at(s, place, cell) : 1;
 	return true;
 }
 
-/* Force of one component, given the others f; *slope is B. */
-static double component(int scheme, double c, double w, double f, double mass, double h, double *slope)
+double ts_drag_mass(const struct ts_drag *s, const struct tsim *sim, size_t i)
 {
-	double rate = c / mass;
+	const struct ts_particles *p = sim->particles;
 
-	*slope = c;
-	if (scheme == EXPLICIT || !(c > 0))
-		return c * w;
-	*slope = scheme == EXACT ? mass * -expm1(-h * rate) / h : c / (1 + h * rate);
-	if (scheme == EXACT)
-		return *slope * (w + f / c) - f;
-	return *slope * (w - h * f / mass);
+	return p->mass[i] + ts_added_density(&s->added, p, i) * ts_body_volume(sim, p->radius[i]);
 }
 
-/* The fluid takes the mean over so many steps of the simulation; 0: it does not make its step in this one, and
- * what it gets now is the force as it is. */
-static double steps_to_fluid(const struct ts_drag *s)
-{
-	const struct ts_projection *p = s->flow->state;
-
-	return p->waited + 1 >= p->every ? (double)p->every : 0;
-}
+/* ---- what is known before all forces are */
 
 struct findings {
 	double reynolds, stiffness; /* the largest Re, and c h/m where the force is explicit */
 };
 
+/* Never more than takes the particle to the fluid's velocity, within the part of its motion that follows forces. */
+static double slope_to_fluid(double steps, double slope, double most, double c, double part)
+{
+	double moving = fmin(steps * slope, fmax(slope, most));
+
+	return part == 1 ? moving : part * moving + (1 - part) * steps * c;
+}
+
+/* How much of a force along each axis takes effect along it. */
+static void free_parts(const struct ts_drag *s, const struct tsim *sim, size_t i, double part[3])
+{
+	for (int k = 0; k < 3; k++) {
+		double f[3] = { k == 0, k == 1, k == 2 };
+
+		ts_restraints_leave(&s->restraints, sim, i, f);
+		part[k] = f[k];
+	}
+}
+
+/* The explicit force; where the drag relaxes velocities only what has no effect, as the motion is given: whoever takes
+ * it away counts it. */
 static void drag_on(const struct ts_instance *self, struct tsim *sim, size_t i, struct ts_slip *slip,
 		    struct findings *found)
 {
 	struct ts_drag *s = self->state;
 	struct ts_particles *p = sim->particles;
-	double h = sim->clock.dt, w[3], c, mass;
-	double steps = s->part.settle ? steps_to_fluid(s) : 0;
+	double h = sim->clock.dt, w[3], c, most, f[3], later[3] = { 0 }, part[3] = { 0 };
+	double steps = s->part.settle ? ts_drag_steps_to_fluid(s) : 0;
 	bool held = p->imass[i] == 0, member = ts_rigid_member(p, i);
+	bool relaxes = ts_drag_is_late(self) && !held && !member;
 
-	if (!sample(self, p, i, slip, w))
+	if (!ts_drag_sample(self, p, i, slip, w))
 		return;
-	c = style_of(self)->coefficient(s, slip);
-	mass = p->mass[i] + s->added * ts_body_volume(sim, p->radius[i]);
+	c = ts_drag_style_of(self)->coefficient(s, slip);
+	most = ts_drag_mass(s, sim, i) / h;
+	for (int k = 0; k < 3; k++)
+		f[k] = ts_drag_acts_along(s, k) ? c * w[k] : 0;
+	if (relaxes) {
+		s->felt[i].c = c;
+		memcpy(s->felt[i].w, w, sizeof w);
+		memcpy(later, f, sizeof f);
+		ts_restraints_leave(&s->restraints, sim, i, later);
+	}
+	if (s->part.settle && !held && !relaxes)
+		free_parts(s, sim, i, part);
 	for (int k = 0; k < 3; k++) {
-		double slope, force;
-
-		if (!(axes_bits[s->axes] >> k & 1))
+		if (!ts_drag_acts_along(s, k))
 			continue;
-		force = component(held || member ? EXPLICIT : s->scheme, c, w[k], p->f[i][k], mass, h,
-				  &slope);
-		p->f[i][k] += force;
-		s->total.note[i][k] = force;
-		if (s->part.settle && !member) /* never more than takes the particle to the fluid's velocity */
-			s->note[i].slope = fmin(steps * slope, held ? INFINITY : fmax(slope, mass / h));
+		if (!relaxes || later[k] != f[k]) {
+			p->f[i][k] += f[k] - later[k];
+			s->total.note[i][k] = f[k] - later[k];
+		}
+		if (s->part.settle && !member && !relaxes)
+			s->note[i].slope[k] = slope_to_fluid(steps, c, most, c, part[k]);
 	}
 	if (slip->viscosity > 0)
 		found->reynolds = fmax(found->reynolds, ts_slip_reynolds(slip));
-	if (s->scheme == EXPLICIT && !held)
-		found->stiffness = fmax(found->stiffness, c * h / mass);
-}
-
-/* What the fluid gets of one particle. */
-static void lay(void *context, size_t i)
-{
-	struct ts_instance *self = ((struct ts_instance **)context)[0];
-	struct tsim *sim = ((struct tsim **)context)[1];
-	struct ts_drag *s = self->state;
-	struct ts_fluid *fluid = s->fluid;
-	double place[3];
-	int cell[3];
-
-	if (!ts_fluid_place(fluid, sim->particles->x[i], place, cell))
-		return;
-	for (int c = 0; c < fluid->grid.dimensions; c++) {
-		struct ts_share st;
-
-		if (!(axes_bits[s->axes] >> c & 1))
-			continue;
-		ts_share_face(fluid, c, place, cell, (enum ts_interpolation)s->interpolation, &st);
-		s->note[i].held[c] = ts_share_react(&fluid->grid, &st, c, fluid->u[c],
-						      s->total.note[i][c], s->note[i].slope,
-						      fluid->force[c],
-						      s->lagged ? NULL : fluid->exchange[c]);
-	}
-}
-
-static enum ts_status react(struct ts_instance *self, struct tsim *sim)
-{
-	struct ts_drag *s = self->state;
-	void *context[2] = { self, sim };
-
-	TS_TRY(ts_cell_order_make(&s->order, sim, s->fluid, self->group, 1));
-	ts_cell_order_each(&s->order, ts_team(sim, sim->particles->n), lay, context);
-	s->noted = sim->particles->n;
-	return TS_OK;
+	if (!relaxes && !held)
+		found->stiffness = fmax(found->stiffness, c / most);
 }
 
 static enum ts_status make_room(struct ts_drag *s, struct tsim *sim)
@@ -233,6 +235,12 @@ static enum ts_status make_room(struct ts_drag *s, struct tsim *sim)
 
 	TS_TRY(ts_tally_start(sim, &s->total));
 	s->noted = 0;
+	if (s->scheme != TS_DRAG_EXPLICIT) {
+		if (TS_GROW(s->felt, s->felt_capacity, n) != TS_OK)
+			return ts_nomem(&sim->error);
+		if (n)
+			memset(s->felt, 0, n * sizeof *s->felt);
+	}
 	if (!s->fluid || !s->two_way)
 		return TS_OK;
 	if (TS_GROW(s->note, s->capacity, n) != TS_OK)
@@ -240,6 +248,13 @@ static enum ts_status make_room(struct ts_drag *s, struct tsim *sim)
 	if (n)
 		memset(s->note, 0, n * sizeof *s->note);
 	return TS_OK;
+}
+
+static enum ts_status finish(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_drag *s = self->state;
+
+	return s->fluid && s->two_way && !sim->in_setup ? ts_drag_react(self, sim) : TS_OK;
 }
 
 enum ts_status ts_drag_post_force(struct ts_instance *self, struct tsim *sim)
@@ -253,6 +268,7 @@ enum ts_status ts_drag_post_force(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(make_room(s, sim));
 	if (!(viscosity > 0))
 		return TS_OK;
+	TS_TRY(ts_restraints_prepare(&s->restraints, sim));
 #pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)                         \
 	reduction(max : reynolds, stiffness)
 	for (size_t i = 0; i < p->n; i++) {
@@ -266,63 +282,125 @@ enum ts_status ts_drag_post_force(struct ts_instance *self, struct tsim *sim)
 		stiffness = fmax(stiffness, found.stiffness);
 	}
 	s->reynolds = reynolds;
-	if (stiffness > 2 && style_of(self)->inertial && !sim->unsafe)
+	if (stiffness > 2 && ts_drag_style_of(self)->inertial && !sim->unsafe)
 		return ts_fail(&sim->error, TS_PHYSICS, &self->where,
 			       "fix %s: a particle's velocity relaxes in %g, the explicit drag is stable for "
 			       "steps below twice that, and the step is %g: use scheme exact, or a smaller "
 			       "`timestep`",
 			       self->style->name, sim->clock.dt / stiffness, sim->clock.dt);
-	return s->fluid && s->two_way && !sim->in_setup ? react(self, sim) : TS_OK;
+	return ts_drag_is_late(self) ? TS_OK : finish(self, sim);
 }
 
-/* How much of a force added now the velocities get before the next forces: velocity Verlet has given half of
- * the kick already. */
-static double kicks_left(const struct tsim *sim)
+/* ---- relaxation, with all other forces */
+
+/* Force of one component, given the others f; *slope is B. */
+static double component(int scheme, double c, double w, double f, double mass, double h, double *slope)
 {
-	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+	double rate = c / mass;
 
-	for (size_t k = 0; k < fixes->n; k++)
-		if (fixes->item[k]->style->hook[TS_STAGE_INITIAL_INTEGRATE] &&
-		    fixes->item[k]->style->hook[TS_STAGE_FINAL_INTEGRATE])
-			return 0.5;
-	return 1;
+	*slope = c;
+	if (!(c > 0))
+		return c * w;
+	*slope = scheme == TS_DRAG_EXACT ? mass * -expm1(-h * rate) / h : c / (1 + h * rate);
+	if (scheme == TS_DRAG_EXACT)
+		return *slope * (w + f / c) - f;
+	return *slope * (w - h * f / mass);
 }
 
-/* The fluid has made its step with the new velocity: the particles get what it has felt. */
-static enum ts_status settle(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid, double length)
+/* Several drags on one particle are one of coefficient C = sum of c to the velocity (sum of c u)/C; its force less
+ * sum of c (u - v) is what the slip changes by over the step, times C: the same for all of them. Implicit if one is. */
+static void relax_together(const struct ts_drag *first, const struct tsim *sim, size_t i)
+{
+	const struct ts_particles *p = sim->particles;
+	struct ts_drag_change *change = &first->change[i];
+	int scheme = TS_DRAG_EXACT;
+	bool some = false;
+
+	memset(change, 0, sizeof *change);
+	for (size_t j = 0; j < first->nlate; j++) {
+		bool acts = first->late[j]->felt[i].c != 0;
+
+		some |= acts;
+		if (acts && first->late[j]->scheme == TS_DRAG_IMPLICIT)
+			scheme = TS_DRAG_IMPLICIT;
+	}
+	for (int k = 0; k < 3 && some; k++) {
+		double c = 0, cw = 0, slope, force;
+
+		for (size_t j = 0; j < first->nlate; j++)
+			if (ts_drag_acts_along(first->late[j], k)) {
+				c += first->late[j]->felt[i].c;
+				cw += first->late[j]->felt[i].c * first->late[j]->felt[i].w[k];
+			}
+		if (c == 0)
+			continue;
+		force = component(scheme, c, cw / c, p->f[i][k], ts_drag_mass(first, sim, i),
+				  sim->clock.dt, &slope);
+		change->slip[k] = (force - cw) / c;
+		change->part[k] = slope / c;
+		change->c[k] = c;
+	}
+}
+
+static enum ts_status relax_all_together(struct ts_drag *first, struct tsim *sim)
+{
+	size_t n = sim->particles->n;
+
+	if (TS_GROW(first->change, first->change_capacity, n) != TS_OK)
+		return ts_nomem(&sim->error);
+#pragma omp parallel for num_threads(ts_team(sim, n)) schedule(static)
+	for (size_t i = 0; i < n; i++)
+		relax_together(first, sim, i);
+	return TS_OK;
+}
+
+static void relax(const struct ts_instance *self, struct tsim *sim, size_t i)
 {
 	struct ts_drag *s = self->state;
 	struct ts_particles *p = sim->particles;
-	double share = 1 / kicks_left(sim);
+	const struct ts_drag_felt *felt = &s->felt[i];
+	const struct ts_drag_change *change = s->nlate > 1 ? &s->late[0]->change[i] : NULL;
+	double force[3] = { 0 }, part[3] = { 1, 1, 1 }, mass = ts_drag_mass(s, sim, i), h = sim->clock.dt;
+	double steps = s->part.settle ? ts_drag_steps_to_fluid(s) : 0;
 
-	(void)length;
-	if (s->noted != p->n)
-		return TS_OK;
-	s->total.fresh = true;
-#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
-	for (size_t i = 0; i < p->n; i++) {
-		double place[3];
-		int cell[3];
+	if (s->part.settle && s->restraints.n)
+		free_parts(s, sim, i, part);
+	for (int k = 0; k < 3; k++) {
+		double slope, all = change ? change->c[k] : felt->c;
 
-		if (s->note[i].slope == 0 || !ts_fluid_place(fluid, p->x[i], place, cell))
+		if (!ts_drag_acts_along(s, k))
 			continue;
-		for (int c = 0; c < fluid->grid.dimensions; c++) {
-			struct ts_share st;
-			double more;
-
-			if (!(axes_bits[s->axes] >> c & 1))
-				continue;
-			ts_share_face(fluid, c, place, cell, (enum ts_interpolation)s->interpolation,
-					&st);
-			more = s->note[i].slope *
-			       (ts_share_gather(&fluid->grid, &st, fluid->used[c]) - s->note[i].held[c]);
-			s->total.note[i][c] += more;
-			if (p->imass[i] != 0)
-				p->f[i][c] += share * more;
+		if (change) {
+			force[k] = felt->c * (felt->w[k] + change->slip[k]);
+			slope = felt->c * change->part[k];
+		} else {
+			force[k] = component(s->scheme, felt->c, felt->w[k], p->f[i][k], mass, h, &slope);
 		}
+		if (s->part.settle)
+			s->note[i].slope[k] = slope_to_fluid(steps, slope, felt->c / all * mass / h,
+							     felt->c, part[k]);
 	}
-	s->noted = 0;
-	return TS_OK;
+	ts_restraints_leave(&s->restraints, sim, i, force);
+	for (int k = 0; k < 3; k++) {
+		p->f[i][k] += force[k];
+		s->total.note[i][k] += force[k];
+	}
+}
+
+enum ts_status ts_drag_late(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_drag *s = self->state;
+	const struct ts_particles *p = sim->particles;
+
+	if (!(ts_flow_style_of(s->flow)->viscosity(s->flow) > 0))
+		return TS_OK;
+	if (s->nlate > 1 && s->late[0] == s)
+		TS_TRY(relax_all_together(s, sim));
+#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
+	for (size_t i = 0; i < p->n; i++)
+		if (s->felt[i].c != 0)
+			relax(self, sim, i);
+	return finish(self, sim);
 }
 
 enum ts_status ts_drag_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
@@ -353,131 +431,15 @@ const struct ts_value ts_drag_values[] = {
 	{ .name = NULL },
 };
 
-/* Unresolved drag supposes that a cell holds the particle. */
-static void warn_of_cells(const struct ts_instance *self, struct tsim *sim, double diameter)
-{
-	const struct ts_drag *s = self->state;
-	const struct ts_grid *grid = &s->fluid->grid;
-	double least = INFINITY;
-
-	for (int d = 0; d < grid->dimensions; d++)
-		for (int i = 0; i < grid->n[d]; i++)
-			least = fmin(least, grid->width[d][i]);
-	if (least < diameter)
-		ts_warn(&sim->log, &self->where,
-			"fix %s: cells of the fluid are down to %g wide and particles up to %g: laws of drag "
-			"hold for cells of several diameters",
-			self->style->name, least, diameter);
-}
-
-/* k at the faces across c: the sum of the coefficients by volume. */
-static void sum_coefficients(const struct ts_instance *self, const struct tsim *sim, int c, double *k)
-{
-	const struct ts_drag *s = self->state;
-	const struct ts_fluid *fluid = s->fluid;
-	const struct ts_particles *p = sim->particles;
-
-	memset(k, 0, fluid->grid.size * sizeof *k);
-	for (size_t i = 0; i < p->n; i++) {
-		struct ts_slip slip = { .density = fluid->density, .viscosity = fluid->viscosity };
-		struct ts_share st;
-		double w[3], place[3];
-		int cell[3];
-
-		if (!ts_in_group(p, i, self->group) || !sample(self, p, i, &slip, w) ||
-		    !ts_fluid_place(fluid, p->x[i], place, cell))
-			continue;
-		ts_share_face(fluid, c, place, cell, (enum ts_interpolation)s->interpolation, &st);
-		ts_share_react(&fluid->grid, &st, c, fluid->u[c], -style_of(self)->coefficient(s, &slip), 0, k,
-			       NULL);
-	}
-}
-
-/* The fluid gets the force as it is, du/dt = -k (u - v)/(e rho): the largest k/(e rho). Weights sum to 1, so no mode
- * of the velocities relaxes faster. */
-static enum ts_status lagged_rate(const struct ts_instance *self, struct tsim *sim, double *rate)
-{
-	const struct ts_drag *s = self->state;
-	const struct ts_fluid *fluid = s->fluid;
-	double *k = ts_grid_field(&fluid->grid);
-
-	if (!k)
-		return ts_nomem(&sim->error);
-	for (int c = 0; c < fluid->grid.dimensions; c++) {
-		size_t stride = (size_t)fluid->grid.stride[c];
-
-		if (!(axes_bits[s->axes] >> c & 1))
-			continue;
-		sum_coefficients(self, sim, c, k);
-		for (size_t at = stride; at < fluid->grid.size; at++) {
-			double e = fluid->empty ? 0.5 * (fluid->empty[at] + fluid->empty[at - stride]) : 1;
-
-			if (k[at] > 0)
-				*rate = fmax(*rate, k[at] / (e * fluid->density));
-		}
-	}
-	ts_grid_field_free(k);
-	return TS_OK;
-}
-
-/* Explicit drag makes the velocity of the particle relax as well: the slip decays at no more than both rates. The fluid
- * takes its steps with the force of `every` steps before. */
-static enum ts_status limit_lagged(struct ts_instance *self, struct tsim *sim, double relaxation,
-				   struct ts_plan_report *report)
-{
-	const struct ts_drag *s = self->state;
-	const struct ts_projection *p = s->flow->state;
-	double rate = 0;
-
-	if (!s->fluid || !s->two_way || !s->lagged || !(s->fluid->viscosity > 0))
-		return TS_OK;
-	TS_TRY(lagged_rate(self, sim, &rate));
-	rate *= (double)p->every;
-	if (s->scheme == EXPLICIT)
-		rate += 1 / relaxation;
-	return ts_report_limit(report, rate > 0 ? 2 / rate : INFINITY, false, &self->where,
-			       "what lagged fix %s gives to the fluid, 2 e rho/k (lagged no has no such limit)",
-			       self->style->name);
-}
-
-enum ts_status ts_drag_plan(struct ts_instance *self, struct tsim *sim,
-			    struct ts_plan_report *report)
-{
-	const struct ts_drag *s = self->state;
-	const struct ts_flow_style *flow = ts_flow_style_of(s->flow);
-	const struct ts_particles *p = sim->particles;
-	double least = INFINITY, largest = 0;
-
-	for (size_t i = 0; i < p->n; i++) {
-		struct ts_slip slip = { .density = flow->density(s->flow),
-					.viscosity = flow->viscosity(s->flow) };
-		double w[3], mass = p->mass[i] + s->added * ts_body_volume(sim, p->radius[i]);
-
-		if (!ts_in_group(p, i, self->group) || !(slip.viscosity > 0) ||
-		    !sample(self, p, i, &slip, w))
-			continue;
-		largest = fmax(largest, slip.diameter);
-		if (p->imass[i] != 0)
-			least = fmin(least, mass / style_of(self)->coefficient(s, &slip));
-	}
-	if (s->fluid && s->two_way && !report->limits_only)
-		warn_of_cells(self, sim, largest);
-	TS_TRY(limit_lagged(self, sim, least, report));
-	if (isinf(least))
-		return TS_OK;
-	ts_report_line(report, "drag", "%s along %s, least relaxation time %g", self->style->name,
-		       ts_drag_axes[s->axes], least);
-	if (s->scheme != EXPLICIT)
-		return TS_OK;
-	return ts_report_limit(report, 2 * least, true, &self->where,
-			       "explicit fix %s, 2 tau (scheme exact has no limit)", self->style->name);
-}
-
 void ts_drag_fini(struct ts_instance *self)
 {
 	struct ts_drag *s = self->state;
 
 	ts_cell_order_release(&s->order);
 	ts_tally_release(&s->total);
+	ts_restraints_release(&s->restraints);
 	ts_free(s->note);
+	ts_free(s->felt);
+	ts_free(s->change);
+	ts_free(s->late);
 }

@@ -117,11 +117,13 @@ static void lay(void *data, size_t i)
 	}
 }
 
-static enum ts_status react(struct ts_instance *self, struct tsim *sim)
+enum ts_status ts_flow_force_react(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_flow_force *s = self->state;
 	struct context context = { s, sim->particles };
 
+	if (!s->fluid || !s->two_way || style_of(self)->internal || sim->in_setup)
+		return TS_OK;
 	TS_TRY(ts_cell_order_make(&s->order, sim, s->fluid, self->group, 1));
 	ts_cell_order_each(&s->order, ts_team(sim, sim->particles->n), lay, &context);
 	return TS_OK;
@@ -151,7 +153,7 @@ enum ts_status ts_flow_force_act(struct ts_instance *self, struct tsim *sim)
 				p->torque[i][k] += torque[k];
 		}
 	}
-	return s->fluid && s->two_way && !style->internal && !sim->in_setup ? react(self, sim) : TS_OK;
+	return style->style.late[TS_LATE_INERTIA] ? TS_OK : ts_flow_force_react(self, sim);
 }
 
 enum ts_status ts_flow_force_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)

@@ -46,6 +46,8 @@ void ts_flow_curl(const double slope[3][3], double curl[3]);
 extern const struct ts_value ts_flow_force_values[];
 enum ts_status ts_flow_force_init(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_flow_force_act(struct ts_instance *self, struct tsim *sim);
+/* Gives the fluid what is noted: done by act, but for a style with a late hook, which adds to its notes. */
+enum ts_status ts_flow_force_react(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_flow_force_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a);
 void ts_flow_force_fini(struct ts_instance *self);
 

@@ -18,21 +18,24 @@ enum ts_status ts_force_filter_init(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-void ts_force_filter_apply(struct ts_instance *self, struct tsim *sim, double along, double across)
+void ts_force_filter_one(const struct ts_instance *self, double along, double across, double f[3])
 {
 	const struct ts_force_filter *s = self->state;
+	double part = ts_dot(f, s->unit);
+
+	for (int k = 0; k < 3; k++) {
+		double line = part * s->unit[k];
+
+		f[k] = along * line + across * (f[k] - line);
+	}
+}
+
+void ts_force_filter_apply(struct ts_instance *self, struct tsim *sim, double along, double across)
+{
 	struct ts_particles *p = sim->particles;
 
 #pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
-	for (size_t i = 0; i < p->n; i++) {
-		double part = ts_dot(p->f[i], s->unit);
-
-		if (!ts_in_group(p, i, self->group))
-			continue;
-		for (int k = 0; k < 3; k++) {
-			double line = part * s->unit[k];
-
-			p->f[i][k] = along * line + across * (p->f[i][k] - line);
-		}
-	}
+	for (size_t i = 0; i < p->n; i++)
+		if (ts_in_group(p, i, self->group))
+			ts_force_filter_one(self, along, across, p->f[i]);
 }

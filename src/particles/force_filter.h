@@ -15,5 +15,7 @@ enum ts_status ts_force_filter_init(struct ts_instance *self, struct tsim *sim);
 
 /* f = along (f . e) e + across (f - (f . e) e) for the particles of the group. */
 void ts_force_filter_apply(struct ts_instance *self, struct tsim *sim, double along, double across);
+/* The same of one force: for restraints. */
+void ts_force_filter_one(const struct ts_instance *self, double along, double across, double f[3]);
 
 #endif

@@ -20,6 +20,15 @@ size_t ts_group_members(const struct ts_particles *p, int group, size_t from, si
 	return count(p->mask, group, from, to);
 }
 
+bool ts_groups_meet(const struct ts_particles *p, int a, int b)
+{
+	bool meet = a == b || a == 0 || b == 0;
+
+	for (size_t i = 0; i < p->n && !meet; i++)
+		meet = ts_in_group(p, i, a) && ts_in_group(p, i, b);
+	return meet;
+}
+
 int ts_group_find(const struct ts_particles *p, const char *name)
 {
 	for (int g = 0; g < TS_MAX_GROUPS; g++)

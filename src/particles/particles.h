@@ -191,6 +191,8 @@ static inline bool ts_in_group(const struct ts_particles *p, size_t i, int group
 }
 /* How many of the particles from .. to-1. */
 size_t ts_group_members(const struct ts_particles *p, int group, size_t from, size_t to);
+/* Whether groups have, or will have, particles in common: as far as can be told now. */
+bool ts_groups_meet(const struct ts_particles *p, int a, int b);
 
 /* Functions of expressions over groups: count(g), mass(g), xcm(g,x) ... */
 extern const struct ts_function ts_group_functions[];

@@ -2,6 +2,7 @@
 #include "core/arg.h"
 #include "math/exactsum.h"
 #include "particles/chosen.h"
+#include "particles/restraint.h"
 
 #include "base/banned.h"
 
@@ -81,6 +82,7 @@ static const struct ts_value values[] = {
 	{ .name = NULL },
 };
 
+static const struct ts_restraint restraint = { NULL, NULL };
 static const struct ts_saved saved[] = { TS_SAVE_F64(struct state, before), TS_SAVED_ROWS_END };
 
 TS_STYLE(fix, ts_style, ts_fix_aveforce)
@@ -96,4 +98,5 @@ const struct ts_style ts_fix_aveforce = {
 	.saved = saved,
 	.values = values,
 	.hook[TS_STAGE_POST_FORCE] = post_force,
+	.restraint = &restraint,
 };

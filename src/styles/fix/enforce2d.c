@@ -1,5 +1,6 @@
 /* Fix enforce2d: nothing leaves the plane. */
 #include "particles/particles.h"
+#include "particles/restraint.h"
 
 #include "base/banned.h"
 
@@ -28,6 +29,16 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+static void leave(const struct ts_instance *self, const struct tsim *sim, size_t i, double f[3])
+{
+	(void)self;
+	(void)sim;
+	(void)i;
+	f[2] = 0;
+}
+
+static const struct ts_restraint restraint = { NULL, leave };
+
 TS_STYLE(fix, ts_style, ts_fix_enforce2d)
 const struct ts_style ts_fix_enforce2d = {
 	.name = "enforce2d",
@@ -38,4 +49,5 @@ const struct ts_style ts_fix_enforce2d = {
 	.example = "dimension 2\nfix flat all enforce2d",
 	.init = init,
 	.hook[TS_STAGE_POST_FORCE] = post_force,
+	.restraint = &restraint,
 };

@@ -1,5 +1,6 @@
 /* Fix lineforce: Lets particles feel only the force along a line. */
 #include "particles/force_filter.h"
+#include "particles/restraint.h"
 
 #include "base/banned.h"
 
@@ -8,6 +9,15 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	ts_force_filter_apply(self, sim, 1, 0);
 	return TS_OK;
 }
+
+static void leave(const struct ts_instance *self, const struct tsim *sim, size_t i, double f[3])
+{
+	(void)sim;
+	(void)i;
+	ts_force_filter_one(self, 1, 0, f);
+}
+
+static const struct ts_restraint restraint = { NULL, leave };
 
 static const struct ts_arg args[] = {
 	TS_VEC3("direction", struct ts_force_filter, direction, .flags = TS_POSITIONAL,
@@ -26,4 +36,5 @@ const struct ts_style ts_fix_lineforce = {
 	.state_size = sizeof(struct ts_force_filter),
 	.init = ts_force_filter_init,
 	.hook[TS_STAGE_POST_FORCE] = post_force,
+	.restraint = &restraint,
 };

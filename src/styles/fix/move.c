@@ -9,6 +9,7 @@
 #include "particles/moments.h"
 #include "particles/reference.h"
 #include "particles/region.h"
+#include "particles/restraint.h"
 
 #include "base/banned.h"
 
@@ -268,6 +269,17 @@ static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim
 	return TS_OK;
 }
 
+static void leave(const struct ts_instance *self, const struct tsim *sim, size_t i, double f[3])
+{
+	(void)sim;
+	(void)i;
+	for (int k = 0; k < 3; k++)
+		if (!is_free(self->state, k))
+			f[k] = 0;
+}
+
+static const struct ts_restraint restraint = { NULL, leave };
+
 static enum ts_status take_in(struct ts_instance *self, struct tsim *sim)
 {
 	const struct state *s = self->state;
@@ -411,5 +423,6 @@ const struct ts_style ts_fix_move = {
 		[TS_STAGE_FINAL_INTEGRATE] = final_integrate,
 	},
 	.waits = TS_WAITS(INITIAL_INTEGRATE) | TS_WAITS(FINAL_INTEGRATE),
+	.restraint = &restraint,
 	.fini = fini,
 };

@@ -1,5 +1,6 @@
 /* Fix nve/noforce: straight on, whatever the forces. */
 #include "particles/particles.h"
+#include "particles/restraint.h"
 
 #include "base/banned.h"
 
@@ -15,6 +16,16 @@ static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *s
 	return TS_OK;
 }
 
+static void leave(const struct ts_instance *self, const struct tsim *sim, size_t i, double f[3])
+{
+	(void)self;
+	(void)sim;
+	(void)i;
+	f[0] = f[1] = f[2] = 0;
+}
+
+static const struct ts_restraint restraint = { NULL, leave };
+
 TS_STYLE(fix, ts_style, ts_fix_nve_noforce)
 const struct ts_style ts_fix_nve_noforce = {
 	.name = "nve/noforce",
@@ -25,4 +36,5 @@ const struct ts_style ts_fix_nve_noforce = {
 	.example = "velocity piston set 0 0 -0.1\nfix push piston nve/noforce",
 	.integrates = TS_MOVES,
 	.hook[TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,
+	.restraint = &restraint,
 };

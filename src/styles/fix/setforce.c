@@ -1,5 +1,6 @@
 #include "core/each.h"
 #include "particles/chosen.h"
+#include "particles/restraint.h"
 #include "particles/tally.h"
 
 #include <string.h>
@@ -34,6 +35,22 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	}
 	return TS_OK;
 }
+
+static enum ts_status prepare(struct ts_instance *self, struct tsim *sim)
+{
+	return ts_region_update(((struct setforce *)self->state)->region, sim);
+}
+
+static void leave(const struct ts_instance *self, const struct tsim *sim, size_t i, double f[3])
+{
+	const struct setforce *s = self->state;
+
+	for (int k = 0; k < 3; k++)
+		if (!s->f[k].null && (!s->region || ts_region_contains(s->region, sim->particles->x[i])))
+			f[k] = 0;
+}
+
+static const struct ts_restraint restraint = { prepare, leave };
 
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
@@ -93,5 +110,6 @@ const struct ts_style ts_fix_setforce = {
 	.archive = archive,
 	.values = values,
 	.hook = { [TS_STAGE_POST_FORCE] = post_force },
+	.restraint = &restraint,
 	.fini = fini,
 };
