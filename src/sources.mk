@@ -124,6 +124,8 @@ library_sources = \
 	src/flow/direct.h \
 	src/flow/drag.c \
 	src/flow/drag.h \
+	src/flow/drag_exchange.c \
+	src/flow/drag_plan.c \
 	src/flow/face_pressure.c \
 	src/flow/flow.h \
 	src/flow/flow_force.c \
@@ -152,6 +154,8 @@ library_sources = \
 	src/flow/multigrid.h \
 	src/flow/operators.c \
 	src/flow/operators.h \
+	src/flow/outside.c \
+	src/flow/outside.h \
 	src/flow/packed.c \
 	src/flow/poisson.c \
 	src/flow/poisson.h \
@@ -519,6 +523,8 @@ library_sources = \
 	src/particles/region.h \
 	src/particles/region_frustum.c \
 	src/particles/region_frustum.h \
+	src/particles/restraint.c \
+	src/particles/restraint.h \
 	src/particles/rigid.c \
 	src/particles/rigid.h \
 	src/particles/rigid_motion.c \

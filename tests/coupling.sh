@@ -89,16 +89,122 @@ print 'is void \$(f_e[1]) 1'
 print 'is drag \$(f_d[1]) 0'
 print 'is heat \$(f_T[1]/3000) 1'"
 agree 'another grid' "$empty
+flow_style none
 flow_style projection cells 4 4 4 viscosity 1 density 1000
 run 2
 print 'is void \$(f_e[1]) 1'
 print 'is heat \$(f_T[1]/3000) 1'"
 rejects "$empty
+flow_style none
 flow_style projection cells 4 4 4 viscosity 1 density 1000
 print \"\$(f_e[1])\"" 'the fluid is another one now'
 rejects "$empty
+flow_style none
 flow_style projection cells 4 4 4 viscosity 1 density 1000
 print \"\$(f_T[1])\"" 'the fluid is another one now'
+# a fluid that has moved, or has got its faces, is not replaced without a word
+rejects "$empty
+flow_style projection cells 4 4 4 viscosity 1 density 1000" 'has moved in a run; another flow_style would begin at rest'
+rejects "$empty
+flow_style uniform velocity 0 0 0 viscosity 1 density 1000" 'the fluid of line 7 has moved in a run'
+faces="${head/boundary p p p/boundary f p p}
+flow_style projection cells 8 8 8 viscosity 1e-3 density 1000
+flow_boundary xlo inlet velocity 1 0 0
+flow_boundary xhi outlet"
+rejects "$faces
+flow_style projection cells 8 8 8 viscosity 2e-3 density 1000" \
+	'would drop the flow_boundary of line 10, which belongs to the fluid of line 9'
+agree 'a fluid before its faces' "$solved
+flow_style projection cells 4 4 4 viscosity 1e-3 density 1000
+timestep 1e-3
+run 1
+print 'is done 1 1'"
+for mode in '' -check; do
+	printf '%s\n' "$empty
+flow_style projection cells 4 4 4 viscosity 1 density 1000" >in.script
+	! "$TSIM" $mode -in in.script -log none >out 2>&1 && grep -q 'has moved in a run' out
+	report "a second fluid $mode" $? out
+done
+# the grid does not follow the box
+deforms='fix squeeze all deform 1 x erate -0.1'
+rejects "$solved
+$deforms" 'the grid of the fluid (flow_style, line 9) does not change with the box'
+rejects "$head
+$deforms
+flow_style projection cells 8 8 8 viscosity 1e-3 density 1000
+timestep 1e-3
+run 1" 'does not change with the box'
+agree 'a box that changes before there is a fluid' "$head
+$deforms
+timestep 1e-3
+run 1
+unfix squeeze
+flow_style projection cells 8 8 8 viscosity 1e-3 density 1000
+run 1
+print 'is done 1 1'"
+# buoyancy counts once
+heavy="${head/boundary p p p/boundary p p f}
+fix g all gravity 9.81 vector 0 0 -1
+flow_style projection cells 4 4 4 viscosity 1e-3 density 1000"
+pressure='fix p all flow/pressure_gradient'
+buoyancy='fix b all buoyancy level 1 dim z density 1000'
+go='fix m all nve
+timestep 1e-4
+run 1'
+rejects "$heavy body_force 0 0 -9.81
+$pressure
+$buoyancy
+$go" 'acts on the particles by fix flow/pressure_gradient (line 11)'
+rejects "$heavy body_force 0 0 -9.81
+$buoyancy
+$pressure
+$go" 'buoyancy would count twice'
+rejects "variable g equal -9.81
+$heavy body_force 0 0 v_g
+$buoyancy
+$pressure
+$go" 'buoyancy would count twice'
+agree 'buoyancy by one of the two' "$heavy body_force 0 0 -9.81
+$pressure
+fix m all nve
+timestep 1e-4
+run 4
+print 'is pressed \$(f_p[3]) \$(9810*PI/6*1e-6)'
+clear
+$heavy
+$pressure
+$buoyancy
+$go
+print 'is both \$(f_p[3]+f_b[3]) \$(9810*PI/6*1e-6)'
+clear
+$heavy body_force 0.1 0 0
+$pressure
+$buoyancy
+$go
+print 'is lifted \$(f_b[3]) \$(9810*PI/6*1e-6)'
+clear
+${heavy/boundary p p f/boundary p p p} body_force 0 0 -9.81
+$pressure
+$buoyancy
+$go
+print 'is lifted \$(f_b[3]) \$(9810*PI/6*1e-6)'"
+# who leaves a grid of a region is told, once in a run
+for fluid in 'fix d all drag/stokes scheme exact' 'fix l all lift/saffman'; do
+	prints "$head
+region low block 0 1 0 1 0 0.5 units box
+flow_style projection cells 4 4 4 viscosity 1e-3 density 1000 region low
+$fluid
+velocity all set 0 0 1
+create_atoms 1 single 0.7 0.5 0.1 units box
+set group all diameter 0.01 density 2385
+fix m all nve
+timestep 1e-3
+run 3
+run 2" 'at step 1 1 of its particles are outside the grid' '(particle 1 at 0.5 0.5 0.501' \
+		'Up to 1 particles were outside the grid of the fluid, in 3 steps'
+	[ "$(grep -c 'are outside the grid' out)" = 2 ]
+	report 'once in a run' $? out
+done
 rejects "$empty
 unfix e
 run 1" 'needs the void fraction'

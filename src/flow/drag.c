@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "core/plan.h"
+#include "flow/outside.h"
 #include "particles/body.h"
 #include "particles/particles.h"
 #include "particles/rigid.h"
@@ -166,6 +167,7 @@ double ts_drag_mass(const struct ts_drag *s, const struct tsim *sim, size_t i)
 
 struct findings {
 	double reynolds, stiffness; /* the largest Re, and c h/m where the force is explicit */
+	bool outside;		    /* there is no fluid */
 };
 
 /* Never more than takes the particle to the fluid's velocity, within the part of its motion that follows forces. */
@@ -199,8 +201,10 @@ static void drag_on(const struct ts_instance *self, struct tsim *sim, size_t i, 
 	bool held = p->imass[i] == 0, member = ts_rigid_member(p, i);
 	bool relaxes = ts_drag_is_late(self) && !held && !member;
 
-	if (!ts_drag_sample(self, p, i, slip, w))
+	if (!ts_drag_sample(self, p, i, slip, w)) {
+		found->outside = true;
 		return;
+	}
 	c = ts_drag_style_of(self)->coefficient(s, slip);
 	most = ts_drag_mass(s, sim, i) / h;
 	for (int k = 0; k < 3; k++)
@@ -264,23 +268,29 @@ enum ts_status ts_drag_post_force(struct ts_instance *self, struct tsim *sim)
 	double density = flow->density(s->flow), viscosity = flow->viscosity(s->flow);
 	double reynolds = 0, stiffness = 0;
 	const struct ts_particles *p = sim->particles;
+	int64_t tag = INT64_MAX;
+	size_t outside = 0;
 
 	TS_TRY(make_room(s, sim));
 	if (!(viscosity > 0))
 		return TS_OK;
 	TS_TRY(ts_restraints_prepare(&s->restraints, sim));
 #pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)                         \
-	reduction(max : reynolds, stiffness)
+	reduction(max : reynolds, stiffness) reduction(+ : outside) reduction(min : tag)
 	for (size_t i = 0; i < p->n; i++) {
 		struct ts_slip slip = { .density = density, .viscosity = viscosity };
-		struct findings found = { 0, 0 };
+		struct findings found = { 0, 0, false };
 
 		if (!ts_in_group(p, i, self->group))
 			continue;
 		drag_on(self, sim, i, &slip, &found);
 		reynolds = fmax(reynolds, found.reynolds);
 		stiffness = fmax(stiffness, found.stiffness);
+		outside += found.outside;
+		tag = found.outside && p->tag[i] < tag ? p->tag[i] : tag;
 	}
+	if (s->fluid)
+		ts_fluid_note_outside(s->fluid, sim, self, outside, tag);
 	s->reynolds = reynolds;
 	if (stiffness > 2 && ts_drag_style_of(self)->inertial && !sim->unsafe)
 		return ts_fail(&sim->error, TS_PHYSICS, &self->where,

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "flow/outside.h"
 #include "particles/particles.h"
 
 #include "base/banned.h"
@@ -136,15 +137,23 @@ enum ts_status ts_flow_force_act(struct ts_instance *self, struct tsim *sim)
 	const struct ts_flow_style *flow = ts_flow_style_of(s->flow);
 	struct ts_particles *p = sim->particles;
 	double density = flow->density(s->flow), viscosity = flow->viscosity(s->flow);
+	int64_t tag = INT64_MAX;
+	size_t outside = 0;
 
 	TS_TRY(ts_tally_start(sim, &s->total));
-#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
+#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)                         \
+	reduction(+ : outside) reduction(min : tag)
 	for (size_t i = 0; i < p->n; i++) {
 		struct ts_flow_around around = { .density = density, .viscosity = viscosity };
 		double f[3] = { 0 }, torque[3] = { 0 };
 
-		if (!ts_in_group(p, i, self->group) || !look_around(self, p, i, &around))
+		if (!ts_in_group(p, i, self->group))
 			continue;
+		if (!look_around(self, p, i, &around)) {
+			outside++;
+			tag = p->tag[i] < tag ? p->tag[i] : tag;
+			continue;
+		}
 		style->act(self, sim, i, &around, f, torque);
 		for (int k = 0; k < 3; k++) {
 			p->f[i][k] += f[k];
@@ -153,6 +162,8 @@ enum ts_status ts_flow_force_act(struct ts_instance *self, struct tsim *sim)
 				p->torque[i][k] += torque[k];
 		}
 	}
+	if (s->fluid)
+		ts_fluid_note_outside(s->fluid, sim, self, outside, tag);
 	return style->style.late[TS_LATE_INERTIA] ? TS_OK : ts_flow_force_react(self, sim);
 }
 

@@ -79,6 +79,11 @@ struct ts_fluid {
 	bool pressure_ahead; /* predictors have the old pressure in them, and projections find its change */
 	double body_force[3]; /* acceleration of all fluid, now (body_force of the style) */
 	int threads, grain; /* of the simulation; 0: one thread */
+	struct ts_fluid_outside {
+		size_t most;   /* particles outside the grid at once in this run */
+		int64_t steps; /* in so many steps of the simulation */
+		int64_t last;  /* the last one of these */
+	} outside;
 };
 
 /* How many threads are worth it for a loop of n rounds; as ts_team. */

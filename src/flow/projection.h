@@ -68,7 +68,8 @@ struct ts_projection {
 	double level_now;
 	bool still; /* the projection is one of a field that was set: no pressure drives it */
 
-	bool read; /* the words, into: */
+	bool moved; /* a run has made steps with it, or would have (-check) */
+	bool read;  /* the words, into: */
 	int64_t cells[3];
 	int64_t substeps; /* 0: as many as its limits want */
 	struct ts_number body_force[3];

@@ -1,4 +1,5 @@
 /* Fix buoyancy: particles in a fluid at rest weigh less. */
+#include "flow/projection.h"
 #include "law/buoyancy.h"
 
 #include "particles/chosen.h"
@@ -39,6 +40,41 @@ static enum ts_status find_gravity(struct ts_instance *self, struct tsim *sim)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, &self->where,
 		       "fix buoyancy: the fluid needs the weight of one fix gravity, there are %d", n);
+}
+
+/* Fixes by which the pressure of a fluid acts on particles: where that holds the fluid's weight, buoyancy is in it. */
+static const struct ts_instance *pressed(const struct tsim *sim, const struct ts_instance *self)
+{
+	const struct ts_instance *fix;
+
+	for (size_t k = 0; (fix = ts_flow_part_named(sim, "flow/pressure_gradient", &k));)
+		if (ts_groups_meet(sim->particles, fix->group, self->group))
+			return fix;
+	for (size_t k = 0; (fix = ts_flow_part_named(sim, "immersed/boundary", &k));)
+		if (fix->words.n && ts_streq(fix->words.word[0].text, "spheres") &&
+		    ts_groups_meet(sim->particles, fix->group, self->group))
+			return fix;
+	return NULL;
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	const struct state *s = self->state;
+	const struct ts_instance *flow = ts_sim_only(sim, TS_KIND_FLOW), *fix;
+	const struct ts_projection *p;
+
+	if (!flow || !flow->style->family || !ts_streq(flow->style->family, TS_FAMILY_PROJECTION))
+		return TS_OK;
+	p = flow->state;
+	fix = pressed(sim, self);
+	if (!fix || p->fluid.grid.periodic[s->dim] || !p->body_words.n ||
+	    (!p->body_force[s->dim].variable && p->body_force[s->dim].value == 0))
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, &self->where,
+		       "fix buoyancy: buoyancy would count twice: the pressure of the fluid holds its weight (body_force along "
+		       "%s, flow_style in line %d) and acts on the particles by fix %s (line %d): leave out fix buoyancy, or "
+		       "the body_force",
+		       axes[s->dim], flow->where.line, fix->style->name, fix->where.line);
 }
 
 static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
@@ -123,13 +159,17 @@ const struct ts_style ts_fix_buoyancy = {
 	.doc = "f -= rho V g, V the volume of the part of the particle that is below the level (where gravity\n"
 	       "points): the whole sphere or a cap of it, pi h^2 (3 R - h)/3. g is that of the one fix gravity, which\n"
 	       "points along `dim`. In two dimensions V is the area of a segment of the disc. f_ID[1] ... [3] is the\n"
-	       "total.",
+	       "total.\n\n"
+	       "Where a fluid that is solved for has a body_force along `dim`, held by boundaries, its pressure contains the\n"
+	       "buoyancy: together with fix flow/pressure_gradient (or fix immersed/boundary of particles) this fix would\n"
+	       "count it twice and is refused. In a grid that is periodic along `dim` no pressure holds the weight.",
 	.example = "fix g all gravity 9.81 vector 0.0 0.0 -1.0\n"
 		   "fix pond all buoyancy level 0.06 dim z density 1000",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.archive = archive,
 	.values = values,
+	.init = init,
 	.hook = { [TS_STAGE_POST_BUILD] = post_build, [TS_STAGE_POST_FORCE] = post_force },
 	.fini = fini,
 };

@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "flow/flow.h"
 #include "particles/domain.h"
 #include "particles/particles.h"
 #include "particles/region.h"
@@ -63,6 +64,12 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 					       "expected boundary p or f",
 					       names[k]);
 	}
+	if (ts_flow_fluid(sim))
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix deform: the grid of the fluid (flow_style, line %d) does not change with the box: "
+			       "change the box before flow_style (`change_box`, or a run with this fix and `unfix`), or "
+			       "use flow_style uniform",
+			       ts_sim_only(sim, TS_KIND_FLOW)->where.line);
 	if (!sides)
 		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
 			       "fix deform: expected x, y or z and how it changes");
@@ -392,7 +399,9 @@ const struct ts_style ts_fix_deform = {
 	       "`volume`, they change so that the volume stays what it was when the fix was made.\n\n"
 	       "With `remap x` positions of the group keep their place relative to the faces; velocities are left\n"
 	       "alone. With `remap v` positions are left alone, and the velocity of a particle that crosses a\n"
-	       "periodic face changes by the rate of that length, as the contacts across the face see it.",
+	       "periodic face changes by the rate of that length, as the contacts across the face see it.\n\n"
+	       "Refused together with a fluid that is solved for (flow_style projection): its grid does not change with\n"
+	       "the box in a run. change_box before a run does change it.",
 	.example = "fix squeeze all deform 1 z erate -0.02 x volume y volume remap x\n"
 		   "fix shake all deform 10 x wiggle 0.001 0.1 remap v units box",
 	.args = args,

@@ -2,6 +2,7 @@
 #include <stdio.h>
 
 #include "core/plan.h"
+#include "flow/outside.h"
 #include "flow/implicit.h"
 #include "flow/limits.h"
 
@@ -85,6 +86,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	if (!is_run)
 		TS_TRY(read_words(self, sim));
+	p->fluid.outside = (struct ts_fluid_outside){ 0 };
+	p->moved |= is_run && sim->clock.last_step > sim->clock.step;
 	TS_TRY(derive(self, sim));
 	TS_TRY(ts_projection_prepare(self, sim));
 	if (is_run)
@@ -113,9 +116,9 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 /* The next run begins with these ghosts: a state that is saved and one that goes on are the same. */
 static enum ts_status finish(struct ts_instance *self, struct tsim *sim)
 {
-	const struct ts_fluid *fluid = &((struct ts_projection *)self->state)->fluid;
+	struct ts_fluid *fluid = &((struct ts_projection *)self->state)->fluid;
 
-	(void)sim;
+	ts_fluid_tell_outside(fluid, sim);
 	if (fluid->steps > 0)
 		ts_fluid_fill_ghosts(fluid, fluid->u);
 	return TS_OK;
