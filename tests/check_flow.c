@@ -449,7 +449,7 @@ static int use_all(struct tsim *sim)
 			   "flow_grid y tanh 1.1\n"
 			   "flow_boundary xlo inlet velocity v_u 0 0 set y y\nflow_boundary xhi outlet\n"
 			   "flow_set velocity v_u 0 0 set y y\ntimestep 0.01\nrun 1\n"
-			   "flow_style projection cells 4 3 1 viscosity 0.05 density 1.7 time rk3\n");
+			   "flow_style none\nflow_style projection cells 4 3 1 viscosity 0.05 density 1.7 time rk3\n");
 	if (code)
 		return code;
 	flow = ts_sim_only(sim, TS_KIND_FLOW);
