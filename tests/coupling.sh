@@ -294,6 +294,41 @@ print went" 'went'
 	done
 done
 
+# ---- momentum of particles and fluid in a periodic box: the figures of doc/coupling.md
+crowd='units si
+boundary p p p
+newton off
+communicate single vel yes
+region box block 0 0.004 0 0.004 0 0.004 units box
+create_box 1 box
+create_atoms 1 random 200 2385 box
+set group all diameter 0.0003 density 2385
+flow_style projection cells 4 4 4 viscosity 1e-3 density 1000
+pressure_style cg tolerance 1e-13
+velocity all ramp vy 0 0.02 z 0 0.004 units box
+velocity all set 0.1 0 0 sum yes'
+sums='fix m all nve
+timestep 1e-4
+compute f0 all flow/flux x 0
+compute f1 all flow/flux x 0.001
+compute f2 all flow/flux x 0.002
+compute f3 all flow/flux x 0.003
+compute fx all reduce sum fx
+variable P equal mass(all)*vcm(all,x)+0.5*dt*c_fx+c_f0+c_f1+c_f2+c_f3
+run 2
+variable before equal $(v_P)
+run 100'
+agree 'momentum by drag alone' "$crowd
+fix d all drag/stokes scheme exact
+$sums
+print 'is drift \$((v_P/v_before-1)*0.1) 0'"
+prints "$crowd
+fix e all void_fraction
+fix p all flow/pressure_gradient
+fix d all drag/di_felice scheme exact
+$sums
+print 'drift \$(v_P/v_before-1:%.2g)'" 'drift -0.0018'
+
 # ---- forces
 agree 'laws in a uniform flow' "$still
 variable w equal 0.5

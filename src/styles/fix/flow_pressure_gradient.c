@@ -42,7 +42,8 @@ const struct ts_flow_force_style ts_fix_flow_pressure_gradient = {
 		       "body_force) and held by walls, that contains the buoyancy; else add fix buoyancy.\n\n"
 		       "The reaction needs nothing: with fix void_fraction the fluid has -e grad p, and the particles the\n"
 		       "rest of -grad p. Without, the fluid is also where the particle is, and that part of it feels and\n"
-		       "follows the gradient. f_ID[1] ... [3] is the total.",
+		       "follows the gradient. In either case momentum of particles and fluid together is kept to 1e-3 to 1e-2\n"
+		       "of it, not to round-off: doc/coupling.md says why. f_ID[1] ... [3] is the total.",
 		.example = "flow_style projection cells 10 10 40 viscosity 1.8e-5 density 1.2 body_force 0 0 -9.81\n"
 			   "fix lift all flow/pressure_gradient",
 		.args = args,
