@@ -548,6 +548,7 @@ library_sources = \
 	src/review/motion.c \
 	src/review/numbers.c \
 	src/review/overlap.c \
+	src/review/places.c \
 	src/review/table.c \
 	src/review/touching.h \
 	src/review/walls.c \

@@ -113,6 +113,18 @@ advise 0 2 -var step 2e-5
 grep -q 'in.scene:26: run of 1500 steps' ../out
 report 'a short script is tried where most is done' $? ../out
 
+# nothing touches: no advice about laws of contacts, whatever the times
+sed -e 's/^create_atoms.*/create_atoms 1 single 0.01 0.01 0.04 units box\ncreate_atoms 1 single 0.02 0.02 0.04 units box/; s/${step}/2e-5/' \
+	-e '/^run/d; /^fix g /d' in.scene >in.apart
+mv in.scene in.kept
+{ cat in.apart; echo 'run 2000'; } >in.scene
+advise 0 5 at 0 steps 160
+grep -q '^laws of contacts: not decided, since nothing touched' ../out && ! grep -qE '^(model|tangential|rolling_friction) .* of the cost' ../out
+report 'laws of contacts without contacts are not decided' $? ../out
+! grep -qE '^  ?>' ../out
+report 'nothing is advised from trials of milliseconds' $? ../out
+mv in.kept in.scene
+
 # what the script counts in steps stands for the same time with another step
 cp in.scene in.grains
 sed -e '/^create_atoms/d; /^set type/d; /^run/d; /^variable/d' -e 's/${step}/2e-5/' in.grains >in.scene

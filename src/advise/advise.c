@@ -24,7 +24,7 @@
 
 /* Parts of the time that may be spent: on the way to where the trials start, on the trials. */
 static const double WAY = 0.3, TRIALS = 0.6, PROBE = 0.02;
-enum { MOST_REPEATS = 3 };
+enum { MOST_REPEATS = 3, MOST_ROUNDS = 5 };
 
 struct options {
 	double seconds, tolerance;
@@ -164,6 +164,31 @@ static void try_one(struct advise *a, int k, struct ts_log *screen)
 	ts_trial_run(a->sim, b, k, a->o.steps > 0 ? 1e9 : fmax(2, 15 * expected));
 }
 
+/* What seems worth it, but by no more than times differ, is measured again, with the scene as it is and its twin, until
+ * it is decided or the time is over. */
+static void decide(struct advise *a, struct ts_log *screen)
+{
+	struct ts_board *b = a->board;
+	bool open = true;
+
+	ts_log_progress(screen, "measured again: what is not decided");
+	for (int round = 0; open && round < MOST_ROUNDS; round++) {
+		open = false;
+		for (int k = 0; k < b->n; k++) {
+			double expected = factor(b, &b->trial[k]) * (double)b->steps * b->step_seconds;
+
+			if (!b->trial[k].done || ts_clock() - a->begin + 3 * expected > a->o.seconds ||
+			    !ts_verdict_open(b, k))
+				continue;
+			open = true;
+			for (int same = 0; same < b->n && b->trial[same].subject <= TS_SUBJECT_TWIN; same++)
+				if (b->trial[same].done)
+					ts_trial_repeat(a->sim, b, same, fmax(2, 15 * expected));
+			ts_trial_repeat(a->sim, b, k, fmax(2, 15 * expected));
+		}
+	}
+}
+
 static void try_all(struct advise *a, struct ts_log *screen)
 {
 	struct ts_board *b = a->board;
@@ -176,6 +201,7 @@ static void try_all(struct advise *a, struct ts_log *screen)
 	choose_steps(a);
 	for (int k = 0; k < b->n; k++)
 		try_one(a, k, screen);
+	decide(a, screen);
 	if (ts_verdict_combine(b, a->o.tolerance))
 		try_one(a, b->n - 1, screen);
 	ts_log_progress(screen, "");

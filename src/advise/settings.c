@@ -181,6 +181,7 @@ static void list_choice(struct tsim *sim, struct ts_board *b, int c)
 		if (!t)
 			continue;
 		t->choice = c;
+		t->law = choices[c].kind == TS_KIND_PAIR;
 		snprintf(t->value, sizeof t->value, "%s", choices[c].to[k]);
 		snprintf(t->label, sizeof t->label, "%s %s", choices[c].keyword, choices[c].to[k]);
 	}

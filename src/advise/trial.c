@@ -17,6 +17,7 @@
 #include "core/plan.h"
 #include "io/thermo.h"
 #include "math/rng.h"
+#include "neigh/wall.h"
 #include "particles/particles.h"
 
 #include "base/banned.h"
@@ -207,6 +208,21 @@ static double stop_watch(const struct tsim *sim)
 	return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
+/* Contacts that touch now, of particles and with walls. */
+static double touching(const struct tsim *sim)
+{
+	const struct ts_rows *rows = &sim->neigh->rows;
+	const struct ts_wall *w;
+	double n = 0;
+
+	for (size_t r = 0; r < rows->n; r++)
+		n += rows->touching[r] != 0;
+	for (size_t k = 0; (w = ts_walls_next(sim, &k, NULL));)
+		for (size_t m = 0; m < w->contacts.n; m++)
+			n += w->contacts.touching[m] != 0;
+	return n;
+}
+
 static enum ts_status start(struct copy *c, int64_t steps)
 {
 	struct ts_clock *clock = &c->sim->clock;
@@ -290,6 +306,7 @@ static enum ts_status follow(struct copy *c)
 			return TS_OK;
 		}
 		look(c->sim, t->column[k]);
+		t->contacts = fmax(t->contacts, touching(c->sim));
 	}
 	t->looks = looks;
 	t->steps = n * looks;
@@ -358,16 +375,31 @@ void ts_trial_probe(struct tsim *sim, struct ts_board *board, double seconds)
 	run_copy(&c, board->trouble, sizeof board->trouble);
 }
 
-void ts_trial_run(struct tsim *sim, struct ts_board *board, int k, double seconds)
+void ts_trial_repeat(struct tsim *sim, struct ts_board *board, int k, double seconds)
 {
 	struct ts_trial *t = &board->trial[k];
 	struct copy c = { .sim = sim, .board = board, .trial = t, .seconds = seconds };
-	double least = INFINITY;
+	double least = t->seconds;
 
-	for (int r = 0; r < board->repeats && (!r || t->done); r++) {
-		t->seconds = 0;
-		run_copy(&c, t->trouble, sizeof t->trouble);
-		least = fmin(least, t->seconds);
+	bool before = t->done;
+
+	t->seconds = 0;
+	t->done = false;
+	run_copy(&c, t->trouble, sizeof t->trouble);
+	if (!t->done && before) { /* the time was over: what was measured before counts */
+		t->done = true;
+		t->seconds = least;
+		return;
 	}
-	t->seconds = least;
+	t->longest = fmax(t->longest, t->seconds);
+	t->seconds = fmin(least, t->seconds);
+}
+
+void ts_trial_run(struct tsim *sim, struct ts_board *board, int k, double seconds)
+{
+	struct ts_trial *t = &board->trial[k];
+
+	t->seconds = INFINITY;
+	for (int r = 0; r < board->repeats && (!r || t->done); r++)
+		ts_trial_repeat(sim, board, k, seconds);
 }

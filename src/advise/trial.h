@@ -29,6 +29,7 @@ enum ts_subject {
 };
 
 struct ts_trial {
+	bool law;	     /* another law of contacts */
 	int subject, choice; /* the latter: which row of the table of choices */
 	char label[TS_TRIAL_TEXT], value[TS_TRIAL_TEXT];
 	double dt, skin; /* 0: as it is */
@@ -38,11 +39,14 @@ struct ts_trial {
 	bool done;
 	char trouble[3 * TS_TRIAL_TEXT]; /* why it is not */
 	int64_t steps;
-	double seconds;
+	double seconds, longest; /* the least and the longest time of its repeats */
+	double contacts;	 /* how many touched, at most, when it was looked at */
 	int looks;
 	double column[TS_TRIAL_LOOKS + 1][TS_TRIAL_COLUMNS]; /* the first: at the start */
 
 	/* what it means */
+	bool undecided; /* it seems cheaper, but by no more than times differ anyway */
+	bool idle;	/* another law of contacts, and nothing touched */
 	bool advised, front; /* front: nothing is both cheaper and closer to the finest */
 	double change[TS_TRIAL_COLUMNS], worst; /* against the finest, in units of the column's scale */
 	int worst_column;
@@ -80,12 +84,18 @@ void ts_trial_probe(struct tsim *sim, struct ts_board *board, double seconds);
 /* Runs the k-th trial in a copy; gives up after so many seconds. */
 void ts_trial_run(struct tsim *sim, struct ts_board *board, int k, double seconds);
 
+/* Once more; the least and the longest time are kept. */
+void ts_trial_repeat(struct tsim *sim, struct ts_board *board, int k, double seconds);
+
 /* settings.c: lists what can be tried with this scene; makes a trial's setting so in a copy. */
 void ts_settings_list(struct tsim *sim, struct ts_board *board);
 enum ts_status ts_settings_apply(struct tsim *sim, const struct ts_board *board,
 				 const struct ts_trial *trial);
 
-/* verdict.c: fills in the trial with all that is advised; false: there is nothing, or only one thing. */
+/* verdict.c: whether trial k seems worth it, but its time differs from the present one by no more than times of the
+ * same differ. */
+bool ts_verdict_open(struct ts_board *b, int k);
+/* Fills in the trial with all that is advised; false: there is nothing, or only one thing. */
 bool ts_verdict_combine(struct ts_board *board, double tolerance);
 void ts_verdict_print(struct ts_board *board, double tolerance, struct ts_str *out);
 

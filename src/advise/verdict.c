@@ -13,6 +13,8 @@
 static const double WORTH = 0.9;   /* advised from this part of the cost on */
 static const double NOISE = 3;     /* a change counts if it is so many times that of the twin */
 static const double FLOOR = 1e-12; /* a difference of round-off, in parts of the magnitude */
+static const double SURE = 2;	   /* a saving counts if it is so many times what times of the same differ by */
+static const double SHORTEST = 2e-3; /* seconds: less is the clock's own */
 enum { COLUMNS_SHOWN = 7, LABEL_WIDTH = 30 };
 
 static double cost_of(const struct ts_trial *t, const struct ts_board *b)
@@ -35,6 +37,49 @@ static double present_seconds(const struct ts_board *b)
 	const struct ts_trial *twin = first_of(b, TS_SUBJECT_TWIN);
 
 	return here && twin ? fmin(here->seconds, twin->seconds) : here ? here->seconds : 0;
+}
+
+static double spread_of(const struct ts_trial *t)
+{
+	return t && t->done ? (t->longest - t->seconds) / t->seconds : 0;
+}
+
+/* How much times of the same differ, in parts of them: the scene and its twin do the same work, and so do repeats. */
+static double time_noise(const struct ts_board *b, const struct ts_trial *t)
+{
+	const struct ts_trial *here = first_of(b, TS_SUBJECT_PRESENT);
+	const struct ts_trial *twin = first_of(b, TS_SUBJECT_TWIN);
+	double noise = fmax(spread_of(t), fmax(spread_of(here), spread_of(twin)));
+
+	if (here && twin)
+		noise = fmax(noise, fabs(here->seconds - twin->seconds) / fmin(here->seconds, twin->seconds));
+	return fmax(noise, SHORTEST / fmax(t->seconds, 1e-9));
+}
+
+static bool seems_worth(const struct ts_board *b, const struct ts_trial *t)
+{
+	return t->done && t->seconds < WORTH * present_seconds(b);
+}
+
+/* Cheaper by more than times differ anyway. */
+static bool surely_worth(const struct ts_board *b, const struct ts_trial *t)
+{
+	return seems_worth(b, t) && 1 - t->seconds / present_seconds(b) > SURE * time_noise(b, t);
+}
+
+/* Nothing touched, so a law of contacts has not been tried. */
+static bool law_of_nothing(const struct ts_board *b, const struct ts_trial *t)
+{
+	const struct ts_trial *here = first_of(b, TS_SUBJECT_PRESENT);
+
+	return t->law && here && !(here->contacts > 0) && !(t->contacts > 0);
+}
+
+bool ts_verdict_open(struct ts_board *b, int k)
+{
+	const struct ts_trial *t = &b->trial[k];
+
+	return t->subject >= TS_SUBJECT_STEP && !law_of_nothing(b, t) && seems_worth(b, t) && !surely_worth(b, t);
 }
 
 /* The trial with the smallest step, all else as the scene has it. */
@@ -164,7 +209,8 @@ static void advise_step(struct ts_board *b, double tolerance)
 	}
 	if (!best || !here || best == here)
 		return;
-	best->advised = here->worst > tolerance || best->seconds < WORTH * present_seconds(b);
+	best->advised = here->worst > tolerance || surely_worth(b, best);
+	best->undecided = !best->advised && seems_worth(b, best);
 }
 
 static bool same_thing(const struct ts_trial *a, const struct ts_trial *b)
@@ -183,8 +229,10 @@ static void advise_others(struct ts_board *b, double tolerance)
 
 		if (!t->done || t->subject < TS_SUBJECT_SKIN || t->subject >= TS_SUBJECT_TOGETHER)
 			continue;
-		t->advised = t->seconds < WORTH * present_seconds(b) &&
-			     worst_change(b, t, here, &column) <= tolerance;
+		t->idle = law_of_nothing(b, t);
+		t->undecided = !t->idle && seems_worth(b, t) && !surely_worth(b, t) &&
+			       worst_change(b, t, here, &column) <= tolerance;
+		t->advised = !t->idle && surely_worth(b, t) && worst_change(b, t, here, &column) <= tolerance;
 		for (int m = 0; m < k && t->advised; m++) {
 			struct ts_trial *o = &b->trial[m];
 
@@ -342,6 +390,29 @@ static void add_duration(const struct ts_board *b, const struct ts_trial *here,
 	ts_price_time(per_run * here->seconds, out);
 }
 
+/* What could not be told: settings that seem cheaper. */
+static int add_undecided(const struct ts_board *b, struct ts_str *out)
+{
+	bool idle = false;
+	int n = 0;
+
+	for (int k = 0; k < b->n; k++) {
+		const struct ts_trial *t = &b->trial[k];
+
+		if (t->idle && !idle)
+			ts_str_add(out, "laws of contacts: not decided, since nothing touched in the trials; begin them later "
+					"(-advise at STEP)\n");
+		idle |= t->idle;
+		if (t->undecided)
+			ts_str_addf(out,
+				    "%s: not decided, %.2f of the cost, but times of the same differ by %.2g %%; give it "
+				    "more time\n",
+				    t->label, t->seconds / present_seconds(b), 100 * time_noise(b, t));
+		n += t->undecided;
+	}
+	return n + idle;
+}
+
 static void add_advice(const struct ts_board *b, double tolerance, struct ts_str *out)
 {
 	const struct ts_trial *here = first_of(b, TS_SUBJECT_PRESENT), *all = NULL, *only = NULL;
@@ -372,7 +443,7 @@ static void add_advice(const struct ts_board *b, double tolerance, struct ts_str
 		ts_str_addf(out, "The step decides: as it is, %s is off by %.2g %%, and no step tried is within %g %% "
 				 "of the finest. Try smaller ones.\n",
 			    b->title[here->worst_column], 100 * here->worst, 100 * tolerance);
-	else if (!n)
+	else if (!add_undecided(b, out) && !n)
 		ts_str_add(out, "Nothing that was tried is better than what the script has.\n");
 	only = all ? all : n == 1 ? only : NULL;
 	if (!only)

@@ -10,6 +10,11 @@ enum ts_status ts_review_rotation(struct tsim *sim);
 /* numbers.c */
 enum ts_status ts_review_units(struct tsim *sim);
 enum ts_status ts_review_diameter(struct tsim *sim);
+enum ts_status ts_review_density(struct tsim *sim);
+/* places.c */
+enum ts_status ts_review_reach(struct tsim *sim);
+enum ts_status ts_review_floor(struct tsim *sim);
+enum ts_status ts_review_mesh_size(struct tsim *sim);
 /* overlap.c */
 enum ts_status ts_review_overlap(struct tsim *sim);
 /* walls.c */

@@ -6,6 +6,7 @@
 #include "particles/body.h"
 #include "particles/gravity.h"
 #include "particles/property.h"
+#include "particles/rigid.h"
 
 #include "base/banned.h"
 
@@ -80,4 +81,44 @@ enum ts_status ts_review_diameter(struct tsim *sim)
 			      "first is particle %d (type %d); say `set type %d diameter D density "
 			      "RHO` before the run",
 			      n, p->n, p->tag[first], p->type[first], p->type[first]);
+}
+
+/* ---- densities ---- */
+
+static const double LIGHTEST = 10, HEAVIEST = 30000; /* kg/m3: foam, osmium */
+
+static bool unlikely(const struct tsim *sim, size_t i)
+{
+	const struct ts_particles *p = sim->particles;
+	double density = p->mass[i] / ts_body_volume(sim, p->radius[i]);
+
+	return !ts_rigid_member(p, i) && p->imass[i] > 0 && !untouched(sim, i) &&
+	       !(density >= LIGHTEST && density <= HEAVIEST);
+}
+
+/* Gravity says that lengths are metres and times seconds; numbers of tests, with other gravity or
+ * none, are let be. */
+enum ts_status ts_review_density(struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+	const struct ts_instance *by = NULL;
+	size_t n = 0, first = 0;
+
+	if (sim->units != TS_UNITS_SI || sim->dimension != 3 || !(fabs(earth(sim, &by)) > 0))
+		return TS_OK;
+	for (size_t i = p->n; i-- > 0;) {
+		if (!unlikely(sim, i))
+			continue;
+		first = i;
+		n++;
+	}
+	if (!n)
+		return TS_OK;
+	return ts_review_find(
+		sim, "density", NULL,
+		"%zu of %zu particles have densities that no grain has, the first is particle %d "
+		"(type %d) with "
+		"%g kg/m3; water has 1000, sand 2650, steel 7850 kg/m3: `set type %d density RHO`",
+		n, p->n, p->tag[first], p->type[first],
+		p->mass[first] / ts_body_volume(sim, p->radius[first]), p->type[first]);
 }

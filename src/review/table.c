@@ -12,5 +12,12 @@ const struct ts_review_check ts_review_table[] = {
 	  ts_review_diameter },
 	{ "overlap", "particles that overlap each other at the start", ts_review_overlap },
 	{ "wall_overlap", "particles that overlap a wall at the start", ts_review_wall_overlap },
+	{ "density", "densities that no grain has, in SI units", ts_review_density },
+	{ "reach", "walls that no particle in the box can touch", ts_review_reach },
+	{ "floor", "gravity towards a fixed face, and nothing that stops what falls",
+	  ts_review_floor },
+	{ "mesh_size", "meshes that are smaller than the particles", ts_review_mesh_size },
+	{ "mesh_leaves", "meshes that will leave the box in the run", NULL },
+	{ "servo", "a servo that goes to and fro with its largest speed", NULL },
 	{ .name = NULL },
 };

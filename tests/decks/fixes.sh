@@ -228,7 +228,6 @@ create_atoms 1 single 0.97 0.6 0.45 units box
 set group all diameter 0.1 density 2385
 pair_style spring/dashpot
 pair_coeff * * stiffness 2385 restitution 1
-fix n all nve
 fix f all move linear 0 0 0 units box
 fix a all deform 1 x delta 0 -0.02 remap none units box
 neighbor 0.002 bin

@@ -230,6 +230,85 @@ sound 'on a wall' "$whole
 fix floor all wall/gran primitive type 1 zplane 0.05
 $rest"
 
+# ---- density ----
+found 'g/cm3' density "${whole/density 1000/density 2.65}
+fix g all gravity 9.81 vector 0 0 -1
+$rest" '2 of 2 particles' 'with 2.65 kg/m3' 'set type 1 density RHO'
+sound 'other gravity' "${whole/density 1000/density 2.65}
+fix g all gravity 1 vector 0 0 -1
+$rest"
+
+# ---- reach ----
+found 'a plane in millimetres' reach "$whole
+fix side all wall/gran primitive type 1 xplane 1000
+$rest" 'this wall is 999 away from the box (0 0 0) to (1 1 1)'
+found 'a cylinder that is too large' reach "$whole
+fix side all wall/gran primitive type 1 zcylinder 100 0.5 0.5
+$rest" 'this wall is 99.2929 away'
+sound 'walls at and just outside of the faces' "$whole
+fix low all wall/gran primitive type 1 xplane 0
+fix high all wall/gran primitive type 1 xplane 1.05
+fix tube all wall/gran primitive type 1 zcylinder 0.75 0.5 0.5
+$rest"
+
+# ---- floor: 0.15 m take 0.17 s ----
+found 'no floor' floor "$whole
+fix g all gravity 9.81 vector 0 0 -1
+timestep 1e-4
+run 2000" 'fixed face zlo' '2 of 2 particles' 'zplane 0'
+sound 'a short fall' "$whole
+fix g all gravity 9.81 vector 0 0 -1
+timestep 1e-4
+run 1500"
+sound 'a floor' "$whole
+fix g all gravity 9.81 vector 0 0 -1
+fix floor all wall/gran primitive type 1 zplane 0
+timestep 1e-4
+run 2000"
+sound 'losses are meant' "$whole
+fix g all gravity 9.81 vector 0 0 -1
+thermo_modify lost ignore
+timestep 1e-4
+run 2000"
+
+# ---- meshes ----
+found 'a mesh in metres' mesh_size "$whole
+fix plate all mesh/surface file plate.stl type 1 scale 0.001 move 0.5 0.5 0.5
+fix floor all wall/gran mesh n_meshes 1 meshes plate
+$rest" 'mesh plate is 0.0008 long' 'the diameter 0.2'
+leaving="$whole
+fix plate all mesh/surface file plate.stl type 1 move 0 0 0.6
+fix push all move/mesh mesh plate linear 0 0 1
+fix floor all wall/gran mesh n_meshes 1 meshes plate
+timestep 1e-3"
+sound 'a mesh that stays' "$leaving
+run 300"
+printf '%s\n' "$leaving" 'run 320' >in.script
+"$TSIM" -check -in in.script 2>&1 </dev/null | grep '(review: ' >told
+grep -qE 'mesh plate leaves the box 0.31 from now, after 310 of the 320 steps .*mesh_leaves' told && [ "$(grep -c . told)" = 1 ]
+report 'a mesh that leaves' $? told
+echo mesh_leaves >>provoked
+
+# ---- servo ----
+servo="${start/0 1 0 1 0 1/0 1 0 1 -0.5 1}
+create_atoms 1 single 0.3 0.5 0.05 units box
+set group all diameter 0.1 density 1000
+${law/kn peratomtypepair 2 1e4 1e4 1e4 1e4/kn peratomtypepair 2 1e5 1e5 1e5 1e5}
+fix move all nve/sphere
+fix g all gravity 9.81 vector 0 0 -1
+fix floor all wall/gran primitive type 1 zplane 0
+neighbor 0.02 bin
+fix lid all mesh/surface/stress/servo file plate.stl type 1 move 0 0 0.015 com 0.5 0.5 0.105 ctrlPV force axis 0 0 -1 target_val 20"
+printf '%s\n' "$servo vel_max 1 kp 1000" 'fix press all wall/gran mesh n_meshes 1 meshes lid' 'timestep 1e-5' 'run 5000' >in.script
+"$TSIM" -in in.script -log run.log -screen none >out 2>&1 </dev/null
+grep '(review: ' run.log >told
+[ "$(grep -c . told)" = 1 ] && grep -qE 'servo of mesh lid went .*now 1000.*review: servo' told
+report 'a servo that flips' $? run.log
+echo servo >>provoked
+printf '%s\n' "$servo vel_max 1 kp 0.1" 'fix press all wall/gran mesh n_meshes 1 meshes lid' 'timestep 1e-5' 'run 5000' >in.script
+"$TSIM" -in in.script -log run.log -screen none >out 2>&1 </dev/null && ! grep '(review: ' run.log >told
+report 'one that does not' $? told
+
 # ---- the command ----
 rejects "$start
 review off overlpa" "there is no check 'overlpa'; did you mean 'overlap'?"

@@ -22,6 +22,7 @@ struct state {
 	double unit[3]; /* along the axis */
 	double target;	/* what is wanted, now */
 	double lever;	/* of the corner farthest from the axis, for torque */
+	int64_t flips, since; /* how often the speed went from one limit to the other, in how many steps */
 	/* saved */
 	double speed;	/* for the next step: of the mesh, or of that corner */
 	double gone;	/* way, or angle, so far */
@@ -162,6 +163,28 @@ static double pid(struct state *s, double error, double dt)
 	return s->fastest * copysign(1, output);
 }
 
+/* A controller whose gain is too large for the step goes from one limit of its speed to the other and back: force and
+ * damping of the contacts follow the speed within a step. Looked at over so many steps. */
+enum { WATCHED = 200, FLIPS = 50 };
+
+static enum ts_status watch(struct ts_instance *self, struct tsim *sim, double before)
+{
+	struct state *s = self->state;
+	bool at_limits = fabs(before) >= 0.999 * s->fastest && fabs(s->speed) >= 0.999 * s->fastest;
+
+	s->flips += at_limits && before * s->speed < 0;
+	if (++s->since < WATCHED)
+		return TS_OK;
+	if (s->flips >= FLIPS)
+		TS_TRY(ts_review_find(sim, "servo", &self->where,
+				      "the servo of mesh %s went from its largest speed one way to the other %d times in %d "
+				      "steps: its gain is too large for the stiffness and damping of the contacts; take a "
+				      "smaller kp (now %g), vel_max (now %g) or `timestep`",
+				      self->id, (int)s->flips, WATCHED, s->kp, s->fastest));
+	s->flips = s->since = 0;
+	return TS_OK;
+}
+
 static void set_velocities(struct state *s, double speed)
 {
 	const struct ts_mesh *m = &s->surface.mesh;
@@ -181,7 +204,7 @@ static void set_velocities(struct state *s, double speed)
 static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
-	double met, error;
+	double met, error, before = s->speed;
 
 	TS_TRY(ts_mesh_stress_settle(self, sim));
 	if (s->moves == STOP)
@@ -192,7 +215,7 @@ static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim
 	error = (s->target - met) / fabs(s->target);
 	s->speed = s->mode == AUTO ? scheduled(s, sim, error) : pid(s, error, sim->clock.dt);
 	set_velocities(s, s->speed);
-	return TS_OK;
+	return watch(self, sim, before);
 }
 
 static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *sim)
@@ -331,6 +354,8 @@ const struct ts_style ts_fix_mesh_surface_stress_servo = {
 	       "LIGGGHTS does. With ctrlPV torque it is the corner farthest from the axis that has this speed.\n\n"
 	       "`mode auto`: the speed is vel_max where no particle is near (in the neighbour list); else it is\n"
 	       "ratio R_min/h, times min(|e|, 1) g, with g = 0.1 up to |e| = 0.9 and from there linearly to 1.\n\n"
+	       "A gain that is too large for the contacts makes the speed go from one limit to the other and back: this\n"
+	       "is told once (doc/review.md, servo).\n\n"
 	       "vel_max must be below skin/(2 h). No fix move/mesh can move a servo. Between runs,\n"
 	       "`fix_modify ID servo/integrate stop` holds the mesh and the controller (particles still feel the\n"
 	       "velocity it had, as with LIGGGHTS), `start` lets them go on;\n"

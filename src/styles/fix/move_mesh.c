@@ -1,6 +1,8 @@
 /* Fix move/mesh: meshes that move as a whole. */
+#include <inttypes.h>
 #include <math.h>
 
+#include "particles/domain.h"
 #include "particles/mesh_motion.h"
 
 #include "base/banned.h"
@@ -241,6 +243,50 @@ static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *s
 	return ts_mesh_mover_move(self, sim, &m);
 }
 
+/* Whether another fix moves the mesh, too: where it goes is not said by this one alone. */
+static bool is_alone(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct state *s = self->state;
+	const struct ts_instance *other;
+
+	for (size_t k = 0; (other = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_MESH_MOVER, &k));)
+		if (other != self && ts_streq(((const struct ts_mesh_mover *)other->state)->mesh, s->mover.mesh))
+			return false;
+	return true;
+}
+
+/* The first time at which a place that moves leaves the box through a fixed face; infinite: it does not. */
+static double exit_time(const struct ts_box *box, const double x[3], const double v[3])
+{
+	double first = INFINITY;
+
+	for (int d = 0; d < 3; d++) {
+		if (v[d] > 0 && box->face[d][1] == TS_FACE_FIXED)
+			first = fmin(first, (box->hi[d] - x[d]) / v[d]);
+		if (v[d] < 0 && box->face[d][0] == TS_FACE_FIXED)
+			first = fmin(first, (box->lo[d] - x[d]) / v[d]);
+	}
+	return first;
+}
+
+static enum ts_status review(struct ts_instance *self, struct tsim *sim)
+{
+	const struct state *s = self->state;
+	const struct ts_mesh_surface *surface = ts_mesh_surface_find(sim, s->mover.mesh);
+	double first = INFINITY, time = (double)sim->review.steps * sim->clock.dt;
+
+	if (!surface || kind_of(s)->rate != linear || !is_alone(self, sim) || sim->review.stale || sim->in_pieces)
+		return TS_OK;
+	for (size_t t = 0; t < surface->mesh.n; t++)
+		first = fmin(first, exit_time(&sim->domain->box, surface->mesh.centre[t], s->velocity));
+	if (!(first < time))
+		return TS_OK;
+	return ts_review_find(sim, "mesh_leaves", &self->where,
+			      "mesh %s leaves the box %g from now, after %.0f of the %" PRId64 " steps of this run, which stops "
+			      "there; make the run shorter, the box larger, or its face `m`, which follows the mesh",
+			      s->mover.mesh, first, floor(first / sim->clock.dt + 1e-6), sim->review.steps);
+}
+
 #define VELOCITY_ROW                                                                               \
 	TS_VEC3("velocity", struct state, velocity, .flags = TS_POSITIONAL, .unit = "velocity",    \
 		.help = "Vx Vy Vz")
@@ -356,5 +402,6 @@ const struct ts_style ts_fix_move_mesh = {
 	.state_size = sizeof(struct state),
 	.saved = saved,
 	.init = init,
+	.review = review,
 	.hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate },
 };

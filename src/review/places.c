@@ -1,0 +1,218 @@
+/* Checks of the review: what stands where nothing meets it, or is missing where something would. */
+#include "review/checks.h"
+
+#include <math.h>
+
+#include "neigh/bonds.h"
+#include "neigh/primitive_wall.h"
+#include "particles/domain.h"
+#include "particles/gravity.h"
+#include "particles/integrators.h"
+#include "particles/mesh_surface.h"
+
+#include "base/banned.h"
+
+/* ---- walls beyond the box ---- */
+
+static bool fixed(const struct ts_box *box, int dim)
+{
+	return box->face[dim][0] == TS_FACE_FIXED && box->face[dim][1] == TS_FACE_FIXED;
+}
+
+/* How far the wall is from the nearest point of the box; 0: it goes through it. */
+static double gap_of(const struct ts_box *box, const struct ts_primitive *wall)
+{
+	int shape = (int)wall->shape, a = (shape + 1) % 3, b = (shape + 2) % 3;
+	double near2 = 0, far2 = 0;
+
+	if (shape <= TS_ZPLANE)
+		return fmax(0,
+			    fmax(box->lo[shape] - wall->position, wall->position - box->hi[shape]));
+	for (int k = 0; k < 2; k++) {
+		int dim = k ? b : a;
+		double below = box->lo[dim] - wall->centre[k],
+		       above = box->hi[dim] - wall->centre[k];
+		double near = fmax(0, fmax(below, -above)), far = fmax(fabs(below), fabs(above));
+
+		near2 += near * near;
+		far2 += far * far;
+	}
+	return fmax(0, fmax(sqrt(near2) - wall->radius, wall->radius - sqrt(far2)));
+}
+
+static bool stands_in_fixed_box(const struct ts_box *box, const struct ts_primitive *wall)
+{
+	int shape = (int)wall->shape;
+
+	return shape <= TS_ZPLANE ? fixed(box, shape)
+				  : fixed(box, (shape + 1) % 3) && fixed(box, (shape + 2) % 3);
+}
+
+/* The largest particle; where there is none yet, nothing is known of its size but that it is
+ * smaller than the box. */
+static double largest(const struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+	double most = 0;
+
+	for (size_t i = 0; i < p->n; i++)
+		most = fmax(most, p->radius[i]);
+	for (int dim = 0; dim < 3 && !p->n; dim++)
+		most = fmax(most, ts_box_length(&sim->domain->box, dim));
+	return most;
+}
+
+static enum ts_status look_at_primitives(struct tsim *sim, const struct ts_instance *by,
+					 const struct ts_primitive_wall *w, double radius)
+{
+	const struct ts_box *box = &sim->domain->box;
+
+	for (int k = 0; k < w->n && !ts_primitive_wall_moves(w); k++) {
+		double gap = gap_of(box, &w->primitive[k]);
+
+		if (gap > radius && stands_in_fixed_box(box, &w->primitive[k]))
+			return ts_review_find(sim, "reach", &by->where,
+					      "this wall is %g away from the box (%g %g %g) to (%g "
+					      "%g %g), so that no particle "
+					      "can touch it: particles are lost at the fixed faces "
+					      "of the box; check the units of "
+					      "its numbers, or take a larger box",
+					      gap, box->lo[0], box->lo[1], box->lo[2], box->hi[0],
+					      box->hi[1], box->hi[2]);
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_review_reach(struct tsim *sim)
+{
+	const struct ts_instance *by;
+	const struct ts_wall *w;
+	double radius = largest(sim);
+
+	for (size_t k = 0; (w = ts_walls_next(sim, &k, &by));)
+		if (w->primitive)
+			TS_TRY(look_at_primitives(sim, by, w->primitive, radius));
+	return TS_OK;
+}
+
+/* ---- gravity and no floor ---- */
+
+/* Whether a wall may stop what falls along dim: planes across it, cylinders that are not along it,
+ * meshes, regions. */
+static bool may_stop(const struct ts_wall *w, int dim)
+{
+	const struct ts_primitive_wall *p = w->primitive;
+	int shape = p && p->n ? (int)p->primitive[0].shape : -1;
+
+	if (!p)
+		return true;
+	return shape >= TS_XCYLINDER ? shape % 3 != dim : shape == dim;
+}
+
+static bool something_stops(const struct tsim *sim, int dim)
+{
+	const struct ts_particles *p = sim->particles;
+	const struct ts_wall *w;
+	bool held = false;
+
+	for (size_t k = 0; (w = ts_walls_next(sim, &k, NULL));)
+		if (may_stop(w, dim))
+			return true;
+	for (size_t i = 0; i < p->n; i++)
+		held |= !(p->imass[i] > 0);
+	return held;
+}
+
+/* Fixes other than gravity that push particles, and fluids, may hold them up. */
+static bool something_lifts(const struct tsim *sim)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+	bool lifts = sim->instances[TS_KIND_FLOW].n > 0 || sim->outside || sim->bonds->n > 0;
+
+	for (size_t k = 0; k < fixes->n; k++) {
+		const struct ts_style *style = fixes->item[k]->style;
+		const char *family = style->family;
+		bool known = family && (ts_streq(family, TS_FAMILY_GRAVITY) ||
+					ts_streq(family, TS_FAMILY_WALL));
+
+		lifts |= !known && style->hook[TS_STAGE_POST_FORCE] != NULL;
+	}
+	return lifts;
+}
+
+/* In free fall for the time of the run. */
+static enum ts_status look_below(struct tsim *sim, const struct ts_instance *by, int dim, double g)
+{
+	const struct ts_particles *p = sim->particles;
+	const struct ts_box *box = &sim->domain->box;
+	double time = (double)sim->review.steps * sim->clock.dt;
+	uint32_t moved = ts_integrated(sim, TS_MOVES);
+	size_t n = 0;
+
+	for (size_t i = 0; i < p->n; i++) {
+		double end = p->x[i][dim] + (p->v[i][dim] + 0.5 * g * time) * time;
+
+		n += (p->mask[i] & moved) && ts_in_group(p, i, by->group) &&
+		     (g < 0 ? end < box->lo[dim] : end > box->hi[dim]);
+	}
+	if (!n)
+		return TS_OK;
+	return ts_review_find(sim, "floor", &by->where,
+			      "gravity pulls particles to the fixed face %c%s, and there is no "
+			      "wall, mesh or held particle: in "
+			      "the time %g of this run %zu of %zu particles fall out of the box; "
+			      "add `fix ID all wall/gran "
+			      "primitive type 1 %cplane %g`, or say `thermo_modify lost ignore`",
+			      'x' + dim, g < 0 ? "lo" : "hi", time, n, p->n, 'x' + dim,
+			      g < 0 ? box->lo[dim] : box->hi[dim]);
+}
+
+enum ts_status ts_review_floor(struct tsim *sim)
+{
+	const struct ts_instance *by;
+
+	if (sim->review.stale || sim->particles->lost_policy == TS_LOST_IGNORE ||
+	    something_lifts(sim))
+		return TS_OK;
+	for (size_t k = 0; (by = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_GRAVITY, &k));) {
+		const struct ts_gravity *g = by->state;
+
+		for (int dim = 0; dim < sim->dimension && !g->magnitude.variable; dim++) {
+			double along = g->magnitude.value * g->direction[dim];
+			bool down = along < 0;
+
+			if (fabs(g->direction[dim]) > 0.1 &&
+			    sim->domain->box.face[dim][!down] == TS_FACE_FIXED &&
+			    !something_stops(sim, dim))
+				TS_TRY(look_below(sim, by, dim, along));
+		}
+	}
+	return TS_OK;
+}
+
+/* ---- meshes smaller than a particle ---- */
+
+enum ts_status ts_review_mesh_size(struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+	const struct ts_mesh_surface *s;
+	struct ts_instance *by;
+	double least = INFINITY;
+
+	for (size_t i = 0; i < p->n; i++)
+		least = fmin(least, p->radius[i]);
+	for (size_t k = 0; p->n && (s = ts_mesh_surface_next(sim, &k, &by));) {
+		double lo[3], hi[3], size = 0;
+
+		ts_mesh_bounds(&s->mesh, lo, hi);
+		for (int dim = 0; dim < 3; dim++)
+			size = fmax(size, hi[dim] - lo[dim]);
+		if (size < 0.2 * least)
+			TS_TRY(ts_review_find(sim, "mesh_size", &by->where,
+					      "mesh %s is %g long, less than a tenth of the "
+					      "diameter %g of the smallest "
+					      "particle; check the units of its file, and `scale`",
+					      by->id, size, 2 * least));
+	}
+	return TS_OK;
+}
