@@ -43,8 +43,19 @@ static void on_signal(int number)
 		tsim_stop(sim);
 }
 
+/* The kernel says it each second. */
+static void on_time_up(int number)
+{
+	struct tsim *sim = interrupted;
+
+	signal_number = number;
+	if (sim)
+		tsim_stop(sim);
+}
+
 static void catch_signals(struct tsim *sim)
 {
+	struct sigaction time_up = { .sa_handler = on_time_up, .sa_flags = SA_RESTART };
 	struct sigaction action = { .sa_handler = on_signal, .sa_flags = SA_RESTART }, before;
 
 	interrupted = sim;
@@ -53,6 +64,8 @@ static void catch_signals(struct tsim *sim)
 	sigaction(SIGHUP, NULL, &before);
 	if (before.sa_handler != SIG_IGN) /* nohup */
 		sigaction(SIGHUP, &action, NULL);
+	if (sim->files.closed)
+		sigaction(SIGXCPU, &time_up, NULL);
 	signal(SIGXFSZ, SIG_IGN); /* ulimit -f: likewise */
 	signal(SIGPIPE, SIG_IGN); /* a reader that goes is an error of writing like others */
 }
@@ -65,9 +78,9 @@ static int open_output(struct tsim *sim, struct ts_setup *setup)
 	if (setup->screen && ts_streq(setup->screen, "none")) {
 		sim->log.screen = NULL;
 	} else if (setup->screen) {
-		setup->screen_file = sim->log.screen = fopen(setup->screen, "w");
+		setup->screen_file = sim->log.screen = ts_files_open(&sim->files, setup->screen, "w");
 		if (!sim->log.screen)
-			return ts_usage_error("cannot open screen file '%s'%s", setup->screen, "");
+			return ts_usage_error("cannot open screen file '%s': %s", setup->screen, ts_files_why(&sim->files));
 	}
 	sim->log.progress = sim->log.screen == stdout && isatty(STDOUT_FILENO);
 	return ts_streq(log, "none") ? 0 : tsim_log(sim, log);
@@ -159,13 +172,18 @@ static void save_interrupted(struct tsim *sim, const struct ts_setup *setup)
 /* Runs the script; the exit status. */
 static int run(struct tsim *sim, struct ts_setup *setup)
 {
-	int status = open_output(sim, setup), quit = EXIT_SUCCESS;
+	struct ts_str said = { 0 };
+	int status = setup->sandboxed ? ts_program_sandbox(sim, setup, &said) : 0, quit = EXIT_SUCCESS;
 
-	if (status == TS_EXIT_USAGE && sim->error.status == TS_OK)
+	status = status ? status : open_output(sim, setup);
+	if (status == TS_EXIT_USAGE && sim->error.status == TS_OK) {
+		ts_str_release(&said);
 		return status;
+	}
 	catch_signals(sim);
 	if (!status)
-		ts_log(&sim->log, "tsim %s\n", tsim_version());
+		ts_log(&sim->log, "tsim %s\n%s", tsim_version(), ts_str_text(&said));
+	ts_str_release(&said);
 	sim->log.quiet = setup->check && !setup->explain;
 	if (!status && setup->input)
 		status = tsim_file(sim, setup->input);
@@ -174,6 +192,8 @@ static int run(struct tsim *sim, struct ts_setup *setup)
 	if (status) {
 		report_error(sim);
 		quit = EXIT_FAILURE;
+		if (signal_number == SIGXCPU)
+			fputs("the processor time that -sandbox allows is used up (-sandbox time)\n", stderr);
 		if (sim->error.status == TS_STOPPED && signal_number) {
 			quit = 128 + signal_number;
 			save_interrupted(sim, setup);
@@ -245,6 +265,8 @@ static int act(struct tsim *sim, struct ts_setup *setup, int argc, char **argv)
 		return ts_program_grammar(setup->grammar);
 	if (setup->doc)
 		return ts_program_manual(setup->doc);
+	if (setup->sandboxed && (setup->advised || setup->crosscheck.n))
+		return ts_program_sandbox(sim, setup, &(struct ts_str){ 0 }); /* says why not */
 	if (setup->advised)
 		return advise(sim, setup);
 	if (setup->crosscheck.n)
@@ -266,9 +288,10 @@ int main(int argc, char **argv)
 	}
 	sim->log.echo_file = true;
 	status = act(sim, &setup, argc, argv);
-	tsim_close(sim);
+	sim->log.screen = NULL;
 	if (setup.screen_file && fclose(setup.screen_file) != 0)
 		status = status ? status : EXIT_FAILURE;
+	tsim_close(sim);
 	if (fflush(stdout) != 0 && !status) {
 		fputs("tsim: cannot write to standard output\n", stderr);
 		status = EXIT_FAILURE;

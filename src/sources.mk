@@ -12,6 +12,8 @@ library_sources = \
 	src/base/clock.c \
 	src/base/clock.h \
 	src/base/clones.h \
+	src/base/files.c \
+	src/base/files.h \
 	src/base/four.h \
 	src/base/hash.c \
 	src/base/hash.h \
@@ -28,6 +30,8 @@ library_sources = \
 	src/base/parallel.h \
 	src/base/process.c \
 	src/base/process.h \
+	src/base/sandbox.c \
+	src/base/sandbox.h \
 	src/base/sort.c \
 	src/base/sort.h \
 	src/base/status.c \

@@ -306,10 +306,10 @@ START_TEST(compressed_files)
 	ck_assert_ptr_nonnull(gz);
 	gzwrite(gz, text, sizeof text - 1);
 	gzclose(gz);
-	ck_assert_int_eq(ts_mesh_read(&soup, &err, pool, &where, "check_mesh_files.stl.gz"), TS_OK);
+	ck_assert_int_eq(ts_mesh_read(&soup, NULL, &err, pool, &where, "check_mesh_files.stl.gz"), TS_OK);
 	ck_assert_uint_eq(soup.n, 1);
 	remove("check_mesh_files.stl.gz");
-	ck_assert_int_eq(ts_mesh_read(&soup, &err, pool, &where, "check_mesh_files.stl.gz"), TS_IO);
+	ck_assert_int_eq(ts_mesh_read(&soup, NULL, &err, pool, &where, "check_mesh_files.stl.gz"), TS_IO);
 	ck_assert_int_eq(err.place.line, 3);
 }
 END_TEST

@@ -188,8 +188,11 @@ START_TEST(variable_rules)
 	expect_output("variable s string a\nvariable s string b\nprint $s\n", "b\n");
 	expect_output("variable n loop 8 10 pad\nprint $n\nnext n\nprint $n\n", "08\n09\n");
 	expect_output("variable n delete\nvariable n loop 2\nprint $n\n", "1\n");
+	expect_error("shell putenv TS_TEST=north", 1, 7, 6, "only with the option -shell yes");
+	ts_script_allow_programs(sim->host_data, true);
 	expect_output("shell putenv TS_TEST=north\nvariable e getenv TS_TEST\nprint $e\n",
 		      "north\n");
+	ts_script_allow_programs(sim->host_data, false);
 	expect_output("variable u universe 4\nprint $u\n", "4\n");
 	expect_error("variable wob equal 3", 1, 10, 3, "exists with style index");
 	expect_error("variable a-b index 3", 1, 10, 3, "letters, digits and _");

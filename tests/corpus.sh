@@ -12,14 +12,17 @@ ${CC:-gcc} probe.c -Wl,--wrap=fopen -o probe 2>/dev/null || {
 	exit 77
 }
 
-"$fuzz/seeds.sh" script expression restart data
-for target in script expression restart data; do
+targets=(script check explain expression restart data mesh)
+"$fuzz/seeds.sh" "${targets[@]}"
+for target in "${targets[@]}"; do
+	scripts=()
+	case $target in script | check | explain) scripts=("$fuzz/scripts.c") ;; esac
 	# shellcheck disable=SC2086
-	${CC:-gcc} ${CFLAGS--g} -D_GNU_SOURCE -I"$top_srcdir/src" "$fuzz/fuzz_$target.c" "$fuzz/sandbox.c" \
+	${CC:-gcc} ${CFLAGS--g} -D_GNU_SOURCE -I"$top_srcdir/src" "$fuzz/fuzz_$target.c" "${scripts[@]}" "$fuzz/sandbox.c" \
 		"$fuzz/replay.c" "$top_builddir/libtsim.a" \
 		${TSIM_LIBS--fopenmp -lgsl -lgslcblas -lz -lm} @"$fuzz/wrap.ld" -o "replay_$target" 2>err
 	report "$target: compiled" $? err
-	mkdir -p empty && cd empty || exit 99
+	mkdir -p empty "seeds.$target" && cd empty || exit 99
 	"../replay_$target" ../"seeds.$target" "$fuzz/corpus/$target" >../out 2>../err
 	report "$target: all tried" $? ../err
 	[ -z "$(ls)" ]

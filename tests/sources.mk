@@ -105,6 +105,7 @@ shell_tests = \
 	tests/decks/velocity_words.sh \
 	tests/decks/wall_contacts.sh \
 	tests/decks/walls.sh \
+	tests/door.sh \
 	tests/drilling.sh \
 	tests/dry_run.sh \
 	tests/extremes.sh \
@@ -134,6 +135,7 @@ shell_tests = \
 	tests/restart_streams.sh \
 	tests/row_types.sh \
 	tests/safety.sh \
+	tests/sandbox.sh \
 	tests/settings.sh \
 	tests/setup.sh \
 	tests/signal.sh \
@@ -164,6 +166,7 @@ unit_tests = \
 	tests/check_drag \
 	tests/check_drag_order \
 	tests/check_energy \
+	tests/check_files \
 	tests/check_flow \
 	tests/check_flow_measures \
 	tests/check_formulas \
@@ -279,6 +282,10 @@ tests_check_drag_order_LDADD = $(tests_ldadd)
 tests_check_energy_SOURCES = tests/check_energy.c $(tests_common)
 tests_check_energy_CFLAGS = $(tests_cflags)
 tests_check_energy_LDADD = $(tests_ldadd)
+
+tests_check_files_SOURCES = tests/check_files.c $(tests_common)
+tests_check_files_CFLAGS = $(tests_cflags)
+tests_check_files_LDADD = $(tests_ldadd)
 
 tests_check_flow_SOURCES = tests/check_flow.c $(tests_common)
 tests_check_flow_CFLAGS = $(tests_cflags)

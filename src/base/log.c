@@ -127,8 +127,10 @@ enum ts_status ts_log_flush(struct ts_log *log, struct ts_error *err)
 
 enum ts_status ts_log_check(const struct ts_log *log, struct ts_error *err)
 {
-	const char *reason = strerror(log->trouble ? log->trouble : EIO);
+	const char *reason;
 
+	errno = log->trouble ? log->trouble : EIO;
+	reason = ts_files_why(log->files);
 	if (log->file && ferror(log->file))
 		return ts_fail(err, TS_IO, NULL, "writing the log file failed: %s", reason);
 	if (log->screen && ferror(log->screen))
@@ -150,10 +152,10 @@ enum ts_status ts_log_open(struct ts_log *log, struct ts_error *err, const struc
 	TS_TRY(ts_log_close(log, err));
 	if (!path)
 		return TS_OK;
-	log->file = fopen(path, append ? "a" : "w");
+	log->file = ts_files_open(log->files, path, append ? "a" : "w");
 	if (!log->file)
 		return ts_fail(err, TS_IO, place, "cannot open log file '%s': %s", path,
-			       strerror(errno));
+			       ts_files_why(log->files));
 	return TS_OK;
 }
 

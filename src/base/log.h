@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
+#include "base/files.h"
 #include "base/status.h"
 
 enum ts_log_level { TS_LOG_TEXT, TS_LOG_WARNING, TS_LOG_PROGRESS };
@@ -12,6 +13,7 @@ typedef void ts_log_sink_fn(void *data, enum ts_log_level level, const char *tex
 
 /* Either stream may be NULL. The log owns `file`, not `screen`. */
 struct ts_log {
+	struct ts_files *files; /* the door for the file; or NULL */
 	FILE *screen, *file;
 	bool echo_screen, echo_file; /* what `echo` says about input lines */
 	bool progress;               /* the screen is a terminal: show a progress line */

@@ -48,17 +48,17 @@ void ts_coeffs_release(struct ts_coeffs *c)
 #define TS_POTENTIALS "potentials"
 #endif
 
-static FILE *open_potential(const char *name)
+static FILE *open_potential(struct tsim *sim, const char *name)
 {
 	const char *folders[] = { NULL, getenv("TSIM_POTENTIALS"), "potentials", TS_POTENTIALS };
-	FILE *file = fopen(name, "r");
+	FILE *file = ts_files_open(&sim->files, name, "r");
 	char path[1024];
 
 	for (size_t k = 1; !file && k < sizeof folders / sizeof *folders; k++) {
 		if (!folders[k])
 			continue;
 		if ((size_t)snprintf(path, sizeof path, "%s/%s", folders[k], name) < sizeof path)
-			file = fopen(path, "r");
+			file = ts_files_open(&sim->files, path, "r");
 	}
 	return file;
 }
@@ -94,17 +94,17 @@ static enum ts_status read_words(struct tsim *sim, FILE *file, const char *name,
 enum ts_status ts_coeff_words(struct tsim *sim, const struct ts_word *name, const char *ending,
 			      struct ts_arena *arena, struct ts_words *out)
 {
-	FILE *file = open_potential(name->text);
+	FILE *file = open_potential(sim, name->text);
 	char longer[1024];
 	enum ts_status status;
 
 	snprintf(longer, sizeof longer, "%s%s", name->text, ending);
 	if (!file && *ending)
-		file = open_potential(longer);
+		file = open_potential(sim, longer);
 	if (!file)
 		return ts_fail(&sim->error, TS_IO, &name->place,
 			       "cannot read coefficient file '%s' (nor in potentials/): %s",
-			       name->text, strerror(errno));
+			       name->text, ts_files_why(&sim->files));
 	status = read_words(sim, file, name->text, arena, out);
 	fclose(file);
 	return status;

@@ -98,6 +98,7 @@ struct tsim *ts_sim_new(void)
 	if (!sim)
 		return NULL;
 	ts_math_init();
+	sim->log.files = &sim->files;
 	set_defaults(sim);
 	sim->pool = ts_pool_new();
 	if (!sim->pool || start_systems(sim) != TS_OK) {
@@ -133,6 +134,7 @@ void ts_sim_free(struct tsim *sim)
 	ts_holds_end(&sim->holds);
 	ts_review_release(&sim->review);
 	ts_pool_free(sim->pool);
+	ts_files_release(&sim->files);
 	ts_free(sim);
 }
 

@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "base/files.h"
 #include "base/hold.h"
 #include "base/log.h"
 #include "base/status.h"
@@ -99,6 +100,7 @@ enum ts_full {
 struct tsim {
 	struct ts_error error;
 	struct ts_log log;
+	struct ts_files files; /* the one door to files; closed for -sandbox */
 	struct ts_pool *pool; /* file names and script lines of places */
 
 	struct ts_clock clock;

@@ -140,7 +140,7 @@ static enum ts_status add_last_words(struct crosscheck *c, int who)
 	enum ts_status status;
 	bool more = true;
 
-	status = ts_lines_open(&l, &c->sim->error, c->sim->pool, NULL, c->screen[who]);
+	status = ts_lines_open(&l, NULL, &c->sim->error, c->sim->pool, NULL, c->screen[who]);
 	while (status == TS_OK && more) {
 		struct ts_str line = { 0 };
 		bool error;

@@ -32,7 +32,7 @@ static bool is_folder(const char *path)
 
 enum ts_status ts_folder_make(const char *path, struct ts_error *err)
 {
-	return ts_mkdirs(path) == 0 ? TS_OK : failed(err, "make the folder", path);
+	return ts_mkdirs(NULL, path) == 0 ? TS_OK : failed(err, "make the folder", path);
 }
 
 enum ts_status ts_folder_new(const char *path, struct ts_error *err)
@@ -83,10 +83,10 @@ enum ts_status ts_folder_copy(const char *from, const char *to, int64_t date, st
 		return err->status;
 	}
 	ts_free(folder);
-	in = fopen(from, "rb");
+	in = ts_files_open(NULL, from, "r");
 	if (!in)
 		return failed(err, "read", from);
-	out = fopen(to, "wb");
+	out = ts_files_open(NULL, to, "w");
 	good = out && copy(in, out);
 	good &= out && fclose(out) == 0;
 	fclose(in);

@@ -174,7 +174,7 @@ static enum ts_status scan(struct ts_inputs *in, const char *script, struct ts_w
 	if (ts_map_get(&in->seen, kept) || depth > DEEPEST)
 		return TS_OK;
 	TS_TRY(ts_map_set(&in->seen, kept, in));
-	status = ts_lines_open(&lines, in->err, in->pool, NULL, script);
+	status = ts_lines_open(&lines, NULL, in->err, in->pool, NULL, script);
 	if (status == TS_OK)
 		status = scan_lines(in, &lines, vars, depth);
 	ts_lines_close(&lines);

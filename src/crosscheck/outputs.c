@@ -3,6 +3,7 @@
 #include <string.h>
 #include <zlib.h>
 
+#include "base/files.h"
 #include "crosscheck/crosscheck.h"
 
 #include "base/banned.h"
@@ -21,7 +22,7 @@ static enum sort sort_of(const char *folder, const char *name)
 	int n;
 
 	ts_str_addf(&path, "%s/%s", folder, name);
-	file = path.failed ? NULL : gzopen(path.text, "rb");
+	file = path.failed ? NULL : ts_files_open_gz(NULL, path.text);
 	ts_str_release(&path);
 	n = file ? gzread(file, bytes, PROBE) : 0;
 	if (file)

@@ -309,7 +309,7 @@ static enum ts_status open_file(struct ts_reader *r)
 		return TS_OK;
 	ts_str_addf(&path, "%s/%s", r->folder, *r->file++);
 	status = path.failed ? ts_nomem(r->err)
-			     : ts_lines_open(&r->lines, r->err, r->pool, NULL, path.text);
+			     : ts_lines_open(&r->lines, NULL, r->err, r->pool, NULL, path.text);
 	ts_str_release(&path);
 	r->open = status == TS_OK;
 	return status;

@@ -150,7 +150,8 @@ static void add_up_parts(void *context, size_t from, size_t to)
 
 void ts_immersed_begin(struct ts_immersed *ib, size_t parts)
 {
-	memset(ib->sums, 0, parts * sizeof *ib->sums);
+	if (parts)
+		memset(ib->sums, 0, parts * sizeof *ib->sums);
 	ib->first_dt = 0;
 }
 

@@ -169,7 +169,7 @@ enum ts_status ts_cell_region_init(struct ts_instance *self, struct tsim *sim, i
 	r->closed = shape == HEXAHEDRON;
 	if (r->item)
 		return TS_OK;
-	status = ts_vtk_cells_read(&cells, &sim->error, sim->pool, ts_instance_word(self, r->file),
+	status = ts_vtk_cells_read(&cells, &sim->files, &sim->error, sim->pool, ts_instance_word(self, r->file),
 				   r->file);
 	if (status == TS_OK)
 		status = take(self, sim, &cells, shape);

@@ -58,7 +58,7 @@ static enum ts_status read_file(struct ts_instance *self, struct tsim *sim,
 {
 	struct ts_lines lines = { 0 };
 	enum ts_status status =
-		ts_lines_open(&lines, &sim->error, sim->pool, &name->place, name->text);
+		ts_lines_open(&lines, &sim->files, &sim->error, sim->pool, &name->place, name->text);
 
 	if (status == TS_OK)
 		status = read_lines(self, sim, &lines, out);

@@ -62,7 +62,7 @@ enum ts_status ts_dump_open(struct ts_instance *self, struct tsim *sim)
 	if (d->path.failed)
 		return ts_nomem(&sim->error);
 	if (!sim->explain)
-		ts_mkdirs_for(ts_str_text(&d->path)); /* opening tells if that failed */
+		ts_mkdirs_for(&sim->files, ts_str_text(&d->path)); /* opening tells if that failed */
 	return ts_textfile_open(&d->out, sim, ts_instance_word(self, d->file), ts_str_text(&d->path),
 				d->append && !one_file_per_frame(d));
 }
@@ -128,12 +128,12 @@ enum ts_status ts_dump_write_rows(struct ts_dump_common *d, struct tsim *sim, bo
 }
 
 /* With maxfiles the oldest frame goes when a new one is there. */
-static enum ts_status drop_oldest(struct ts_dump_common *d)
+static enum ts_status drop_oldest(struct ts_dump_common *d, const struct tsim *sim)
 {
 	char **slot = &d->old[d->frames % d->nold];
 
 	if (*slot)
-		remove(*slot);
+		ts_files_remove(sim->log.files, *slot);
 	ts_free(*slot);
 	*slot = ts_strdup(ts_str_text(&d->path));
 	return *slot ? TS_OK : TS_NOMEM;
@@ -144,7 +144,7 @@ enum ts_status ts_dump_frame_done(struct ts_dump_common *d, const struct tsim *s
 	if (!one_file_per_frame(d))
 		return ts_textfile_flush(&d->out);
 	TS_TRY(ts_textfile_close(&d->out));
-	return d->nold && !sim->explain ? drop_oldest(d) : TS_OK;
+	return d->nold && !sim->explain ? drop_oldest(d, sim) : TS_OK;
 }
 
 enum ts_status ts_dump_frame(struct ts_instance *self, struct tsim *sim, bool local)

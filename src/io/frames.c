@@ -9,7 +9,7 @@ enum ts_status ts_frames_open(struct ts_frames *f, struct tsim *sim, const char 
 			      const struct ts_place *where)
 {
 	*f = (struct ts_frames){ .sim = sim };
-	TS_TRY(ts_lines_open(&f->lines, &sim->error, sim->pool, where, path));
+	TS_TRY(ts_lines_open(&f->lines, &sim->files, &sim->error, sim->pool, where, path));
 	return ts_lines_next_filled(&f->lines, &f->more);
 }
 

@@ -19,7 +19,7 @@ static enum ts_status start(struct ts_lines *l, struct ts_error *err, struct ts_
 	return l->file ? TS_OK : ts_nomem(err);
 }
 
-enum ts_status ts_lines_open(struct ts_lines *l, struct ts_error *err, struct ts_pool *pool,
+enum ts_status ts_lines_open(struct ts_lines *l, struct ts_files *files, struct ts_error *err, struct ts_pool *pool,
 			     const struct ts_place *where, const char *path)
 {
 	TS_TRY(start(l, err, pool, path));
@@ -28,11 +28,11 @@ enum ts_status ts_lines_open(struct ts_lines *l, struct ts_error *err, struct ts
 		return ts_nomem(err);
 	l->chunk = l->buffer;
 	errno = 0;
-	l->gz = gzopen(path, "rb");
+	l->gz = ts_files_open_gz(files, path);
 	if (l->gz)
 		return TS_OK;
 	ts_lines_close(l);
-	return errno ? ts_open_failed(err, where, path) : ts_nomem(err);
+	return errno ? ts_open_failed(err, files, where, path) : ts_nomem(err);
 }
 
 enum ts_status ts_lines_memory(struct ts_lines *l, struct ts_error *err, struct ts_pool *pool,

@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "base/files.h"
 #include "base/words.h"
 
 struct ts_pool;
@@ -30,7 +31,7 @@ struct ts_lines {
 	char *hash;	     /* where the `#` was; NULL: none */
 };
 
-enum ts_status ts_lines_open(struct ts_lines *l, struct ts_error *err, struct ts_pool *pool,
+enum ts_status ts_lines_open(struct ts_lines *l, struct ts_files *files, struct ts_error *err, struct ts_pool *pool,
 			     const struct ts_place *where, const char *path);
 /* `name` stands for the file in messages. The bytes must outlive the reading. */
 enum ts_status ts_lines_memory(struct ts_lines *l, struct ts_error *err, struct ts_pool *pool,

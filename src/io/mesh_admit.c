@@ -243,7 +243,7 @@ enum ts_status ts_mesh_exclude(struct tsim *sim, const struct ts_place *where, c
 {
 	struct ts_scan s;
 	struct lines l = { 0 };
-	enum ts_status status = ts_scan_open(&s, &sim->error, sim->pool, where, path);
+	enum ts_status status = ts_scan_open(&s, &sim->files, &sim->error, sim->pool, where, path);
 
 	if (status == TS_OK)
 		status = read_lines(&s, &l);

@@ -105,7 +105,7 @@ static enum ts_status read_soup(struct ts_instance *self, struct tsim *sim,
 			       self->style->name, w->file ? "both" : "none");
 	source = source_of(self, w);
 	if (w->file)
-		TS_TRY(ts_mesh_read(soup, &sim->error, sim->pool, &source.place, w->file));
+		TS_TRY(ts_mesh_read(soup, &sim->files, &sim->error, sim->pool, &source.place, w->file));
 	else
 		TS_TRY(ts_mesh_soup_extrude(self, sim, &source, soup));
 	TS_TRY(ts_mesh_soup_choose(self, sim, w, soup));

@@ -5,13 +5,14 @@
 
 #include <stdint.h>
 
+#include "base/files.h"
 #include "geom/triangles.h"
 
 struct ts_pool;
 
 /* Adds the triangles of the file to the soup. `where` is blamed if it cannot be opened; what is wrong in
  * the file is shown with its line there. */
-enum ts_status ts_mesh_read(struct ts_triangles *soup, struct ts_error *err, struct ts_pool *pool,
+enum ts_status ts_mesh_read(struct ts_triangles *soup, struct ts_files *files, struct ts_error *err, struct ts_pool *pool,
 			    const struct ts_place *where, const char *path);
 /* The same from memory; `name` stands for the file in messages. */
 enum ts_status ts_mesh_parse(struct ts_triangles *soup, struct ts_error *err, struct ts_pool *pool,
@@ -28,7 +29,7 @@ struct ts_vtk_cells {
 	size_t point_capacity, offset_capacity, corner_capacity, type_capacity, line_capacity;
 	const char *file;
 };
-enum ts_status ts_vtk_cells_read(struct ts_vtk_cells *cells, struct ts_error *err,
+enum ts_status ts_vtk_cells_read(struct ts_vtk_cells *cells, struct ts_files *files, struct ts_error *err,
 				 struct ts_pool *pool, const struct ts_place *where,
 				 const char *path);
 void ts_vtk_cells_release(struct ts_vtk_cells *cells);

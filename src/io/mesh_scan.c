@@ -50,7 +50,7 @@ static enum ts_status load(struct ts_scan *s, gzFile gz)
 	}
 }
 
-enum ts_status ts_scan_open(struct ts_scan *s, struct ts_error *err, struct ts_pool *pool,
+enum ts_status ts_scan_open(struct ts_scan *s, struct ts_files *files, struct ts_error *err, struct ts_pool *pool,
 			    const struct ts_place *where, const char *path)
 {
 	enum ts_status status;
@@ -58,9 +58,9 @@ enum ts_status ts_scan_open(struct ts_scan *s, struct ts_error *err, struct ts_p
 
 	TS_TRY(start(s, err, pool, path));
 	errno = 0;
-	gz = gzopen(path, "rb");
+	gz = ts_files_open_gz(files, path);
 	if (!gz)
-		return errno ? ts_open_failed(err, where, path) : ts_nomem(err);
+		return errno ? ts_open_failed(err, files, where, path) : ts_nomem(err);
 	status = load(s, gz);
 	gzclose(gz);
 	s->bytes = s->owned;

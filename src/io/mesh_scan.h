@@ -22,7 +22,7 @@ struct ts_scan {
 };
 
 /* Zero-initialise. The whole file is read. */
-enum ts_status ts_scan_open(struct ts_scan *s, struct ts_error *err, struct ts_pool *pool,
+enum ts_status ts_scan_open(struct ts_scan *s, struct ts_files *files, struct ts_error *err, struct ts_pool *pool,
 			    const struct ts_place *where, const char *path);
 enum ts_status ts_scan_memory(struct ts_scan *s, struct ts_error *err, struct ts_pool *pool,
 			      const char *name, const char *bytes, size_t n);

@@ -3,12 +3,15 @@
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <inttypes.h>
 #include <signal.h>
 #include <string.h>
+#include <sys/random.h>
 #include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
+#include "base/clock.h"
 #include "base/mkdirs.h"
 #include "io/textfile.h"
 
@@ -19,18 +22,18 @@ static enum ts_status failed(struct ts_replace *r)
 	int code = errno;
 	enum ts_status status =
 		ts_fail(&r->sim->error, TS_IO, &r->where, "writing '%s' failed: %s", ts_str_text(&r->path),
-			code ? strerror(code) : "unknown reason");
+			code ? ts_files_why(&r->sim->files) : "unknown reason");
 
 	ts_replace_abandon(r);
 	return status;
 }
 
 /* Renaming onto a device or a pipe would put a plain file in its place. */
-static bool replaceable(const char *path)
+static bool replaceable(struct ts_files *files, const char *path)
 {
 	struct stat there;
 
-	return stat(path, &there) != 0 || S_ISREG(there.st_mode);
+	return ts_files_look(files, path, &there) != 0 || S_ISREG(there.st_mode);
 }
 
 /* The folder of a path. */
@@ -45,31 +48,38 @@ static enum ts_status folder_of(const char *path, struct ts_str *out)
 	return out->failed ? TS_NOMEM : TS_OK;
 }
 
-/* NAME.tmp.PROCESS of a process that is no more. Processes of other machines are not seen from here, but they
+/* NAME.tmp.PROCESS.RANDOM of a process that is no more. Processes of other machines are not seen from here, but they
  * go on writing. */
 static bool is_stale(int folder, const char *name, const char *entry)
 {
 	enum { IDLE = 600 }; /* seconds */
 	size_t n = strlen(name);
 	struct stat info;
+	char digits[16] = "";
 	int64_t process;
+	size_t m;
 
-	if (strncmp(entry, name, n) != 0 || strncmp(entry + n, ".tmp.", 5) != 0 ||
-	    !ts_parse_int(entry + n + 5, &process) || process < 1 || process > INT32_MAX)
+	if (strncmp(entry, name, n) != 0 || strncmp(entry + n, ".tmp.", 5) != 0)
+		return false;
+	m = strspn(entry + n + 5, "0123456789");
+	if (m >= sizeof digits || strspn(entry + n + 5 + m, ".0123456789abcdef") < strlen(entry + n + 5 + m))
+		return false;
+	memcpy(digits, entry + n + 5, m);
+	if (!ts_parse_int(digits, &process) || process < 1 || process > INT32_MAX)
 		return false;
 	return kill((pid_t)process, 0) != 0 && errno == ESRCH &&
 	       fstatat(folder, entry, &info, AT_SYMLINK_NOFOLLOW) == 0 && S_ISREG(info.st_mode) &&
 	       difftime(time(NULL), info.st_mtime) > IDLE;
 }
 
-static void remove_stale(const char *path)
+static void remove_stale(struct ts_files *files, const char *path)
 {
 	const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
 	struct ts_str folder = { 0 };
 	struct dirent *entry;
 	DIR *list;
 
-	list = folder_of(path, &folder) == TS_OK ? opendir(ts_str_text(&folder)) : NULL;
+	list = folder_of(path, &folder) == TS_OK ? ts_files_list(files, ts_str_text(&folder)) : NULL;
 	while (list && (entry = readdir(list)))
 		if (is_stale(dirfd(list), name, entry->d_name))
 			unlinkat(dirfd(list), entry->d_name, 0);
@@ -81,27 +91,32 @@ static void remove_stale(const char *path)
 enum ts_status ts_replace_begin(struct ts_replace *r, struct tsim *sim,
 				const struct ts_place *where, const char *path)
 {
+	uint64_t random = 0;
+
 	ts_replace_abandon(r);
 	r->sim = sim;
 	r->where = where ? *where : (struct ts_place){ 0 };
 	if (sim->explain) {
-		r->file = fopen("/dev/null", "wb");
-		return r->file ? TS_OK : ts_open_failed(&sim->error, where, "/dev/null");
+		r->file = ts_files_nowhere();
+		return r->file ? TS_OK : ts_open_failed(&sim->error, &sim->files, where, "/dev/null");
 	}
-	if (!replaceable(path))
+	if (!replaceable(&sim->files, path))
 		return ts_fail(&sim->error, TS_IO, where,
 			       "cannot write '%s': it is not a plain file", path);
-	remove_stale(path);
+	remove_stale(&sim->files, path);
 	ts_str_add(&r->path, path);
-	ts_str_addf(&r->temporary, "%s.tmp.%ld", path, (long)getpid());
+	if (getrandom(&random, sizeof random, GRND_NONBLOCK) < 0)
+		random = (uint64_t)(ts_clock() * 1e9);
+	ts_str_addf(&r->temporary, "%s.tmp.%ld.%016" PRIx64, path, (long)getpid(), random);
 	if (r->path.failed || r->temporary.failed) {
 		ts_replace_abandon(r);
 		return ts_nomem(&sim->error);
 	}
-	ts_mkdirs_for(path); /* opening tells if that failed */
-	r->file = fopen(ts_str_text(&r->temporary), "wb");
+	ts_mkdirs_for(&sim->files, path); /* opening tells if that failed */
+	/* a new file, never through a link that somebody has laid there */
+	r->file = ts_files_open(&sim->files, ts_str_text(&r->temporary), "wx");
 	if (!r->file) {
-		enum ts_status status = ts_open_failed(&sim->error, where, path);
+		enum ts_status status = ts_open_failed(&sim->error, &sim->files, where, path);
 
 		ts_replace_abandon(r);
 		return status;
@@ -116,17 +131,12 @@ enum ts_status ts_replace_write(struct ts_replace *r, const void *bytes, size_t 
 }
 
 /* The new name is safe when the folder is on the disk. Some file systems know no such thing. */
-static void sync_folder(const char *path)
+static void sync_folder(struct ts_files *files, const char *path)
 {
 	struct ts_str folder = { 0 };
-	int at = folder_of(path, &folder) == TS_OK
-			 ? open(ts_str_text(&folder), O_RDONLY | O_DIRECTORY)
-			 : -1;
 
-	if (at >= 0) {
-		fsync(at);
-		close(at);
-	}
+	if (folder_of(path, &folder) == TS_OK)
+		ts_files_sync_folder(files, ts_str_text(&folder));
 	ts_str_release(&folder);
 }
 
@@ -136,17 +146,17 @@ enum ts_status ts_replace_commit(struct ts_replace *r, bool durable)
 	bool nowhere = !r->temporary.length;
 
 	errno = 0;
-	if (fflush(file) != 0 || (durable && !nowhere && fsync(fileno(file)) != 0))
+	if (fflush(file) != 0 || (durable && !nowhere && ts_files_sync(&r->sim->files, ts_str_text(&r->temporary), file) != 0))
 		return failed(r);
 	r->file = NULL;
 	if (fclose(file) != 0 ||
-	    (!nowhere && rename(ts_str_text(&r->temporary), ts_str_text(&r->path)) != 0)) {
+	    (!nowhere && ts_files_move(&r->sim->files, ts_str_text(&r->temporary), ts_str_text(&r->path)) != 0)) {
 		failed(r);
 		return TS_IO;
 	}
 	ts_str_clear(&r->temporary);
 	if (durable && !nowhere)
-		sync_folder(ts_str_text(&r->path));
+		sync_folder(&r->sim->files, ts_str_text(&r->path));
 	ts_replace_abandon(r);
 	return TS_OK;
 }
@@ -156,7 +166,7 @@ void ts_replace_abandon(struct ts_replace *r)
 	if (r->file)
 		fclose(r->file);
 	if (r->temporary.length)
-		unlink(ts_str_text(&r->temporary));
+		ts_files_remove(&r->sim->files, ts_str_text(&r->temporary));
 	ts_str_release(&r->path);
 	ts_str_release(&r->temporary);
 	*r = (struct ts_replace){ 0 };

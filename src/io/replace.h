@@ -15,7 +15,7 @@ struct ts_replace {
 	struct ts_place where;
 };
 
-/* Opens PATH.tmp.<process>; what killed processes have left of the same file is removed. With -explain all
+/* Opens PATH.tmp.<process>.<random>, which is not there yet; what killed processes have left of the same file is removed. With -explain all
  * goes nowhere. */
 enum ts_status ts_replace_begin(struct ts_replace *r, struct tsim *sim,
 				const struct ts_place *where, const char *path);

@@ -243,12 +243,12 @@ static enum ts_status load_stream(struct reader *r, FILE *file)
 
 static enum ts_status load(struct reader *r)
 {
-	FILE *file = fopen(r->path, "rb");
+	FILE *file = ts_files_open(&r->sim->files, r->path, "r");
 	enum ts_status status;
 
 	if (!file)
 		return ts_fail(&r->sim->error, TS_IO, r->where, "cannot open restart file '%s': %s",
-			       r->path, strerror(errno));
+			       r->path, ts_files_why(&r->sim->files));
 	status = load_stream(r, file);
 	fclose(file);
 	return status;

@@ -79,7 +79,7 @@ static int compare(const void *a, const void *b)
 	return (strlen(f->path) > strlen(g->path)) - (strlen(f->path) < strlen(g->path));
 }
 
-enum ts_status ts_series_find(const char *pattern, struct ts_series *out)
+enum ts_status ts_series_find(struct ts_files *files, const char *pattern, struct ts_series *out)
 {
 	struct pattern p = parts(pattern);
 	struct ts_str folder = { 0 };
@@ -93,7 +93,7 @@ enum ts_status ts_series_find(const char *pattern, struct ts_series *out)
 	ts_str_add_n(&folder, pattern, (size_t)(p.last - pattern));
 	if (folder.failed)
 		return TS_NOMEM;
-	open = opendir(folder.length ? folder.text : ".");
+	open = ts_files_list(files, folder.length ? folder.text : ".");
 	if (open) {
 		status = search(open, &p, out);
 		closedir(open);

@@ -2,6 +2,7 @@
 #ifndef TS_IO_SERIES_H
 #define TS_IO_SERIES_H
 
+#include "base/files.h"
 #include "base/str.h"
 
 struct ts_series_file {
@@ -18,7 +19,7 @@ struct ts_series {
 /* `*` counts in the last part of the path only. Without `*` the path itself, whether there is such a file
  * or not. */
 bool ts_series_is(const char *pattern);
-enum ts_status ts_series_find(const char *pattern, struct ts_series *out); /* TS_OK or TS_NOMEM */
+enum ts_status ts_series_find(struct ts_files *files, const char *pattern, struct ts_series *out); /* TS_OK or TS_NOMEM */
 void ts_series_release(struct ts_series *series);
 
 #endif

@@ -3,76 +3,198 @@
 #include <errno.h>
 #include <stdarg.h>
 #include <string.h>
+#include <unistd.h>
 #include <zlib.h>
 
 #include "base/banned.h"
 
-enum { LONGEST_WRITE = 1 << 30 }; /* gzwrite takes an unsigned int */
+/* MOST_HELD: no more is kept for one piece. MEMBER: text after which a .gz file begins a new member. */
+enum { MOST_HELD = 1 << 24, MEMBER = 1 << 20, LARGEST_PART = 1 << 30, ROOM = 1 << 16 };
 
-enum ts_status ts_open_failed(struct ts_error *err, const struct ts_place *where, const char *path)
+enum ts_status ts_open_failed(struct ts_error *err, const struct ts_files *files,
+			      const struct ts_place *where, const char *path)
 {
 	int code = errno;
 	const char *slash = strrchr(path, '/');
 
+	errno = code;
 	if (code == ENOENT && slash && slash > path)
 		return ts_fail(err, TS_IO, where,
 			       "cannot open '%s': there is no folder '%.*s'; create it with: shell "
 			       "mkdir %.*s",
 			       path, (int)(slash - path), path, (int)(slash - path), path);
-	return ts_fail(err, TS_IO, where, "cannot open '%s': %s", path, strerror(code));
+	return ts_fail(err, TS_IO, where, "cannot open '%s': %s", path, ts_files_why(files));
+}
+
+static void drop(struct ts_textfile *file)
+{
+	if (file->gz)
+		deflateEnd(file->gz);
+	ts_free(file->gz);
+	ts_str_release(&file->held);
+	ts_free(file->path);
+	*file = (struct ts_textfile){ 0 };
+}
+
+/* ---- what a killed run has left is not written on to */
+
+/* Ends the last line, which would else go on with the next one. */
+static void end_line(struct ts_textfile *file, const char *path)
+{
+	FILE *old = ts_files_open(file->files, path, "r");
+
+	if (old && fseek(old, -1, SEEK_END) == 0 && getc(old) != '\n')
+		ts_str_add(&file->held, "\n");
+	if (old)
+		fclose(old);
+}
+
+static enum ts_status check_gz(struct ts_textfile *file, const char *path)
+{
+	gzFile old = ts_files_open_gz(file->files, path);
+	char bytes[1 << 14];
+	int got = 1, code = Z_OK;
+
+	while (old && got > 0)
+		got = gzread(old, bytes, sizeof bytes);
+	if (old)
+		gzerror(old, &code);
+	if (old)
+		gzclose(old);
+	if (code == Z_OK || code == Z_STREAM_END)
+		return TS_OK;
+	return ts_fail(file->err, TS_DAMAGED, &file->where,
+		       "cannot add to '%s': its last part is not whole, as a run that was killed leaves it, and what "
+		       "is added could not be unpacked; write to another file (rerun takes several), or make it "
+		       "whole: zcat %s | gzip >NEW", path, path);
+}
+
+/* ---- opening */
+
+static enum ts_status begin_gz(struct ts_textfile *file)
+{
+	z_stream *gz = ts_alloc(1, sizeof *gz);
+
+	if (gz && deflateInit2(gz, Z_DEFAULT_COMPRESSION, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY) == Z_OK) {
+		file->gz = gz;
+		return TS_OK;
+	}
+	ts_free(gz);
+	return ts_nomem(file->err);
+}
+
+static enum ts_status open_stream(struct ts_textfile *file, const struct tsim *sim, const char *path, bool append)
+{
+	struct stat info;
+
+	file->file = sim->explain ? ts_files_nowhere() : ts_files_open(file->files, path, append ? "a" : "w");
+	if (!file->file)
+		return errno ? ts_open_failed(file->err, file->files, &file->where, path) : ts_nomem(file->err);
+	setvbuf(file->file, NULL, _IONBF, 0);
+	file->whole = -1;
+	if (fileno(file->file) >= 0 && fstat(fileno(file->file), &info) == 0 && S_ISREG(info.st_mode))
+		file->whole = info.st_size;
+	if (file->gz && append && file->whole > 0)
+		return check_gz(file, path);
+	if (append && file->whole > 0)
+		end_line(file, path);
+	return TS_OK;
 }
 
 enum ts_status ts_textfile_open(struct ts_textfile *file, struct tsim *sim,
 				const struct ts_place *where, const char *path, bool append)
 {
-	const char *target = sim->explain ? "/dev/null" : path;
-	bool gz = ts_ends_with(path, ".gz");
+	enum ts_status status = TS_OK;
 
 	ts_textfile_close(file);
 	file->err = &sim->error;
+	file->files = &sim->files;
 	file->where = where ? *where : (struct ts_place){ 0 };
 	file->path = ts_strdup(path);
 	if (!file->path)
 		return ts_nomem(&sim->error);
+	if (ts_ends_with(path, ".gz"))
+		status = begin_gz(file);
 	errno = 0;
-	if (gz)
-		file->gz = gzopen(target, append ? "ab" : "wb");
-	else
-		file->plain = fopen(target, append ? "a" : "w");
-	if (ts_textfile_is_open(file))
-		return TS_OK;
-	ts_free(file->path);
-	file->path = NULL;
-	return errno ? ts_open_failed(&sim->error, where, path) : ts_nomem(&sim->error);
+	if (status == TS_OK)
+		status = open_stream(file, sim, path, append);
+	if (status != TS_OK) {
+		if (file->file)
+			fclose(file->file);
+		drop(file);
+	}
+	return status;
 }
 
 bool ts_textfile_is_open(const struct ts_textfile *file)
 {
-	return file->plain || file->gz;
+	return file->file;
 }
 
+/* ---- writing */
+
+/* What was written of this piece goes again. */
 static enum ts_status write_failed(struct ts_textfile *file)
 {
 	int code = errno;
 
+	if (file->whole >= 0 && ftruncate(fileno(file->file), (off_t)file->whole) != 0)
+		file->whole = -1;
+	ts_str_clear(&file->held);
+	errno = code;
 	return ts_fail(file->err, TS_IO, &file->where, "writing '%s' failed: %s", file->path,
-		       code ? strerror(code) : "unknown reason");
+		       code ? ts_files_why(file->files) : "unknown reason");
+}
+
+static enum ts_status put_held(struct ts_textfile *file)
+{
+	size_t n = file->held.length;
+
+	if (file->held.failed)
+		return ts_nomem(file->err);
+	errno = 0;
+	if (n && fwrite(file->held.text, 1, n, file->file) != n)
+		return write_failed(file);
+	ts_str_clear(&file->held);
+	if (n > MOST_HELD) /* such memory is not kept */
+		ts_str_release(&file->held);
+	return TS_OK;
+}
+
+/* All of it, compressed, behind what is held. */
+static enum ts_status compress_part(struct ts_textfile *file, const char *bytes, unsigned n, int flush)
+{
+	z_stream *gz = file->gz;
+	char room[ROOM];
+
+	gz->next_in = (z_const Bytef *)(uintptr_t)bytes;
+	gz->avail_in = n;
+	do {
+		gz->next_out = (Bytef *)room;
+		gz->avail_out = ROOM;
+		if (deflate(gz, flush) == Z_STREAM_ERROR)
+			return ts_fail(file->err, TS_IO, &file->where, "compressing '%s' failed", file->path);
+		ts_str_add_n(&file->held, room, ROOM - gz->avail_out);
+	} while (gz->avail_out == 0);
+	return TS_OK;
 }
 
 enum ts_status ts_textfile_write(struct ts_textfile *file, const char *bytes, size_t n)
 {
-	errno = 0;
-	if (file->plain)
-		return fwrite(bytes, 1, n, file->plain) == n ? TS_OK : write_failed(file);
+	file->member += file->gz ? n : 0;
 	while (n) {
-		unsigned part = n < LONGEST_WRITE ? (unsigned)n : LONGEST_WRITE;
+		size_t part = n < LARGEST_PART ? n : LARGEST_PART;
 
-		if (gzwrite(file->gz, bytes, part) != (int)part)
-			return write_failed(file);
+		if (file->gz)
+			TS_TRY(compress_part(file, bytes, (unsigned)part, Z_NO_FLUSH));
+		else
+			ts_str_add_n(&file->held, bytes, part);
+		if (file->held.length > MOST_HELD)
+			TS_TRY(put_held(file));
 		bytes += part;
 		n -= part;
 	}
-	return TS_OK;
+	return file->held.failed ? ts_nomem(file->err) : TS_OK;
 }
 
 enum ts_status ts_textfile_printf(struct ts_textfile *file, const char *format, ...)
@@ -90,13 +212,31 @@ enum ts_status ts_textfile_printf(struct ts_textfile *file, const char *format, 
 	return status;
 }
 
+/* A member that is long enough is closed: what is damaged behind it takes nothing from it. */
+static enum ts_status flush_gz(struct ts_textfile *file, bool close)
+{
+	if (!file->member)
+		return TS_OK;
+	close |= file->member >= MEMBER;
+	TS_TRY(compress_part(file, "", 0, close ? Z_FINISH : Z_SYNC_FLUSH));
+	if (close) {
+		file->member = 0;
+		deflateReset(file->gz);
+	}
+	return TS_OK;
+}
+
 enum ts_status ts_textfile_flush(struct ts_textfile *file)
 {
-	errno = 0;
-	if (file->plain && fflush(file->plain) != 0)
-		return write_failed(file);
-	if (file->gz && gzflush(file->gz, Z_SYNC_FLUSH) != Z_OK)
-		return write_failed(file);
+	struct stat info;
+
+	if (!file->file)
+		return TS_OK;
+	if (file->gz)
+		TS_TRY(flush_gz(file, false));
+	TS_TRY(put_held(file));
+	if (file->whole >= 0 && fstat(fileno(file->file), &info) == 0)
+		file->whole = info.st_size;
 	return TS_OK;
 }
 
@@ -104,13 +244,18 @@ enum ts_status ts_textfile_close(struct ts_textfile *file)
 {
 	enum ts_status status = TS_OK;
 
+	if (!file->file)
+		return TS_OK;
+	if (file->gz)
+		status = flush_gz(file, true);
+	if (status == TS_OK)
+		status = put_held(file);
 	errno = 0;
-	if (file->plain && fclose(file->plain) != 0)
+	if (fclose(file->file) != 0 && status == TS_OK) {
+		file->whole = -1;
 		status = write_failed(file);
-	if (file->gz && gzclose(file->gz) != Z_OK)
-		status = write_failed(file);
-	ts_free(file->path);
-	*file = (struct ts_textfile){ 0 };
+	}
+	drop(file);
 	return status;
 }
 

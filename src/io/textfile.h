@@ -1,5 +1,7 @@
-/* Output streams for text, compressed where the name ends in .gz. Every failed write is reported.
- */
+/* Output streams for text, compressed where the name ends in .gz. What is written between two flushes goes to the
+ * system in one piece unless it is large, and if it does not fit on the disk the file ends before it: a frame of a
+ * dump is there or not. A .gz file is flushed in the same way, so that what a killed run leaves can be unpacked up to
+ * its last whole frame. Every failed write is reported. */
 #ifndef TS_IO_TEXTFILE_H
 #define TS_IO_TEXTFILE_H
 
@@ -12,10 +14,14 @@
 
 /* Zero-initialise. */
 struct ts_textfile {
-	FILE *plain;
-	void *gz; /* gzFile */
+	FILE *file;	 /* not buffered */
+	void *gz;	 /* z_stream, where the name ends in .gz */
+	struct ts_str held; /* what waits for the next flush, as it will be in the file */
+	int64_t whole;	 /* length of the file at the last flush; -1: not known */
+	size_t member;	 /* bytes of text in this member of a .gz file */
 	char *path;
 	struct ts_error *err;
+	struct ts_files *files;
 	struct ts_place where; /* blamed for later errors */
 };
 
@@ -26,12 +32,14 @@ bool ts_textfile_is_open(const struct ts_textfile *file);
 enum ts_status ts_textfile_write(struct ts_textfile *file, const char *bytes, size_t n);
 enum ts_status ts_textfile_printf(struct ts_textfile *file, const char *format, ...)
 	__attribute__((format(printf, 2, 3)));
-/* Hands all written so far to the system: it survives the end of this process, however it comes. */
+/* Hands all written so far to the system: it survives the end of this process, however it comes. A file ends with
+ * what was flushed last. */
 enum ts_status ts_textfile_flush(struct ts_textfile *file);
 enum ts_status ts_textfile_close(struct ts_textfile *file);
 
 /* "cannot open PATH: reason", with advice where the folder is missing. Uses errno. */
-enum ts_status ts_open_failed(struct ts_error *err, const struct ts_place *where, const char *path);
+enum ts_status ts_open_failed(struct ts_error *err, const struct ts_files *files,
+			      const struct ts_place *where, const char *path);
 
 /* The path with each `*` replaced by the step, filled with zeros to `pad` digits. */
 void ts_step_path(struct ts_str *out, const char *path, long long step, int pad);

@@ -17,6 +17,7 @@ enum option_id {
 	OPT_THREADS,
 	OPT_LEGACY,
 	OPT_SHELL,
+	OPT_SANDBOX,
 	OPT_CHECK,
 	OPT_SIGNAL,
 	OPT_EXPLAIN,
@@ -41,7 +42,8 @@ static const struct {
 	[OPT_ECHO] = { "echo", "none|screen|log|both", "where input lines are shown (log)", 1 },
 	[OPT_THREADS] = { "threads", "N", "number of threads (OMP_NUM_THREADS, else 1)", 1 },
 	[OPT_LEGACY] = { "legacy", "", "the numbers of LIGGGHTS where they differ, see -help legacy", 0 },
-	[OPT_SHELL] = { "shell", "yes|no", "whether `shell` may start programs (no)", 1 },
+	[OPT_SHELL] = { "shell", "yes|no", "whether `shell` may start programs, set the environment, remove and move files anywhere (no)", 1 },
+	[OPT_SANDBOX] = { "sandbox", "[WORDS]", "for scripts of somebody else: files of their folder only, limits", 0 },
 	[OPT_CHECK] = { "check", "", "run nothing: tell all errors and what the script would do", 0 },
 	[OPT_SIGNAL] = { "restart-on-signal", "FILE|none", "where an interrupted run saves its state", 1 },
 	[OPT_EXPLAIN] = { "explain", "", "run nothing: print the plan of each run", 0 },
@@ -143,7 +145,7 @@ static int add_words(struct ts_word_list *list, const char *option, char *const 
 	size_t most = sizeof list->word / sizeof *list->word;
 
 	if (list->n + (size_t)n + 1 > most)
-		return ts_usage_error("too many words at '%s'%s", value[0], "");
+		return ts_usage_error("too many words at '%s'%s", n ? value[0] : "-sandbox", "");
 	if (option)
 		list->word[list->n++] = (struct ts_word){ .text = option };
 	for (int k = 0; k < n; k++)
@@ -183,7 +185,11 @@ static int apply(struct tsim *sim, struct ts_setup *setup, enum option_id id, ch
 	case OPT_SIGNAL:
 		sim->restart_on_signal = ts_streq(value[0], "none") ? "" : value[0];
 		break;
+	case OPT_SANDBOX:
+		setup->sandboxed = true;
+		return add_words(&setup->sandbox, NULL, value, n);
 	case OPT_SHELL:
+		setup->programs = ts_streq(value[0], "yes");
 		return usage(add_words(&setup->own, "-shell", value, n) || set_shell(sim, value[0]));
 	case OPT_EXPLAIN:
 		sim->explain = setup->explain = true;
@@ -255,7 +261,7 @@ int ts_program_options(struct tsim *sim, struct ts_setup *setup, int argc, char 
 		if (id == NOPTIONS)
 			return unknown_option(text);
 		variadic = id == OPT_VAR || id == OPT_HELP || id == OPT_ADVISE || id == OPT_FULL ||
-			   id == OPT_CROSSCHECK;
+			   id == OPT_CROSSCHECK || id == OPT_SANDBOX;
 		while (k + n < argc && !is_option(argv[k + n]) &&
 		       (variadic || n < options[id].least))
 			n++;

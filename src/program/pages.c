@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "advise/advise.h"
+#include "base/files.h"
 #include "core/help.h"
 #include "crosscheck/crosscheck.h"
 #include "program/program.h"
@@ -28,6 +29,9 @@ static void print_usage(void)
 	ts_program_list_options();
 	puts("\nafter -advise");
 	ts_advise_help(&text);
+	ts_program_print(&text);
+	puts("\nafter -sandbox");
+	ts_program_sandbox_help(&text);
 	ts_program_print(&text);
 	puts("\nafter -crosscheck liggghts or -crosscheck lammps");
 	ts_crosscheck_help(&text);
@@ -78,7 +82,7 @@ static int write_page(const char *directory, const char *name, const struct ts_s
 	int bad = 1;
 
 	ts_str_addf(&path, "%s/%s", directory, name);
-	file = path.failed || text->failed ? NULL : fopen(path.text, "w");
+	file = path.failed || text->failed ? NULL : ts_files_open(NULL, path.text, "w");
 	if (file) {
 		bad = fputs(ts_str_text(text), file) < 0;
 		bad |= fclose(file) != 0;

@@ -17,10 +17,10 @@ struct ts_word_list {
 /* What the command line says. */
 struct ts_setup {
 	const char *input, *log, *screen, *doc, *grammar;
-	bool help, version, log_given, check, explain, advised;
+	bool help, version, log_given, check, explain, advised, programs, sandboxed;
 	const char *help_kind, *help_style;
 	FILE *screen_file; /* of -screen, to be closed */
-	struct ts_word_list crosscheck, advise, variables, own; /* the last two: for the programs that it runs */
+	struct ts_word_list crosscheck, advise, sandbox, variables, own; /* the last two: for the programs that it runs */
 };
 
 /* Reads the options into the setup and, those that are settings of it, into the simulation. */
@@ -29,6 +29,10 @@ int ts_program_options(struct tsim *sim, struct ts_setup *setup, int argc, char 
 void ts_program_list_options(void);
 /* To standard error, with a hint. `format` has two %s. */
 int ts_usage_error(const char *format, const char *what, const char *more);
+
+/* -sandbox: closes the door for good; what is kept, and by whom, is said in the text. */
+int ts_program_sandbox(struct tsim *sim, const struct ts_setup *setup, struct ts_str *said);
+void ts_program_sandbox_help(struct ts_str *out);
 
 /* Prints the text and releases it. */
 int ts_program_print(struct ts_str *text);

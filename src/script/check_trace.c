@@ -129,7 +129,7 @@ enum ts_status ts_check_write(struct ts_script *script, const struct ts_place *w
 	if (!directory || (makes && ts_map_set(&check->made, directory, check) != TS_OK))
 		return ts_nomem(&script->sim->error);
 	if (*directory && !makes && !ts_map_get(&check->made, directory) &&
-	    (stat(directory, &info) != 0 || !S_ISDIR(info.st_mode)))
+	    (ts_files_look(&script->sim->files, directory, &info) != 0 || !S_ISDIR(info.st_mode)))
 		return ts_fail(&script->sim->error, TS_IO, where,
 			       "%s '%s': there is no directory '%s', and the script does not make "
 			       "it (shell mkdir %s)",

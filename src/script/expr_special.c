@@ -1,5 +1,6 @@
 /* Functions that ask about the script and the program; their arguments are names. */
 #include <ctype.h>
+#include <errno.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <sys/utsname.h>
@@ -44,10 +45,13 @@ static enum ts_status eval_next(struct ts_expr *e, struct ts_words words, struct
 static enum ts_status eval_is_file(struct ts_expr *e, struct ts_words words,
 				   struct ts_operand *out)
 {
+	struct ts_files *files = &e->sim->files;
 	struct stat info;
 
-	(void)e;
-	out->scalar = stat(words.word[0].text, &info) == 0;
+	out->scalar = ts_files_look(files, words.word[0].text, &info) == 0;
+	if (!out->scalar && files->closed && errno == EACCES)
+		return ts_fail(&e->sim->error, TS_STATE, &words.word[0].place, "is_file(%s): %s",
+			       words.word[0].text, ts_files_why(files));
 	return TS_OK;
 }
 

@@ -31,7 +31,8 @@ struct ts_script {
 	bool skip_jump;		     /* `next` ran out: the next jump does nothing */
 	bool quit;
 	int quit_status;
-	bool programs;		     /* `shell` may start programs */
+	bool programs;		     /* `shell` may start programs, and act outside of the folder of the run */
+	const char *home;	     /* that folder: where the first `shell` began, links resolved; NULL: none yet */
 	int branches;		     /* commands of `if` that are being run */
 	int depth;		  /* of scripts and commands in each other */
 	uint64_t reading;	  /* of formulas, from outside: within one each variable is evaluated once */

@@ -32,7 +32,8 @@ const char *ts_script_variable(struct ts_script *script, size_t k);
 /* A number by an expression: "v_x", "2*PI", "c_ke", "step" ... */
 enum ts_status ts_script_value(struct ts_script *script, const char *expression, double *out);
 
-/* Whether `shell` may start programs; at first it may not. */
+/* Whether `shell` may start programs, set the environment, remove and move files outside of the folder of the run;
+ * at first it may not. */
 void ts_script_allow_programs(struct ts_script *script, bool allowed);
 
 /* Whether the script said `quit`, and with which status. */

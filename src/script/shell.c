@@ -1,5 +1,5 @@
-/* The few things scripts ask of the operating system. Other programs are started only if the user has
- * allowed it with -shell yes. */
+/* The few things scripts ask of the operating system. Only if the user has allowed it with -shell yes are other
+ * programs started, the environment changed, and files removed or moved outside of the folder of the run. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,16 +20,17 @@ struct shell {
 
 static const struct ts_arg shell_args[] = {
 	TS_REST("action", struct shell, words,
-		.help = "mkdir DIR ..., mv OLD NEW, rm FILE ..., rmdir DIR ..., cd DIR, or putenv "
-			"NAME=VALUE ...; with -shell yes also a command of the system"),
+		.help = "mkdir DIR ..., mv OLD NEW, rm FILE ..., rmdir DIR ..., or cd DIR; with -shell yes also "
+			"putenv NAME=VALUE ... or a command of the system"),
 	TS_ARGS_END
 };
 
-static int set_environment(const char *text)
+static int set_environment(struct ts_files *files, const char *text)
 {
 	const char *equal = strchr(text, '=');
 	char name[256];
 
+	(void)files;
 	if (!equal || equal == text || (size_t)(equal - text) >= sizeof name) {
 		errno = EINVAL;
 		return -1;
@@ -40,16 +41,17 @@ static int set_environment(const char *text)
 
 static const struct {
 	const char *name;
-	int (*act)(const char *path);
+	int (*act)(struct ts_files *files, const char *path);
 	bool writes;	/* left out by -explain */
+	bool removes;	/* only below the folder of the run, unless -shell yes */
 	bool options;	/* words such as -p and -rf have no effect */
 	bool forgiving; /* nothing later depends on it: a failure is a warning, as nothing in LIGGGHTS */
 } actions[] = {
-	{ "mkdir", ts_mkdirs, true, true, false },
-	{ "rm", unlink, true, true, true },
-	{ "rmdir", rmdir, true, true, true },
-	{ "cd", chdir, false, false, false },
-	{ "putenv", set_environment, false, false, false },
+	{ "mkdir", ts_mkdirs, true, false, true, false },
+	{ "rm", ts_files_remove, true, true, true, true },
+	{ "rmdir", ts_files_remove_folder, true, true, true, true },
+	{ "cd", ts_files_enter, false, false, false, false },
+	{ "putenv", set_environment, false, false, false, false },
 };
 
 static enum ts_status note(struct tsim *sim, const char *what, const struct ts_word *word)
@@ -57,17 +59,43 @@ static enum ts_status note(struct tsim *sim, const char *what, const struct ts_w
 	return sim->host->would_write(sim->host_data, &word->place, what, word->text);
 }
 
-static enum ts_status move(struct tsim *sim, struct ts_words words)
+/* Links that lead to the file are resolved; the file itself may be one, which goes as it is. */
+static enum ts_status keep_below(struct ts_script *script, const char *what, const struct ts_word *word)
 {
+	struct ts_error *err = &script->sim->error;
+	struct ts_str path = { 0 };
+	bool below, known;
+
+	if (script->programs)
+		return TS_OK;
+	known = ts_files_resolve_name(word->text, &path) == 0;
+	below = known && ts_files_below(ts_str_text(&path), script->home) &&
+		!ts_streq(ts_str_text(&path), script->home);
+	known |= errno != ENOENT && errno != ENOTDIR;
+	ts_str_release(&path);
+	if (below || !known) /* what is not there cannot be touched */
+		return TS_OK;
+	return ts_fail(err, TS_STATE, &word->place,
+		       "shell %s '%s': this is not below '%s', where tsim was started; files elsewhere are removed "
+		       "and moved only with the option -shell yes",
+		       what, word->text, script->home);
+}
+
+static enum ts_status move(struct ts_script *script, struct ts_words words)
+{
+	struct tsim *sim = script->sim;
+
 	if (words.n != 3)
 		return ts_fail(&sim->error, TS_SYNTAX, &words.word[0].place,
 			       "expected: shell mv OLD NEW");
+	TS_TRY(keep_below(script, "mv", &words.word[1]));
+	TS_TRY(keep_below(script, "mv", &words.word[2]));
 	if (sim->check)
 		return note(sim, "shell mv", &words.word[1]);
-	if (sim->explain || rename(words.word[1].text, words.word[2].text) == 0)
+	if (sim->explain || ts_files_move(&sim->files, words.word[1].text, words.word[2].text) == 0)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_IO, &words.word[1].place, "cannot move '%s' to '%s': %s",
-		       words.word[1].text, words.word[2].text, strerror(errno));
+		       words.word[1].text, words.word[2].text, ts_files_why(&sim->files));
 }
 
 /* Any other word: a command line for the system's shell. */
@@ -103,29 +131,44 @@ static enum ts_status unknown_action(struct tsim *sim, const struct ts_word *wor
 	for (size_t a = 0; a < sizeof actions / sizeof *actions; a++)
 		ts_suggest_try(&suggest, actions[a].name);
 	return ts_fail(&sim->error, TS_UNKNOWN, &word->place,
-		       "shell knows mkdir, mv, rm, rmdir, cd and putenv, not '%s'%s; tsim starts other "
+		       "shell knows mkdir, mv, rm, rmdir and cd, not '%s'%s; tsim starts other "
 		       "programs only with the option -shell yes",
 		       word->text, suggest.best ? ts_suggest_text(&suggest) : "");
 }
 
-static enum ts_status run_action(struct tsim *sim, size_t a, const struct ts_word *word)
+static enum ts_status run_action(struct ts_script *script, size_t a, const struct ts_word *word)
 {
+	struct tsim *sim = script->sim;
 	char what[32];
 
 	if (actions[a].options && word->text[0] == '-')
 		return TS_OK;
+	if (actions[a].removes)
+		TS_TRY(keep_below(script, actions[a].name, word));
 	if (sim->check && actions[a].writes) {
 		snprintf(what, sizeof what, "shell %s", actions[a].name);
 		return note(sim, what, word);
 	}
-	if ((sim->explain && actions[a].writes) || actions[a].act(word->text) == 0)
+	if ((sim->explain && actions[a].writes) || actions[a].act(&sim->files, word->text) == 0)
 		return TS_OK;
 	if (!actions[a].forgiving)
 		return ts_fail(&sim->error, TS_IO, &word->place, "shell %s '%s' failed: %s",
-			       actions[a].name, word->text, strerror(errno));
+			       actions[a].name, word->text, ts_files_why(&sim->files));
 	ts_warn(&sim->log, &word->place, "shell %s '%s' failed: %s", actions[a].name, word->text,
-		strerror(errno));
+		ts_files_why(&sim->files));
 	return TS_OK;
+}
+
+static enum ts_status find_home(struct ts_script *script)
+{
+	struct ts_str home = { 0 };
+
+	if (!script->home && ts_files_resolve(".", &home) == 0)
+		script->home = ts_pool_get(script->sim->pool, ts_str_text(&home));
+	ts_str_release(&home);
+	return script->home ? TS_OK
+			    : ts_fail(&script->sim->error, TS_IO, NULL, "shell: no working folder: %s",
+				      strerror(errno));
 }
 
 static enum ts_status run_shell(struct tsim *sim, void *state, const struct ts_place *where)
@@ -135,8 +178,9 @@ static enum ts_status run_shell(struct tsim *sim, void *state, const struct ts_p
 	struct ts_script *script;
 
 	TS_TRY(ts_script_of(sim, where, &script));
+	TS_TRY(find_home(script));
 	if (ts_streq(words.word[0].text, "mv"))
-		return move(sim, words);
+		return move(script, words);
 	while (a < n && !ts_streq(actions[a].name, words.word[0].text))
 		a++;
 	if (a == n)
@@ -145,8 +189,11 @@ static enum ts_status run_shell(struct tsim *sim, void *state, const struct ts_p
 	if (words.n < 2)
 		return ts_fail(&sim->error, TS_SYNTAX, &words.word[0].place,
 			       "expected a name after '%s'", actions[a].name);
+	if (actions[a].act == set_environment && !script->programs)
+		return ts_fail(&sim->error, TS_STATE, &words.word[0].place,
+			       "shell putenv changes the environment only with the option -shell yes");
 	for (size_t k = 1; k < words.n; k++)
-		TS_TRY(run_action(sim, a, &words.word[k]));
+		TS_TRY(run_action(script, a, &words.word[k]));
 	return TS_OK;
 }
 
@@ -157,10 +204,11 @@ const struct ts_command_style ts_command_shell = {
 		.summary = "makes directories, moves and removes files",
 		.doc = "mkdir makes the directories that lead to it too, and a directory that exists is "
 		       "no error. rm or rmdir of what is not there is a warning; rm removes no "
-		       "directories. Options such as -p and -rf have no effect. With the option -shell yes of the "
-		       "command line any other words are run as a command of the system's shell; "
-		       "without it they are refused, so that a script from elsewhere cannot start "
-		       "programs.",
+		       "directories. Options such as -p and -rf have no effect. rm, rmdir and mv act only below the folder "
+		       "in which tsim was started, links resolved. With the option -shell yes of the command line they "
+		       "act anywhere, putenv sets the environment, and any other words are run as a command of the "
+		       "system's shell; without it these are refused. What else a script may do to files is said in "
+		       "doc/language.md; for scripts from elsewhere there is -sandbox.",
 		.example = "shell mkdir post\nshell mv profile.txt post/profile_old.txt",
 		.args = shell_args,
 		.state_size = sizeof(struct shell),

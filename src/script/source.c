@@ -20,11 +20,11 @@ enum ts_status ts_source_open(struct ts_source *source, struct tsim *sim, const 
 			      const struct ts_place *where)
 {
 	TS_TRY(start(source, sim, path));
-	source->stream = fopen(path, "r");
+	source->stream = ts_files_open(&sim->files, path, "r");
 	source->owns_stream = true;
 	if (!source->stream)
 		return ts_fail(&sim->error, TS_IO, where, "cannot open script '%s': %s", path,
-			       strerror(errno));
+			       ts_files_why(&sim->files));
 	return TS_OK;
 }
 

@@ -38,15 +38,15 @@ static enum ts_status write_line(struct tsim *sim, const char *path, const char 
 
 	if (!path || sim->explain)
 		return TS_OK;
-	file = fopen(path, mode);
+	file = ts_files_open(&sim->files, path, mode);
 	if (!file)
 		return ts_fail(&sim->error, TS_IO, where, "cannot open '%s': %s", path,
-			       strerror(errno));
+			       ts_files_why(&sim->files));
 	bad = fprintf(file, "%s\n", text) < 0;
 	bad |= fclose(file) != 0;
 	if (bad)
 		return ts_fail(&sim->error, TS_IO, where, "cannot write '%s': %s", path,
-			       strerror(errno));
+			       ts_files_why(&sim->files));
 	return TS_OK;
 }
 

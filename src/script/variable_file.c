@@ -199,10 +199,10 @@ static enum ts_status open_feed(struct ts_script *script, struct ts_variable *va
 	variable->feed->line.file = ts_pool_get(script->sim->pool, path->text);
 	if (!variable->feed->line.file)
 		return ts_nomem(error);
-	variable->feed->stream = fopen(path->text, "r");
+	variable->feed->stream = ts_files_open(&script->sim->files, path->text, "r");
 	if (!variable->feed->stream)
 		return ts_fail(error, TS_IO, &path->place, "cannot open '%s': %s", path->text,
-			       strerror(errno));
+			       ts_files_why(&script->sim->files));
 	TS_TRY(variable->style->next(script, variable, &empty));
 	if (empty)
 		return ts_fail(error, TS_IO, &path->place, "the file '%s' has no values",

@@ -29,6 +29,9 @@ static enum ts_status getenv_text(struct ts_script *script, struct ts_variable *
 {
 	const char *name = variable->values.word[0].text, *text = getenv(name);
 
+	if (script->sim->files.closed)
+		return ts_fail(&script->sim->error, TS_STATE, where,
+			       "variable '%s': with -sandbox a script does not see the environment", variable->name);
 	if (!text)
 		return ts_fail(&script->sim->error, TS_UNKNOWN, where,
 			       "the environment has no '%s', which variable '%s' stands for", name,

@@ -9,7 +9,7 @@ top_srcdir=$(cd "${top_srcdir:-$(dirname "$0")/../..}" && pwd)
 here=$top_srcdir/tests/fuzz
 folder=${FUZZ_FOLDER:-$top_builddir/fuzzing}
 export top_srcdir TSIM=${TSIM:-$top_builddir/tsim}
-targets=(${*:-script expression restart data mesh})
+targets=(${*:-script check explain expression restart data mesh})
 effort=-seed=$RANDOM
 [ -n "$FUZZ_SECONDS" ] || effort='-seed=20231 -runs=30000'
 # adding 0 to a null pointer is no fault: pointer-overflow is left out below
@@ -38,19 +38,22 @@ if ! [ -f Makefile ]; then
 fi
 make -s -j"${FUZZ_JOBS:-2}" libtsim.a >make.out 2>&1 || { tail -20 make.out; exit 1; }
 
-# words of the language, from the tables
+# words of the language, from the tables; scripts are also mutated by lines and words (tokens.c)
+export FUZZ_WORDS=$folder/words
 cat "$top_srcdir"/doc/styles/*.md | grep -oE '[a-z][a-z_/0-9]+' | sort -u | sed 's/.*/"&"/' >words
 
 "$here/seeds.sh" "${targets[@]}"
 failed=0
 for target in "${targets[@]}"; do
+	parts=("$here/sandbox.c")
+	case $target in script | check | explain) parts+=("$here"/{scripts,tokens}.c) ;; esac
 	$clang $flags -fsanitize=fuzzer -D_GNU_SOURCE -I"$top_srcdir/src" "$here/fuzz_$target.c" \
-		"$here/sandbox.c" libtsim.a -lgsl -lgslcblas -lz -lm @"$here/wrap.ld" \
+		"${parts[@]}" libtsim.a -lgsl -lgslcblas -lz -lm @"$here/wrap.ld" \
 		-o "fuzz_$target" || exit 1
 	mkdir -p "corpus.$target" "found.$target" "empty.$target"
 	(
 		cd "empty.$target" || exit 99
-		ASAN_OPTIONS=allocator_may_return_null=1:detect_leaks=1 nice -n 10 \
+		ASAN_OPTIONS=allocator_may_return_null=1:detect_leaks=1:quarantine_size_mb=64 nice -n 19 \
 			"../fuzz_$target" -dict=../words -artifact_prefix="../found.$target/" -timeout=120 \
 			-rss_limit_mb=2048 -max_len=8192 -print_final_stats=1 -use_value_profile=1 \
 			$effort \

@@ -2,9 +2,7 @@
 #include <string.h>
 
 #include "sandbox.h"
-
-#include "core/sim.h"
-#include "tsim.h"
+#include "scripts.h"
 
 int LLVMFuzzerInitialize(int *argc, char ***argv)
 {
@@ -16,20 +14,8 @@ int LLVMFuzzerInitialize(int *argc, char ***argv)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
 	static const char explain[] = "#explain";
-	struct tsim *sim = tsim_open();
-	FILE *script;
+	bool planned = size > strlen(explain) && memcmp(data, explain, strlen(explain)) == 0;
 
-	if (!sim)
-		return 0;
-	sandbox_enter(sim, data, size);
-	sim->explain = size > strlen(explain) && memcmp(data, explain, strlen(explain)) == 0;
-	script = size ? fopen("input", "r") : NULL;
-	if (script) {
-		tsim_stream(sim, script, "input");
-		fclose(script);
-	}
-	sandbox_report(sim);
-	tsim_close(sim);
-	sandbox_leave();
+	fuzz_as_script(data, size, planned ? FUZZ_EXPLAIN : FUZZ_RUN);
 	return 0;
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Seeds of the fuzzers: make_seeds.py script|expression|restart FOLDER FILE ..."""
+"""Seeds of the fuzzers: make_seeds.py script|check|explain|expression|restart FOLDER FILE ..."""
 import os
 import re
 import struct
@@ -62,8 +62,9 @@ def main():
         pieces = [data]
         if what == "restart":
             pieces.append(plain_sections(data))
-        if what == "script":
+        if what in ("script", "check", "explain"):
             pieces = [s.encode() for s in scripts(path, data.decode(errors="ignore"))]
+            pieces = pieces if what == "script" else pieces[:1]
         if what == "expression":
             pieces = [s.encode() for s in statements(data.decode(errors="ignore"))]
         for k, piece in enumerate(pieces):

@@ -14,7 +14,10 @@
 #include "core/sim.h"
 #include "tsim.h"
 
-enum { LARGEST_BLOCK = 1 << 26, PATIENCE_US = 333333 };
+enum { LARGEST_BLOCK = 1 << 26, MOST_MEMORY = 1 << 29, PATIENCE_US = 333333 };
+
+/* Of the address sanitizer; NULL without it. */
+size_t __attribute__((weak)) __sanitizer_get_current_allocated_bytes(void);
 
 static struct {
 	volatile bool inside;
@@ -136,10 +139,17 @@ WRAPPED(int, glob, (const char *pattern, int flags, void *failed, void *out),
 WRAPPED(int, fork, (void), (), deny(NULL))
 WRAPPED(int, execvp, (const char *path, char *const *argv), (path, argv), deny(path))
 WRAPPED(int, kill, (int process, int number), (process, number), 0)
+
+static bool too_much(size_t n)
+{
+	return n > LARGEST_BLOCK || (__sanitizer_get_current_allocated_bytes &&
+				     __sanitizer_get_current_allocated_bytes() + n > MOST_MEMORY);
+}
+
 WRAPPED(void *, calloc, (size_t n, size_t size), (n, size),
-	size && n > LARGEST_BLOCK / size ? NULL : __real_calloc(n, size))
-WRAPPED(void *, aligned_alloc, (size_t alignment, size_t n), (alignment, n),
-	n > LARGEST_BLOCK ? NULL : __real_aligned_alloc(alignment, n))
+	size && (n > LARGEST_BLOCK / size || too_much(n * size)) ? NULL : __real_calloc(n, size))
+WRAPPED(int, posix_memalign, (void **out, size_t alignment, size_t n), (out, alignment, n),
+	too_much(n) ? ENOMEM : __real_posix_memalign(out, alignment, n))
 
 FILE *sandbox_open(const char *path, const char *mode)
 {

@@ -1,6 +1,7 @@
 /* Fuzzed input must not reach the machine. The linker sends every call that touches files, processes or
  * the environment through sandbox.c (options -Wl,--wrap=...). Within an input, what is written goes to
- * /dev/null, the file "input" can be read and nothing else, blocks of more than 64 MB are refused, and
+ * /dev/null, the file "input" can be read and nothing else, blocks of more than 64 MB, and with the address
+ * sanitizer more than 512 MB in all, are refused, and
  * after a third of a second of processor time the simulation is asked to stop. */
 #ifndef TS_FUZZ_SANDBOX_H
 #define TS_FUZZ_SANDBOX_H

@@ -3,7 +3,7 @@
 decks=("$top_srcdir"/tests/{decks,data}/in.* "$top_srcdir"/examples/*/in.*)
 for target in "$@"; do
 	case $target in
-	script) files=("${decks[@]}" "$top_srcdir"/doc/styles/*.md) ;;
+	script | check | explain) files=("${decks[@]}" "$top_srcdir"/doc/styles/*.md) ;;
 	expression) files=("${decks[@]}") ;;
 	restart)
 		printf 'include %s\nwrite_restart newest.seed\n' "$top_srcdir/tests/data/in.older" |

@@ -78,7 +78,7 @@ static enum ts_status read_file(struct tsim *sim, const struct read_data *c,
 	struct ts_lines lines = { 0 };
 	enum ts_status status;
 
-	TS_TRY(ts_lines_open(&lines, &sim->error, sim->pool, where, c->file));
+	TS_TRY(ts_lines_open(&lines, &sim->files, &sim->error, sim->pool, where, c->file));
 	status = ts_data_read(sim, &lines, style ? style : "sphere", data);
 	ts_lines_close(&lines);
 	return status;

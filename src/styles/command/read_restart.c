@@ -26,7 +26,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 {
 	const struct state *s = state;
 	struct ts_series series = { 0 };
-	enum ts_status status = ts_series_find(s->file, &series);
+	enum ts_status status = ts_series_find(&sim->files, s->file, &series);
 
 	if (status != TS_OK)
 		status = ts_nomem(&sim->error);

@@ -79,7 +79,7 @@ static enum ts_status run_word(struct tsim *sim, struct rerun *c, struct ts_plan
 			       const struct ts_word *word)
 {
 	struct ts_series series = { 0 };
-	enum ts_status status = ts_series_find(word->text, &series);
+	enum ts_status status = ts_series_find(&sim->files, word->text, &series);
 
 	if (status != TS_OK)
 		status = ts_nomem(&sim->error);

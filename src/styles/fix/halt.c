@@ -1,11 +1,9 @@
 /* Fix halt: ends a run early when something has come true. */
 #include "core/sim.h"
 
-#include <errno.h>
 #include <inttypes.h>
 #include <math.h>
 #include <string.h>
-#include <sys/statvfs.h>
 
 #include "base/clock.h"
 #include "core/each.h"
@@ -63,12 +61,12 @@ static enum ts_status wall_time(struct ts_instance *self, struct tsim *sim, doub
 static enum ts_status free_disk(struct ts_instance *self, struct tsim *sim, double *out)
 {
 	const struct state *s = self->state;
-	struct statvfs fs;
+	double bytes = ts_files_free_space(&sim->files, s->path);
 
-	if (statvfs(s->path, &fs) != 0)
+	if (bytes < 0)
 		return ts_fail(&sim->error, TS_IO, &self->where, "fix halt: no disk at '%s': %s",
-			       s->path, strerror(errno));
-	*out = (double)fs.f_frsize * (double)fs.f_bavail / 1e6;
+			       s->path, ts_files_why(&sim->files));
+	*out = bytes / 1e6;
 	return TS_OK;
 }
 

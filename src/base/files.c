@@ -1,0 +1,607 @@
+#include "base/files.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/statvfs.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include "base/alloc.h"
+
+#include "base/banned.h"
+
+enum { ENTRY_BYTES = 4096 }; /* of a name in a folder, as a file of a byte takes on most disks */
+
+struct ts_files_own {
+	dev_t device;
+	ino_t number;
+};
+
+static bool is_closed(const struct ts_files *files)
+{
+	return files && files->closed;
+}
+
+/* ---- names */
+
+bool ts_files_below(const char *path, const char *folder)
+{
+	size_t n = strlen(folder);
+
+	return strncmp(path, folder, n) == 0 && (!path[n] || path[n] == '/' || ts_streq(folder, "/"));
+}
+
+static int nomem(void)
+{
+	errno = ENOMEM;
+	return -1;
+}
+
+static int resolve_real(const char *path, struct ts_str *out)
+{
+	char real[PATH_MAX];
+
+	if (!realpath(*path ? path : ".", real))
+		return -1;
+	ts_str_clear(out);
+	ts_str_add(out, real);
+	return out->failed ? nomem() : 0;
+}
+
+/* Cuts the last name off; what is left leads to it. */
+static void cut(const char *path, struct ts_str *folder, struct ts_str *name)
+{
+	size_t n = strlen(path), at;
+
+	while (n > 1 && path[n - 1] == '/')
+		n--;
+	at = n;
+	while (at && path[at - 1] != '/')
+		at--;
+	ts_str_add_n(name, path + at, n - at);
+	ts_str_add_n(folder, path, at);
+	if (!at)
+		ts_str_add(folder, ".");
+}
+
+static int resolve_missing(const char *path, struct ts_str *out)
+{
+	struct ts_str folder = { 0 }, name = { 0 };
+	struct stat info;
+	int result = -1;
+
+	cut(path, &folder, &name);
+	if (folder.failed || name.failed)
+		nomem();
+	else if (lstat(path, &info) == 0)
+		errno = ELOOP; /* a link to something that is not there */
+	else if (ts_streq(ts_str_text(&name), "..") || !name.length)
+		errno = ENOENT;
+	else
+		result = ts_files_resolve(ts_str_text(&folder), out);
+	if (result == 0 && !ts_streq(ts_str_text(&name), "."))
+		ts_str_addf(out, "%s%s", ts_streq(ts_str_text(out), "/") ? "" : "/", ts_str_text(&name));
+	ts_str_release(&folder);
+	ts_str_release(&name);
+	return result == 0 && out->failed ? nomem() : result;
+}
+
+int ts_files_resolve(const char *path, struct ts_str *out)
+{
+	if (resolve_real(path, out) == 0)
+		return 0;
+	return errno == ENOENT ? resolve_missing(path, out) : -1;
+}
+
+int ts_files_resolve_name(const char *path, struct ts_str *out)
+{
+	struct ts_str folder = { 0 }, name = { 0 };
+	const char *last;
+	int result;
+
+	cut(path, &folder, &name);
+	last = ts_str_text(&name);
+	if (folder.failed || name.failed)
+		result = nomem();
+	else if (!*last || ts_streq(last, ".") || ts_streq(last, ".."))
+		result = ts_files_resolve(path, out);
+	else if ((result = ts_files_resolve(ts_str_text(&folder), out)) == 0)
+		ts_str_addf(out, "%s%s", ts_streq(ts_str_text(out), "/") ? "" : "/", last);
+	ts_str_release(&folder);
+	ts_str_release(&name);
+	return result == 0 && out->failed ? nomem() : result;
+}
+
+/* ---- what is let through */
+
+static void forget(struct ts_files *files)
+{
+	if (files)
+		files->why[0] = '\0';
+}
+
+static int refuse(struct ts_files *files, const char *reason)
+{
+	snprintf(files->why, sizeof files->why, "%s", reason);
+	errno = EACCES;
+	return -1;
+}
+
+const char *ts_files_why(const struct ts_files *files)
+{
+	if (is_closed(files) && errno == EDQUOT)
+		return "the script has written all that -sandbox allows (-sandbox disk)";
+	return is_closed(files) && errno == EACCES && files->why[0] ? files->why : strerror(errno);
+}
+
+static int refuse_place(struct ts_files *files, bool writes)
+{
+	struct ts_str text = { 0 };
+	const char *between = " ";
+
+	ts_str_addf(&text, "with -sandbox a script %s only below", writes ? "writes" : "reads");
+	for (int k = 0; k < files->n; k++) {
+		if (files->root[k].writes != writes)
+			continue;
+		ts_str_addf(&text, "%s'%s'", between, files->root[k].path);
+		between = " and ";
+	}
+	ts_str_add(&text, writes ? "" : ", and what it has written itself");
+	refuse(files, ts_str_text(&text));
+	ts_str_release(&text);
+	return -1;
+}
+
+static const struct ts_files_root *root_of(const struct ts_files *files, const char *path, bool writes)
+{
+	for (int k = 0; k < files->n; k++)
+		if (files->root[k].writes == writes && ts_files_below(path, files->root[k].path))
+			return &files->root[k];
+	return NULL;
+}
+
+/* The folder of a resolved path, reached from that of the root name by name, no link followed: nobody can put one
+ * in the way after the path was resolved. *name: the last one; "." where the path is the root itself. */
+static int walk(const struct ts_files_root *root, const char *path, const char **name)
+{
+	const char *rest = path + strlen(root->path);
+	int at = fcntl(root->folder, F_DUPFD_CLOEXEC, 0), next;
+	char part[NAME_MAX + 1];
+
+	*name = ".";
+	while (at >= 0) {
+		size_t n;
+
+		rest += strspn(rest, "/");
+		n = strcspn(rest, "/");
+		if (!rest[n]) {
+			*name = *rest ? rest : ".";
+			return at;
+		}
+		if (n > NAME_MAX) {
+			errno = ENAMETOOLONG;
+			next = -1;
+		} else {
+			memcpy(part, rest, n);
+			part[n] = '\0';
+			next = openat(at, part, O_PATH | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+		}
+		close(at);
+		at = next;
+		rest += n;
+	}
+	return -1;
+}
+
+enum way { WAY_READ, WAY_WRITE, WAY_SEE }; /* to see a name is allowed wherever one may read or write */
+
+/* What an action needs: the open folder and the name in it. */
+struct entry {
+	int folder;
+	const char *name;
+	struct ts_str path;
+	bool read_root;
+};
+
+static int enter(struct ts_files *files, const char *path, bool follow, enum way way, struct entry *e)
+{
+	const struct ts_files_root *root;
+
+	*e = (struct entry){ .folder = -1 };
+	forget(files);
+	if ((follow ? ts_files_resolve : ts_files_resolve_name)(path, &e->path) != 0)
+		return -1;
+	root = root_of(files, ts_str_text(&e->path), way == WAY_WRITE);
+	e->read_root = root && !root->writes;
+	if (!root && way != WAY_WRITE) /* one may look there, and read what is one's own */
+		root = root_of(files, ts_str_text(&e->path), true);
+	if (!root)
+		return refuse_place(files, way == WAY_WRITE);
+	e->folder = walk(root, ts_str_text(&e->path), &e->name);
+	return e->folder < 0 ? -1 : 0;
+}
+
+static int leave(struct entry *e, int result)
+{
+	int code = errno;
+
+	if (e->folder >= 0)
+		close(e->folder);
+	ts_str_release(&e->path);
+	errno = code;
+	return result;
+}
+
+/* ---- what was written */
+
+/* Nothing more is written once the limit is reached. */
+static int charge(struct ts_files *files, int64_t bytes)
+{
+	if (bytes > files->most - files->written) {
+		errno = EDQUOT;
+		return -1;
+	}
+	files->written += bytes;
+	return 0;
+}
+
+static bool is_own(const struct ts_files *files, const struct stat *info)
+{
+	for (size_t k = 0; k < files->nown; k++)
+		if (files->own[k].device == info->st_dev && files->own[k].number == info->st_ino)
+			return true;
+	return false;
+}
+
+static int note_own(struct ts_files *files, const struct stat *info)
+{
+	if (is_own(files, info))
+		return 0;
+	if (TS_GROW(files->own, files->own_capacity, files->nown + 1) != TS_OK)
+		return nomem();
+	files->own[files->nown++] = (struct ts_files_own){ info->st_dev, info->st_ino };
+	return 0;
+}
+
+/* Other names of a file, and what is no file, may lead anywhere. */
+static int check_plain(struct ts_files *files, int descriptor, struct stat *info)
+{
+	if (fstat(descriptor, info) != 0)
+		return -1;
+	if (S_ISDIR(info->st_mode)) {
+		errno = EISDIR;
+		return -1;
+	}
+	if (!S_ISREG(info->st_mode))
+		return refuse(files, "with -sandbox a script opens plain files only");
+	if (info->st_nlink > 1)
+		return refuse(files, "the file has other names (hard links), which may lie anywhere; with -sandbox "
+				     "a script does not open it");
+	return 0;
+}
+
+struct stream {
+	struct ts_files *files;
+	int descriptor;
+};
+
+static ssize_t stream_write(void *cookie, const char *bytes, size_t n)
+{
+	struct stream *s = cookie;
+	size_t done = 0;
+
+	if (charge(s->files, (int64_t)n) != 0)
+		return 0;
+	while (done < n) {
+		ssize_t got = write(s->descriptor, bytes + done, n - done);
+
+		if (got < 0 && errno == EINTR)
+			continue;
+		if (got <= 0)
+			break;
+		done += (size_t)got;
+	}
+	return (ssize_t)done;
+}
+
+static int stream_close(void *cookie)
+{
+	struct stream *s = cookie;
+	int result = close(s->descriptor);
+
+	ts_free(s);
+	return result;
+}
+
+static FILE *counted(struct ts_files *files, int descriptor)
+{
+	static const cookie_io_functions_t functions = { .write = stream_write, .close = stream_close };
+	struct stream *s = ts_alloc(1, sizeof *s);
+	FILE *file = NULL;
+
+	if (s) {
+		*s = (struct stream){ files, descriptor };
+		file = fopencookie(s, "w", functions);
+	}
+	if (!file) {
+		ts_free(s);
+		close(descriptor);
+		errno = ENOMEM;
+	}
+	return file;
+}
+
+static int open_to_write(struct ts_files *files, const struct entry *e, const char *mode)
+{
+	int flags = O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | (mode[0] == 'a' ? O_APPEND : 0);
+	bool anew = mode[0] == 'w';
+	struct stat info;
+	int descriptor = strchr(mode, 'x') ? -1 : openat(e->folder, e->name, flags);
+
+	if (strchr(mode, 'x') || (descriptor < 0 && errno == ENOENT)) {
+		if (charge(files, ENTRY_BYTES) != 0)
+			return -1;
+		descriptor = openat(e->folder, e->name, flags | O_CREAT | O_EXCL, 0666);
+		anew = true;
+	}
+	if (descriptor < 0)
+		return -1;
+	if (check_plain(files, descriptor, &info) == 0 && (mode[0] != 'w' || ftruncate(descriptor, 0) == 0) &&
+	    (!anew || note_own(files, &info) == 0))
+		return descriptor;
+	close(descriptor);
+	return -1;
+}
+
+static int open_to_read(struct ts_files *files, const struct entry *e)
+{
+	int descriptor = openat(e->folder, e->name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+	struct stat info;
+
+	if (descriptor < 0)
+		return -1;
+	if (check_plain(files, descriptor, &info) == 0 &&
+	    (e->read_root || is_own(files, &info) || refuse_place(files, false) == 0))
+		return descriptor;
+	close(descriptor);
+	return -1;
+}
+
+/* ---- what others do */
+
+/* An open file through a closed door; -1 and errno. */
+static int open_within(struct ts_files *files, const char *path, const char *mode)
+{
+	bool writes = mode[0] != 'r';
+	struct entry e;
+	int result = enter(files, path, !strchr(mode, 'x'), writes ? WAY_WRITE : WAY_READ, &e);
+
+	if (result == 0)
+		result = writes ? open_to_write(files, &e, mode) : open_to_read(files, &e);
+	return leave(&e, result);
+}
+
+FILE *ts_files_open(struct ts_files *files, const char *path, const char *mode)
+{
+	FILE *file;
+	int descriptor;
+
+	if (!is_closed(files))
+		return fopen(path, mode);
+	if (mode[0] != 'r' && ts_streq(path, "/dev/null"))
+		return ts_files_nowhere();
+	descriptor = open_within(files, path, mode);
+	if (descriptor < 0)
+		return NULL;
+	if (mode[0] != 'r')
+		return counted(files, descriptor);
+	file = fdopen(descriptor, "r");
+	if (!file)
+		close(descriptor);
+	return file;
+}
+
+void *ts_files_open_gz(struct ts_files *files, const char *path)
+{
+	gzFile file;
+	int descriptor;
+
+	if (!is_closed(files))
+		return gzopen(path, "rb");
+	descriptor = open_within(files, path, "r");
+	if (descriptor < 0)
+		return NULL;
+	file = gzdopen(descriptor, "rb");
+	if (!file)
+		close(descriptor);
+	return file;
+}
+
+FILE *ts_files_nowhere(void)
+{
+	return fopen("/dev/null", "w");
+}
+
+void *ts_files_list(struct ts_files *files, const char *folder)
+{
+	struct entry e;
+	DIR *list = NULL;
+	int descriptor;
+
+	if (!is_closed(files))
+		return opendir(folder);
+	descriptor = enter(files, folder, true, WAY_SEE, &e);
+	if (descriptor == 0)
+		descriptor = openat(e.folder, e.name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+	leave(&e, 0);
+	if (descriptor >= 0)
+		list = fdopendir(descriptor);
+	if (descriptor >= 0 && !list)
+		close(descriptor);
+	return list;
+}
+
+int ts_files_look(struct ts_files *files, const char *path, struct stat *out)
+{
+	struct entry e;
+	int result;
+
+	if (!is_closed(files))
+		return stat(path, out);
+	result = enter(files, path, true, WAY_SEE, &e);
+	if (result == 0)
+		result = fstatat(e.folder, e.name, out, AT_SYMLINK_NOFOLLOW);
+	return leave(&e, result);
+}
+
+int ts_files_make_folder(struct ts_files *files, const char *path)
+{
+	struct entry e;
+	int result;
+
+	if (!is_closed(files))
+		return mkdir(path, 0777);
+	result = enter(files, path, false, WAY_WRITE, &e);
+	if (result == 0)
+		result = charge(files, ENTRY_BYTES);
+	if (result == 0)
+		result = mkdirat(e.folder, e.name, 0777);
+	return leave(&e, result);
+}
+
+static int take_away(struct ts_files *files, const char *path, int flags)
+{
+	struct entry e;
+	int result = enter(files, path, false, WAY_WRITE, &e);
+
+	if (result == 0)
+		result = unlinkat(e.folder, e.name, flags);
+	return leave(&e, result);
+}
+
+int ts_files_remove(struct ts_files *files, const char *path)
+{
+	return is_closed(files) ? take_away(files, path, 0) : unlink(path);
+}
+
+int ts_files_remove_folder(struct ts_files *files, const char *path)
+{
+	return is_closed(files) ? take_away(files, path, AT_REMOVEDIR) : rmdir(path);
+}
+
+int ts_files_move(struct ts_files *files, const char *from, const char *to)
+{
+	struct entry old, new;
+	int result;
+
+	if (!is_closed(files))
+		return rename(from, to);
+	result = enter(files, from, false, WAY_WRITE, &old);
+	if (result != 0)
+		return leave(&old, result);
+	result = enter(files, to, false, WAY_WRITE, &new);
+	if (result == 0)
+		result = renameat(old.folder, old.name, new.folder, new.name);
+	result = leave(&new, result);
+	return leave(&old, result);
+}
+
+int ts_files_enter(struct ts_files *files, const char *folder)
+{
+	struct entry e;
+	int result, at = -1;
+
+	if (!is_closed(files))
+		return chdir(folder);
+	result = enter(files, folder, true, WAY_SEE, &e);
+	if (result == 0)
+		result = at = openat(e.folder, e.name, O_PATH | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+	if (result >= 0)
+		result = fchdir(at);
+	result = leave(&e, result);
+	if (at >= 0)
+		close(at);
+	return result;
+}
+
+/* Whatever it was opened by: what was written to a file belongs to the file. */
+int ts_files_sync(struct ts_files *files, const char *path, FILE *file)
+{
+	int descriptor, result;
+
+	if (!is_closed(files))
+		return fsync(fileno(file));
+	descriptor = open_within(files, path, "r");
+	result = descriptor < 0 ? -1 : fsync(descriptor);
+	if (descriptor >= 0)
+		close(descriptor);
+	return result;
+}
+
+int ts_files_sync_folder(struct ts_files *files, const char *folder)
+{
+	DIR *list = ts_files_list(files, folder);
+	int result = list ? fsync(dirfd(list)) : -1;
+
+	if (list)
+		closedir(list);
+	return result;
+}
+
+double ts_files_free_space(struct ts_files *files, const char *path)
+{
+	struct stat info;
+	struct statvfs fs;
+
+	if ((is_closed(files) && ts_files_look(files, path, &info) != 0) || statvfs(path, &fs) != 0)
+		return -1;
+	return (double)fs.f_frsize * (double)fs.f_bavail;
+}
+
+/* ---- life */
+
+int ts_files_admit(struct ts_files *files, const char *folder, bool writes)
+{
+	struct ts_files_root *root = &files->root[files->n];
+	struct ts_str path = { 0 };
+
+	if (files->n == TS_MOST_FOLDERS) {
+		errno = ENFILE;
+		return -1;
+	}
+	if (resolve_real(folder, &path) != 0) {
+		ts_str_release(&path);
+		return -1;
+	}
+	*root = (struct ts_files_root){ ts_strdup(ts_str_text(&path)), -1, writes };
+	ts_str_release(&path);
+	if (!root->path)
+		return nomem();
+	root->folder = open(root->path, O_PATH | O_DIRECTORY | O_CLOEXEC);
+	if (root->folder < 0) {
+		ts_free(root->path);
+		return -1;
+	}
+	files->n++;
+	return 0;
+}
+
+void ts_files_close(struct ts_files *files, int64_t most_bytes)
+{
+	files->most = most_bytes;
+	files->closed = true;
+}
+
+void ts_files_release(struct ts_files *files)
+{
+	for (int k = 0; k < files->n; k++) {
+		close(files->root[k].folder);
+		ts_free(files->root[k].path);
+	}
+	ts_free(files->own);
+	*files = (struct ts_files){ 0 };
+}
