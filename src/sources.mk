@@ -20,6 +20,8 @@ library_sources = \
 	src/base/hold.c \
 	src/base/hold.h \
 	src/base/inline.h \
+	src/base/input_limit.c \
+	src/base/input_limit.h \
 	src/base/log.c \
 	src/base/log.h \
 	src/base/map.c \

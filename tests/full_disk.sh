@@ -100,6 +100,20 @@ file_size cut.dump -in in.full >out 2>err
 "$TSIM" -in in.full -var file whole.dump -log none -screen none
 head -c "$(stat -c %s cut.dump)" whole.dump >begin
 same 'a dump up to the limit' begin cut.dump
+awk '/^ITEM: ATOMS/ { left = 30; next } left && !/^ITEM/ { left-- } END { exit left != 0 }' cut.dump
+report 'it ends with a whole frame' $?
+for how in "${ways[@]}"; do
+	rm -rf small/* out.*
+	printf 'include scene\ndump d all custom 1 ${file} id x y z\nrun 3000\n' >in.full
+	"$how" out.gz -in in.full >out 2>err
+	mv small/out.gz . 2>/dev/null
+	zcat out.gz 2>/dev/null | awk '/^ITEM: ATOMS/ { left = 30; n++; next } left && !/^ITEM/ { left-- } END { exit left != 0 || n < 10 }'
+	report "a .gz dump ends with a whole frame: $how" $?
+	printf 'include scene\nrerun out.gz dump x y z\n' >in.full
+	"$TSIM" -in in.full -log none >out 2>err && ! grep -q 'left out' out && grep -qE 'Rerun of [1-9][0-9]+ frames' out
+	report "and can be read: $how" $? err
+done
+rm -rf small/* out.*
 
 # log and screen
 printf 'include scene\nthermo 1\nrun 3000\n' >in.full

@@ -92,14 +92,82 @@ wrong() { # WHAT FILE-EDIT LINE TEXT
 	refused "$1" "$4" -in in.bad
 }
 small='4s/200/2/; 12,$d'
+# Cut anywhere, plain and compressed: the whole frames that are there are taken, and what is missing is said.
+printf '%s\n' "$scene" 'dump z all custom 20 whole.dump.gz id type x y z vx vy vz fx
+dump_modify z format float %.17g
+run 100' >in.gz
+"$TSIM" -in in.gz -log none >gz.out 2>&1
+zcat whole.dump.gz | cmp - whole.dump
+report 'the compressed dump is the same' $?
+# torn FILE BYTES PLAIN: PLAIN are the bytes of text in that part of it
+torn() {
+	head -c "$2" "$1" >"torn.$1"
+	printf '%s\n' "$scene" 'velocity all set 7 7 7 units box' "rerun torn.$1 dump x y z vx vy vz" >in.torn
+	"$TSIM" -in in.torn -log none >torn.out 2>torn.err
+	status=$?
+	# a last row without its end does not count
+	read -r frames rest < <({ head -c "$3" whole.dump; echo '#'; } | awk '$0 != "#" { rest = 1 } /^ITEM: ATOMS/ { n = 200; next }
+		n && !/#$/ { if (!--n) { k++; rest = 0 } } END { print k + 0, rest + 0 }')
+	rows torn.out >torn.rows
+	if [ "$frames" = 0 ]; then
+		[ $status = 1 ] && grep -q 'has no whole frame' torn.err
+	else
+		[ $status = 0 ] && head -n "$frames" whole.rows | cmp - torn.rows &&
+			{ [ "$rest" = 0 ] || grep -q 'left out' torn.out; }
+	fi
+	report "$1 cut at $2 has $frames frames" $? torn.out
+}
+size=$(stat -c %s whole.dump)
+frame=$((size / 6))
+for at in 1 10 100 $((frame - 3)) $((frame + 40)) $((2 * frame)) $((size - 200)) $((size - 3)) $((size - 2)) $((size - 1)); do
+	torn whole.dump "$at" "$at"
+done
+size=$(stat -c %s whole.dump.gz)
+for k in 1 2 3 4 5 6 7 8 9; do
+	at=$((size * k / 10))
+	text=$(head -c "$at" whole.dump.gz | zcat 2>/dev/null | wc -c)
+	torn whole.dump.gz "$at" "$text"
+done
+torn whole.dump.gz $((size - 1)) "$(stat -c %s whole.dump)"
+# a run that was killed within a frame and goes on with the same file
+head -c $((frame + frame / 2)) whole.dump >on.dump
+printf '%s\n' "$scene" 'reset_timestep 40
+dump d all custom 20 on.dump id type x y z vx vy vz fx
+dump_modify d append yes format float %.17g
+run 20' >in.on
+"$TSIM" -in in.on -log none >on.out 2>&1
+report 'a run goes on with a torn dump' $? on.out
+printf '%s\n' "$scene" 'rerun on.dump dump x y z' >in.torn
+"$TSIM" -in in.torn -log none >torn.out 2>&1
+rows torn.out | awk '{ print $1 }' | tr '\n' ' ' >steps
+[ "$(cat steps)" = '0 40 60 ' ] && grep -q "the frame of step 20 is not whole, it has [0-9]* of 200 rows; it is left out" torn.out
+report 'and what was torn is left out' $? torn.out
+# nor a number of which the end is missing, even where nothing else is
+awk '/TIMESTEP/ { n++ } n <= 2' whole.dump | head -c -3 >on.dump
+"$TSIM" -in in.on -log none >on.out 2>&1
+"$TSIM" -in in.torn -log none >torn.out 2>&1
+rows torn.out | awk '{ print $1 }' | tr '\n' ' ' >steps
+[ "$(cat steps)" = '0 40 60 ' ] && grep -q "the frame of step 20 is not whole, it has 199 of 200 rows" torn.out
+report 'a cut number is no number' $? torn.out
+head -c $((size / 2)) whole.dump.gz >on.dump.gz
+sed -i 's/on.dump/on.dump.gz/' in.on
+refused 'nothing is added to a torn .gz' "cannot add to 'on.dump.gz': its last part is not whole" -in in.on
+cp whole.dump.gz on.dump.gz
+"$TSIM" -in in.on -log none >on.out 2>&1
+report 'a whole one is added to' $? on.out
+[ "$(zcat on.dump.gz | grep -c TIMESTEP)" = 8 ]
+report 'in a new member' $?
+
 wrong 'no such step' "$small" 'read_dump bad.dump 7 x' "has no frame of step 7"
 wrong 'no dump' '1s/.*/something/' 'read_dump bad.dump 0 x' 'bad.dump:1:1: error: expected a line `ITEM: ...`'
-wrong 'cut short' '' 'read_dump bad.dump 0 x' 'the file ends before the last row of the frame'
+wrong 'cut short' '' 'read_dump bad.dump 0 x' "'bad.dump' has no whole frame: it ends before the last row of its first one"
 wrong 'count no number' '4s/200/many/' 'read_dump bad.dump 0 x' "bad.dump:4:1: error: the number of particles is 'many'"
 wrong 'a row too short' "$small; 11s/ [^ ]* *\$//" 'read_dump bad.dump 0 x' 'a row of 8 words, but there are 9 columns'
 wrong 'no such column' "$small" 'read_dump bad.dump 0 omegax' "there is no column for 'omegax'"
 wrong 'no number' "$small; 11s/^\([^ ]* [^ ]*\) [^ ]*/\1 west/" 'read_dump bad.dump 0 x' "row 2 has no number for 'x'"
 wrong 'no identities' "$small; 9s/ id / di /" 'read_dump bad.dump 0 x' 'there is no column id'
+wrong 'the same identity twice' "$small; 11s/^2 /1 /" 'read_dump bad.dump 0 x' 'identity 1 stands there twice'
+wrong 'the same identity twice, added' "$small; 11s/^2 /1 /" 'read_dump bad.dump 0 x purge yes add yes' 'identity 1 stands there twice'
 wrong 'identity 0' "$small; 10s/^1 /0 /" 'read_dump bad.dump 0 x' 'row 1 has no identity'
 wrong 'field that cannot be' "$small" 'read_dump bad.dump 0 vol' "'vol'"
 wrong 'no file' '' 'rerun nowhere.dump dump x y z' "cannot open 'nowhere.dump'"

@@ -163,6 +163,37 @@ write_restart ." 'in.script:15:1' "'.': it is not a plain file"
 stops 'restart below a pipe' "$balls
 run 1
 write_restart pipe/file" 'in.script:15:1' "pipe/file'"
+# the temporary file is a new one: a link that lies in wait is not followed
+echo precious >precious
+cat >in.script <<<"$balls
+run 1
+write_restart whole.restart"
+bash -c 'ln -s precious whole.restart.tmp.$$; exec "$TSIM" -in in.script -log none -screen none' 2>err
+[ $? = 0 ] && [ "$(cat precious)" = precious ] && [ -f whole.restart ] && [ ! -L whole.restart ]
+report 'a link in the place of the temporary file' $? err
+rm -f whole.restart*
+
+# inputs that unfold, and lines, are bounded
+{ echo '# title'; head -c 3000000 /dev/zero | tr '\0' '\n'; } | gzip >bomb.gz
+{ echo 'ITEM: TIMESTEP'; head -c 30000 /dev/zero | tr '\0' 7; } >long
+{ printf 'units si\nprint "'; head -c 30000 /dev/zero | tr '\0' x; echo '"'; } >in.long
+printf 'read_data bomb.gz\n' >in.script
+refused 'a file that unfolds' "'bomb.gz' unfolds to more than 0.002 GB" -in in.script -input-limit 0.002
+printf '%s\n' "$balls" 'read_dump bomb.gz 0 x' >in.script
+refused 'a dump that unfolds' "'bomb.gz' unfolds to more than 0.002 GB" -in in.script -input-limit 0.002
+printf '%s\n' "$balls" 'fix m all mesh/surface file bomb.stl.gz type 1' >in.script
+cp bomb.gz bomb.stl.gz
+refused 'a mesh that unfolds' "'bomb.stl.gz' unfolds to more than 0.002 GB" -in in.script -input-limit 0.002
+printf '%s\n' "$balls" 'read_dump long 0 x' >in.script
+refused 'a long line of a dump' 'the line has more than 20000 bytes' -in in.script -input-limit 0.02
+refused 'a long line of a script' 'the line has more than 20000 bytes' -in in.long -input-limit 0.02
+printf 'variable f file long\nnext f\n' >in.script
+refused 'a long line of a file variable' 'the line has more than 20000 bytes' -in in.script -input-limit 0.02
+"$TSIM" -in in.long -log none -screen none -input-limit 0.04 2>err
+report 'the limit can be raised' $? err
+"$TSIM" -in in.long -input-limit none >out 2>err
+[ $? = 2 ] && grep -q 'number of GB' err
+report 'the limit is a number' $? err
 stops 'restart during a run' "$balls
 dump save all restart 10 pipe
 run 100" 'in.script:14:1' 'not a plain file'

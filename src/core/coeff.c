@@ -76,6 +76,12 @@ static enum ts_status read_words(struct tsim *sim, FILE *file, const char *name,
 	while (status == TS_OK && fgets(line, sizeof line, file)) {
 		struct ts_words words;
 
+		if (!strchr(line, '\n') && !feof(file)) { /* its rest would be taken for another line */
+			place.line++;
+			status = ts_fail(&sim->error, TS_RANGE, &place, "a line of a coefficient file has at most %zu bytes",
+					 sizeof line - 2);
+			break;
+		}
 		line[strcspn(line, "\r\n")] = '\0';
 		place.line++;
 		place.text = ts_pool_get(sim->pool, line);
@@ -88,7 +94,7 @@ static enum ts_status read_words(struct tsim *sim, FILE *file, const char *name,
 	if (status == TS_OK)
 		status = ts_words_copy(arena, (struct ts_words){ all, n }, out);
 	ts_free(all);
-	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
+	return status == TS_OK || sim->error.status ? status : ts_nomem(&sim->error);
 }
 
 enum ts_status ts_coeff_words(struct tsim *sim, const struct ts_word *name, const char *ending,

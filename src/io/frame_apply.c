@@ -1,5 +1,6 @@
 /* From a frame of a dump into the simulation. */
 #include <math.h>
+#include <stdlib.h>
 
 #include "io/frames.h"
 #include "particles/domain.h"
@@ -39,6 +40,41 @@ static enum ts_status find_id(const struct use *u, int *column)
 		return TS_OK;
 	return ts_fail(&u->sim->error, TS_DAMAGED, u->where, "'%s', step %lld: there is no column id",
 		       u->f->lines.file, (long long)u->f->step);
+}
+
+static int by_number(const void *a, const void *b)
+{
+	const double *x = a, *y = b;
+
+	return (*x > *y) - (*x < *y);
+}
+
+/* Dumps of tsim are sorted. */
+static enum ts_status refuse_twice(const struct use *u)
+{
+	bool sorted = true;
+	double *ids, twice = 0;
+	int id;
+
+	TS_TRY(find_id(u, &id));
+	for (size_t r = 1; r < u->f->n; r++)
+		sorted &= at(u, r - 1, id) < at(u, r, id);
+	if (sorted)
+		return TS_OK;
+	ids = ts_alloc(u->f->n, sizeof *ids);
+	if (!ids)
+		return ts_nomem(&u->sim->error);
+	for (size_t r = 0; r < u->f->n; r++)
+		ids[r] = at(u, r, id);
+	qsort(ids, u->f->n, sizeof *ids, by_number);
+	for (size_t r = 1; r < u->f->n && twice == 0; r++)
+		if (ids[r - 1] == ids[r])
+			twice = ids[r];
+	ts_free(ids);
+	if (twice == 0)
+		return TS_OK;
+	return ts_fail(&u->sim->error, TS_DAMAGED, u->where, "'%s', step %lld: identity %.0f stands there twice",
+		       u->f->lines.file, (long long)u->f->step, twice);
 }
 
 /* The row of each identity of the frame; particles without one get a flag. */
@@ -189,6 +225,7 @@ static enum ts_status check_box(const struct use *u)
 static enum ts_status apply(struct use *u)
 {
 	TS_TRY(check_box(u));
+	TS_TRY(refuse_twice(u));
 	TS_TRY(drop(u, u->use->purge));
 	if (u->use->box)
 		set_box(u->sim, u->f);

@@ -9,7 +9,12 @@
 struct ts_frames {
 	struct tsim *sim;
 	struct ts_lines lines;
+	struct ts_place where; /* blamed for frames that are not whole */
 	bool more; /* `lines` stands at the beginning of a frame */
+	bool begun, counted; /* of the frame that is read: its step, its number of rows is known */
+	bool cut;	     /* it is not whole */
+	size_t rows;	     /* of it that were read */
+	size_t whole, broken; /* frames so far */
 	/* the present frame */
 	int64_t step;
 	double lo[3], hi[3];
@@ -21,7 +26,9 @@ struct ts_frames {
 
 enum ts_status ts_frames_open(struct ts_frames *f, struct tsim *sim, const char *path,
 			      const struct ts_place *where);
-/* The next frame; *got is false after the last. */
+/* The next whole frame; *got is false after the last. Frames that are not whole, as a run leaves them that was killed or
+ * had a full disk, are told in a warning and left out, at the end of the file and within (where a later run has gone
+ * on); a file without any whole one is refused. */
 enum ts_status ts_frames_next(struct ts_frames *f, bool *got);
 void ts_frames_close(struct ts_frames *f);
 /* Which column has this name, or -1. */

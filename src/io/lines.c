@@ -5,6 +5,7 @@
 #include <string.h>
 #include <zlib.h>
 
+#include "base/input_limit.h"
 #include "io/textfile.h"
 
 #include "base/banned.h"
@@ -16,6 +17,8 @@ static enum ts_status start(struct ts_lines *l, struct ts_error *err, struct ts_
 {
 	*l = (struct ts_lines){ .err = err, .pool = pool, .file = ts_pool_get(pool, name) };
 	l->comment = "";
+	l->most_unfolded = ts_input_limit();
+	l->longest = ts_input_longest_line();
 	return l->file ? TS_OK : ts_nomem(err);
 }
 
@@ -66,15 +69,32 @@ static enum ts_status refill(struct ts_lines *l)
 	errno = 0;
 	got = gzread(l->gz, l->buffer, CHUNK);
 	text = gzerror(l->gz, &code);
+	if (l->may_be_torn && (code == Z_BUF_ERROR || code == Z_DATA_ERROR)) {
+		l->torn = true;
+		l->end = got > 0 ? (size_t)got : 0;
+		return TS_OK;
+	}
 	if (got < 0 || code == Z_BUF_ERROR)
 		return ts_lines_fail(l, TS_IO, SIZE_MAX, "reading '%s' failed: %s", l->file,
 				     code == Z_ERRNO ? strerror(errno) : text);
 	l->end = (size_t)got;
+	l->unfolded += gzdirect(l->gz) ? 0 : got;
+	if (l->unfolded > l->most_unfolded)
+		return ts_lines_fail(l, TS_RANGE, SIZE_MAX,
+				     "'%s' unfolds to more than %.6g GB; if that is meant, start tsim with -input-limit GB",
+				     l->file, l->most_unfolded / 1e9);
 	return TS_OK;
 }
 
 static enum ts_status append(struct ts_lines *l, size_t n)
 {
+	if (l->length + n > l->longest) {
+		const struct ts_place place = { .file = l->file, .text = "", .line = l->number + 1 };
+
+		return ts_fail(l->err, TS_RANGE, &place,
+			       "the line has more than %zu bytes; if that is meant, start tsim with -input-limit GB, of "
+			       "which a line may have a thousandth", l->longest);
+	}
 	if (TS_GROW(l->line, l->capacity, l->length + n + 1) != TS_OK)
 		return ts_nomem(l->err);
 	memcpy(l->line + l->length, l->chunk + l->at, n);
@@ -89,6 +109,7 @@ static enum ts_status read_line(struct ts_lines *l, bool *more)
 	*more = false;
 	l->hash = NULL;
 	l->length = 0;
+	l->ended = false;
 	for (;;) {
 		const char *stop;
 
@@ -102,6 +123,7 @@ static enum ts_status read_line(struct ts_lines *l, bool *more)
 		if (!stop)
 			continue;
 		l->at++;
+		l->ended = true;
 		return TS_OK;
 	}
 }

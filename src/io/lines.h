@@ -1,5 +1,5 @@
-/* Input of text, line by line: from a file, compressed or not, or from memory. Lines may have any
- * length. Every complaint names file, line and column. */
+/* Input of text, line by line: from a file, compressed or not, or from memory. How long lines may
+ * be, and to what a compressed file may unfold, says base/input_limit.h. Every complaint names file, line and column. */
 #ifndef TS_IO_LINES_H
 #define TS_IO_LINES_H
 
@@ -18,11 +18,17 @@ struct ts_lines {
 	struct ts_pool *pool; /* for the texts of places */
 	const char *file;     /* its name, in the pool */
 	void *gz;	      /* gzFile; NULL: from memory */
+	double most_unfolded;	      /* base/input_limit.h */
+	size_t longest;		      /* likewise, a line */
+	double unfolded;	      /* bytes, since the reader last set it to 0 */
+	bool may_be_torn;	      /* a compressed file that ends within its data is read as far as it goes */
+	bool torn;		      /* it was one */
 	const char *chunk;    /* read from the file and not yet cut into lines */
 	char *buffer;
 	size_t at, end;
 	/* the present line */
 	int number;
+	bool ended; /* by a line feed, not by the file */
 	char *line;
 	size_t length, capacity;
 	char **word; /* cut at blanks; a comment is no word */

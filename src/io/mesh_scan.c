@@ -7,6 +7,7 @@
 #include <string.h>
 #include <zlib.h>
 
+#include "base/input_limit.h"
 #include "base/str.h"
 #include "io/textfile.h"
 
@@ -47,6 +48,10 @@ static enum ts_status load(struct ts_scan *s, gzFile gz)
 		if (got == 0)
 			return TS_OK;
 		s->n += (size_t)got;
+		if (!gzdirect(gz) && (double)s->n > ts_input_limit())
+			return ts_scan_refuse(s, TS_RANGE,
+					      "'%s' unfolds to more than %.6g GB; if that is meant, start tsim with "
+					      "-input-limit GB", s->file, ts_input_limit() / 1e9);
 	}
 }
 

@@ -38,13 +38,14 @@ static void drop(struct ts_textfile *file)
 
 /* ---- what a killed run has left is not written on to */
 
-/* Ends the last line, which would else go on with the next one. */
+/* Ends the last line, which would else go on with the next one; the mark is a word more than a dump has in a row, so
+ * that no number that was cut is taken for a whole one. */
 static void end_line(struct ts_textfile *file, const char *path)
 {
 	FILE *old = ts_files_open(file->files, path, "r");
 
 	if (old && fseek(old, -1, SEEK_END) == 0 && getc(old) != '\n')
-		ts_str_add(&file->held, "\n");
+		ts_str_add(&file->held, " ...\n");
 	if (old)
 		fclose(old);
 }

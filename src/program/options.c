@@ -1,7 +1,9 @@
 /* The options of the command line. */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "base/input_limit.h"
 #include "program/program.h"
 #include "script/script.h"
 #include "tsim.h"
@@ -16,6 +18,7 @@ enum option_id {
 	OPT_ECHO,
 	OPT_THREADS,
 	OPT_LEGACY,
+	OPT_LIMIT,
 	OPT_SHELL,
 	OPT_SANDBOX,
 	OPT_CHECK,
@@ -42,6 +45,7 @@ static const struct {
 	[OPT_ECHO] = { "echo", "none|screen|log|both", "where input lines are shown (log)", 1 },
 	[OPT_THREADS] = { "threads", "N", "number of threads (OMP_NUM_THREADS, else 1)", 1 },
 	[OPT_LEGACY] = { "legacy", "", "the numbers of LIGGGHTS where they differ, see -help legacy", 0 },
+	[OPT_LIMIT] = { "input-limit", "GB", "most that a compressed input may unfold to, a frame of a dump; a line: a thousandth (4)", 1 },
 	[OPT_SHELL] = { "shell", "yes|no", "whether `shell` may start programs, set the environment, remove and move files anywhere (no)", 1 },
 	[OPT_SANDBOX] = { "sandbox", "[WORDS]", "for scripts of somebody else: files of their folder only, limits", 0 },
 	[OPT_CHECK] = { "check", "", "run nothing: tell all errors and what the script would do", 0 },
@@ -105,6 +109,17 @@ static int set_threads(struct tsim *sim, const char *text)
 	return 0;
 }
 
+static int set_limit(const char *text)
+{
+	double value;
+
+	if (!ts_parse_real(text, &value) || value < 1e-6 || value > 1e6)
+		return ts_usage_error("expected a number of GB from 1e-6 to 1e6 after -input-limit, found '%s'%s", text, "");
+	if (setenv(TS_INPUT_LIMIT, text, 1) != 0)
+		return ts_usage_error("-input-limit: the environment is full%s%s", "", "");
+	return 0;
+}
+
 /* No parts: all. */
 static int set_full(struct tsim *sim, char *const *value, int n)
 {
@@ -158,6 +173,22 @@ static int usage(bool wrong)
 	return wrong ? TS_EXIT_USAGE : 0;
 }
 
+/* Options that ask for a page. */
+static void apply_page(struct ts_setup *setup, enum option_id id, char *const *value, int n)
+{
+	if (id == OPT_HELP) {
+		setup->help = true;
+		setup->help_kind = n > 0 ? value[0] : NULL;
+		setup->help_style = n > 1 ? value[1] : NULL;
+	} else if (id == OPT_DOC) {
+		setup->doc = value[0];
+	} else if (id == OPT_GRAMMAR) {
+		setup->grammar = value[0];
+	} else {
+		setup->version = true;
+	}
+}
+
 static int apply(struct tsim *sim, struct ts_setup *setup, enum option_id id, char *const *value,
 		 int n)
 {
@@ -188,6 +219,8 @@ static int apply(struct tsim *sim, struct ts_setup *setup, enum option_id id, ch
 	case OPT_SANDBOX:
 		setup->sandboxed = true;
 		return add_words(&setup->sandbox, NULL, value, n);
+	case OPT_LIMIT:
+		return set_limit(value[0]);
 	case OPT_SHELL:
 		setup->programs = ts_streq(value[0], "yes");
 		return usage(add_words(&setup->own, "-shell", value, n) || set_shell(sim, value[0]));
@@ -205,18 +238,10 @@ static int apply(struct tsim *sim, struct ts_setup *setup, enum option_id id, ch
 	case OPT_CROSSCHECK:
 		return add_words(&setup->crosscheck, NULL, value, n);
 	case OPT_HELP:
-		setup->help = true;
-		setup->help_kind = n > 0 ? value[0] : NULL;
-		setup->help_style = n > 1 ? value[1] : NULL;
-		break;
 	case OPT_DOC:
-		setup->doc = value[0];
-		break;
 	case OPT_GRAMMAR:
-		setup->grammar = value[0];
-		break;
 	case OPT_VERSION:
-		setup->version = true;
+		apply_page(setup, id, value, n);
 		break;
 	case NOPTIONS:
 		break;

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/input_limit.h"
 #include "base/sandbox.h"
 #include "core/arg.h"
 #include "program/program.h"
@@ -69,15 +70,23 @@ static int admit_all(struct ts_files *files, const char *input)
 	return status;
 }
 
-/* TSIM_POTENTIALS stays: what it says is known to be let through. */
+/* These stay: what they say is known to be let through. */
 static int empty_environment(void)
 {
-	const char *value = getenv("TSIM_POTENTIALS");
-	char kept[PATH_MAX] = "";
+	static const char *const names[] = { "TSIM_POTENTIALS", TS_INPUT_LIMIT };
+	char kept[2][PATH_MAX] = { "", "" };
+	bool bad;
 
-	if (value && strlen(value) < sizeof kept)
-		memcpy(kept, value, strlen(value) + 1);
-	if (clearenv() != 0 || (*kept && setenv("TSIM_POTENTIALS", kept, 1) != 0))
+	for (int k = 0; k < 2; k++) {
+		const char *value = getenv(names[k]);
+
+		if (value && strlen(value) < sizeof kept[k])
+			memcpy(kept[k], value, strlen(value) + 1);
+	}
+	bad = clearenv() != 0;
+	for (int k = 0; k < 2; k++)
+		bad |= *kept[k] && setenv(names[k], kept[k], 1) != 0;
+	if (bad)
 		return ts_usage_error("-sandbox: cannot empty the environment: %s%s", strerror(errno), "");
 	return 0;
 }

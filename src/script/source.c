@@ -3,6 +3,7 @@
 #include <errno.h>
 #include <string.h>
 
+#include "base/input_limit.h"
 #include "core/sim.h"
 
 #include "base/banned.h"
@@ -95,6 +96,7 @@ void ts_source_close(struct ts_source *source)
 static enum ts_status fetch(struct ts_source *source, struct tsim *sim)
 {
 	struct ts_place place = { .file = source->name, .text = "", .line = source->line + 1 };
+	size_t n = 0, most = ts_input_longest_line();
 	int c = 0;
 
 	while (c != '\n' && (c = getc(source->stream)) != EOF) {
@@ -103,6 +105,10 @@ static enum ts_status fetch(struct ts_source *source, struct tsim *sim)
 		if (!c)
 			return ts_fail(&sim->error, TS_SYNTAX, &place,
 				       "the script is not a text file: it has a byte 0 here");
+		if (++n > most)
+			return ts_fail(&sim->error, TS_RANGE, &place,
+				       "the line has more than %zu bytes; if that is meant, start tsim with -input-limit "
+				       "GB, of which a line may have a thousandth", most);
 		ts_str_add_n(&source->text, &byte, 1);
 	}
 	if (source->text.failed)

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/input_limit.h"
 #include "script/interpreter.h"
 
 #include "base/banned.h"
@@ -37,6 +38,7 @@ static void release(struct ts_variable *variable)
 /* The bytes up to the end of the line, without it; *end: there were none. */
 static enum ts_status read_row(struct ts_script *script, struct ts_variable_feed *feed, bool *end)
 {
+	size_t most = ts_input_longest_line();
 	int c;
 
 	ts_str_clear(&feed->row);
@@ -47,6 +49,12 @@ static enum ts_status read_row(struct ts_script *script, struct ts_variable_feed
 		if (!c)
 			return ts_fail(&script->sim->error, TS_SYNTAX, &feed->line,
 				       "this is not a text file: it has a byte 0 here");
+		if (feed->row.length == most) {
+			feed->line.text = "";
+			return ts_fail(&script->sim->error, TS_RANGE, &feed->line,
+				       "the line has more than %zu bytes; if that is meant, start tsim with -input-limit "
+				       "GB, of which a line may have a thousandth", most);
+		}
 		ts_str_add_n(&feed->row, &byte, 1);
 	}
 	*end = c == EOF && !feed->row.length;

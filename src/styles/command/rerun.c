@@ -174,7 +174,9 @@ const struct ts_command_style ts_command_rerun = {
 		.summary = "Computes forces and output anew for the frames of dumps",
 		.doc = "For each frame the particles get what the frame says, neighbours and forces are computed as at\n"
 		       "the start of a run (contact histories stand still), fixes act that act at the end of steps, and\n"
-		       "the table of the log and the dumps are written as they are due. Nothing is integrated.",
+		       "the table of the log and the dumps are written as they are due. Nothing is integrated.\n"
+		       "Frames that are not whole, as a run leaves them that was killed or had a full disk, are told and left\n"
+		       "out; a .gz file is read up to where it is torn. A frame in which an identity stands twice is refused.",
 		.example = "rerun post/rock.dump first 1000 every 500 dump x y z vx vy vz\n"
 			   "rerun post/rock_*.dump.gz dump x y z",
 		.args = args,
