@@ -196,6 +196,8 @@ library_sources = \
 	src/flow/transform.h \
 	src/flow/transport.c \
 	src/flow/transport.h \
+	src/flow/virtual_mass.c \
+	src/flow/virtual_mass.h \
 	src/flow/watch.c \
 	src/flow/way_out.c \
 	src/flow/way_out.h \

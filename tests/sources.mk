@@ -72,6 +72,7 @@ shell_tests = \
 	tests/decks/groups.sh \
 	tests/decks/heat.sh \
 	tests/decks/immersed.sh \
+	tests/decks/immersed_light.sh \
 	tests/decks/impacts.sh \
 	tests/decks/info.sh \
 	tests/decks/inputs.sh \

@@ -148,9 +148,14 @@ struct ts_flow_part {
 	void (*block)(const struct ts_instance *self, struct ts_way_out *search);
 	/* What it carries along, at centres, ghosts written: f_ID in dumps and probes (flow/carried.h). */
 	const double *(*scalar)(struct ts_instance *self);
-	/* Adds the force of the last step on the mesh, and the torque about the mesh's anchor. */
+	/* Adds the force of the last step on the mesh, and the torque about the mesh's anchor; says how much of the
+	 * fluid counts as virtual mass by volume of a body that moves freely (flow/virtual_mass.h). */
 	void (*load)(const struct ts_instance *self, const struct ts_mesh_surface *mesh,
-		     double load[2][3]);
+		     double load[2][3], double *virtual_density);
+	/* Whether bodies that move freely have come to a speed that may be what went wrong in a step of dt; the
+	 * cause, and what to do. */
+	bool (*blame)(const struct ts_instance *self, const struct ts_fluid *fluid, double dt, char *cause,
+		      size_t size);
 };
 
 /* Writes ghosts of a velocity field, u or another; and its components across the boundary where these are

@@ -39,7 +39,7 @@ static enum ts_status update(struct ts_solid *solid, struct tsim *sim)
 		memcpy(m->centre, p->x[i], sizeof m->centre);
 		memcpy(m->velocity, p->v[i], sizeof m->velocity);
 		for (int k = 0; k < 3; k++)
-			m->omega[k] = p->omega ? p->omega[i][k] : 0;
+			m->omega[k] = p->omega && (solid->dimensions == 3 || k == 2) ? p->omega[i][k] : 0;
 		s->row[solid->parts++] = (int32_t)i;
 	}
 	return TS_OK;

@@ -74,6 +74,20 @@ static void fastest_cell(const struct ts_fluid *fluid, double x[3])
 			}
 }
 
+/* Whether bodies that are free to move have brought it about. */
+static bool blame_bodies(const struct tsim *sim, const struct ts_fluid *fluid, double dt, char *cause, size_t size)
+{
+	const struct ts_instance *part;
+
+	for (size_t k = 0; (part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));) {
+		const struct ts_flow_part *flow_part = part->state;
+
+		if (flow_part->blame && flow_part->blame(part, fluid, dt, cause, size))
+			return true;
+	}
+	return false;
+}
+
 /* Which limit the step was beyond, for the velocities it began with, as far as can be told. */
 static enum ts_status explain(struct ts_instance *self, struct tsim *sim, bool broken, double dt)
 {
@@ -82,8 +96,12 @@ static enum ts_status explain(struct ts_instance *self, struct tsim *sim, bool b
 	struct ts_flow_limits limits = ts_flow_limits(p);
 	const char *time = ts_time_names[p->time];
 	double x[3] = { 0 };
-	char cause[256];
+	char cause[512];
 
+	if (blame_bodies(sim, fluid, dt, cause, sizeof cause))
+		return ts_fail(&sim->error, TS_PHYSICS, &self->where,
+			       "the fluid left the region of stable steps at time %g with a step of %g: %s",
+			       fluid->time, dt, cause);
 	if (broken)
 		snprintf(cause, sizeof cause, "a velocity is not a number any more");
 	else if (dt > limits.viscous && p->viscosity > 0 && ts_flow_viscous_limit(p) < dt)

@@ -86,10 +86,10 @@ syn keyword tsimKeyword  body clearance tolerance summary conductivity capacity 
 syn keyword tsimKeyword  source convection vanleer central donor exchange ranz_marshall
 syn keyword tsimKeyword  chute spherical hard soft continue message path
 syn keyword tsimKeyword  initial_temperature contact_area area_correction
-syn keyword tsimKeyword  store_contact_data euler centre iterations min_cells relax spheres
-syn keyword tsimKeyword  seed distributiontemplate maxattempt overlapcheck all_in
-syn keyword tsimKeyword  random_distribute uncorrelated orientation set_property verbose
-syn keyword tsimKeyword  compress_tags insert_every ntry_mc
+syn keyword tsimKeyword  store_contact_data euler centre iterations min_cells relax
+syn keyword tsimKeyword  virtual_mass spheres seed distributiontemplate maxattempt
+syn keyword tsimKeyword  overlapcheck all_in random_distribute uncorrelated orientation
+syn keyword tsimKeyword  set_property verbose compress_tags insert_every ntry_mc
 syn keyword tsimKeyword  check_dist_from_subdomain_border warn_region particles_in_region
 syn keyword tsimKeyword  volumefraction_region mass_in_region nparticles particlerate
 syn keyword tsimKeyword  massrate insertion_face extrude_length duration law rubinow

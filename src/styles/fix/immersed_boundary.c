@@ -6,13 +6,17 @@
 
 #include "core/plan.h"
 #include "flow/immersed.h"
+#include "flow/virtual_mass.h"
 #include "flow/way_out.h"
 #include "geom/mesh_distance.h"
 #include "math/exactsum.h"
 #include "math/vec3.h"
 #include "particles/mesh_surface.h"
+#include "particles/body.h"
 #include "particles/particles.h"
 #include "particles/region.h"
+#include "particles/restraint.h"
+#include "particles/rigid.h"
 
 #include "base/banned.h"
 
@@ -22,8 +26,9 @@ enum { REGION, MESH, SPHERES };
 struct record {
 	double force[3], torque[3];	/* of the fluid on it */
 	double velocity[3], spin[3];	/* of the fluid inside */
-	double known;
+	double known; /* 0: nothing, INSIDE: only what is inside, 1: all */
 };
+static const double INSIDE = 0.5;
 enum { RECORD = sizeof(struct record) / sizeof(double) };
 
 struct state {
@@ -33,7 +38,7 @@ struct state {
 	const char *mesh;
 	struct ts_words velocity_words, omega_words;
 	struct ts_number velocity[3], omega[3];
-	double centre[3], share; /* centre NaN: not given */
+	double centre[3], share, virtual_mass; /* centre NaN: not given */
 	int64_t iterations;
 	double least_cells;
 
@@ -45,11 +50,14 @@ struct state {
 	bool stepped;	       /* it has been placed in a step of this run */
 	double seen_at, drift; /* when it was placed last; cells it has moved since fluid without a way out was sought */
 	size_t seen_inside;    /* points inside, then */
+	const struct ts_fluid *fluid;
 	bool begun; /* a step of the fluid, in substeps */
 	struct record own; /* saved: of a region or a mesh */
 	const struct ts_mesh_surface *surface; /* of a mesh */
 	double lever[3]; /* saved: of what its torque is about, from the mean of its corners */
-	size_t column;	   /* records of spheres */
+	size_t column, net; /* of spheres: records, and struct ts_net_force */
+	struct ts_restraints restraints;
+	bool carried; /* a mesh that goes where the fluid takes it */
 	double slip;	   /* saved */
 };
 
@@ -63,6 +71,11 @@ static struct record *record_of(struct state *s, const struct tsim *sim, size_t 
 	return (struct record *)sim->particles->column[s->column].data + row;
 }
 
+static struct ts_net_force *net_of(const struct state *s, const struct tsim *sim, size_t row)
+{
+	return (struct ts_net_force *)sim->particles->column[s->net].data + row;
+}
+
 static enum ts_status force(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
 			    double time, double dt);
 static enum ts_status carry(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
@@ -70,7 +83,10 @@ static enum ts_status carry(struct ts_instance *self, struct tsim *sim, struct t
 static double limit(const struct ts_instance *self, const struct ts_fluid *fluid);
 static enum ts_status settle(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
 			     double length);
-static void load(const struct ts_instance *self, const struct ts_mesh_surface *mesh, double out[2][3]);
+static void load(const struct ts_instance *self, const struct ts_mesh_surface *mesh, double out[2][3],
+		 double *virtual_density);
+static bool blame(const struct ts_instance *self, const struct ts_fluid *fluid, double dt, char *cause,
+		  size_t size);
 static void block(const struct ts_instance *self, struct ts_way_out *search);
 
 /* ---- before a run */
@@ -134,6 +150,9 @@ static enum ts_status make_spheres(struct ts_instance *self, struct tsim *sim, i
 	TS_TRY(ts_particles_need(sim, TS_NEED(OMEGA) | TS_NEED(TORQUE)));
 	snprintf(name, sizeof name, "immersed %s", self->id);
 	TS_TRY(ts_particles_add_column(sim, name, RECORD, 0, &s->column));
+	snprintf(name, sizeof name, "immersed net %s", self->id);
+	TS_TRY(ts_particles_add_column(sim, name, TS_NET_FORCE_NUMBERS, 0, &s->net));
+	TS_TRY(ts_restraints_find(&s->restraints, sim, self, false));
 	s->solid = ts_solid_of_spheres(self->group, dimensions);
 	return s->solid ? TS_OK : ts_nomem(&sim->error);
 }
@@ -145,11 +164,12 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	TS_TRY(ts_flow_require_fluid(sim, "fix immersed/boundary", &self->where, &fluid));
 	s->part = (struct ts_flow_part){ .force = force, .carry = carry, .limit = limit,
-					.settle = settle, .load = load, .block = block };
+					.settle = settle, .load = load, .block = block, .blame = blame };
 	TS_TRY(read_motion(self, sim));
 	ts_solid_free(s->solid);
 	s->solid = NULL;
-	s->placed = s->begun = s->stepped = false;
+	s->placed = s->begun = s->stepped = s->carried = false;
+	s->fluid = fluid;
 	if (s->body == REGION)
 		return make_region(self, sim, sim->dimension);
 	return (s->body == MESH ? make_mesh : make_spheres)(self, sim, sim->dimension);
@@ -248,6 +268,30 @@ static enum ts_status seek_again(struct ts_instance *self, struct tsim *sim, dou
 	return s->drift > FAR || grown > GROWN * (double)s->seen_inside ? seek(self, sim) : TS_OK;
 }
 
+/* What the fluid inside does before the first step, of which only the change counts. */
+static enum ts_status know_inside(struct ts_instance *self, struct tsim *sim, const struct ts_fluid *fluid)
+{
+	struct state *s = self->state;
+	bool all = true;
+
+	for (size_t k = 0; k < s->solid->parts; k++)
+		all = all && record_of(s, sim, k)->known != 0;
+	if (all)
+		return TS_OK;
+	if (ts_immersed_inside(&s->immersed, fluid, s->solid->parts) != TS_OK)
+		return ts_nomem(&sim->error);
+	for (size_t k = 0; k < s->solid->parts; k++) {
+		struct record *r = record_of(s, sim, k);
+
+		if (r->known != 0)
+			continue;
+		memcpy(r->velocity, s->immersed.sums[k].velocity, sizeof r->velocity);
+		memcpy(r->spin, s->immersed.sums[k].spin, sizeof r->spin);
+		r->known = INSIDE;
+	}
+	return TS_OK;
+}
+
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 			   struct ts_plan_report *report)
 {
@@ -259,6 +303,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 	TS_TRY(ts_flow_require_fluid(sim, "fix immersed/boundary", &self->where, &fluid));
 	TS_TRY(place(self, sim, fluid));
 	s->seen_at = fluid->time;
+	TS_TRY(know_inside(self, sim, fluid));
 	tell(self, sim);
 	TS_TRY(seek(self, sim));
 	ts_report_line(report, "immersed body", "%s: %zu points of velocities inside, %zu beside the surface",
@@ -276,6 +321,7 @@ static enum ts_status force(struct ts_instance *self, struct tsim *sim, struct t
 	if (!s->begun) {
 		TS_TRY(place(self, sim, fluid));
 		TS_TRY(seek_again(self, sim, time));
+		TS_TRY(know_inside(self, sim, fluid)); /* of particles that are new in this run */
 		ts_immersed_begin(&s->immersed, s->solid->parts);
 	}
 	s->begun = true;
@@ -293,18 +339,18 @@ static enum ts_status carry(struct ts_instance *self, struct tsim *sim, struct t
 	return TS_OK;
 }
 
-/* Force and torque on a part, from what its forcing gave to the fluid and the fluid inside. */
+/* Force and torque on a part, from what its forcing gave to the fluid and the fluid inside; by `depth`. */
 static void take(const struct ts_immersed_sums *sums, double density, double share, double length,
-		 struct record *r)
+		 double depth, struct record *r)
 {
 	for (int k = 0; k < 3; k++) {
-		double rate = r->known != 0 ? (sums->velocity[k] - r->velocity[k]) / length : 0;
-		double turn = r->known != 0 ? (sums->spin[k] - r->spin[k]) / length : 0;
+		double rate = (sums->velocity[k] - r->velocity[k]) / length;
+		double turn = (sums->spin[k] - r->spin[k]) / length;
 		double force = density * sums->volume * rate - sums->impulse[k] / length;
 		double torque = density * sums->volume * turn - sums->twist[k] / length;
 
-		r->force[k] += (r->known != 0 ? share : 1) * (force - r->force[k]);
-		r->torque[k] += (r->known != 0 ? share : 1) * (torque - r->torque[k]);
+		r->force[k] += (r->known > INSIDE ? share : 1) * (force / depth - r->force[k]);
+		r->torque[k] += (r->known > INSIDE ? share : 1) * (torque / depth - r->torque[k]);
 		r->velocity[k] = sums->velocity[k];
 		r->spin[k] = sums->spin[k];
 	}
@@ -323,11 +369,21 @@ static enum ts_status settle(struct ts_instance *self, struct tsim *sim, struct 
 {
 	struct state *s = self->state;
 	double share = s->body == REGION ? 1 : s->share;
+	/* masses of discs are those by unit of depth */
+	const bool discs = s->body == SPHERES && sim->dimension == 2;
+	double depth = discs ? fluid->grid.width[2][0] : 1;
 
 	if (ts_immersed_inside(&s->immersed, fluid, s->solid->parts) != TS_OK)
 		return ts_nomem(&sim->error);
-	for (size_t k = 0; k < s->solid->parts; k++)
-		take(&s->immersed.sums[k], fluid->density, share, length, record_of(s, sim, k));
+	for (size_t k = 0; k < s->solid->parts; k++) {
+		struct record *r = record_of(s, sim, k);
+
+		take(&s->immersed.sums[k], fluid->density, share, length, depth, r);
+		if (discs) /* the middle of the cells may be beside the plane of the discs */
+			r->torque[0] = r->torque[1] = 0;
+	}
+	for (size_t k = 0; s->body == SPHERES && k < s->solid->parts; k++)
+		ts_net_force_settle(net_of(s, sim, (size_t)ts_solid_sphere_row(s->solid, k)));
 	if (s->body == MESH) {
 		mean_of_corners(&s->surface->mesh, s->lever);
 		ts_sub(s->solid->motion->centre, s->lever, s->lever);
@@ -339,13 +395,16 @@ static enum ts_status settle(struct ts_instance *self, struct tsim *sim, struct 
 
 /* The mesh has moved on since, and takes the torque along by the mean of its corners: a place near it, so that a
  * turn since then hardly matters, where the anchor may be far away. */
-static void load(const struct ts_instance *self, const struct ts_mesh_surface *mesh, double out[2][3])
+static void load(const struct ts_instance *self, const struct ts_mesh_surface *mesh, double out[2][3],
+		 double *virtual_density)
 {
-	const struct state *s = self->state;
+	struct state *s = self->state;
 	double arm[3], torque[3];
 
 	if (s->body != MESH || s->surface != mesh)
 		return;
+	s->carried = true;
+	*virtual_density = fmax(*virtual_density, s->virtual_mass * s->fluid->density);
 	mean_of_corners(&mesh->mesh, arm);
 	ts_add(arm, s->lever, arm);
 	ts_sub(arm, mesh->anchor, arm);
@@ -364,7 +423,76 @@ static double limit(const struct ts_instance *self, const struct ts_fluid *fluid
 	return s->immersed.rate > 0 ? 1 / s->immersed.rate : INFINITY;
 }
 
+/* A light body and the fluid that excite each other grow until the step is too long for the speed. */
+static bool blame(const struct ts_instance *self, const struct ts_fluid *fluid, double dt, char *cause,
+		  size_t size)
+{
+	static const double FAST = 0.25; /* cells a step, by the Courant number of the fluid */
+	const struct state *s = self->state;
+
+	if (!(s->body == SPHERES || s->carried) || s->immersed.rate * dt < FAST * fluid->courant)
+		return false;
+	snprintf(cause, size,
+		 "the bodies of fix immersed/boundary %s have come to %.3g cells a step, and where they are light the "
+		 "force of the fluid and their motion may have excited each other; use `relax` below its %g there, "
+		 "a larger `virtual_mass` than %g, or a smaller `timestep`",
+		 self->id, s->immersed.rate * dt, s->share, s->virtual_mass);
+	return true;
+}
+
 /* ---- on particles */
+
+/* Density of the body that particle i is or belongs to. */
+static double density_of(const struct tsim *sim, size_t i)
+{
+	const struct ts_body *body = ts_rigid_body_of(sim, i);
+	const struct ts_rigid *rigid = sim->rigid;
+	double volume = 0;
+	size_t b;
+
+	if (!body || body->density > 0)
+		return ts_material_density(sim, i);
+	b = (size_t)(body - rigid->body);
+	for (size_t k = rigid->start[b]; k < rigid->start[b + 1]; k++)
+		volume += ts_body_volume(sim, sim->particles->radius[rigid->member[k]]);
+	return body->mass / volume;
+}
+
+static void resist_one(struct state *s, const struct tsim *sim, size_t i)
+{
+	struct ts_particles *p = sim->particles;
+	struct ts_net_force *net = net_of(s, sim, i);
+	double share = ts_virtual_share(density_of(sim, i), s->virtual_mass, s->fluid->density);
+	double change[3] = { -p->f[i][0], -p->f[i][1], -p->f[i][2] };
+
+	ts_net_force_blend(net, share, p->f[i], p->torque[i]);
+	ts_add(change, p->f[i], change);
+	ts_sub(p->f[i], change, p->f[i]);
+	ts_restraints_leave(&s->restraints, sim, i, change);
+	ts_add(p->f[i], change, p->f[i]);
+	ts_net_force_note(net, sim->in_setup, p->f[i], p->torque[i]);
+}
+
+/* When all forces on the particles are known. */
+static enum ts_status resist(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	const struct ts_particles *p = sim->particles;
+
+	TS_TRY(ts_rigid_list(sim));
+	TS_TRY(ts_restraints_prepare(&s->restraints, sim));
+	for (size_t i = 0; i < p->n; i++)
+		if (ts_in_group(p, i, self->group) && p->imass[i] != 0)
+			resist_one(s, sim, i);
+	return TS_OK;
+}
+
+static bool resists(const struct ts_instance *self)
+{
+	const struct state *s = self->state;
+
+	return s->body == SPHERES && s->virtual_mass > 0;
+}
 
 static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 {
@@ -436,7 +564,8 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 
 	if (s->body != SPHERES)
 		return TS_OK;
-	return ts_particles_archive_column(a, sim, "record", s->column);
+	TS_TRY(ts_particles_archive_column(a, sim, "record", s->column));
+	return ts_particles_archive_column(a, sim, "net force", s->net);
 }
 
 static void fini(struct ts_instance *self)
@@ -445,6 +574,7 @@ static void fini(struct ts_instance *self)
 
 	ts_solid_free(s->solid);
 	ts_immersed_release(&s->immersed);
+	ts_restraints_release(&s->restraints);
 }
 
 /* ---- tables */
@@ -470,8 +600,10 @@ static void fini(struct ts_instance *self)
 #define RELAX                                                                                      \
 	TS_REAL("relax", struct state, share, .fallback = "1", .range = TS_WITHIN, .lo = 1e-3,     \
 		.hi = 1,                                                                           \
-		.help = "how much of the force of a step replaces that of the step before; less "  \
-			"than 1 for bodies that move freely and are lighter than the fluid")
+		.help = "how much of the force of a step replaces that of the step before"),       \
+	TS_REAL("virtual_mass", struct state, virtual_mass, .fallback = "1.5",                     \
+		.range = TS_NOT_NEGATIVE, .unit = "",                                              \
+		.help = "by the mass of the fluid that a body displaces: for bodies that move freely")
 static const struct ts_arg region_args[] = {
 	TS_REGION("region", struct state, region, .flags = TS_POSITIONAL, .help = "the solid"),
 	GIVEN_ROWS,
@@ -552,11 +684,17 @@ const struct ts_style ts_fix_immersed_boundary = {
 	       "whole box end at INF, not at EDGE.\n"
 	       "`mesh`: a closed surface of fix mesh/surface; it is where it is, and moves as its corners do. Particles\n"
 	       "feel the same mesh by fix wall/gran mesh; fix move/mesh/free lets it go where the fluid takes it.\n"
-	       "`spheres`: each particle of the group is a body (in two dimensions a disc), large against the\n"
-	       "grid. The force on it is added in the next step, so its integrator, contacts, fix rigid and\n"
+	       "`spheres`: each particle of the group is a body (in two dimensions a disc, with its force and torque by unit\n"
+	       "of depth, as its mass is), large against the grid. The force on it is added in the next step, so its integrator, contacts, fix rigid and\n"
 	       "multisphere go on as ever. Weight and buoyancy are those of the script: the pressure here is\n"
-	       "without the hydrostatic part, unless flow_style has a body_force. Particles much lighter than the\n"
-	       "fluid need `relax`.\n\n"
+	       "without the hydrostatic part, unless flow_style has a body_force. A virtual mass, `virtual_mass`\n"
+	       "times that of the fluid displaced, stands on both sides of the equation of motion of particles and of meshes\n"
+	       "of fix move/mesh/free,\n\n"
+	       "    (m + m_v) a = F + (all other forces) + m_v a',\n\n"
+	       "a' the mean acceleration over the last step of the fluid: so bodies lighter than the fluid, or as heavy, move\n"
+	       "stably, with an error of first order in the step. The fix does this when all other forces are known, wherever\n"
+	       "they stand in the script. Bodies whose added mass is more than 4.5 times the mass of the fluid displaced (light\n"
+	       "ones in narrow channels) want a larger one, or `relax`.\n\n"
 	       "The force is what the forcing gave to the fluid, with the opposite sign, and the rate of the momentum\n"
 	       "of the fluid inside,\n\n"
 	       "    F = -sum rho (u_forced - u) V/dt + d/dt int rho u dV,\n\n"
@@ -575,7 +713,8 @@ const struct ts_style ts_fix_immersed_boundary = {
 		   "fix spin all immersed/boundary region rod omega 0 0 2.385\n"
 		   "fix balls heavy immersed/boundary spheres",
 	.cite = "E. A. Fadlun, R. Verzicco, P. Orlandi, J. Mohd-Yusof, J. Comput. Phys. 161 (2000) 35; "
-		"E. Balaras, Comput. Fluids 33 (2004) 375; M. Uhlmann, J. Comput. Phys. 209 (2005) 448",
+		"E. Balaras, Comput. Fluids 33 (2004) 375; M. Uhlmann, J. Comput. Phys. 209 (2005) 448; S. Schwarz, "
+		"T. Kempe, J. Froehlich, J. Comput. Phys. 281 (2015) 591",
 	.family = TS_FAMILY_FLOW_PART,
 	.args = args,
 	.state_size = sizeof(struct state),
@@ -584,6 +723,8 @@ const struct ts_style ts_fix_immersed_boundary = {
 	.values = values,
 	.init = init,
 	.hook = { [TS_STAGE_POST_FORCE] = post_force },
+	.late = { [TS_LATE_INERTIA] = resist },
+	.is_late = resists,
 	.plan = plan,
 	.fini = fini,
 };

@@ -3,7 +3,9 @@
 #include <string.h>
 
 #include "core/plan.h"
+#include "flow/flow.h"
 #include "flow/fluid.h"
+#include "flow/virtual_mass.h"
 #include "geom/mesh_distance.h"
 #include "geom/mesh_volume.h"
 #include "math/rigid_turn.h"
@@ -24,6 +26,8 @@ struct state {
 	struct ts_body body;
 	double q0[4]; /* its orientation when the fix was made; the centre then is mover.origin */
 	int64_t made;
+	struct ts_net_force net;
+	int64_t fluid_steps; /* of the fluid, when the body last took notice */
 };
 
 /* ---- before a run */
@@ -145,13 +149,13 @@ static enum ts_status weigh(struct ts_instance *self, struct tsim *sim)
 }
 
 /* What particles and fluids do, both with torques about the mesh's anchor; and gravity. */
-static enum ts_status act(struct ts_instance *self, struct tsim *sim)
+static enum ts_status act(struct ts_instance *self, struct tsim *sim, bool in_setup)
 {
 	struct state *s = self->state;
 	struct ts_body *b = &s->body;
 	const struct ts_instance *inst;
 	struct ts_mesh_surface *surface;
-	double load[2][3], arm[3];
+	double load[2][3], arm[3], virtual_density = 0;
 
 	TS_TRY(surface_of(self, sim, &surface));
 	s->due = false;
@@ -160,7 +164,7 @@ static enum ts_status act(struct ts_instance *self, struct tsim *sim)
 		const struct ts_flow_part *part = inst->state;
 
 		if (part->load)
-			part->load(inst, surface, load);
+			part->load(inst, surface, load, &virtual_density);
 	}
 	memcpy(b->force, load[0], sizeof b->force);
 	ts_sub(surface->anchor, b->x, arm);
@@ -170,6 +174,10 @@ static enum ts_status act(struct ts_instance *self, struct tsim *sim)
 		TS_TRY(weigh(self, sim));
 	if (sim->dimension == 2)
 		b->force[2] = b->torque[0] = b->torque[1] = 0;
+	if (virtual_density > 0) {
+		ts_net_force_blend(&s->net, ts_virtual_share(b->density, 1, virtual_density), b->force, b->torque);
+		ts_net_force_note(&s->net, in_setup, b->force, b->torque);
+	}
 	return TS_OK;
 }
 
@@ -208,7 +216,7 @@ static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim
 	struct state *s = self->state;
 	double drift[3];
 
-	TS_TRY(act(self, sim));
+	TS_TRY(act(self, sim, false));
 	ts_body_kick(&s->body, 0.5 * sim->clock.dt);
 	drift_of(s, drift);
 	return ts_mesh_mover_drift(self, sim, drift, s->body.omega);
@@ -225,7 +233,32 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
  * in the last one. */
 static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
 {
-	return ((struct state *)self->state)->due ? act(self, sim) : TS_OK;
+	return ((struct state *)self->state)->due ? act(self, sim, true) : TS_OK;
+}
+
+/* The fluid makes its step before. */
+static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	const struct ts_fluid *fluid = ts_flow_fluid(sim);
+
+	if (!fluid || fluid->steps == s->fluid_steps)
+		return TS_OK;
+	s->fluid_steps = fluid->steps;
+	ts_net_force_settle(&s->net);
+	return TS_OK;
+}
+
+/* Files from before have no such numbers. */
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	struct state *s = self->state;
+
+	(void)sim;
+	if (!ts_archive_has(a, "net force"))
+		return TS_OK;
+	TS_TRY(ts_archive_fixed(a, "fluid steps", TS_SAVED_I64, &s->fluid_steps, 1));
+	return ts_archive_fixed(a, "net force", TS_SAVED_F64, &s->net, TS_NET_FORCE_NUMBERS);
 }
 
 /* ---- outputs */
@@ -288,8 +321,8 @@ const struct ts_style ts_fix_move_mesh_free = {
 	       "by velocity Verlet, the orientation as with fix rigid. Mass m, centre and moments I are the integrals over the\n"
 	       "tetrahedra of each triangle and a place amid them, exact to round-off, for an even density.\n\n"
 	       "F and T are those of the particles that touch it by `fix wall/gran ... mesh`; those of each `fix\n"
-	       "immersed/boundary mesh` made of the mesh, of the last step of the fluid (bodies that are not much\n"
-	       "heavier than the fluid want its `relax`); and the weight. Buoyancy is that of the script: the\n"
+	       "immersed/boundary mesh` made of the mesh, of the last step of the fluid, with its virtual mass\n"
+	       "beside the body's; and the weight. Buoyancy is that of the script: the\n"
 	       "pressure of the fluid is without the hydrostatic part, unless flow_style has a body_force.\n\n"
 	       "A contact damps as between the grain and a wall that does not give way, with the grain's mass alone. With\n"
 	       "friction the grain's lever ends between its surface and that of the mesh, the mesh's at its own\n"
@@ -302,11 +335,13 @@ const struct ts_style ts_fix_move_mesh_free = {
 	.family = TS_FAMILY_MESH_MOVER,
 	.state_size = sizeof(struct state),
 	.saved = saved,
+	.archive = archive,
 	.values = values,
 	.init = init,
 	.plan = plan,
 	.hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,
 		  [TS_STAGE_POST_FORCE] = post_force,
 		  [TS_STAGE_FINAL_INTEGRATE] = final_integrate,
+		  [TS_STAGE_END_OF_STEP] = end_of_step,
 		  [TS_STAGE_SETUP] = setup },
 };
