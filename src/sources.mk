@@ -539,6 +539,7 @@ library_sources = \
 	src/particles/rigid_motion.h \
 	src/particles/sites.c \
 	src/particles/sites.h \
+	src/particles/stream.c \
 	src/particles/stream.h \
 	src/particles/tally.c \
 	src/particles/tally.h \

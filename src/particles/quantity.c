@@ -5,6 +5,7 @@
 #include "particles/moments.h"
 #include "particles/particles.h"
 #include "particles/rigid.h"
+#include "particles/stream.h"
 
 #include "base/banned.h"
 
@@ -195,14 +196,16 @@ bool ts_particles_has_quantity(const struct tsim *sim, const char *name)
 {
 	size_t k;
 
-	return find(name) || ts_particles_named_column(sim->particles, name, &k);
+	return find(name) || ts_particles_named_column(sim->particles, name, &k) ||
+	       ts_stream_quantity(sim, name) >= 0;
 }
 
 bool ts_particles_keeps_quantity(const struct tsim *sim, const char *name)
 {
 	size_t k;
 
-	return !find(name) && ts_particles_named_column(sim->particles, name, &k);
+	return !find(name) && (ts_particles_named_column(sim->particles, name, &k) ||
+			       ts_stream_quantity(sim, name) >= 0);
 }
 
 void ts_particles_suggest_quantity(struct ts_suggest *suggest)
@@ -226,6 +229,7 @@ enum ts_status ts_particles_quantity(struct tsim *sim, const char *name, struct 
 	const struct ts_particles *p = sim->particles;
 	const struct quantity *q = find(name);
 	const struct ts_column *named;
+	int stream = ts_stream_quantity(sim, name);
 	size_t k;
 
 	if (ts_table_resize(out, p->n, 1) != TS_OK)
@@ -233,6 +237,7 @@ enum ts_status ts_particles_quantity(struct tsim *sim, const char *name, struct 
 	named = ts_particles_named_column(p, name, &k); /* first: `mol` may be one */
 	for (size_t i = 0; i < p->n; i++)
 		out->data[i] = named ? ((const double *)named->data)[i * named->width + k]
-				     : q->value(sim, i);
+			       : stream >= 0 ? ts_stream_value(sim, i, stream)
+					     : q->value(sim, i);
 	return TS_OK;
 }

@@ -101,4 +101,42 @@ fix f all mesh/surface file torn.stl type 1 scale 0.001" "expected 'facet', 'sol
 # a thousandth of the box is no rounding
 rejects "$fall
 fix f all mesh/surface file floor.stl type 1 scale 0.001 move 0 0 0.000026" 'outside the box'
+# What each particle of a stream remembers: rows of LIGGGHTS 3.8, of one on its way and one that is free; the same
+# after a restart.
+{
+	echo 'solid face'
+	facets 500 | sed 's/vertex 0 /vertex 300 /; s/vertex 1000 /vertex 700 /; s/ 0 500/ 300 500/; s/ 1000 500/ 700 500/'
+	echo 'endsolid face'
+} >face.stl
+remembered=$(for k in 1 2 3 4 5 6 7 8 9 10 11 12 13 14; do printf 'f_release_fix_insert_stream[%d] ' $k; done)
+definitions="$material
+timestep 1e-5
+fix gravi all gravity 9.81 vector 1 0 0
+fix pts1 all particletemplate/sphere 15485863 atom_type 1 density constant 2500 radius constant 0.03
+fix pdd1 all particledistribution/discrete 15485867 1 pts1 1.0
+fix face all mesh/surface/planar file face.stl type 1 scale 0.001
+fix ins all insert/stream seed 32452843 distributiontemplate pdd1 nparticles 30 particlerate 3000 overlapcheck yes &
+	all_in yes vel constant 0 0.1 -2 omega constant 1 2 3 insertion_face face extrude_length 0.2
+fix i all nve/sphere
+dump d all custom 7000 NAME.dump id $remembered z vz
+dump_modify d sort id"
+printf '%s\n' "units si
+boundary p f f
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+${definitions/NAME/whole}
+run 6000
+write_restart half.restart
+run 8000" >in.whole
+printf '%s\n' "read_restart half.restart
+${definitions/NAME/rest}
+run 8000" >in.rest
+{ "$TSIM" -in in.whole -log none && "$TSIM" -in in.rest -log none; } >out 2>&1 &&
+	grep -q '^1 0.46576 0.462028 0.607377 1 5369 -0 -0 -2 0 0.1 -2 1 2 3 0.327397 -2 $' whole.dump &&
+	grep -q '^29 0.426232 0.484811 0.659366 1 7969 -0 -0 -2 0 0.1 -2 1 2 3 0.519386 -2 $' whole.dump
+report 'streams remember' $? out
+sed -n '/^7000$/,$p' whole.dump >expected
+sed -n '/^7000$/,$p' rest.dump >found
+same 'streams remember after a restart' expected found
+rejects "$(sed 's/stream\[14\]/stream[15]/' in.whole)" 'release_fix_insert_stream'
 finish

@@ -74,6 +74,7 @@ static enum ts_status face_of(struct ts_instance *self, struct tsim *sim)
 			       "through it: say `vel constant vx vy vz`, not along the face",
 			       s->speed);
 	ts_scale(through > 0 ? -1 : 1, mesh->normal[0], s->normal);
+	ts_scale(-s->speed, s->normal, s->stream.drift);
 	return TS_OK;
 }
 
@@ -427,7 +428,7 @@ static void steer(const struct state *s, struct tsim *sim, size_t i)
 		steer_sphere(s, sim, i, memory, free);
 	}
 	if (free)
-		memory[TS_STREAM_RELEASE] = 0;
+		memory[TS_STREAM_RELEASE] *= -1;
 }
 
 struct steering {
@@ -549,7 +550,10 @@ const struct ts_style ts_fix_insert_stream = {
 	       "reach out of the box; else from R to L - R. all_in yes keeps particles within the outer edges of the\n"
 	       "face. The number in an event is rounded up or down by lot. The face must not move.\n\n"
 	       "A rigid clump goes to the face by its centre of mass, without turning. LIGGGHTS gives it no angular\n"
-	       "velocity there either, which `legacy yes` follows.",
+	       "velocity there either, which `legacy yes` follows.\n\n"
+	       "As in LIGGGHTS, f_release_fix_insert_stream[1] to [14] are of each particle: the place where it was\n"
+	       "inserted (1 to 3), the step of that (4), the step in which it is free (5), its velocity until then (6 to\n"
+	       "8), and the velocity (9 to 11) and angular velocity (12 to 14) that it gets then; 0 of other particles.",
 	.example = "fix pour all insert/stream seed 32452867 distributiontemplate mix nparticles 5000 vel constant 0 -0.5 -2 particlerate 1000 overlapcheck yes insertion_face hole extrude_length 0.6",
 	.family = TS_FAMILY_STREAM,
 	.args = args,
