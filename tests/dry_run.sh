@@ -61,7 +61,7 @@ next n
 jump SELF again
 jump SELF nowhere
 if "${k} > 2" then "prnt hello" "run 10" else "fix 4 all gravity x"
-dump d all custom 10 nodir/x.dump id x y z
+dump d all custom 10 many.in/x.dump id x y z
 pair_style spring/dashpot
 pair_coeff * * stifness 2
 unfix 1
@@ -85,7 +85,7 @@ errors 'all errors at once' <<'END'
 22:11: there is no 'label nowhere'
 23:21: unknown command 'prnt'
 23:66: expected a number or v_name
-24:22: there is no directory 'nodir'
+24:22: 'many.in' is no folder that one can write to
 26:16: unknown keyword 'stifness'
 28:7: there is no fix '9'
 31:9: group: style is 'typ'

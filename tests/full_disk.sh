@@ -136,7 +136,7 @@ for what in 'dump d all custom 1 file/x id' 'write_restart file/x' 'write_data f
 	'thermo_log file/x' "print a file file/x" 'fix a all ave/time 1 1 1 c_k file file/x' 'log file/x'; do
 	printf 'include scene\n%s\nrun 2\n' "$what" >in.full
 	"$TSIM" -in in.full -log none >out 2>err
-	[ $? = 1 ] && grep -qE "file/x'.*(Not a directory|not a folder)" err
+	[ $? = 1 ] && grep -qE "file/x'.*(Not a directory|is no folder)" err
 	report "$what" $? err
 done
 finish

@@ -146,7 +146,7 @@ bad_target . 'Is a directory'
 stops 'gz dump without room' "$balls
 dump d all custom 10 full.gz id x y z
 run 4000" 'in.script:14'
-for target in full missing/file .; do
+for target in full in.script/file .; do
 	"$TSIM" -in in.script -log $target >out 2>err </dev/null
 	[ $? = 1 ] && grep -q "log file" err
 	report "log to $target" $? err

@@ -65,6 +65,7 @@ shell_tests = \
 	tests/decks/flow_outputs.sh \
 	tests/decks/flow_pressure.sh \
 	tests/decks/flow_style.sh \
+	tests/decks/folders.sh \
 	tests/decks/free_mesh.sh \
 	tests/decks/gran_laws.sh \
 	tests/decks/gran_numbers.sh \

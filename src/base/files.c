@@ -458,6 +458,11 @@ int ts_files_look(struct ts_files *files, const char *path, struct stat *out)
 	return leave(&e, result);
 }
 
+bool ts_files_may_make_in(const struct ts_files *files, const char *folder)
+{
+	return (files && files->closed) || access(folder, W_OK | X_OK) == 0;
+}
+
 int ts_files_make_folder(struct ts_files *files, const char *path)
 {
 	struct entry e;

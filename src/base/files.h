@@ -47,6 +47,8 @@ void *ts_files_open_gz(struct ts_files *files, const char *path); /* gzFile, to 
 FILE *ts_files_nowhere(void);					  /* swallows what is written */
 void *ts_files_list(struct ts_files *files, const char *folder); /* DIR */
 int ts_files_look(struct ts_files *files, const char *path, struct stat *out); /* stat */
+/* Whether the rights of the folder let files be made in it; a closed door may still refuse. */
+bool ts_files_may_make_in(const struct ts_files *files, const char *folder);
 int ts_files_make_folder(struct ts_files *files, const char *path);
 int ts_files_remove(struct ts_files *files, const char *path);
 int ts_files_remove_folder(struct ts_files *files, const char *path);

@@ -4,6 +4,7 @@
 #include <stdarg.h>
 #include <string.h>
 
+#include "base/mkdirs.h"
 #include "base/str.h"
 
 #include "base/banned.h"
@@ -152,6 +153,7 @@ enum ts_status ts_log_open(struct ts_log *log, struct ts_error *err, const struc
 	TS_TRY(ts_log_close(log, err));
 	if (!path)
 		return TS_OK;
+	ts_mkdirs_for(log->files, path); /* opening tells if that failed */
 	log->file = ts_files_open(log->files, path, append ? "a" : "w");
 	if (!log->file)
 		return ts_fail(err, TS_IO, place, "cannot open log file '%s': %s", path,

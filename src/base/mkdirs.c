@@ -49,3 +49,26 @@ int ts_mkdirs_for(struct ts_files *files, const char *file)
 	ts_str_release(&folder);
 	return result;
 }
+
+bool ts_mkdirs_blocked(struct ts_files *files, const char *file, char *by, size_t room)
+{
+	size_t n = strlen(file);
+	struct stat info;
+
+	for (;;) {
+		while (n && file[n - 1] != '/')
+			n--;
+		while (n > 1 && file[n - 1] == '/')
+			n--;
+		if (n >= room)
+			return false;
+		memcpy(by, n ? file : ".", n ? n : 1);
+		by[n ? n : 1] = '\0';
+		if (ts_files_look(files, by, &info) == 0)
+			return !S_ISDIR(info.st_mode) || !ts_files_may_make_in(files, by);
+		if (files && files->closed) /* what leads to a folder that may be used need not be one */
+			return false;
+		if (!n || n == 1)
+			return true;
+	}
+}

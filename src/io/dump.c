@@ -3,7 +3,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/mkdirs.h"
 #include "core/units.h"
 #include "particles/domain.h"
 
@@ -61,8 +60,6 @@ enum ts_status ts_dump_open(struct ts_instance *self, struct tsim *sim)
 	ts_step_path(&d->path, d->file, (long long)sim->clock.step, (int)d->pad);
 	if (d->path.failed)
 		return ts_nomem(&sim->error);
-	if (!sim->explain)
-		ts_mkdirs_for(&sim->files, ts_str_text(&d->path)); /* opening tells if that failed */
 	return ts_textfile_open(&d->out, sim, ts_instance_word(self, d->file), ts_str_text(&d->path),
 				d->append && !one_file_per_frame(d));
 }

@@ -116,7 +116,7 @@ enum ts_status ts_replace_begin(struct ts_replace *r, struct tsim *sim,
 	/* a new file, never through a link that somebody has laid there */
 	r->file = ts_files_open(&sim->files, ts_str_text(&r->temporary), "wx");
 	if (!r->file) {
-		enum ts_status status = ts_open_failed(&sim->error, &sim->files, where, path);
+		enum ts_status status = ts_write_failed(&sim->error, &sim->files, where, path);
 
 		ts_replace_abandon(r);
 		return status;

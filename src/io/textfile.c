@@ -3,27 +3,46 @@
 #include <errno.h>
 #include <stdarg.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include <zlib.h>
+
+#include "base/mkdirs.h"
 
 #include "base/banned.h"
 
 /* MOST_HELD: no more is kept for one piece. MEMBER: text after which a .gz file begins a new member. */
 enum { MOST_HELD = 1 << 24, MEMBER = 1 << 20, LARGEST_PART = 1 << 30, ROOM = 1 << 16 };
 
-enum ts_status ts_open_failed(struct ts_error *err, const struct ts_files *files,
-			      const struct ts_place *where, const char *path)
+/* Folders of files that are written are made on the way: here is one to be read. */
+enum ts_status ts_open_failed(struct ts_error *err, struct ts_files *files, const struct ts_place *where,
+			      const char *path)
 {
 	int code = errno;
 	const char *slash = strrchr(path, '/');
+	struct stat info;
+	char folder[256] = "";
 
+	if (slash && slash > path && (size_t)(slash - path) < sizeof folder)
+		memcpy(folder, path, (size_t)(slash - path));
 	errno = code;
-	if (code == ENOENT && slash && slash > path)
-		return ts_fail(err, TS_IO, where,
-			       "cannot open '%s': there is no folder '%.*s'; create it with: shell "
-			       "mkdir %.*s",
-			       path, (int)(slash - path), path, (int)(slash - path), path);
+	if (code == ENOENT && folder[0] && ts_files_look(files, folder, &info) != 0)
+		return ts_fail(err, TS_IO, where, "cannot open '%s': there is no folder '%s'", path, folder);
+	errno = code;
 	return ts_fail(err, TS_IO, where, "cannot open '%s': %s", path, ts_files_why(files));
+}
+
+enum ts_status ts_write_failed(struct ts_error *err, struct ts_files *files, const struct ts_place *where,
+			       const char *path)
+{
+	int code = errno;
+	char folder[256];
+
+	if (ts_mkdirs_blocked(files, path, folder, sizeof folder))
+		return ts_fail(err, TS_IO, where, "cannot write '%s': '%s' is no folder that one can be made in",
+			       path, folder);
+	errno = code;
+	return ts_fail(err, TS_IO, where, "cannot write '%s': %s", path, ts_files_why(files));
 }
 
 static void drop(struct ts_textfile *file)
@@ -90,7 +109,7 @@ static enum ts_status open_stream(struct ts_textfile *file, const struct tsim *s
 
 	file->file = sim->explain ? ts_files_nowhere() : ts_files_open(file->files, path, append ? "a" : "w");
 	if (!file->file)
-		return errno ? ts_open_failed(file->err, file->files, &file->where, path) : ts_nomem(file->err);
+		return errno ? ts_write_failed(file->err, file->files, &file->where, path) : ts_nomem(file->err);
 	setvbuf(file->file, NULL, _IONBF, 0);
 	file->whole = -1;
 	if (fileno(file->file) >= 0 && fstat(fileno(file->file), &info) == 0 && S_ISREG(info.st_mode))
@@ -100,6 +119,17 @@ static enum ts_status open_stream(struct ts_textfile *file, const struct tsim *s
 	if (append && file->whole > 0)
 		end_line(file, path);
 	return TS_OK;
+}
+
+enum ts_status ts_write_failed(struct ts_error *err, const struct ts_place *where, const char *path)
+{
+	int code = errno;
+	char folder[256];
+
+	if (ts_mkdirs_blocked(path, folder, sizeof folder))
+		return ts_fail(err, TS_IO, where, "cannot write '%s': '%s' is no folder that one can be made in",
+			       path, folder);
+	return ts_fail(err, TS_IO, where, "cannot write '%s': %s", path, strerror(code));
 }
 
 enum ts_status ts_textfile_open(struct ts_textfile *file, struct tsim *sim,
@@ -114,6 +144,8 @@ enum ts_status ts_textfile_open(struct ts_textfile *file, struct tsim *sim,
 	file->path = ts_strdup(path);
 	if (!file->path)
 		return ts_nomem(&sim->error);
+	if (!sim->explain)
+		ts_mkdirs_for(file->files, path); /* opening tells if that failed */
 	if (ts_ends_with(path, ".gz"))
 		status = begin_gz(file);
 	errno = 0;

@@ -25,7 +25,7 @@ struct ts_textfile {
 	struct ts_place where; /* blamed for later errors */
 };
 
-/* Writes anew or appends. Creates no folders, see base/mkdirs.h: a missing one is an error. With -explain all goes nowhere. */
+/* Writes anew or appends. Makes the folders that lead to it. With -explain all goes nowhere. */
 enum ts_status ts_textfile_open(struct ts_textfile *file, struct tsim *sim,
 				const struct ts_place *where, const char *path, bool append);
 bool ts_textfile_is_open(const struct ts_textfile *file);
@@ -37,9 +37,11 @@ enum ts_status ts_textfile_printf(struct ts_textfile *file, const char *format, 
 enum ts_status ts_textfile_flush(struct ts_textfile *file);
 enum ts_status ts_textfile_close(struct ts_textfile *file);
 
-/* "cannot open PATH: reason", with advice where the folder is missing. Uses errno. */
-enum ts_status ts_open_failed(struct ts_error *err, const struct ts_files *files,
-			      const struct ts_place *where, const char *path);
+/* "cannot write PATH: reason", and of a file that is read; they tell what is wrong with the folder. Use errno. */
+enum ts_status ts_write_failed(struct ts_error *err, struct ts_files *files, const struct ts_place *where,
+			       const char *path);
+enum ts_status ts_open_failed(struct ts_error *err, struct ts_files *files, const struct ts_place *where,
+			      const char *path);
 
 /* The path with each `*` replaced by the step, filled with zeros to `pad` digits. */
 void ts_step_path(struct ts_str *out, const char *path, long long step, int pad);

@@ -50,7 +50,6 @@ void ts_check_free(struct ts_script *script)
 	ts_str_release(&check->errors);
 	ts_map_release(&check->seen);
 	ts_map_release(&check->lost);
-	ts_map_release(&check->made);
 	ts_map_release(&check->events);
 	ts_map_release(&check->guessed);
 	for (struct ts_check_loop *loop = check->loop; loop; loop = loop->next)

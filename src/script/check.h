@@ -63,7 +63,6 @@ struct ts_check {
 	bool placing; /* that one is being made */
 	struct ts_map seen;    /* "file:line:column" of errors, "file:line" of lines run */
 	struct ts_map lost;    /* "fix ID" that a failed line would have made */
-	struct ts_map made;    /* directories that the script makes */
 	struct ts_map events;  /* by kind, place and text */
 	struct ts_map guessed; /* "file:line" of lines with an unknown value, and the names they define */
 	struct ts_check_event *first, **last;

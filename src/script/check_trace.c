@@ -3,8 +3,8 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/stat.h>
 
+#include "base/mkdirs.h"
 #include "script/check.h"
 #include "script/unknown.h"
 
@@ -104,36 +104,16 @@ enum ts_status ts_check_run(struct ts_script *script, const struct ts_place *whe
 	return TS_OK;
 }
 
-/* NULL: out of memory; "": the working directory. */
-static const char *directory_of(struct ts_script *script, const char *path)
-{
-	const char *slash = strrchr(path, '/');
-	struct ts_str text = { 0 };
-
-	ts_str_add_n(&text, path, slash ? (size_t)(slash - path) : 0);
-	return keep(script, &text);
-}
-
-/* A file in a directory that is not there and that the script has not made would not be written. */
+/* Folders are made with the files in them. */
 enum ts_status ts_check_write(struct ts_script *script, const struct ts_place *where,
 			      const char *what, const char *path)
 {
-	struct ts_check *check = script->check;
-	const char *directory = directory_of(script, path);
-	bool makes = ts_streq(what, "shell mkdir");
 	struct ts_check_event *event;
-	struct stat info;
+	char by[256];
 
-	if (makes)
-		directory = ts_pool_get(script->sim->pool, path);
-	if (!directory || (makes && ts_map_set(&check->made, directory, check) != TS_OK))
-		return ts_nomem(&script->sim->error);
-	if (*directory && !makes && !ts_map_get(&check->made, directory) &&
-	    (ts_files_look(&script->sim->files, directory, &info) != 0 || !S_ISDIR(info.st_mode)))
+	if (ts_mkdirs_blocked(&script->sim->files, path, by, sizeof by))
 		return ts_fail(&script->sim->error, TS_IO, where,
-			       "%s '%s': there is no directory '%s', and the script does not make "
-			       "it (shell mkdir %s)",
-			       what, path, directory, directory);
+			       "%s '%s': '%s' is no folder that one can write to", what, path, by);
 	TS_TRY(ts_check_note(script, TS_CHECK_WRITE, where, NULL, &event, "%s %s", what, path));
 	event->path = strrchr(event->what, ' ') + 1;
 	return TS_OK;

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/mkdirs.h"
 #include "script/unknown.h"
 
 #include "base/banned.h"
@@ -38,6 +39,8 @@ static enum ts_status write_line(struct tsim *sim, const char *path, const char 
 
 	if (!path || sim->explain)
 		return TS_OK;
+	ts_mkdirs_for(&sim->files, path); /* opening tells if that failed */
+	errno = 0;
 	file = ts_files_open(&sim->files, path, mode);
 	if (!file)
 		return ts_fail(&sim->error, TS_IO, where, "cannot open '%s': %s", path,

@@ -24,7 +24,8 @@ try() {
 	*' ...') [ "${found#"in.m:${1% ...}"}" != "$found" ] ;;
 	*) [ "$found" = "in.m:$1" ] ;;
 	esac && [ $status = 1 ]
-	report "$(tail -n 1 in.m)" $? err
+	right=$? # the next line runs a program
+	report "$(tail -n 1 in.m)" $right err
 	: >in.m
 }
 
@@ -47,7 +48,7 @@ boundary fp p p
 regoin b block 0 1 0 1 0 1
 => 1:1: error: unknown command 'regoin'; did you mean 'region'?
 region b block 0 1 0 1 0
-=> 1:10: error: region block: zhi is missing, expected a number, INF or EDGE (largest z, or INF)
+=> 1:10: error: region block: zhi is missing, expected a number, INF or EDGE (largest z, INF or EDGE)
 region b block 0 1 1 0 0 1
 => 1:10: error: region block: ylo = 1 is above yhi = 0
 region b block 0 1 0 1 0 1 unit box
@@ -71,10 +72,10 @@ fix g all gravity 9.81 0 0 -1
 => 9:24: error: fix gravity: mode is '0', expected one of vector, chute ...
 $box
 fix w all wall/gran primitive type 1 zplan 0
-=> 9:38: error: fix wall/gran: shape is 'zplan', expected one of xplane, yplane ...
+=> 9:38: error: fix wall/gran: unknown keyword 'zplan'; did you mean 'zplane'?
 $box
 fix w all wall/gran
-=> 9:11: error: fix wall/gran: kind is missing, expected one of primitive ...
+=> 9:11: error: fix wall/gran: expected one of xplane, yplane, zplane, xcylinder, ycylinder, zcylinder, found 0 of them
 $box
 dump d all custom post.dump 100 id x
 => 9:19: error: dump custom: every is 'post.dump', expected an integer (steps between frames)
@@ -82,11 +83,12 @@ $box
 dump d all custom 100 post.dump id xx
 => 9:36: error: dump custom: unknown quantity 'xx', expected a quantity of particles, c_ID[k], f_ID[k] or v_NAME; did you mean 'x'?
 $box
-fix p all print 100 "so" file nodir/post.txt
-=> 9:31: error: cannot open 'nodir/post.txt': there is no folder 'nodir'; create it with: shell mkdir nodir
+fix p all print 100 "so" file in.m/post.txt
+run 100
+=> 9:31: error: cannot write 'in.m/post.txt': 'in.m' is no folder that one can be made in
 $box
 dump d all custom 100 post.dump
-=> 9:1: error: dump custom: columns is missing, expected what to write: id, type, x, y, z, vx, radius ..., c_ID[k], f_ID[k], v_NAME
+=> 9:12: error: dump custom: columns is missing, expected what to write: id, type, x, y, z, vx, radius ..., c_ID[k], f_ID[k], v_NAME
 $box
 run
 => 9:1: error: run: N is missing, expected an integer (number of steps)
@@ -187,7 +189,7 @@ pair_coeff * * 100 0.5
 => 9:16: error: pair_coeff: unknown keyword '100'; known: ...
 pair_style gran model hertz tangential history
 run 1
-=> 1:12: error: unknown pair style 'gran'; known: ...
+=> 2:1: error: 'run' needs a simulation box: use create_box or read_restart first
 $box
 read_restart nothing.restart
 => 9:1: error: there is a box already: read_restart comes before create_box
