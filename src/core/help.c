@@ -233,18 +233,61 @@ static void add_lines(const char *text, const char *indent, struct ts_str *out)
 	}
 }
 
-static void add_paragraphs(const char *text, bool markdown, struct ts_str *out)
+/* Lines that begin with blanks, as formulas and tables do, are kept as they are. */
+static bool is_kept(const char *line)
+{
+	return line[0] == ' ' && line[1] == ' ';
+}
+
+/* The lines up to an empty one, or to one of the other sort; with them the line end. */
+static size_t part_length(const char *text)
+{
+	bool kept = is_kept(text);
+	size_t n = 0;
+
+	while (text[n] && text[n] != '\n' && is_kept(text + n) == kept) {
+		n += strcspn(text + n, "\n");
+		n += text[n] == '\n';
+	}
+	return n;
+}
+
+static void add_part(const char *text, bool markdown, struct ts_str *out)
 {
 	struct ts_str lines = { 0 };
 
-	if (markdown) {
+	if (is_kept(text)) {
+		ts_str_add(out, markdown ? "```\n" : "");
+		add_lines(text, markdown ? "" : "  ", out);
+		ts_str_add(out, markdown ? "```\n" : "");
+	} else if (markdown) {
 		ts_str_addf(out, "%s\n", text);
-		return;
+	} else {
+		add_wrapped(text, 2, 0, &lines);
+		ts_str_addf(out, "%s\n", ts_str_text(&lines));
 	}
-	add_wrapped(text, 2, 0, &lines);
-	ts_str_addf(out, "%s\n", ts_str_text(&lines));
 	out->failed |= lines.failed;
 	ts_str_release(&lines);
+}
+
+static void add_paragraphs(const char *text, bool markdown, struct ts_str *out)
+{
+	struct ts_str part = { 0 };
+
+	while (*text) {
+		size_t n = part_length(text);
+
+		ts_str_clear(&part);
+		ts_str_add_n(&part, text, n && text[n - 1] == '\n' ? n - 1 : n);
+		if (n)
+			add_part(ts_str_text(&part), markdown, out);
+		text += n;
+		if (*text == '\n')
+			ts_str_add(out, "\n");
+		text += strspn(text, "\n");
+	}
+	out->failed |= part.failed;
+	ts_str_release(&part);
 }
 
 static void add_syntax(const struct ts_style *style, bool markdown, struct ts_str *out)
