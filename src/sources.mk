@@ -586,6 +586,7 @@ library_sources = \
 	src/script/line.h \
 	src/script/manual.c \
 	src/script/manual.h \
+	src/script/manual_search.c \
 	src/script/number_format.c \
 	src/script/number_format.h \
 	src/script/partition.c \

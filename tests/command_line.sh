@@ -64,6 +64,25 @@ printf 'label a\njump SELF a\n' >in.loop
 timeout -s TERM 1 "$TSIM" -in in.loop -log none >out 2>err
 [ $? = 124 ] && grep -q '^in.loop:.*stopped on request$' err || { echo 'FAILED: SIGTERM'; failed=1; }
 "$TSIM" -help command print | grep -q '^Syntax$' || { echo 'FAILED: page'; failed=1; }
+# pages are found by words as scripts have them, and by their text
+page() { # FIRST LINE THAT IS THERE, then the words
+	local line=$1
+	shift
+	"$TSIM" -help "$@" >out 2>err && grep -qF -- "$line" out || { echo "FAILED: -help $*"; failed=1; }
+}
+page 'pair gran: ' pair_style gran
+page 'pair gran: ' 'pair_style gran'
+page 'fix drag: ' 'fix drag'
+page 'command pair_style: ' pair_style
+page 'beyond grains' pair_style lj/cut
+page 'tsim -help pair gran' restitution
+page 'tsim -help fix mesh/surface' hopper
+page 'tsim -help pair gran' Rolling
+page 'tsim -help compute temp/com' granular temperature
+page 'tsim -help command flow_boundary' outlet
+page '      v = sum m v / sum m' fix ave/euler
+expect 'words that stand nowhere' 2 '' "tsim: there is no kind or style 'angle of repoze'
+$more" -help 'angle of repoze'
 mkdir pages && "$TSIM" -doc pages && grep -q 'command_print.md' pages/index.md &&
 	grep -q '^# command print$' pages/command_print.md || { echo 'FAILED: -doc'; failed=1; }
 exit $failed

@@ -6,6 +6,8 @@
 
 #include "core/settings.h"
 
+#include "base/process.h"
+
 #include "base/banned.h"
 
 enum ts_status ts_coeffs_resize(struct tsim *sim, struct ts_coeffs *c, size_t n)
@@ -48,19 +50,69 @@ void ts_coeffs_release(struct ts_coeffs *c)
 #define TS_POTENTIALS "potentials"
 #endif
 
-static FILE *open_potential(struct tsim *sim, const char *name)
+/* The folder that the path is in; false: none is said. */
+static bool folder_of(const char *path, char *folder, size_t room)
 {
-	const char *folders[] = { NULL, getenv("TSIM_POTENTIALS"), "potentials", TS_POTENTIALS };
-	FILE *file = ts_files_open(&sim->files, name, "r");
-	char path[1024];
+	const char *slash = path ? strrchr(path, '/') : NULL;
 
-	for (size_t k = 1; !file && k < sizeof folders / sizeof *folders; k++) {
-		if (!folders[k])
+	return slash && (size_t)snprintf(folder, room, "%.*s", (int)(slash - path), path) < room;
+}
+
+enum { PLACES = 5, LONGEST = 1024 };
+
+/* Where coefficient files are: beside the script, in the folder of TSIM_POTENTIALS, in potentials/ here and of
+ * the tree that the program has been built in, and where it was installed. Places that are not there are "". */
+static void list_places(const char *script, char place[PLACES][LONGEST])
+{
+	const char *given = getenv("TSIM_POTENTIALS");
+	struct ts_str self = { 0 };
+	char build[LONGEST], tree[LONGEST - sizeof "/potentials"];
+
+	memset(place, 0, sizeof(char[PLACES][LONGEST]));
+	folder_of(script, place[0], LONGEST);
+	snprintf(place[1], LONGEST, "%s", given ? given : "");
+	snprintf(place[2], LONGEST, "potentials");
+	ts_process_self("", &self);
+	if (folder_of(ts_str_text(&self), build, sizeof build) && folder_of(build, tree, sizeof tree))
+		snprintf(place[3], LONGEST, "%s/potentials", tree);
+	snprintf(place[4], LONGEST, "%s", TS_POTENTIALS);
+	ts_str_release(&self);
+}
+
+static FILE *open_potential(struct tsim *sim, const char *name, const char *ending, char place[PLACES][LONGEST])
+{
+	struct ts_str path = { 0 };
+	FILE *file = NULL;
+
+	for (int k = -1; !file && k < PLACES; k++) {
+		if (k >= 0 && (!place[k][0] || name[0] == '/'))
 			continue;
-		if ((size_t)snprintf(path, sizeof path, "%s/%s", folders[k], name) < sizeof path)
-			file = ts_files_open(&sim->files, path, "r");
+		ts_str_clear(&path);
+		ts_str_addf(&path, "%s%s%s%s", k < 0 ? "" : place[k], k < 0 ? "" : "/", name, ending);
+		file = path.failed ? NULL : ts_files_open(&sim->files, ts_str_text(&path), "r");
 	}
+	ts_str_release(&path);
 	return file;
+}
+
+static enum ts_status not_found(struct tsim *sim, const struct ts_word *name, const char *ending,
+				char place[PLACES][LONGEST])
+{
+	const char *why = ts_files_why(&sim->files);
+	struct ts_str places = { 0 };
+	enum ts_status status;
+
+	for (int k = 0; k < PLACES && name->text[0] != '/'; k++)
+		if (place[k][0])
+			ts_str_addf(&places, ", %s", place[k]);
+	if (!getenv("TSIM_POTENTIALS"))
+		ts_str_add(&places, "; the folder TSIM_POTENTIALS may name another place");
+	status = ts_fail(&sim->error, TS_IO, &name->place,
+			 "cannot read coefficient file '%s'%s%s: %s; looked for here%s", name->text,
+			 *ending ? " nor with the ending " : "", ending, why,
+			 ts_str_text(&places));
+	ts_str_release(&places);
+	return status;
 }
 
 /* All words of the file, one after the other, each with its place. */
@@ -100,17 +152,17 @@ static enum ts_status read_words(struct tsim *sim, FILE *file, const char *name,
 enum ts_status ts_coeff_words(struct tsim *sim, const struct ts_word *name, const char *ending,
 			      struct ts_arena *arena, struct ts_words *out)
 {
-	FILE *file = open_potential(sim, name->text);
-	char longer[1024];
+	char place[PLACES][LONGEST];
 	enum ts_status status;
+	FILE *file;
 
-	snprintf(longer, sizeof longer, "%s%s", name->text, ending);
+	list_places(name->place.file, place);
+	errno = 0;
+	file = open_potential(sim, name->text, "", place);
 	if (!file && *ending)
-		file = open_potential(sim, longer);
+		file = open_potential(sim, name->text, ending, place);
 	if (!file)
-		return ts_fail(&sim->error, TS_IO, &name->place,
-			       "cannot read coefficient file '%s' (nor in potentials/): %s",
-			       name->text, ts_files_why(&sim->files));
+		return not_found(sim, name, ending, place);
 	status = read_words(sim, file, name->text, arena, out);
 	fclose(file);
 	return status;

@@ -24,8 +24,9 @@ static inline void *ts_coeff(const struct ts_coeffs *c, size_t k)
 }
 
 /* Parses the words of one entry into `entry`; the words `file NAME` stand for the contents of a
- * coefficient file: keyword-value lines, `#` comments, searched as given, then in the folders of
- * TSIM_POTENTIALS and of the installed potentials. */
+ * coefficient file: keyword-value lines, `#` comments, searched as given, then beside the script, in the
+ * folder of TSIM_POTENTIALS, in potentials/ here and of the tree that the program was built in, and where the
+ * potentials have been installed. */
 enum ts_status ts_coeff_parse(struct tsim *sim, const char *what, struct ts_coeffs *c,
 			      struct ts_words words, const struct ts_place *where, void *entry);
 

@@ -10,18 +10,18 @@
 
 #include "base/banned.h"
 
-/* "Step", "KinEng"; of c_ID, f_ID, v_NAME the first eight characters after the prefix. */
+/* "Step", "KinEng"; of c_ID, f_ID, v_NAME what follows the prefix. LIGGGHTS has eight characters of it. */
 static const char *make_title(struct tsim *sim, const char *name)
 {
 	const struct ts_keyword *keyword = ts_keyword_find(sim, name);
-	char title[9];
+	char eight[9];
 
 	if (keyword)
 		return keyword->title;
 	if (name[0] && name[1] == '_')
 		name += 2;
-	snprintf(title, sizeof title, "%s", name);
-	return ts_arena_strdup(&sim->thermo->arena, title);
+	snprintf(eight, sizeof eight, "%s", name);
+	return ts_arena_strdup(&sim->thermo->arena, sim->legacy ? eight : name);
 }
 
 /* A compute, fix or variable may be defined before the run; what is there must be of the right shape. */
@@ -172,6 +172,26 @@ static void add_named(struct ts_thermo *t, size_t k, double value)
 	ts_str_add(&t->line, " ");
 }
 
+enum { USUAL = 14 }; /* the width of a title */
+
+/* At the right of a title that is wider than others. */
+static void add_column(struct ts_thermo *t, size_t k, double value)
+{
+	struct ts_thermo_column *c = &t->column[k];
+	size_t start = t->line.length, title = strlen(c->title), width = title > USUAL ? title : 0, n;
+
+	ts_format_add(&t->line, c->format, is_integer(c), value);
+	n = t->line.length - start;
+	if (n < width) {
+		ts_str_addf(&t->line, "%*s", (int)(width - n), "");
+		if (!t->line.failed) {
+			memmove(t->line.text + start + width - n, t->line.text + start, n);
+			memset(t->line.text + start, ' ', width - n);
+		}
+	}
+	ts_str_add(&t->line, " ");
+}
+
 static enum ts_status row(struct ts_thermo *t, struct tsim *sim)
 {
 	double cpu = sim->clock.step > sim->clock.first_step ? ts_clock() - sim->clock.wall_start : 0;
@@ -191,8 +211,7 @@ static enum ts_status row(struct ts_thermo *t, struct tsim *sim)
 			add_named(t, k, value);
 			continue;
 		}
-		ts_format_add(&t->line, c->format, is_integer(c), value);
-		ts_str_add(&t->line, " ");
+		add_column(t, k, value);
 	}
 	t->last_row_time = ts_clock() - sim->clock.wall_start;
 	t->last_row_step = sim->clock.step;

@@ -191,7 +191,7 @@ static enum ts_status setup_check(struct ts_instance *self, struct tsim *sim, in
 			self->style->name);
 	state = pair->state;
 	if (type > state->ntypes)
-		return ts_fail(&sim->error, TS_RANGE, &self->where,
+		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "type"),
 			       "fix %s: type %d does not exist, create_box made %d",
 			       self->style->name, type, state->ntypes);
 	for (size_t i = 0; i < sim->particles->n; i++) {

@@ -1,5 +1,7 @@
 #include "particles/property.h"
 
+#include <string.h>
+
 #include "particles/particles.h"
 
 #include "base/banned.h"
@@ -27,6 +29,17 @@ bool ts_property_given(const struct tsim *sim, const char *name)
 	return ts_property_find(sim, name, NULL) != NULL || ts_material_given(sim, name);
 }
 
+/* One that is defined may be this one misspelt, but kn is not meant by kt, nor is a restitution by a friction. */
+static void try_misspelt(struct ts_suggest *suggest, const char *defined)
+{
+	struct ts_suggest strict = ts_suggest_start(suggest->word);
+	enum { SLIPS = 2, LONG = 8 };
+
+	ts_suggest_try(&strict, defined);
+	if (strlen(defined) >= LONG && strict.best && strict.distance <= SLIPS)
+		ts_suggest_try(suggest, defined);
+}
+
 static enum ts_status missing(struct tsim *sim, const char *name, const char *kind, const char *who,
 			      const struct ts_place *where)
 {
@@ -35,8 +48,8 @@ static enum ts_status missing(struct tsim *sim, const char *name, const char *ki
 
 	for (size_t k = 0; k < fixes->n; k++)
 		if (ts_streq(fixes->item[k]->style->name, "property/global"))
-			ts_suggest_try(&suggest,
-				       ((const struct ts_property *)fixes->item[k]->state)->name);
+			try_misspelt(&suggest,
+				     ((const struct ts_property *)fixes->item[k]->state)->name);
 	return ts_fail(&sim->error, TS_STATE, where,
 		       "%s needs `fix ID all property/global %s %s ...`%s%s", who, name, kind,
 		       sim->particles->materials.n ? ", or a line in the files of the materials" : "",

@@ -37,7 +37,8 @@ static void print_usage(void)
 	ts_crosscheck_help(&text);
 	ts_program_print(&text);
 	puts("\nmanual pages: tsim -help NAME for anything that has a name, tsim -help KIND for a "
-	     "list of its styles,\ntsim -help KIND STYLE for one of them. Kinds are");
+	     "list of its styles,\ntsim -help KIND STYLE for one of them, tsim -help \"some words\" for pages "
+	     "with them. Kinds are");
 	for (int kind = TS_KIND_COMMAND; kind < TS_NKIND; kind++)
 		printf("  %s\n", ts_kind_name((enum ts_kind)kind));
 	puts("and further pages");
@@ -47,18 +48,20 @@ static void print_usage(void)
 
 int ts_program_help(const struct ts_setup *setup)
 {
-	struct ts_str text = { 0 };
+	struct ts_str text = { 0 }, words = { 0 };
 	int status;
 
 	if (!setup->help_kind) {
 		print_usage();
 		return EXIT_SUCCESS;
 	}
-	if (setup->help_style ? ts_manual_find(setup->help_style, setup->help_kind, &text)
-			      : ts_manual_find(setup->help_kind, NULL, &text))
-		return ts_program_print(&text);
-	status = ts_usage_error("%s%s", ts_str_text(&text), "");
+	ts_str_addf(&words, setup->help_style ? "%s %s" : "%s", setup->help_kind, setup->help_style);
+	if (ts_manual_find(ts_str_text(&words), &text))
+		status = ts_program_print(&text);
+	else
+		status = ts_usage_error("%s%s", ts_str_text(&text), "");
 	ts_str_release(&text);
+	ts_str_release(&words);
 	return status;
 }
 

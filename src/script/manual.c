@@ -125,6 +125,22 @@ void ts_manual_index(struct ts_str *out)
 	}
 }
 
+/* "pair_style" is how scripts say the kind. */
+static bool find_kind(const char *word, enum ts_kind *kind)
+{
+	struct ts_str name = { 0 };
+	bool found;
+
+	if (ts_kind_find(word, kind))
+		return true;
+	if (!ts_ends_with(word, "_style"))
+		return false;
+	ts_str_add_n(&name, word, strlen(word) - strlen("_style"));
+	found = ts_kind_find(ts_str_text(&name), kind);
+	ts_str_release(&name);
+	return found;
+}
+
 /* One line for everything in the tables that is not a style. */
 static void find_words(const char *name, struct ts_str *out)
 {
@@ -153,20 +169,21 @@ static void find_words(const char *name, struct ts_str *out)
 				    name, w->remark);
 }
 
-/* Styles in whose name or summary the word stands. */
-static void find_similar(const char *name, bool summaries, struct ts_str *out)
+/* Styles in whose name the word stands, and further pages with it. */
+static void find_similar(const char *name, struct ts_str *out)
 {
 	for (const struct ts_style *const *s = ts_style_table; *s; s++)
-		if (strstr(summaries ? (*s)->summary : (*s)->name, name))
+		if (strstr((*s)->name, name))
 			ts_str_addf(out, "  %-8s %-20s %s\n", ts_kind_name((*s)->kind), (*s)->name,
 				    (*s)->summary);
+	ts_str_add(out, out->length ? "\n" : "");
+	ts_manual_search(name, out);
 }
 
-static void find_pages(const char *name, const char *of, struct ts_str *out)
+static void find_pages(const char *name, const enum ts_kind *of, struct ts_str *out)
 {
 	for (const struct ts_style *const *s = ts_style_table; *s; s++)
-		if ((!of || ts_streq(ts_kind_name((*s)->kind), of)) &&
-		    ts_style_find((*s)->kind, name) == *s) {
+		if ((!of || (*s)->kind == *of) && ts_style_find((*s)->kind, name) == *s) {
 			ts_str_add(out, out->length ? "\n\n" : "");
 			ts_help_page(*s, false, out);
 		}
@@ -187,33 +204,57 @@ static void suggest(const char *name, const char *of, struct ts_str *out)
 		    ts_suggest_text(&suggest));
 }
 
-bool ts_manual_find(const char *name, const char *of, struct ts_str *out)
+/* A style of a kind: its page, or why there is none. */
+static bool find_style(const char *name, enum ts_kind kind, struct ts_str *out)
+{
+	const struct ts_known *known = ts_known_find(kind, name);
+
+	find_pages(name, &kind, out);
+	if (!out->length && known)
+		ts_str_addf(out, "  %s %s of LIGGGHTS or LAMMPS: %s\n", ts_kind_name(kind), name,
+			    known->remark);
+	if (out->length)
+		return true;
+	suggest(name, ts_kind_name(kind), out);
+	return false;
+}
+
+static void find_word(const char *name, struct ts_str *out)
 {
 	enum ts_kind kind;
 
-	for (const struct ts_topic *t = ts_topics; !of && t->name; t++)
-		if (ts_streq(t->name, name)) {
-			t->page(false, out);
-			return true;
-		}
-	if (of && !ts_kind_find(of, &kind)) {
-		ts_str_addf(out, "there is no kind '%s'", of);
-		return false;
-	}
-	find_pages(name, of, out);
-	if (!of && ts_kind_find(name, &kind)) {
+	find_pages(name, NULL, out);
+	if (ts_kind_find(name, &kind)) {
 		ts_str_add(out, out->length ? "\n\n" : "");
 		ts_help_list(kind, false, out);
 		ts_str_addf(out, "\n'tsim -help %s NAME' shows the page of one of them\n", name);
 	}
-	if (!of)
-		find_words(name, out);
-	if (!out->length && !of)
-		find_similar(name, false, out);
-	if (!out->length && !of)
-		find_similar(name, true, out);
-	if (out->length)
+	find_words(name, out);
+	if (!out->length)
+		find_similar(name, out);
+}
+
+bool ts_manual_find(const char *words, struct ts_str *out)
+{
+	const char *blank = strchr(words, ' ');
+	struct ts_str first = { 0 };
+	enum ts_kind kind;
+	bool style;
+
+	for (const struct ts_topic *t = ts_topics; t->name; t++)
+		if (ts_streq(t->name, words)) {
+			t->page(false, out);
+			return true;
+		}
+	ts_str_add_n(&first, words, blank ? (size_t)(blank - words) : 0);
+	style = blank && find_kind(ts_str_text(&first), &kind) && !strchr(blank + 1, ' ');
+	ts_str_release(&first);
+	if (style)
+		return find_style(blank + 1, kind, out);
+	if (!blank)
+		find_word(words, out);
+	if (out->length || ts_manual_search(words, out))
 		return true;
-	suggest(name, of, out);
+	suggest(words, NULL, out);
 	return false;
 }

@@ -12,9 +12,12 @@ struct ts_topic {
 };
 extern const struct ts_topic ts_topics[]; /* closed by .name NULL */
 
-/* Whatever goes by the name: topic, kind, style, function, keyword ...; `of` narrows it down to the styles
- * of a kind and may be NULL. false: there is nothing, and out says so. */
-bool ts_manual_find(const char *name, const char *of, struct ts_str *out);
+/* Whatever goes by the name: topic, kind, style, function, keyword ...; "KIND NAME" is one style, the kind also as
+ * scripts say it ("pair_style gran"); else pages in whose text the words stand. false: there is nothing, and out
+ * says so. */
+bool ts_manual_find(const char *words, struct ts_str *out);
+/* Pages on which the words stand, in whatever case; false: there are none, or no memory. */
+bool ts_manual_search(const char *words, struct ts_str *out);
 /* The page that lists all others. */
 void ts_manual_index(struct ts_str *out);
 

@@ -134,4 +134,45 @@ done
 TSIM_POTENTIALS=$top_srcdir/potentials "$TSIM" -in "$top_srcdir/examples/materials/in.rebound" -log none >out 2>err
 [ "$(grep -c '^RESULT.* ok$' out)" = 2 ] && ! grep -q '^RESULT.* off$' out
 report 'the example judges itself ok' $? out
+# Where files are looked for: beside the script, in TSIM_POTENTIALS; what was not found says where.
+mkdir -p scripts shelf
+cp oak.material scripts/elm.material
+cp oak.material shelf/ash.material
+printf 'units si\n%s\nmaterial 1 file elm\nmaterial 2 file ash\nmaterial 3 file glass\nprint "is $(property(density,3)) 2500"\nmaterial 3 file nowhere' \
+	"$start" | sed '/^material [123] file [ob]/d' >scripts/in.where
+TSIM_POTENTIALS=shelf "$TSIM" -in scripts/in.where -log none >out 2>err </dev/null
+[ $? = 1 ] && grep -q '^is 2500 2500' out && grep -q "nowhere' nor with the ending .material" err &&
+	grep -q 'looked for here, scripts, shelf, potentials, .*/potentials' err
+report 'where materials are' $? err
+
+# A property that is missing is not one that is given, but a misspelt one.
+models='fix m1 all property/global youngsModulus peratomtype 5e6 5e6 5e6
+fix m2 all property/global poissonsRatio peratomtype 0.3 0.3 0.3
+fix m4 all property/global coefficientRollingFriction scalar 0.5
+pair_style gran model hertz tangential history
+pair_coeff * *
+run 0'
+begin='units si
+boundary f f f
+region b block -1 1 -1 1 -1 1 units box
+create_box 3 b
+create_atoms 1 single 0 0 0.5 units box
+set group all diameter 0.1 density 2000'
+rejects "$begin
+fix m3 all property/global coefficientFriction scalar 0.5
+$models" 'needs `fix ID all property/global coefficientRestitution peratomtypepair N ...`'
+! grep -q 'did you mean' err
+report 'no restitution by friction' $? err
+rejects "$begin
+fix m3 all property/global coefficentRestitution scalar 0.5
+$models" "did you mean 'coefficentRestitution'?"
+
+# The type of a wall that is too large: the place is that of the number.
+rejects "$begin
+fix m3 all property/global coefficientRestitution scalar 0.5
+fix m5 all property/global coefficientFriction scalar 0.5
+fix w all wall/gran model hertz tangential history primitive type 4 zplane 0
+$models" 'fix wall/gran: the wall is of type 4, but create_box made 3'
+grep -q '^in.script:[0-9]*:[5-7][0-9]: ' err
+report 'the type of the wall' $? err
 finish

@@ -36,7 +36,8 @@ const struct ts_command_style ts_command_material = {
 	.style = { .name = "material",
 		   .kind = TS_KIND_COMMAND,
 		   .summary = "reads the properties of a material from a file",
-		   .doc = "The file is looked for here, in the folder TSIM_POTENTIALS and among the installed "
+		   .doc = "The file is looked for here, beside the script, in the folder that the environment variable "
+			  "TSIM_POTENTIALS names, in potentials/ here and of the source tree, and among the installed "
 			  "potentials. Its lines are `NAME value unit` or, for a pair of materials, `NAME with "
 			  "OTHER value unit`, OTHER being the name of the other one's file; `#` starts a comment, "
 			  "and tells the source of the number. Units are of SI: 1 (none), Pa, J/m3, kg/m3, m/s, "

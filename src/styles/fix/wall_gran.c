@@ -82,6 +82,30 @@ static double distance(const struct ts_instance *self, const struct tsim *sim, s
 			    : ts_primitive_wall_distance(&w->primitive, sim, c->key[k][1], sim->particles->x[i]);
 }
 
+static enum ts_status check_type(struct tsim *sim, int64_t type, const struct ts_place *where)
+{
+	if (type <= sim->particles->ntypes || !sim->particles->ntypes)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_RANGE, where,
+		       "fix wall/gran: the wall is of type %lld, but create_box made %d", (long long)type,
+		       sim->particles->ntypes);
+}
+
+/* A number with which scripts often go wrong: told here, not where a property has too few values. */
+static enum ts_status check_types(struct ts_instance *self, struct tsim *sim)
+{
+	const struct wall *w = self->state;
+
+	if (w->wall.given) /* numbers, no material */
+		return TS_OK;
+	if (!w->mesh_word)
+		return check_type(sim, w->type, ts_instance_word(self, "type"));
+	for (size_t k = 0; k < w->mesh.nmeshes; k++)
+		TS_TRY(check_type(sim, w->mesh.mesh[k].surface->type,
+				  ts_instance_word(self, w->meshes.word[k].text)));
+	return TS_OK;
+}
+
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct wall *w = self->state;
@@ -89,6 +113,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(check_shape(self, sim));
 	TS_TRY(ts_wall_law_choose(self, sim, &w->law, &w->wall));
 	TS_TRY(w->mesh_word ? find_meshes(self, sim) : place_primitive(self, sim));
+	TS_TRY(check_types(self, sim));
 	w->wall.primitive = w->mesh_word ? NULL : &w->primitive;
 	w->wall.distance = distance;
 	w->wall.meshes = w->mesh_word ? (int)w->mesh.nmeshes : 0;
