@@ -78,7 +78,7 @@ cat <<'END'
 480 public LIGGGHTS scripts from 21 repositories were counted: which words they use, and how many scripts use each.
 Here is which of them tsim has. A word counts as known if it is a style or command, or stands on the manual page
 where it belongs. `refused` words are met with the reason: they belong to methods that tsim does not have (smoothed
-particles, other shapes, coupling to other programs). "By use" weighs each word by the scripts that use it. Made by
+particles, other shapes, reactions). "By use" weighs each word by the scripts that use it. Made by
 `doc/words.sh`.
 
 | kind | words | known | refused | lacking | known, by use |

@@ -771,6 +771,7 @@ library_sources = \
 	src/styles/fix/buoyancy.c \
 	src/styles/fix/check_timestep_gran.c \
 	src/styles/fix/controller.c \
+	src/styles/fix/couple_cfd.c \
 	src/styles/fix/deform.c \
 	src/styles/fix/drag.c \
 	src/styles/fix/drag_beetstra.c \

@@ -53,6 +53,7 @@ shell_tests = \
 	tests/decks/commands.sh \
 	tests/decks/computes.sh \
 	tests/decks/contact_computes.sh \
+	tests/decks/couple_cfd.sh \
 	tests/decks/data_words.sh \
 	tests/decks/dump_words.sh \
 	tests/decks/dumps.sh \

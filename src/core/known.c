@@ -6,7 +6,9 @@
 
 #define MOLECULAR "force fields of molecules are beyond grains"
 #define SPH "smoothed-particle hydrodynamics is not built; the fluid is solved on a grid (flow_style)"
-#define COUPLING "there is no other program to couple to: the fluid is solved by tsim (flow_style)"
+#define COUPLING                                                                                   \
+	"of the exchange with other programs there are couple/cfd, couple/cfd/force, /force/implicit and "  \
+	"/convection; a fluid is also solved by tsim (flow_style)"
 #define SHAPES "grains are spheres; other shapes are made of bonded spheres (bond_style)"
 #define CHEMISTRY "chemical reactions are not built"
 #define BONDS                                                                                      \

@@ -20,8 +20,14 @@ static const struct layout layouts[] = {
 	{ "bpm/sphere", "imtdrx", "mdr" },
 };
 
+/* granular/omp is granular, as styles are. */
 static const struct layout *find(const char *style, size_t n)
 {
+	static const char omp[] = "/omp";
+	size_t ending = strlen(omp);
+
+	if (n > ending && strncmp(style + n - ending, omp, ending) == 0)
+		n -= ending;
 	for (size_t k = 0; k < sizeof layouts / sizeof *layouts; k++)
 		if (strlen(layouts[k].style) == n && strncmp(layouts[k].style, style, n) == 0)
 			return &layouts[k];

@@ -289,6 +289,7 @@ static enum ts_status count_gone(struct tsim *sim, double *out)
 static const struct ts_keyword keywords[] = {
 	{ "bonds", "Bonds", "", "bonds that hold", 1, count_bonds },
 	{ "numbonds", "numbonds", "", "bonds that hold", 1, count_bonds },
+	{ "numbond", "numbond", "", "the same", 1, count_bonds },
 	{ "brokenbonds", "Broken", "", "bonds broken so far", 1, count_broken },
 	{ "gonebonds", "GoneBond", "", "unbroken bonds that left with a lost particle", 1, count_gone },
 	{ .name = NULL },

@@ -116,6 +116,30 @@ static double process(const struct tsim *sim, size_t i)
 	return 0;
 }
 
+/* Of a sphere, or in two dimensions of a disc. */
+static double angular(const struct tsim *sim, size_t i, int k)
+{
+	const struct ts_particles *p = sim->particles;
+	double part = sim->dimension == 2 ? 0.5 : 0.4;
+
+	return p->omega ? part * p->mass[i] * p->radius[i] * p->radius[i] * p->omega[i][k] : 0;
+}
+
+static double angular_x(const struct tsim *sim, size_t i)
+{
+	return angular(sim, i, 0);
+}
+
+static double angular_y(const struct tsim *sim, size_t i)
+{
+	return angular(sim, i, 1);
+}
+
+static double angular_z(const struct tsim *sim, size_t i)
+{
+	return angular(sim, i, 2);
+}
+
 static const struct quantity quantities[] = {
 	{ { "id", "", "identity, from 1" }, id },
 	{ { "type", "", "type, from 1" }, type },
@@ -152,6 +176,10 @@ static const struct quantity quantities[] = {
 	{ { "iy", "", "how often it has crossed the periodic box" }, image_y },
 	{ { "iz", "", "how often it has crossed the periodic box" }, image_z },
 	{ { "proc", "", "number of the process: 0" }, process },
+	{ { "thread", "", "number of the thread: 0, results do not depend on it" }, process },
+	{ { "angmomx", "mass*length^2/time", "angular momentum about its centre" }, angular_x },
+	{ { "angmomy", "mass*length^2/time", "angular momentum about its centre" }, angular_y },
+	{ { "angmomz", "mass*length^2/time", "angular momentum about its centre" }, angular_z },
 };
 enum { NQUANTITIES = sizeof quantities / sizeof *quantities };
 

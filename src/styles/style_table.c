@@ -189,6 +189,10 @@ TS_STYLE(fix, ts_style, ts_fix_bond_breakage)
 TS_STYLE(fix, ts_style, ts_fix_buoyancy)
 TS_STYLE(fix, ts_style, ts_fix_check_timestep_gran)
 TS_STYLE(fix, ts_style, ts_fix_controller)
+TS_STYLE(fix, ts_style, ts_fix_couple_cfd)
+TS_STYLE(fix, ts_style, ts_fix_couple_cfd_convection)
+TS_STYLE(fix, ts_style, ts_fix_couple_cfd_force)
+TS_STYLE(fix, ts_style, ts_fix_couple_cfd_force_implicit)
 TS_STYLE(fix, ts_style, ts_fix_deform)
 TS_STYLE(fix, ts_style, ts_fix_drag)
 TS_STYLE(fix, ts_drag_style, ts_fix_drag_beetstra)
@@ -465,6 +469,10 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_buoyancy,
 	&ts_fix_check_timestep_gran,
 	&ts_fix_controller,
+	&ts_fix_couple_cfd,
+	&ts_fix_couple_cfd_convection,
+	&ts_fix_couple_cfd_force,
+	&ts_fix_couple_cfd_force_implicit,
 	&ts_fix_deform,
 	&ts_fix_drag,
 	&ts_fix_drag_beetstra.style,

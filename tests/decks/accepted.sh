@@ -48,6 +48,18 @@ print \"sum \$(c_sum)\"" 'sum 0.5'
 rejects "$box
 compute sum all reduce update_on_run_end maybe sum vx" 'update_on_run_end takes yes or no'
 
+prints "atom_style hybrid granular/omp bond/gran n_bondtypes 1 bonds_per_atom 6
+$box
+velocity all set 0 0 0
+set atom 1 omegaz 3
+thermo_style custom step numbond
+dump a all custom 1 columns.dump thread angmomz
+run 0
+print \"bonds \$(numbond)\"" 'bonds 0'
+[ "$(tail -n 2 columns.dump)" = "0 0.00392699 
+0 0 " ]
+report 'angular momentum' $? columns.dump
+
 # The limit of a region is one of insertion into it.
 insert="$box
 fix t all particletemplate/sphere 15485863 atom_type 1 density constant 2500 radius constant 0.01

@@ -36,7 +36,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 static const struct ts_arg args[] = {
 	TS_REST("style", struct state, words,
 		.help = "sphere, granular, bond, bond/gran, bpm/sphere, molecular, atomic, or hybrid and "
-			"several of them, with their settings"),
+			"several of them, with their settings; granular/omp is granular"),
 	TS_ARGS_END,
 };
 
