@@ -121,17 +121,6 @@ static enum ts_status open_stream(struct ts_textfile *file, const struct tsim *s
 	return TS_OK;
 }
 
-enum ts_status ts_write_failed(struct ts_error *err, const struct ts_place *where, const char *path)
-{
-	int code = errno;
-	char folder[256];
-
-	if (ts_mkdirs_blocked(path, folder, sizeof folder))
-		return ts_fail(err, TS_IO, where, "cannot write '%s': '%s' is no folder that one can be made in",
-			       path, folder);
-	return ts_fail(err, TS_IO, where, "cannot write '%s': %s", path, strerror(code));
-}
-
 enum ts_status ts_textfile_open(struct ts_textfile *file, struct tsim *sim,
 				const struct ts_place *where, const char *path, bool append)
 {

@@ -47,12 +47,16 @@ static void look_at_row(const struct tsim *sim, const struct ts_pair *pair, size
 	const struct ts_particles *p = sim->particles;
 	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
 	const struct ts_granular_model *model = ts_pair_model(pair, p->type[i], p->type[j]);
+	struct ts_granular_model at_rest = *model; /* -check may have no column of omega: its line failed */
 	struct ts_touch t;
 
 	if (settled(p, i, j) || !ts_contact_counts(sim, r, 0) ||
 	    ts_bonds_has(sim->bonds, p->tag[i], p->tag[j]))
 		return;
-	ts_row_touch(p, i, j, model, &t);
+	at_rest.tangential = TS_TANGENTIAL_OFF;
+	at_rest.rolling = TS_ROLLING_OFF;
+	at_rest.twisting = TS_TWISTING_OFF;
+	ts_row_touch(p, i, j, &at_rest, &t);
 	if (!(t.overlap > ts_review_depth * fmin(t.radius[0], t.radius[1])))
 		return;
 	ts_review_add(o, model, ts_pair_law(pair, p->type[i], p->type[j]), &t);

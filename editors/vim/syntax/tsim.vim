@@ -80,12 +80,12 @@ syn keyword tsimKeyword  title1 title2 title3 auto upper lower auto/upper auto/l
 syn keyword tsimKeyword  prefactor nevery cell_size_relative parallel basevolume_region
 syn keyword tsimKeyword  scalar kind global beyond end extra level dim vmax
 syn match tsimKeyword /\<legacy\>/ 
-syn keyword tsimKeyword  final delta erate trate volume wiggle xy xz yz v flip axes xyz
-syn keyword tsimKeyword  scheme explicit exact implicit lagged cell void C1 C2 wob spring
-syn keyword tsimKeyword  body clearance tolerance summary conductivity capacity initial
-syn keyword tsimKeyword  source convection vanleer central donor exchange ranz_marshall
-syn keyword tsimKeyword  chute spherical hard soft continue message path
-syn keyword tsimKeyword  initial_temperature contact_area area_correction
+syn keyword tsimKeyword  couple_every mpi T0 CrankNicolson final delta erate trate volume
+syn keyword tsimKeyword  wiggle xy xz yz v flip axes xyz scheme explicit exact implicit
+syn keyword tsimKeyword  lagged cell void C1 C2 wob spring body clearance tolerance summary
+syn keyword tsimKeyword  conductivity capacity initial source convection vanleer central
+syn keyword tsimKeyword  donor exchange ranz_marshall chute spherical hard soft continue
+syn keyword tsimKeyword  message path initial_temperature contact_area area_correction
 syn keyword tsimKeyword  store_contact_data euler centre iterations min_cells relax
 syn keyword tsimKeyword  virtual_mass spheres seed distributiontemplate maxattempt
 syn keyword tsimKeyword  overlapcheck all_in random_distribute uncorrelated orientation
@@ -134,16 +134,16 @@ syn keyword tsimKeyword  direct multigrid relaxation side in out open center bou
 syn keyword tsimName  id type radius diameter
 syn match tsimName /\<mass\>/ 
 syn keyword tsimName  density mol x y z vx vy vz fx fy fz omegax omegay omegaz tqx tqy
-syn keyword tsimName  tqz xu yu zu xs ys zs xsu ysu zsu ix iy iz proc press pxx pyy pzz
-syn keyword tsimName  pxy pxz pyz nbuild ndanger bonds numbonds brokenbonds gonebonds
-syn keyword tsimName  flow_ke flow_div flow_cfl flow_iter flow_res flow_dt flow_time
-syn keyword tsimName  flow_steps step elapsed elaplong part time dt cpu tpcpu spcpu
-syn keyword tsimName  cpuremain timeremain cu atoms ke erotate pe etotal epair evdwl
-syn keyword tsimName  emol ebond enthalpy ecouple econserve ecoul elong etail eangle
-syn keyword tsimName  edihed eimp angles dihedrals impropers temp fmax fnorm vol lx ly
-syn keyword tsimName  lz xlo xhi ylo yhi zlo zhi xy xz yz xlat ylat zlat cella cellb
-syn keyword tsimName  cellc cellalpha cellbeta cellgamma stable_fraction PI yes no true
-syn keyword tsimName  false on off
+syn keyword tsimName  tqz xu yu zu xs ys zs xsu ysu zsu ix iy iz proc thread angmomx
+syn keyword tsimName  angmomy angmomz press pxx pyy pzz pxy pxz pyz nbuild ndanger bonds
+syn keyword tsimName  numbonds numbond brokenbonds gonebonds flow_ke flow_div flow_cfl
+syn keyword tsimName  flow_iter flow_res flow_dt flow_time flow_steps step elapsed
+syn keyword tsimName  elaplong part time dt cpu tpcpu spcpu cpuremain timeremain cu
+syn keyword tsimName  atoms ke erotate pe etotal epair evdwl emol ebond enthalpy ecouple
+syn keyword tsimName  econserve ecoul elong etail eangle edihed eimp angles dihedrals
+syn keyword tsimName  impropers temp fmax fnorm vol lx ly lz xlo xhi ylo yhi zlo zhi xy
+syn keyword tsimName  xz yz xlat ylat zlat cella cellb cellc cellalpha cellbeta
+syn keyword tsimName  cellgamma stable_fraction PI yes no true false on off
 
 syn match tsimFunction /\<\%(sqrt\|exp\|ln\|log\|abs\|sign\|sin\|cos\|tan\|asin\|acos\|atan\|atan2\|ceil\|floor\|round\|ternary\|random\|normal\|ramp\|vdisplace\|swiggle\|cwiggle\|stagger\|logfreq\|logfreq2\|logfreq3\|stride\|stride2\|sum\|ave\|min\|max\|trap\|slope\|stderr\|sort\|rsort\|next\|is_file\|is_os\|is_defined\|is_active\|is_available\|extract_setting\|volume\|count\|mass\|ke\|gyration\|xcm\|vcm\|fcm\|angmom\|torque\|inertia\|omega\|bound\|property\|gmask\|rmask\|grmask\)\ze(/
 
@@ -156,8 +156,9 @@ syn keyword tsim_fix contained adapt added_mass addforce ave/atom ave/chunk ave/
 syn keyword tsim_fix contained ave/euler ave/histo ave/histo/weight ave/period ave/spatial
 syn keyword tsim_fix contained ave/time aveforce
 syn match tsim_fix /\<balance\>/ contained
-syn keyword tsim_fix contained bond/breakage buoyancy check/timestep/gran controller deform drag
-syn keyword tsim_fix contained drag/beetstra drag/di_felice drag/ergun drag/gidaspow
+syn keyword tsim_fix contained bond/breakage buoyancy check/timestep/gran controller couple/cfd
+syn keyword tsim_fix contained couple/cfd/convection couple/cfd/force couple/cfd/force/implicit
+syn keyword tsim_fix contained deform drag drag/beetstra drag/di_felice drag/ergun drag/gidaspow
 syn keyword tsim_fix contained drag/koch_hill drag/schiller_naumann drag/stokes drag/wen_yu
 syn keyword tsim_fix contained drill/bit energy/ledger enforce2d evaporate flow/pressure_gradient
 syn keyword tsim_fix contained flow/scalar freeze gravity halt heat/gran heat/gran/conduction
