@@ -47,7 +47,7 @@ unused "in.a:12: warning: compute 'q' is never used"
 unused "in.a:14: warning: variable 'y' is never used"
 [ "$(grep -c 'never used' out)" = 4 ]
 report 'no other name' $? out
-grep -qx '# region block: xlo 0 xhi 1 ylo 0 yhi 1 zlo 0 zhi 1 units box; by default: side in' log.a
+grep -qx '# region block: xlo 0 xhi 1 ylo 0 yhi 1 zlo 0 zhi 1 units box; by default: side in volume_limit 0' log.a
 report 'defaults of a region' $? log.a
 [ "$(grep -c '^# settings:' log.a)" = 2 ]
 report 'settings only where they have changed' $? log.a

@@ -97,7 +97,7 @@ soon 'a placement that cannot end' 'stopped on request: .* placed, none is made'
 units si
 region b block 0 1 0 1 0 1 units box
 create_box 1 b
-create_atoms 1 random 1000000000 17 b overlap 0.4 maxtry 1000000000
+create_atoms 1 random 1000000 17 b overlap 0.4 maxtry 1000000000
 END
 {
 	echo 'variable a0 equal random(0,1,17)'

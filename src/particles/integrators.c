@@ -1,5 +1,6 @@
 #include "particles/integrators.h"
 
+#include "core/review.h"
 #include "particles/particles.h"
 #include "particles/rigid.h"
 
@@ -40,12 +41,15 @@ static enum ts_status refuse_two(struct tsim *sim, size_t i, const struct ts_ins
 		       first->style->name, first->where.line);
 }
 
-static enum ts_status refuse_member(struct tsim *sim, size_t i, const struct ts_instance *fix)
+/* The body places its members anew in each step, so nothing adds up; but what the fix adds within the step is seen by
+ * contacts and outputs. LIGGGHTS and LAMMPS do the same, and scripts with clumps and single particles rely on it. */
+static enum ts_status tell_member(struct tsim *sim, size_t i, const struct ts_instance *fix)
 {
-	return ts_fail(&sim->error, TS_STATE, &fix->where,
-		       "fix %s (%s) moves particle %d, which belongs to a rigid body and moves with that: it would be "
-		       "moved twice in each step; give the fix a group without the members of rigid bodies",
-		       fix->id, fix->style->name, sim->particles->tag[i]);
+	return ts_review_find(sim, "members", &fix->where,
+			      "fix %s (%s) moves particle %d, which belongs to a rigid body and moves with that: within a "
+			      "step it is moved twice, by one step more than the body; give the fix a group without the "
+			      "members of rigid bodies",
+			      fix->id, fix->style->name, sim->particles->tag[i]);
 }
 
 static enum ts_status check_one(struct tsim *sim, size_t i)
@@ -56,7 +60,7 @@ static enum ts_status check_one(struct tsim *sim, size_t i)
 
 	if (second)
 		return refuse_two(sim, i, first, second);
-	return first && ts_rigid_member(sim->particles, i) ? refuse_member(sim, i, first) : TS_OK;
+	return first && ts_rigid_member(sim->particles, i) ? tell_member(sim, i, first) : TS_OK;
 }
 
 /* More than one bit of it. */

@@ -17,6 +17,7 @@ const struct ts_review_check ts_review_table[] = {
 	{ "floor", "gravity towards a fixed face, and nothing that stops what falls",
 	  ts_review_floor },
 	{ "mesh_size", "meshes that are smaller than the particles", ts_review_mesh_size },
+	{ "members", "integrators that move members of rigid bodies, too", NULL },
 	{ "mesh_leaves", "meshes that will leave the box in the run", NULL },
 	{ "servo", "a servo that goes to and fro with its largest speed", NULL },
 	{ .name = NULL },

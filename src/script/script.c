@@ -115,9 +115,12 @@ static enum ts_status host_reads_commands(void *host, struct ts_words commands)
 
 	for (size_t k = 0; k < commands.n && status == TS_OK; k++) {
 		const struct ts_word *word = &commands.word[k];
-		struct ts_dry before = ts_dry_begin(script);
+		struct ts_dry before;
 		struct ts_str text = { 0 };
 
+		if (ts_streq(word->text, "NULL")) /* no command */
+			continue;
+		before = ts_dry_begin(script);
 		status = ts_substitute_text(script, word->text, &word->place, &text);
 		ts_str_release(&text);
 		if (status != TS_OK && comes_later(&script->sim->error, commands)) {

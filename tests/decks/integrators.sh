@@ -1,5 +1,6 @@
 #!/bin/bash
-# No particle is moved by two fixes, nor by a fix and with its rigid body: the run is refused, whatever the order.
+# No particle is moved by two fixes: the run is refused, whatever the order. By a fix and with its rigid body: a
+# finding of the review, for LIGGGHTS and LAMMPS run it, too.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
 
@@ -42,10 +43,16 @@ fix b two ${second//|/ }"
 done
 twice 'fix a two nve
 fix b all nve/sphere' 'moves particle 2 (type 2), which fix a (nve, line 14)'
-twice 'fix a all rigid single
+twice 'review error
+fix a all rigid single
 fix b all nve/sphere' 'fix b (nve/sphere) moves particle 1, which belongs to a rigid body'
-twice 'fix b two nve
+twice 'review error
+fix b two nve
 fix a all rigid single' 'fix b (nve) moves particle 2, which belongs to a rigid body'
+once 'fix a all rigid single
+fix b all nve/sphere'
+grep -q 'review: members' out
+report 'told by default' $? out
 once 'fix a one rigid single
 fix b two nve'
 once 'fix a all nve
@@ -68,7 +75,8 @@ region in block 0.1 0.9 0.1 0.9 0.5 0.9 units box
 fix ins clumps insert/pack seed 32452843 distributiontemplate d maxattempt 100 insert_every once overlapcheck yes all_in yes particles_in_region 3 region in
 fix ms all multisphere' >in.start
 { cat in.start; echo 'fix a all nve/sphere'; echo 'run 10'; } >in.script
-refused 'clumps that come in the run' 'which belongs to a rigid body' -in in.script
+"$TSIM" -in in.script -log run.log -screen none >out 2>&1 </dev/null && [ "$(grep -c 'review: members' run.log)" = 1 ]
+report 'clumps that come in the run: told once' $? out
 { cat in.start; echo 'group singles id 1 2'; echo 'fix a singles nve/sphere'; echo 'run 10'; } >in.script
 "$TSIM" -in in.script -log none -screen none >out 2>&1 </dev/null
 report 'clumps and single particles' $? out

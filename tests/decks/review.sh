@@ -309,6 +309,15 @@ printf '%s\n' "$servo vel_max 1 kp 0.1" 'fix press all wall/gran mesh n_meshes 1
 "$TSIM" -in in.script -log run.log -screen none >out 2>&1 </dev/null && ! grep '(review: ' run.log >told
 report 'one that does not' $? told
 
+# ---- members of rigid bodies: more of it in integrators.sh ----
+printf '%s\n' "$start" 'create_atoms 1 single 0.3 0.5 0.3 units box' 'set group all diameter 0.1 density 1000' "$law" \
+	'fix body all rigid single' 'fix move all nve/sphere' 'timestep 1e-5' 'run 10' >in.script
+"$TSIM" -in in.script -log run.log -screen none >out 2>&1 </dev/null
+grep '(review: ' run.log >told
+[ "$(grep -c . told)" = 1 ] && grep -qE 'fix move .nve/sphere. moves particle 1, which belongs to a rigid body.*review: members' told
+report 'members of rigid bodies' $? run.log
+echo members >>provoked
+
 # ---- the command ----
 rejects "$start
 review off overlpa" "there is no check 'overlpa'; did you mean 'overlap'?"
