@@ -39,8 +39,7 @@ static void expect_success(char *script)
 
 START_TEST(deep_formulas)
 {
-	static const char *const openings[] = { "(", "-", "!", "sqrt(", "1+(", "2^(-", "min([",
-						"ternary(1,", "x[", "1 == (" };
+	static const char *const openings[] = { "(", "sqrt(", "1+(", "2^(-", "min([", "ternary(1,", "x[", "1 == (" };
 
 	for (size_t k = 0; k < sizeof openings / sizeof *openings; k++)
 		expect_failure(repeated("variable a equal '", openings[k], DEEP, "1'\nprint ${a}\n"),
@@ -48,7 +47,11 @@ START_TEST(deep_formulas)
 	for (size_t k = 0; k < sizeof openings / sizeof *openings; k++)
 		expect_failure(repeated("if '", openings[k], DEEP, "1' then 'print x'\n"),
 			       "nested too deeply");
-	/* what is long but not deep is no matter */
+	/* what is long but not deep is no matter; signs are not deep */
+	expect_success(repeated("variable s equal '", "-", 2 * DEEP, "2'\n"));
+	expect_value("v_s", 2);
+	expect_success(repeated("variable s equal '", "!", 2 * DEEP, "2'\n"));
+	expect_value("v_s", 1);
 	expect_success(repeated("variable b equal '1", "+1*1-1^2", 100 * DEEP, "'\n"));
 	expect_value("v_b", 1);
 	expect_success(repeated("variable c equal '", "(1)+", 10 * DEEP, "1'\n"));

@@ -14,7 +14,7 @@
 /* MOST_HELD: no more is kept for one piece. MEMBER: text after which a .gz file begins a new member. */
 enum { MOST_HELD = 1 << 24, MEMBER = 1 << 20, LARGEST_PART = 1 << 30, ROOM = 1 << 16 };
 
-/* Folders of files that are written are made on the way: here is one to be read. */
+/* Folders of files that are written are made on the way: here is one to be read. A closed door says itself why. */
 enum ts_status ts_open_failed(struct ts_error *err, struct ts_files *files, const struct ts_place *where,
 			      const char *path)
 {
@@ -26,7 +26,7 @@ enum ts_status ts_open_failed(struct ts_error *err, struct ts_files *files, cons
 	if (slash && slash > path && (size_t)(slash - path) < sizeof folder)
 		memcpy(folder, path, (size_t)(slash - path));
 	errno = code;
-	if (code == ENOENT && folder[0] && ts_files_look(files, folder, &info) != 0)
+	if (code == ENOENT && folder[0] && !(files && files->closed) && ts_files_look(files, folder, &info) != 0)
 		return ts_fail(err, TS_IO, where, "cannot open '%s': there is no folder '%s'", path, folder);
 	errno = code;
 	return ts_fail(err, TS_IO, where, "cannot open '%s': %s", path, ts_files_why(files));
@@ -38,7 +38,7 @@ enum ts_status ts_write_failed(struct ts_error *err, struct ts_files *files, con
 	int code = errno;
 	char folder[256];
 
-	if (ts_mkdirs_blocked(files, path, folder, sizeof folder))
+	if (!(files && files->closed) && ts_mkdirs_blocked(files, path, folder, sizeof folder))
 		return ts_fail(err, TS_IO, where, "cannot write '%s': '%s' is no folder that one can be made in",
 			       path, folder);
 	errno = code;
