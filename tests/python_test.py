@@ -95,7 +95,7 @@ class Scripts(Case):
         with tsim.Simulation(threads=2) as sim:
             self.assertEqual(sim.setting("threads"), 2)
         self.assertRaises(tsim.TsimError, tsim.Simulation, threads=5000)
-        self.assertRaises(tsim.TsimError, tsim.Simulation, log="/nowhere/log")
+        self.assertRaises(tsim.TsimError, tsim.Simulation, log="/dev/null/log")
 
     def test_quit(self):
         self.assertIsNone(self.sim.quit_status)
