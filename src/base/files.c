@@ -21,7 +21,7 @@ struct ts_files_own {
 	ino_t number;
 };
 
-static bool is_closed(const struct ts_files *files)
+bool ts_files_closed(const struct ts_files *files)
 {
 	return files && files->closed;
 }
@@ -133,9 +133,9 @@ static int refuse(struct ts_files *files, const char *reason)
 
 const char *ts_files_why(const struct ts_files *files)
 {
-	if (is_closed(files) && errno == EDQUOT)
+	if (ts_files_closed(files) && errno == EDQUOT)
 		return "the script has written all that -sandbox allows (-sandbox disk)";
-	return is_closed(files) && errno == EACCES && files->why[0] ? files->why : strerror(errno);
+	return ts_files_closed(files) && errno == EACCES && files->why[0] ? files->why : strerror(errno);
 }
 
 static int refuse_place(struct ts_files *files, bool writes)
@@ -390,7 +390,7 @@ FILE *ts_files_open(struct ts_files *files, const char *path, const char *mode)
 	FILE *file;
 	int descriptor;
 
-	if (!is_closed(files))
+	if (!ts_files_closed(files))
 		return fopen(path, mode);
 	if (mode[0] != 'r' && ts_streq(path, "/dev/null"))
 		return ts_files_nowhere();
@@ -410,7 +410,7 @@ void *ts_files_open_gz(struct ts_files *files, const char *path)
 	gzFile file;
 	int descriptor;
 
-	if (!is_closed(files))
+	if (!ts_files_closed(files))
 		return gzopen(path, "rb");
 	descriptor = open_within(files, path, "r");
 	if (descriptor < 0)
@@ -432,7 +432,7 @@ void *ts_files_list(struct ts_files *files, const char *folder)
 	DIR *list = NULL;
 	int descriptor;
 
-	if (!is_closed(files))
+	if (!ts_files_closed(files))
 		return opendir(folder);
 	descriptor = enter(files, folder, true, WAY_SEE, &e);
 	if (descriptor == 0)
@@ -450,7 +450,7 @@ int ts_files_look(struct ts_files *files, const char *path, struct stat *out)
 	struct entry e;
 	int result;
 
-	if (!is_closed(files))
+	if (!ts_files_closed(files))
 		return stat(path, out);
 	result = enter(files, path, true, WAY_SEE, &e);
 	if (result == 0)
@@ -460,7 +460,7 @@ int ts_files_look(struct ts_files *files, const char *path, struct stat *out)
 
 bool ts_files_may_make_in(const struct ts_files *files, const char *folder)
 {
-	return (files && files->closed) || access(folder, W_OK | X_OK) == 0;
+	return ts_files_closed(files) || access(folder, W_OK | X_OK) == 0;
 }
 
 int ts_files_make_folder(struct ts_files *files, const char *path)
@@ -468,7 +468,7 @@ int ts_files_make_folder(struct ts_files *files, const char *path)
 	struct entry e;
 	int result;
 
-	if (!is_closed(files))
+	if (!ts_files_closed(files))
 		return mkdir(path, 0777);
 	result = enter(files, path, false, WAY_WRITE, &e);
 	if (result == 0)
@@ -490,12 +490,12 @@ static int take_away(struct ts_files *files, const char *path, int flags)
 
 int ts_files_remove(struct ts_files *files, const char *path)
 {
-	return is_closed(files) ? take_away(files, path, 0) : unlink(path);
+	return ts_files_closed(files) ? take_away(files, path, 0) : unlink(path);
 }
 
 int ts_files_remove_folder(struct ts_files *files, const char *path)
 {
-	return is_closed(files) ? take_away(files, path, AT_REMOVEDIR) : rmdir(path);
+	return ts_files_closed(files) ? take_away(files, path, AT_REMOVEDIR) : rmdir(path);
 }
 
 int ts_files_move(struct ts_files *files, const char *from, const char *to)
@@ -503,7 +503,7 @@ int ts_files_move(struct ts_files *files, const char *from, const char *to)
 	struct entry old, new;
 	int result;
 
-	if (!is_closed(files))
+	if (!ts_files_closed(files))
 		return rename(from, to);
 	result = enter(files, from, false, WAY_WRITE, &old);
 	if (result != 0)
@@ -520,7 +520,7 @@ int ts_files_enter(struct ts_files *files, const char *folder)
 	struct entry e;
 	int result, at = -1;
 
-	if (!is_closed(files))
+	if (!ts_files_closed(files))
 		return chdir(folder);
 	result = enter(files, folder, true, WAY_SEE, &e);
 	if (result == 0)
@@ -538,7 +538,7 @@ int ts_files_sync(struct ts_files *files, const char *path, FILE *file)
 {
 	int descriptor, result;
 
-	if (!is_closed(files))
+	if (!ts_files_closed(files))
 		return fsync(fileno(file));
 	descriptor = open_within(files, path, "r");
 	result = descriptor < 0 ? -1 : fsync(descriptor);
@@ -562,7 +562,7 @@ double ts_files_free_space(struct ts_files *files, const char *path)
 	struct stat info;
 	struct statvfs fs;
 
-	if ((is_closed(files) && ts_files_look(files, path, &info) != 0) || statvfs(path, &fs) != 0)
+	if ((ts_files_closed(files) && ts_files_look(files, path, &info) != 0) || statvfs(path, &fs) != 0)
 		return -1;
 	return (double)fs.f_frsize * (double)fs.f_bavail;
 }

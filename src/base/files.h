@@ -36,6 +36,7 @@ struct ts_files {
 /* Lets a closed door open this folder; -1 and errno where there is no such folder. */
 int ts_files_admit(struct ts_files *files, const char *folder, bool writes);
 void ts_files_close(struct ts_files *files, int64_t most_bytes);
+bool ts_files_closed(const struct ts_files *files);
 void ts_files_release(struct ts_files *files);
 
 /* The reason of the last failure, from errno and the door. */

@@ -22,7 +22,7 @@ int ts_mkdirs(struct ts_files *files, const char *path)
 	for (const char *c = path; *c && result == 0; c++) {
 		if (*c == '/' && c > path)
 			result = make_one(files, ts_str_text(&part));
-		if (result != 0 && errno == EACCES && files && files->closed)
+		if (result != 0 && errno == EACCES && ts_files_closed(files))
 			result = 0; /* what leads to a folder that may be used need not be one */
 		ts_str_add_n(&part, c, 1);
 	}
@@ -66,7 +66,7 @@ bool ts_mkdirs_blocked(struct ts_files *files, const char *file, char *by, size_
 		by[n ? n : 1] = '\0';
 		if (ts_files_look(files, by, &info) == 0)
 			return !S_ISDIR(info.st_mode) || !ts_files_may_make_in(files, by);
-		if (files && files->closed) /* what leads to a folder that may be used need not be one */
+		if (ts_files_closed(files)) /* what leads to a folder that may be used need not be one */
 			return false;
 		if (!n || n == 1)
 			return true;

@@ -29,13 +29,6 @@ bool ts_review_set(struct ts_review *review, const char *name, enum ts_review_an
 	return true;
 }
 
-bool ts_review_wants(const struct tsim *sim, const char *name)
-{
-	int k = number_of(name);
-
-	return k >= 0 && sim->review.answer[k] != TS_REVIEW_OFF;
-}
-
 void ts_review_release(struct ts_review *review)
 {
 	ts_free(review->told);

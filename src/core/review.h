@@ -41,8 +41,6 @@ struct ts_review {
 enum ts_status ts_review_scene(struct tsim *sim, int64_t steps);
 /* Sets the answer of the check of that name, NULL: of all; false: there is none of that name. */
 bool ts_review_set(struct ts_review *review, const char *name, enum ts_review_answer answer);
-/* Whether the check is made. */
-bool ts_review_wants(const struct tsim *sim, const char *name);
 void ts_review_release(struct ts_review *review);
 
 /* A finding: a number, where, and what to do. Of the same check at the same place it is told once;

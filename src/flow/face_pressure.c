@@ -11,6 +11,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "flow/measure.h"
 #include "flow/projection.h"
 
 #include "base/banned.h"
@@ -371,21 +372,21 @@ enum ts_status ts_projection_check_pressure(struct ts_instance *self, struct tsi
 			continue;
 		if (a >= 0 && condition->hydrostatic == TS_FLOW_PRESSURE_UNSAID && !formula)
 			return ts_fail(&sim->error, TS_STATE, &condition->where,
-				       "flow_boundary %c%s: the body_force of flow_style acts "
+				       "flow_boundary %s: the body_force of flow_style acts "
 				       "along this face, along "
 				       "%c, and the pressure is the same all over it: that would "
 				       "drive a jet through it; "
 				       "give it `hydrostatic yes`, with which a fluid at rest "
 				       "stays at rest, or "
 				       "`hydrostatic no` where nothing weighs outside",
-				       "xyz"[face / 2], face % 2 ? "hi" : "lo", "xyz"[a]);
+				       ts_flow_side_names[face], "xyz"[a]);
 		if (p->level.variable || p->level.value != 0)
 			return ts_fail(
 				&sim->error, TS_STATE, ts_instance_word(self, "pressure_level"),
 				"flow_style projection: pressure_level is for a fluid without open "
 				"faces; here "
-				"flow_boundary %c%s gives the pressure: use `pressure P` there",
-				"xyz"[face / 2], face % 2 ? "hi" : "lo");
+				"flow_boundary %s gives the pressure: use `pressure P` there",
+				ts_flow_side_names[face]);
 	}
 	return TS_OK;
 }

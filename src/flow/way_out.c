@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "flow/measure.h"
 #include "flow/projection.h"
 
 #include "base/banned.h"
@@ -362,13 +363,13 @@ static enum ts_status judge(const struct ts_way_out *s, struct tsim *sim,
 	name_of(&s->body[pocket->body - 1], name, sizeof name);
 	if (pocket->gross > UNEVEN * gross)
 		return ts_fail(&sim->error, TS_PHYSICS, &self->where,
-			       "%s: the body closes off the fluid beside flow_boundary %c%s about "
+			       "%s: the body closes off the fluid beside flow_boundary %s about "
 			       "(%.4g %.4g %.4g): through the faces of the grid it flows %s there "
 			       "at %g per time, and "
 			       "there is no way to an outlet; leave a gap of a cell or more, or "
 			       "make the velocities "
 			       "given there balance",
-			       name, "xyz"[pocket->face / 2], pocket -> face % 2 ? "hi" : "lo",
+			       name, ts_flow_side_names[pocket->face],
 			       x[0], x[1], x[2], pocket->net < 0 ? "out" : "in", fabs(pocket->net));
 	if (!is_wide(s, pocket))
 		return TS_OK;
@@ -417,13 +418,13 @@ static enum ts_status look_at_inlet(struct ts_way_out *s, struct tsim *sim, cons
 				continue;
 			name_of(body, name, sizeof name);
 			return ts_fail(&sim->error, TS_PHYSICS, &body->self->where,
-				       "%s: the body stands on flow_boundary %c%s, at (%.4g %.4g "
+				       "%s: the body stands on flow_boundary %s, at (%.4g %.4g "
 				       "%.4g), where fluid is to cross the face with velocity %g "
 				       "and the body has "
 				       "%g: move it off, or give there the velocity of the body, "
 				       "by a formula with "
 				       "`set`",
-				       name, "xyz"[d], side ? "hi" : "lo", x[0], x[1], x[2], given,
+				       name, ts_flow_side_names[2 * d + side], x[0], x[1], x[2], given,
 				       v[d]);
 		}
 	return TS_OK;

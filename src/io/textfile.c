@@ -25,8 +25,7 @@ enum ts_status ts_open_failed(struct ts_error *err, struct ts_files *files, cons
 
 	if (slash && slash > path && (size_t)(slash - path) < sizeof folder)
 		memcpy(folder, path, (size_t)(slash - path));
-	errno = code;
-	if (code == ENOENT && folder[0] && !(files && files->closed) && ts_files_look(files, folder, &info) != 0)
+	if (code == ENOENT && folder[0] && !ts_files_closed(files) && ts_files_look(files, folder, &info) != 0)
 		return ts_fail(err, TS_IO, where, "cannot open '%s': there is no folder '%s'", path, folder);
 	errno = code;
 	return ts_fail(err, TS_IO, where, "cannot open '%s': %s", path, ts_files_why(files));
@@ -38,7 +37,7 @@ enum ts_status ts_write_failed(struct ts_error *err, struct ts_files *files, con
 	int code = errno;
 	char folder[256];
 
-	if (!(files && files->closed) && ts_mkdirs_blocked(files, path, folder, sizeof folder))
+	if (!ts_files_closed(files) && ts_mkdirs_blocked(files, path, folder, sizeof folder))
 		return ts_fail(err, TS_IO, where, "cannot write '%s': '%s' is no folder that one can be made in",
 			       path, folder);
 	errno = code;

@@ -96,7 +96,7 @@ enum ts_status ts_coincide_wall(struct tsim *sim, struct ts_wall *wall, ts_wall_
 				const void *context)
 {
 	const struct ts_particles *p = sim->particles;
-	const struct ts_instance *by = instance_of(sim, wall);
+	const struct ts_instance *by;
 	struct ts_str where = { 0 };
 	size_t k = wall->inside, i;
 	enum ts_status status;
@@ -106,6 +106,7 @@ enum ts_status ts_coincide_wall(struct tsim *sim, struct ts_wall *wall, ts_wall_
 	i = (size_t)wall->contacts.row[k];
 	if (p->mask[i] & ts_prescribed(sim))
 		return TS_OK;
+	by = instance_of(sim, wall);
 	if (part)
 		part(context, k, &where);
 	status = ts_fail(
