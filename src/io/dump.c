@@ -125,18 +125,18 @@ enum ts_status ts_dump_write_rows(struct ts_dump_common *d, struct tsim *sim, bo
 }
 
 /* With maxfiles the oldest frame goes when a new one is there. */
-static enum ts_status drop_oldest(struct ts_dump_common *d, const struct tsim *sim)
+static enum ts_status drop_oldest(struct ts_dump_common *d, struct tsim *sim)
 {
 	char **slot = &d->old[d->frames % d->nold];
 
 	if (*slot)
-		ts_files_remove(sim->log.files, *slot);
+		ts_files_remove(&sim->files, *slot);
 	ts_free(*slot);
 	*slot = ts_strdup(ts_str_text(&d->path));
 	return *slot ? TS_OK : TS_NOMEM;
 }
 
-enum ts_status ts_dump_frame_done(struct ts_dump_common *d, const struct tsim *sim)
+enum ts_status ts_dump_frame_done(struct ts_dump_common *d, struct tsim *sim)
 {
 	if (!one_file_per_frame(d))
 		return ts_textfile_flush(&d->out);

@@ -108,7 +108,7 @@ enum ts_status ts_dump_open(struct ts_instance *self, struct tsim *sim);
 /* "ITEM: TIMESTEP ..." up to the bounds of the box. `what`: "ATOMS" or "ENTRIES". */
 void ts_dump_header(struct ts_dump_common *d, struct tsim *sim, const char *what);
 /* After a frame: all of it is with the system; closes a file of its own. */
-enum ts_status ts_dump_frame_done(struct ts_dump_common *d, const struct tsim *sim);
+enum ts_status ts_dump_frame_done(struct ts_dump_common *d, struct tsim *sim);
 /* A whole frame of a text dump, if it is due: header, rows. */
 enum ts_status ts_dump_frame(struct ts_instance *self, struct tsim *sim, bool local);
 /* For -explain: how many frames of what size. */

@@ -16,6 +16,8 @@ enum { MOST = 3 };
 
 /* ---- fix couple/cfd: that there is a partner */
 
+#define FAMILY_PARTNER "coupled program"
+
 struct partner {
 	int64_t every;
 	bool mpi, told;
@@ -53,6 +55,8 @@ struct field {
 };
 
 struct force {
+	const struct field *field; /* the columns that it exchanges */
+	int nfields;
 	double alpha; /* CrankNicolson; NaN: explicit */
 	double first; /* couple/cfd/convection: temperature of particles before fix heat/gran says it */
 	const char *weight;
@@ -74,12 +78,9 @@ static double *row_of(const struct force *s, const struct tsim *sim, int k, size
 
 static bool has_partner(const struct tsim *sim)
 {
-	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+	size_t k = 0;
 
-	for (size_t k = 0; k < fixes->n; k++)
-		if (ts_streq(fixes->item[k]->style->name, "couple/cfd"))
-			return true;
-	return false;
+	return ts_sim_next_of(sim, TS_KIND_FIX, FAMILY_PARTNER, &k);
 }
 
 static enum ts_status add_columns(struct ts_instance *self, struct tsim *sim, const struct field *field, int n)
@@ -87,6 +88,8 @@ static enum ts_status add_columns(struct ts_instance *self, struct tsim *sim, co
 	struct force *s = self->state;
 	const double zero[3] = { 0 };
 
+	s->field = field;
+	s->nfields = n;
 	if (!has_partner(sim))
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix %s needs a fix couple/cfd before it: `fix cfd all couple/cfd couple_every 10 mpi`",
@@ -200,12 +203,9 @@ static enum ts_status eval_sum(struct ts_instance *self, const struct tsim *sim,
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
 	const struct force *s = self->state;
-	bool heat = ts_streq(self->style->name, "couple/cfd/convection");
-	int n = s->implicit ? 3 : 1;
 
-	for (int k = 0; k < n; k++)
-		TS_TRY(ts_particles_archive_column(a, sim, heat ? heat_field.name : force_fields[k].name,
-						   s->column[k]));
+	for (int k = 0; k < s->nfields; k++)
+		TS_TRY(ts_particles_archive_column(a, sim, s->field[k].name, s->column[k]));
 	return TS_OK;
 }
 
@@ -251,6 +251,7 @@ TS_STYLE(fix, ts_style, ts_fix_couple_cfd)
 const struct ts_style ts_fix_couple_cfd = {
 	.name = "couple/cfd",
 	.kind = TS_KIND_FIX,
+	.family = FAMILY_PARTNER,
 	.summary = "particles are coupled to a fluid that another program computes",
 	.doc = "The fixes couple/cfd/force, couple/cfd/force/implicit and couple/cfd/convection need it before them.\n"
 	       "They give each particle numbers that the other program writes: dragforce, Ksl, uf,\n"
