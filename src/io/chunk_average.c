@@ -137,7 +137,7 @@ static enum ts_status remember_places(struct ts_chunk_average *s, struct tsim *s
 
 	s->ncoordinates = (int64_t)coordinates;
 	s->compressed = c->compress;
-	if (TS_GROW(s->place, s->place_capacity, c->n * width) != TS_OK)
+	if (TS_GROW(s->place, s->place_capacity, c->n * width + 1) != TS_OK) /* never NULL */
 		return ts_nomem(&sim->error);
 	s->place_n = c->n * width;
 	for (size_t k = 0; k < c->n; k++) {

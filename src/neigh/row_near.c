@@ -235,7 +235,7 @@ static enum ts_status spread(const struct choice *c)
 		blocks += (to - from) / ACTIVE + ((to - from) / c->group + 1) * most + TS_ROW_AHEAD;
 	}
 	TS_TRY(TS_RENEW(rows->near, rows->near_capacity, rows->n));
-	TS_TRY(TS_RENEW(rows->at, rows->at_capacity, rows->n));
+	TS_TRY(TS_RENEW(rows->at, rows->at_capacity, rows->n + 1)); /* never NULL: offsets are taken of it */
 	return TS_RENEW(rows->block, rows->block_capacity, blocks);
 }
 
