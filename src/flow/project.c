@@ -14,7 +14,8 @@ static void divergence_row(const struct ts_fluid *fluid, int j, int k, double *o
 	const struct ts_grid *grid = &fluid->grid;
 	const size_t at = ts_at(grid, 0, j, k);
 	const ptrdiff_t sy = grid->stride[1], sz = grid->stride[2];
-	const double *u = fluid->u[0] + at, *v = fluid->u[1] + at, *w = fluid->u[2] + at;
+	const double *u = fluid->u[0] + at, *v = fluid->u[1] + at;
+	const double *w = grid->dimensions == 3 ? fluid->u[2] + at : NULL;
 	const double *width = grid->width[0], wy = 1 / grid->width[1][j];
 	const double wz = grid->dimensions == 3 ? 1 / grid->width[2][k] : 0;
 	const int n = grid->n[0];

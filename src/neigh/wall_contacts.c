@@ -23,7 +23,7 @@ enum ts_status ts_wall_contacts_add(struct tsim *sim, struct ts_wall_contacts *c
 	    TS_GROW(c->key, c->key_capacity, n) != TS_OK ||
 	    TS_GROW(c->touching, c->touching_capacity, n) != TS_OK ||
 	    TS_GROW(c->seen, c->seen_capacity, n) != TS_OK ||
-	    TS_GROW(c->memory, c->memory_capacity, n * c->width) != TS_OK ||
+	    TS_GROW(c->memory, c->memory_capacity, n * c->width + 1) != TS_OK ||
 	    TS_GROW(c->force, c->force_capacity, n) != TS_OK ||
 	    (c->want_reports && TS_GROW(c->report, c->report_capacity, n) != TS_OK))
 		return ts_nomem(&sim->error);
@@ -189,7 +189,7 @@ enum ts_status ts_wall_contacts_archive(struct ts_archive *archive, struct tsim 
 		    TS_GROW(c->key, c->key_capacity, c->n) != TS_OK ||
 		    TS_GROW(c->touching, c->touching_capacity, c->n) != TS_OK ||
 		    TS_GROW(c->seen, c->seen_capacity, c->n) != TS_OK ||
-		    TS_GROW(c->memory, c->memory_capacity, c->n * c->width) != TS_OK ||
+		    TS_GROW(c->memory, c->memory_capacity, c->n * c->width + 1) != TS_OK ||
 		    TS_GROW(c->force, c->force_capacity, c->n) != TS_OK)
 			return ts_nomem(&sim->error);
 	}

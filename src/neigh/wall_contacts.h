@@ -35,7 +35,7 @@ struct ts_wall_contacts {
 	int32_t (*key)[2]; /* identity of the particle, number of the element */
 	uint8_t *touching; /* whether they did when they were looked at last, as above; 0: there is no force, no memory */
 	struct ts_wall_seen *seen;
-	double *memory;	   /* width numbers each; zero where they do not touch */
+	double *memory;	   /* width numbers each; zero where they do not touch. With contacts it is never NULL */
 	double (*force)[3]; /* on the particle, in this step */
 	size_t width;
 	bool want_reports;
@@ -65,7 +65,7 @@ static inline const struct ts_wall_report *ts_wall_report(const struct ts_wall_c
 
 static inline double *ts_wall_memory(const struct ts_wall_contacts *c, size_t k)
 {
-	return c->width ? c->memory + k * c->width : NULL;
+	return c->memory + k * c->width;
 }
 
 /* The contact k does not touch: it has ended, if it was one. */

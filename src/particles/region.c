@@ -127,7 +127,7 @@ int ts_region_movers(const struct ts_instance *region, const struct ts_instance 
 	for (int64_t k = 0; style->member && (member = style->member(region, k)); k++) {
 		int at = n < room ? n : room;
 
-		n += ts_region_movers(member, out + at, room - at);
+		n += ts_region_movers(member, out ? out + at : NULL, room - at);
 	}
 	return n;
 }
