@@ -316,6 +316,7 @@ library_sources = \
 	src/law/normal.h \
 	src/law/normal_area.h \
 	src/law/rolling.h \
+	src/law/servo.h \
 	src/law/spring_dashpot.h \
 	src/law/tangential.h \
 	src/law/tangential_turning.h \
@@ -443,6 +444,8 @@ library_sources = \
 	src/neigh/row_walk.h \
 	src/neigh/rows.c \
 	src/neigh/rows.h \
+	src/neigh/servo.c \
+	src/neigh/servo.h \
 	src/neigh/skin.c \
 	src/neigh/wall.c \
 	src/neigh/wall.h \

@@ -21,6 +21,7 @@
 #include "neigh/wall_contacts.h"
 
 struct ts_primitive_wall;
+struct ts_mesh_wall;
 
 /* First member of the state of every wall with contact laws; its style is of TS_FAMILY_WALL. */
 struct ts_wall {
@@ -30,6 +31,7 @@ struct ts_wall {
 	size_t inside; /* the first contact in the last step whose particle has its centre in the surface; TS_WALL_NONE */
 	const struct ts_primitive_wall *primitive; /* what it is made of, or NULL; set in init */
 	int meshes;	 /* how many it is made of; 0: it is a plane or the like. Set in init */
+	const struct ts_mesh_wall *mesh; /* these, or NULL; set in init */
 	/* How far the particle of contact k is from the surface now, and the surface's type; set in init. NULL: not told */
 	double (*distance)(const struct ts_instance *self, const struct tsim *sim, size_t k, int *type);
 	struct ts_words area_words;

@@ -299,15 +299,51 @@ fix g all gravity 9.81 vector 0 0 -1
 fix floor all wall/gran primitive type 1 zplane 0
 neighbor 0.02 bin
 fix lid all mesh/surface/stress/servo file plate.stl type 1 move 0 0 0.015 com 0.5 0.5 0.105 ctrlPV force axis 0 0 -1 target_val 20"
-printf '%s\n' "$servo vel_max 1 kp 1000" 'fix press all wall/gran mesh n_meshes 1 meshes lid' 'timestep 1e-5' 'run 5000' >in.script
+press='fix press all wall/gran mesh n_meshes 1 meshes lid
+timestep 1e-5
+run 5000'
+found 'a servo beyond its limit' servo "$servo vel_max 1 kp 1000
+$press" 'mesh lid cannot come to rest: with 1 contact' 'stiffness 1e+05' 'take a smaller kp, below '
+sound 'one far below it' "$servo vel_max 1 kp 0.1
+$press"
+found 'the automatic mode beyond its limit' servo "$servo vel_max 1 mode auto ratio 0.5
+$press" 'take a smaller ratio, below '
+found 'the gain of LIGGGHTS where it is too large' servo "legacy yes
+${servo/target_val 20/target_val 0.001} vel_max 1
+$press" 'take a smaller kp, below '
+# a held particle and a dashpot of 5 m = 2.618: kp_max = 2 20/(1 (1e5 1e-5 + 2 2.618)) = 6.414
+held="${servo//gamman peratomtypepair 2 1 1 1 1/gamman peratomtypepair 2 5 5 5 5}"
+held="${held/diameter 0.1 density 1000/diameter 0.1 density 1000
+fix hold all freeze}"
+held="${held/fix move all nve\/sphere/}"
+held="${held/move 0 0 0.015 com/move 0 0 0.0095 com}"
+sound 'just below the limit' "${held} vel_max 1 kp 6.3
+$press
+print \"force \$(f_lid[3]:%.9g)\""
+grep -q '^force 20$' run.log
+report 'the servo is at rest there' $? run.log
+found 'just beyond the limit' servo "${held} vel_max 1 kp 6.6
+$press" 'up to 0.97' 'take a smaller kp, below 6.41'
+# four held particles that the lid does not touch yet: known only when it does
+four="$held vel_max 1 kp 3.3"
+four="${four/create_atoms/create_atoms 1 single 0.7 0.5 0.05 units box
+create_atoms 1 single 0.5 0.3 0.05 units box
+create_atoms 1 single 0.5 0.7 0.05 units box
+create_atoms}"
+printf '%s\n' "${four/move 0 0 0.0095 com/move 0 0 0.0102 com}" "$press" >in.script
+"$TSIM" -check -in in.script 2>&1 </dev/null | grep '(review: ' >told
+[ ! -s told ]
+report 'a servo before its contacts' $? told
 "$TSIM" -in in.script -log run.log -screen none >out 2>&1 </dev/null
 grep '(review: ' run.log >told
-[ "$(grep -c . told)" = 1 ] && grep -qE 'servo of mesh lid went .*now 1000.*review: servo' told
+[ "$(grep -c . told)" = 1 ] && grep -qE 'servo of mesh lid went to and fro .*now 3.3.*review: servo' told
 report 'a servo that flips' $? run.log
-echo servo >>provoked
-printf '%s\n' "$servo vel_max 1 kp 0.1" 'fix press all wall/gran mesh n_meshes 1 meshes lid' 'timestep 1e-5' 'run 5000' >in.script
-"$TSIM" -in in.script -log run.log -screen none >out 2>&1 </dev/null && ! grep '(review: ' run.log >told
-report 'one that does not' $? told
+# without gains: with kp 0.01 the force went from -2 to 4
+printf '%s\n' "${held/target_val 20/target_val 0.02} vel_max 1" "$press" \
+	'variable off equal abs(abs(f_lid[3])/0.02-1)' 'print "off ${off}"' >in.script
+"$TSIM" -in in.script -log run.log -screen none >out 2>&1 </dev/null
+awk '/^off/ { n++; if ($2 > 1e-6) exit bad = 1 } END { exit bad || n != 1 }' run.log && ! grep -q 'review:' run.log
+report 'a servo without gains comes to rest' $? run.log
 
 # ---- members of rigid bodies: more of it in integrators.sh ----
 printf '%s\n' "$start" 'create_atoms 1 single 0.3 0.5 0.3 units box' 'set group all diameter 0.1 density 1000' "$law" \

@@ -25,7 +25,7 @@ const struct ts_command_style ts_command_legacy = {
 	.style = { .name = "legacy",
 		   .kind = TS_KIND_COMMAND,
 		   .summary = "the numbers of LIGGGHTS where its way and tsim's differ",
-		   .doc = "There are eight differences. With `legacy yes`:\n\n"
+		   .doc = "There are nine differences. With `legacy yes`:\n\n"
 			  "A pair that parts keeps the memory of its contact (tangential and rolling springs, "
 			  "the depth of hooke/hysteresis) until the next rebuild of neighbours, and takes it "
 			  "up again if it meets before that or overlaps in that very step: results depend on the "
@@ -44,6 +44,8 @@ const struct ts_command_style ts_command_legacy = {
 			  "Rigid clumps of fix insert/stream get no angular velocity where they are let go.\n\n"
 			  "Walls with LAMMPS' law `granular` of a material have E* = E/(2 (1 - nu)) and, for k_t NULL, E "
 			  "(2 - nu)(1 + nu)/4, as LAMMPS' program has; otherwise as the material meets itself.\n\n"
+			  "fix mesh/surface/stress/servo without gains has kp 0.01 even where its loop is not stable with "
+			  "it; otherwise kp is at most a tenth of the largest stable one.\n\n"
 			  "Legacy VTK files (.vtk) have positions in single precision, with six digits in text.\n\n"
 			  "`-legacy` on the command line does the same for scripts that LIGGGHTS shall read, "
 			  "too.",

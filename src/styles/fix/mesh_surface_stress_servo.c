@@ -2,7 +2,9 @@
 #include "io/mesh_load.h"
 #include "neigh/mesh_stress.h"
 #include "core/plan.h"
+#include "law/servo.h"
 #include "neigh/neigh.h"
+#include "neigh/servo.h"
 #include "particles/mesh_motion.h"
 
 #include <math.h>
@@ -22,11 +24,14 @@ struct state {
 	double unit[3]; /* along the axis */
 	double target;	/* what is wanted, now */
 	double lever;	/* of the corner farthest from the axis, for torque */
+	double off;	/* the error after this step */
 	int64_t flips, since; /* how often the speed went from one limit to the other, in how many steps */
+	bool warned;	/* before the run that it will */
 	/* saved */
 	double speed;	/* for the next step: of the mesh, or of that corner */
 	double gone;	/* way, or angle, so far */
 	double sum, last; /* of the error: integral over time, value of the last step */
+	double gain;	  /* kp where none is given; 0: not chosen yet */
 };
 
 enum { FORCE, TORQUE };
@@ -79,6 +84,113 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
+/* ---- gains ---- */
+
+static double smallest_radius(const struct ts_particles *p)
+{
+	double least = INFINITY;
+
+	for (size_t i = 0; i < p->n; i++)
+		least = fmin(least, p->radius[i]);
+	return p->n ? least : 0;
+}
+
+/* LIGGGHTS' kp, and the part of the largest stable one that is taken if that is smaller. */
+static const double USUAL_GAIN = 0.01, SAFE_PART = 0.1;
+
+static bool has_default_gain(const struct state *s)
+{
+	return isnan(s->kp) && !(s->ki > 0) && !(s->kd > 0);
+}
+
+static double kp_of(const struct state *s)
+{
+	return !isnan(s->kp) ? s->kp : s->gain > 0 ? s->gain : USUAL_GAIN;
+}
+
+/* Mean square of the distance of the mesh from the axis, by area. */
+static double mean_arm(const struct state *s)
+{
+	const struct ts_mesh *m = &s->surface.mesh;
+	double sum = 0, area = 0;
+
+	for (size_t c = 0; c < 3 * m->n; c++) {
+		double arm[3], across[3];
+
+		ts_sub(m->x[c / 3][c % 3], s->com, arm);
+		ts_cross(s->unit, arm, across);
+		sum += m->area[c / 3] * ts_dot(across, across);
+		area += m->area[c / 3];
+	}
+	return area > 0 ? sqrt(sum / area) : 0;
+}
+
+static struct ts_servo_mesh controlled(const struct state *s)
+{
+	struct ts_servo_mesh mesh = { .surface = &s->surface, .load = fabs(s->target) };
+
+	ts_scale(1, s->unit, mesh.axis);
+	if (s->controlled == TORQUE)
+		mesh.lever = mesh.arm = s->lever;
+	return mesh;
+}
+
+/* By what the gains may be multiplied with these contacts. */
+static double margin(const struct state *s, const struct tsim *sim, const struct ts_servo_contacts *c)
+{
+	double unit = s->fastest / fabs(s->target);
+	struct ts_servo_loop loop = { c->stiffness, c->damping, { unit * kp_of(s), unit * s->ki, unit * s->kd } };
+
+	if (s->mode == AUTO) /* where the error is small */
+		loop = (struct ts_servo_loop){ c->stiffness, c->damping,
+					       { 0.1 * s->ratio * smallest_radius(sim->particles) / sim->clock.dt /
+						 fabs(s->target) } };
+	return c->n > 0 ? ts_servo_margin(&loop, sim->clock.dt) : INFINITY;
+}
+
+/* Once, when a run begins: so that a run cut in two goes on with it. */
+static void choose_gain(struct state *s, const struct tsim *sim)
+{
+	struct ts_servo_mesh mesh = controlled(s);
+	struct ts_servo_contacts most;
+
+	if (s->mode == AUTO || !has_default_gain(s) || sim->resuming)
+		return;
+	s->gain = USUAL_GAIN;
+	if (sim->legacy)
+		return;
+	most = ts_servo_contacts(sim, &mesh, ts_servo_room(sim, &mesh), true);
+	s->gain = fmin(USUAL_GAIN, SAFE_PART * margin(s, sim, &most) * USUAL_GAIN);
+}
+
+/* Only what is beyond the limit with the contacts that there are, or with a single one: how many there will be is
+ * not known. */
+static enum ts_status review(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	struct ts_servo_mesh mesh = controlled(s);
+	size_t touching = ts_servo_touching(sim, &s->surface);
+	struct ts_servo_contacts few;
+	double part;
+
+	s->warned = false;
+	if (s->moves == STOP || (s->mode == PID && has_default_gain(s) && !sim->legacy))
+		return TS_OK;
+	mesh.arm = mesh.lever > 0 ? mean_arm(s) : 0;
+	few = ts_servo_contacts(sim, &mesh, fmax(1, (double)touching), false);
+	part = margin(s, sim, &few);
+	s->warned = part < 1;
+	if (!s->warned)
+		return TS_OK;
+	return ts_review_find(sim, "servo", &self->where,
+			      "the servo of mesh %s cannot come to rest: with %g contact%s at the target (stiffness %.3g, "
+			      "damping %.3g by speed) and the time step %g it is stable with up to %.3g times its %s only; "
+			      "take a smaller %s%.3g, vel_max or `timestep`",
+			      self->id, few.n, few.n > 1 ? "s" : "", few.stiffness, few.damping, sim->clock.dt, part,
+			      s->mode == AUTO ? "ratio" : "gains", s->mode == AUTO ? "ratio, below " : "kp, below ",
+			      part * (s->mode == AUTO ? s->ratio : kp_of(s)));
+}
+
 /* As LIGGGHTS has it, where the skin is given. */
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
@@ -86,6 +198,8 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	double limit = sim->neigh->skin / (2 * sim->clock.dt);
 
 	TS_TRY(ts_mesh_surface_plan(self, sim, report));
+	if (!report->limits_only)
+		choose_gain(self->state, sim);
 	if (!(sim->neigh->skin > 0) || s->fastest < limit)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "vel_max"),
@@ -126,15 +240,6 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 /* ---- the controller ---- */
 
-static double smallest_radius(const struct ts_particles *p)
-{
-	double least = INFINITY;
-
-	for (size_t i = 0; i < p->n; i++)
-		least = fmin(least, p->radius[i]);
-	return p->n ? least : 0;
-}
-
 /* Far from all particles with the largest speed; else with ratio R / dt, and as the error goes below 1
  * with less: a tenth of it, times the error, where that is below 0.9. */
 static double scheduled(const struct state *s, const struct tsim *sim, double error)
@@ -154,12 +259,12 @@ static double pid(struct state *s, double error, double dt)
 	double output;
 
 	s->sum += error * dt;
-	output = s->kp * error + s->ki * s->sum + s->kd * (error - s->last) / dt;
+	output = kp_of(s) * error + s->ki * s->sum + s->kd * (error - s->last) / dt;
 	s->last = error;
 	if (fabs(output) <= 1)
 		return s->fastest * output;
 	if (s->ki > 0)
-		s->sum = (-copysign(1, output) - s->kp * error) / s->ki;
+		s->sum = (-copysign(1, output) - kp_of(s) * error) / s->ki;
 	return s->fastest * copysign(1, output);
 }
 
@@ -167,20 +272,23 @@ static double pid(struct state *s, double error, double dt)
  * damping of the contacts follow the speed within a step. Looked at over so many steps. */
 enum { WATCHED = 200, FLIPS = 50 };
 
-static enum ts_status watch(struct ts_instance *self, struct tsim *sim, double before)
+static enum ts_status watch(struct ts_instance *self, struct tsim *sim, double before, double error)
 {
 	struct state *s = self->state;
 	bool at_limits = fabs(before) >= 0.999 * s->fastest && fabs(s->speed) >= 0.999 * s->fastest;
+	bool far_off = fmin(fabs(error), fabs(s->off)) > 0.5 && error * s->off < 0;
 
-	s->flips += at_limits && before * s->speed < 0;
+	s->off = error;
+	s->flips += (at_limits || far_off) && before * s->speed < 0;
 	if (++s->since < WATCHED)
 		return TS_OK;
-	if (s->flips >= FLIPS)
+	if (s->flips >= FLIPS && !s->warned)
 		TS_TRY(ts_review_find(sim, "servo", &self->where,
-				      "the servo of mesh %s went from its largest speed one way to the other %d times in %d "
-				      "steps: its gain is too large for the stiffness and damping of the contacts; take a "
-				      "smaller kp (now %g), vel_max (now %g) or `timestep`",
-				      self->id, (int)s->flips, WATCHED, s->kp, s->fastest));
+				      "the servo of mesh %s went to and fro %d times in %d steps, with its largest speed or "
+				      "by more than half of the target: its gain is too large for the stiffness and damping "
+				      "of the contacts; take a smaller %s (now %g), vel_max (now %g) or `timestep`",
+				      self->id, (int)s->flips, WATCHED, s->mode == AUTO ? "ratio" : "kp",
+				      s->mode == AUTO ? s->ratio : kp_of(s), s->fastest));
 	s->flips = s->since = 0;
 	return TS_OK;
 }
@@ -215,7 +323,7 @@ static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim
 	error = (s->target - met) / fabs(s->target);
 	s->speed = s->mode == AUTO ? scheduled(s, sim, error) : pid(s, error, sim->clock.dt);
 	set_velocities(s, s->speed);
-	return watch(self, sim, before);
+	return watch(self, sim, before, error);
 }
 
 static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *sim)
@@ -312,8 +420,9 @@ static const struct ts_arg args[] = {
 			 "each step"),
 	TS_REAL("vel_max", struct state, fastest, .range = TS_POSITIVE, .unit = "velocity",
 		.help = "largest speed of the mesh; with torque, of its corner farthest from the axis"),
-	TS_REAL("kp", struct state, kp, .fallback = "0.01", .range = TS_NOT_NEGATIVE, .unit = "",
-		.help = "gain of the error"),
+	TS_REAL("kp", struct state, kp, .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE, .unit = "",
+		.help = "gain of the error; without it 0.01, or with neither ki nor kd a tenth of the largest stable "
+			"one if that is smaller"),
 	TS_REAL("ki", struct state, ki, .fallback = "0", .range = TS_NOT_NEGATIVE, .unit = "1/time",
 		.help = "gain of its integral"),
 	TS_REAL("kd", struct state, kd, .fallback = "0", .range = TS_NOT_NEGATIVE, .unit = "time",
@@ -336,6 +445,7 @@ static const struct ts_saved saved[] = {
 	TS_SAVE_F64(struct state, lever),
 	TS_SAVE_F64(struct state, sum),
 	TS_SAVE_F64(struct state, last),
+	TS_SAVE_F64(struct state, gain),
 	TS_SAVED_ROWS_END,
 };
 
@@ -354,8 +464,18 @@ const struct ts_style ts_fix_mesh_surface_stress_servo = {
 	       "LIGGGHTS does. With ctrlPV torque it is the corner farthest from the axis that has this speed.\n\n"
 	       "`mode auto`: the speed is vel_max where no particle is near (in the neighbour list); else it is\n"
 	       "ratio R_min/h, times min(|e|, 1) g, with g = 0.1 up to |e| = 0.9 and from there linearly to 1.\n\n"
-	       "A gain that is too large for the contacts makes the speed go from one limit to the other and back: this\n"
-	       "is told once (doc/review.md, servo).\n\n"
+	       "The force follows the speed within a step: contacts of the stiffness K and the damping C (all together)\n"
+	       "give P = K x + C v. With kp alone this is stable below\n\n"
+	       "  kp_max = 2 |target_val| / (vel_max (K h + 2 C)),\n\n"
+	       "with ki and kd where the zeros of the loop's characteristic polynomial are in the unit circle\n"
+	       "(law/servo.h); with ctrlPV torque K and C are those of the torque by the way of the farthest corner.\n"
+	       "Where the script gives no gain, kp is 0.01, as in LIGGGHTS, or kp_max/10 if that is smaller, chosen when a\n"
+	       "run begins: K and C are those of the contact law of the wall at the load target_val/N, with the smallest\n"
+	       "particles (there or to be inserted) and N = A/(4 R^2) of them, A being the area of the mesh as seen along\n"
+	       "the axis (at most as many as there are, where none are inserted). With `legacy yes` it is always 0.01.\n"
+	       "Gains that are given stay as they are. Gains beyond the limit for the contacts that there are when a run\n"
+	       "begins, or for one contact, are told before it, and a speed that goes to and fro while it goes on\n"
+	       "(doc/review.md, servo).\n\n"
 	       "vel_max must be below skin/(2 h). No fix move/mesh can move a servo. Between runs,\n"
 	       "`fix_modify ID servo/integrate stop` holds the mesh and the controller (particles still feel the\n"
 	       "velocity it had, as with LIGGGHTS), `start` lets them go on;\n"
@@ -372,6 +492,7 @@ const struct ts_style ts_fix_mesh_surface_stress_servo = {
 	.init = init,
 	.modify = modify,
 	.plan = plan,
+	.review = review,
 	.hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,
 		  [TS_STAGE_POST_BUILD] = ts_mesh_stress_post_build,
 		  [TS_STAGE_PRE_FORCE] = ts_mesh_stress_clear,

@@ -117,6 +117,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	w->wall.primitive = w->mesh_word ? NULL : &w->primitive;
 	w->wall.distance = distance;
 	w->wall.meshes = w->mesh_word ? (int)w->mesh.nmeshes : 0;
+	w->wall.mesh = w->mesh_word ? &w->mesh : NULL;
 	w->wall.moves = !w->mesh_word && ts_primitive_wall_moves(&w->primitive);
 	w->wall.warm = !w->mesh_word && !isnan(w->primitive.temperature);
 	for (int k = 0; k < w->wall.meshes; k++)
