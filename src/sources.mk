@@ -413,6 +413,8 @@ library_sources = \
 	src/neigh/network.h \
 	src/neigh/order.c \
 	src/neigh/order.h \
+	src/neigh/pace.c \
+	src/neigh/pace.h \
 	src/neigh/pair.c \
 	src/neigh/pair.h \
 	src/neigh/pair_columns.c \

@@ -60,6 +60,7 @@ shell_tests = \
 	tests/decks/energy.sh \
 	tests/decks/energy_ledger.sh \
 	tests/decks/euler.sh \
+	tests/decks/fast.sh \
 	tests/decks/fixes.sh \
 	tests/decks/flow_closed.sh \
 	tests/decks/flow_faults.sh \

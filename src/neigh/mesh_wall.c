@@ -322,27 +322,39 @@ static double way_of(const struct tsim *sim, const struct ts_mesh_surface *s, si
 	return most * sim->clock.dt;
 }
 
-/* Whether a triangle has come to particle i, or through it, in a step longer than its radius. Images are left out: what
- * they pass other particles meet. */
-static enum ts_status check_passage(struct tsim *sim, const struct ts_mesh_part_of_wall *part, size_t i, double step,
-				    struct ts_mesh_list *list)
+/* Whether a triangle has come to the place of particle i, or through it, in a step longer than its radius. */
+static enum ts_status check_passage(struct tsim *sim, const struct ts_mesh_part_of_wall *part, size_t i, const double x[3],
+				    double step, struct ts_mesh_list *list)
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_mesh *m = &part->surface->mesh;
 	char what[120];
 
 	list->n = 0;
-	if (ts_mesh_tree_near(&part->tree, m, p->x[i], p->radius[i] + step, list) != TS_OK)
+	if (ts_mesh_tree_near(&part->tree, m, x, p->radius[i] + step, list) != TS_OK)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < list->n; k++) {
 		size_t t = (size_t)list->item[k];
 		double way = way_of(sim, part->surface, t);
 
-		if (!(way > p->radius[i]) || ts_mesh_distance(m, t, p->x[i]) > p->radius[i] + way)
+		if (!(way > p->radius[i]) || ts_mesh_distance(m, t, x) > p->radius[i] + way)
 			continue;
 		snprintf(what, sizeof what, "triangle %zu of mesh %.60s", t + 1, part->by->id);
 		return ts_coincide_passed(sim, &part->by->where, i, way, what);
 	}
+	return TS_OK;
+}
+
+/* The particle and its images across periodic faces. */
+static enum ts_status check_images(struct tsim *sim, const struct ts_mesh_part_of_wall *part, size_t i, double step,
+				   struct ts_mesh_list *list)
+{
+	const struct ts_particles *p = sim->particles;
+	double x[3];
+
+	for (int k = 0; k < 27; k++)
+		if (ts_box_image(&sim->domain->box, p->x[i], k, p->radius[i] + step, x))
+			TS_TRY(check_passage(sim, part, i, x, step, list));
 	return TS_OK;
 }
 
@@ -371,7 +383,7 @@ enum ts_status ts_mesh_wall_check_pace(struct ts_instance *self, struct tsim *si
 		status = update_tree(sim, part);
 		for (size_t i = 0; i < p->n && status == TS_OK; i++)
 			if (ts_in_group(p, i, part->by->group) && ts_wall_meets(self, sim, i, false))
-				status = check_passage(sim, part, i, step, &list);
+				status = check_images(sim, part, i, step, &list);
 	}
 	ts_free(list.item);
 	return status;

@@ -15,6 +15,7 @@
 #include "neigh/loss.h"
 #include "neigh/network.h"
 #include "neigh/order.h"
+#include "neigh/pace.h"
 #include "neigh/pair.h"
 #include "neigh/row_memory.h"
 #include "neigh/row_near.h"
@@ -68,7 +69,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 }
 
 /* Stops a run that has gone wrong before anything more is written. */
-static enum ts_status runaway(struct tsim *sim, size_t i)
+static enum ts_status runaway(struct tsim *sim, size_t i, const char *past)
 {
 	struct ts_particles *p = sim->particles;
 	const double *v = p->v[i], *x = p->x[i];
@@ -80,12 +81,12 @@ static enum ts_status runaway(struct tsim *sim, size_t i)
 	describe_contacts(sim, i, &contacts);
 	status = ts_fail(&sim->error, TS_PHYSICS, NULL,
 			 "particle %d (type %d) %s at step %" PRId64
-			 ": position (%g %g %g), velocity (%g %g %g); last contacts: %.300s; "
+			 "%s: position (%g %g %g), velocity (%g %g %g); last contacts: %.300s; "
 			 "probable cause: %s",
 			 p->tag[i], p->type[i],
 			 finite ? "moves more than its radius in one step"
 				: "has a position or velocity that is not a number",
-			 sim->clock.step, x[0], x[1], x[2], v[0], v[1], v[2],
+			 sim->clock.step, past, x[0], x[1], x[2], v[0], v[1], v[2],
 			 contacts.length ? contacts.text : "none",
 			 contacts.length
 				 ? "the time step is too large for the stiffness, or particles "
@@ -111,6 +112,19 @@ static bool runs_away(const struct ts_particles *p, size_t i, double dt2)
 	double v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
 
 	return !(v2 * dt2 <= p->radius[i] * p->radius[i]) || !isfinite(x[0] + x[1] + x[2]);
+}
+
+/* A particle that moves more than its radius is let go where it meets nothing. */
+static enum ts_status stop_runaways(struct tsim *sim, double dt2)
+{
+	const struct ts_particles *p = sim->particles;
+	char past[100] = "";
+
+	for (size_t i = 0; i < p->n; i++)
+		if (runs_away(p, i, dt2) &&
+		    (!isfinite(ts_norm(p->v[i]) + ts_norm(p->x[i])) || ts_pace_hits(sim, i, past, sizeof past)))
+			return runaway(sim, i, past);
+	return TS_OK;
 }
 
 /* Counts particles beyond a limit; written without branches, as it runs every step. */
@@ -160,11 +174,8 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 	sim->rebuild |= moved && ts_leaving_due(sim);
 	if (!beyond)
 		return TS_OK;
-	for (size_t i = 0; i < p->n; i++)
-		if (runs_away(p, i, limits.dt2))
-			return runaway(sim, i);
 	sim->rebuild = true;
-	return TS_OK;
+	return stop_runaways(sim, limits.dt2);
 }
 
 static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)

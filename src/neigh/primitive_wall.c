@@ -306,6 +306,20 @@ enum ts_status ts_primitive_wall_check_pace(struct ts_instance *self, struct tsi
 	return TS_OK;
 }
 
+double ts_primitive_wall_gap(const struct ts_primitive_wall *w, const struct tsim *sim, const double x[3])
+{
+	double now = displacement(w, sim), least = INFINITY;
+
+	for (int k = 0; k < w->n; k++) {
+		struct ts_primitive at = moved_by(w, k, now);
+
+		least = fmin(least, away(&at, x));
+	}
+	return ts_primitive_wall_moves(w)
+		       ? least - fabs(now - displacement_at(w, ts_sim_time(sim) - sim->clock.dt))
+		       : least;
+}
+
 double ts_primitive_wall_distance(const struct ts_primitive_wall *w, const struct tsim *sim, int k,
 				  const double x[3])
 {

@@ -43,6 +43,8 @@ enum ts_status ts_primitive_wall_list(struct ts_instance *self, struct tsim *sim
 /* All forces; the surface has the material of this type. */
 enum ts_status ts_primitive_wall_push(struct tsim *sim, struct ts_wall *wall, const struct ts_primitive_wall *w,
 			    int type);
+/* How far a place is from the wall now, less what this moves in a step. */
+double ts_primitive_wall_gap(const struct ts_primitive_wall *w, const struct tsim *sim, const double x[3]);
 /* How far a place is from element k now. */
 double ts_primitive_wall_distance(const struct ts_primitive_wall *w, const struct tsim *sim, int k,
 				  const double x[3]);

@@ -1,6 +1,7 @@
 #include "neigh/region_wall.h"
 
 #include <math.h>
+#include <stdio.h>
 
 #include "math/vec3.h"
 #include "neigh/coincide.h"
@@ -124,12 +125,100 @@ static double gone(const struct ts_region_wall *w)
 	return sum;
 }
 
+/* ---- pace ---- */
+
+/* How far the movers have carried it in this step at x. */
+static double carried(const struct ts_region_wall *w, const struct tsim *sim, const double x[3])
+{
+	double sum = 0;
+
+	for (int k = 0; k < w->nmovers; k++) {
+		const struct ts_region *r = w->mover[k]->state;
+		const struct ts_region_motion *m = &w->motion[k];
+		double pivot[3];
+
+		if (!(m->known > 0) || (int64_t)m->step != sim->clock.step - 1)
+			continue;
+		ts_add(r->pivot, r->shift, pivot);
+		sum += sqrt(ts_distance2(r->shift, m->shift)) +
+		       fabs(r->turned - m->angle) * sqrt(ts_distance2(x, pivot));
+	}
+	return sum;
+}
+
+/* At most, at the farthest particle. */
+static double carried_most(const struct ts_region_wall *w, const struct tsim *sim)
+{
+	double sum = 0;
+
+	for (int k = 0; k < w->nmovers; k++) {
+		const struct ts_region *r = w->mover[k]->state;
+		const struct ts_region_motion *m = &w->motion[k];
+		double turn = fabs(r->turned - m->angle);
+
+		if (m->known > 0 && (int64_t)m->step == sim->clock.step - 1) /* far may be infinite */
+			sum += sqrt(ts_distance2(r->shift, m->shift)) + (turn > 0 ? turn * w->listed[k].far : 0);
+	}
+	return sum;
+}
+
+/* How deep particles are in the region. NULL: out of memory. */
+static double *depths(const struct tsim *sim, const struct ts_region_wall *w)
+{
+	const struct ts_particles *p = sim->particles;
+	double *depth = ts_alloc(p->n + 1, sizeof *depth);
+
+	for (size_t i = 0; depth && i < p->n; i++)
+		depth[i] = ts_region_depth(w->region, p->x[i]);
+	return depth;
+}
+
+/* `before`: of a region that changes its shape, the depths in it as it was one step ago; else NULL. */
+static enum ts_status check_pace(struct ts_instance *self, struct tsim *sim, struct ts_region_wall *w,
+				 const double *before)
+{
+	const struct ts_particles *p = sim->particles;
+	char what[80];
+
+	if (!before && !(carried_most(w, sim) > sim->neigh->least_radius))
+		return TS_OK;
+	for (size_t i = 0; i < p->n; i++) {
+		double depth = ts_region_depth(w->region, p->x[i]);
+		double way = before ? fabs(depth - before[i]) : carried(w, sim, p->x[i]);
+
+		if (!(way > p->radius[i]) || !ts_wall_meets(self, sim, i, false) ||
+		    fabs(depth) > p->radius[i] + way)
+			continue;
+		snprintf(what, sizeof what, "the surface of wall %.40s", self->id);
+		return ts_coincide_passed(sim, &self->where, i, way, what);
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_region_wall_update(struct ts_instance *self, struct tsim *sim, struct ts_region_wall *w)
+{
+	double *before = NULL;
+	enum ts_status status;
+
+	if (ts_region_reshapes(w->region) && w->seen > 0 && w->seen == sim->clock.step) {
+		before = depths(sim, w);
+		if (!before)
+			return ts_nomem(&sim->error);
+	}
+	status = ts_region_update(w->region, sim);
+	w->seen = sim->clock.step + 1;
+	if (status == TS_OK)
+		status = check_pace(self, sim, w, before);
+	ts_free(before);
+	return status;
+}
+
 /* Where it must be done again within some steps, listing all particles is cheaper. */
 enum { QUICK = 8 };
 
-enum ts_status ts_region_wall_follow(struct tsim *sim, struct ts_region_wall *w, bool *list)
+enum ts_status ts_region_wall_follow(struct ts_instance *self, struct tsim *sim, struct ts_region_wall *w, bool *list)
 {
-	TS_TRY(ts_region_update(w->region, sim));
+	TS_TRY(ts_region_wall_update(self, sim, w));
 	*list = gone(w) > w->margin;
 	w->quick |= *list && sim->clock.step - w->listed_step < QUICK;
 	return TS_OK;

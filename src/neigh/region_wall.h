@@ -29,6 +29,7 @@ struct ts_region_wall {
 	double margin;	     /* the surface may go so far before particles are listed anew; infinite: all are listed */
 	int64_t listed_step;
 	bool quick;	     /* it goes so fast that all are listed */
+	int64_t seen;	     /* the step after the one in which it was updated last; 0: never */
 };
 
 /* In init, when the region is known. */
@@ -37,8 +38,10 @@ enum ts_status ts_region_wall_init(struct ts_instance *self, struct tsim *sim,
 /* Between ts_wall_rebuild_start and _finish, of the region as it was last updated: lists particles of the group. */
 enum ts_status ts_region_wall_list(struct ts_instance *self, struct tsim *sim, struct ts_wall *wall,
 				   struct ts_region_wall *w);
-/* Before the forces: updates the region, and says whether it has gone so far that particles must be listed anew. */
-enum ts_status ts_region_wall_follow(struct tsim *sim, struct ts_region_wall *w, bool *list);
+/* The region as it is now; refuses one that has moved through particles in one step. */
+enum ts_status ts_region_wall_update(struct ts_instance *self, struct tsim *sim, struct ts_region_wall *w);
+/* Before the forces: updates it, and says whether it has gone so far that particles must be listed anew. */
+enum ts_status ts_region_wall_follow(struct ts_instance *self, struct tsim *sim, struct ts_region_wall *w, bool *list);
 /* All forces; the surface has the material of this type. */
 enum ts_status ts_region_wall_push(struct tsim *sim, struct ts_wall *wall, struct ts_region_wall *w, int type);
 enum ts_status ts_region_wall_archive(struct ts_archive *a, struct ts_region_wall *w);

@@ -32,6 +32,7 @@ struct ts_wall {
 	const struct ts_primitive_wall *primitive; /* what it is made of, or NULL; set in init */
 	int meshes;	 /* how many it is made of; 0: it is a plane or the like. Set in init */
 	const struct ts_mesh_wall *mesh; /* these, or NULL; set in init */
+	const struct ts_instance *region; /* whose surface it is, or NULL; set in init */
 	/* How far the particle of contact k is from the surface now, and the surface's type; set in init. NULL: not told */
 	double (*distance)(const struct ts_instance *self, const struct tsim *sim, size_t k, int *type);
 	struct ts_words area_words;

@@ -110,7 +110,7 @@ come() { # NAME SKIN MOTION
 }
 for way in 'move NULL NULL v_far' 'rotate v_far 0 0 -1 0 1 0' 'move NULL NULL v_jump'; do
 	motion="variable far equal 20*time
-	variable jump equal 0.58*(step>250)
+	variable jump equal 0.07*(step>250)+0.049*(step>251)+0.045*(step>252)
 	region w plane 0 0 -1 0 0 1 $way units box"
 	come near 0.004 "$motion"
 	come all 0.4 "$motion"

@@ -24,6 +24,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	if (w->type == INT64_MIN) /* LAMMPS' walls have no material */
 		w->type = 1;
 	TS_TRY(ts_region_wall_init(self, sim, &w->region));
+	w->wall.region = w->region.region;
 	return ts_wall_init(self, sim);
 }
 
@@ -44,7 +45,7 @@ static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
 	if (!ts_wall_has_law(&w->wall, sim))
 		return TS_OK; /* refused by the plan */
 	TS_TRY(ts_wall_make_law(self, sim, (int)w->type));
-	TS_TRY(ts_region_update(w->region.region, sim));
+	TS_TRY(ts_region_wall_update(self, sim, &w->region));
 	return list(self, sim);
 }
 
@@ -53,7 +54,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	struct wall *w = self->state;
 	bool far;
 
-	TS_TRY(ts_region_wall_follow(sim, &w->region, &far));
+	TS_TRY(ts_region_wall_follow(self, sim, &w->region, &far));
 	if (far)
 		TS_TRY(list(self, sim));
 	ts_wall_start(&w->wall, sim);
@@ -107,7 +108,8 @@ static const char doc[] =
 	"as flat).\n\n"
 	"A region that moves or turns by variables takes the surface with it, with the velocity by what they were in\n"
 	"the step before (LAMMPS takes the length of the axis of `rotate` into the speed; here it has none); either a union moves, or\n"
-	"its members do (whose velocity LAMMPS leaves out). A surface that only changes its size has no velocity by that.";
+	"its members do (whose velocity LAMMPS leaves out). A surface that only changes its size has no velocity by that.\n"
+	"A surface that moves by more than the radius of a particle near it in one step stops the run (doc/stability.md).";
 
 TS_STYLE(fix, ts_style, ts_fix_wall_gran_region)
 const struct ts_style ts_fix_wall_gran_region = {
