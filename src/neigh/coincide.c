@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "neigh/limits.h"
+#include "neigh/mesh_wall.h"
 #include "neigh/pair.h"
 
 #include "base/banned.h"
@@ -116,11 +117,35 @@ enum ts_status ts_coincide_wall(struct tsim *sim, struct ts_wall *wall, ts_wall_
 		"%s%s: it is on neither side, and no contact force has a direction there; %s",
 		sim->clock.step, p->tag[i], p->type[i], p->x[i][0], p->x[i][1], p->x[i][2],
 		by ? by->id : "", ts_str_text(&where),
-		sim->in_setup ? "place it a radius away from the wall, or move the wall"
+		sim->in_setup || sim->explain ? "place it a radius away from the wall, or move the wall"
 			      : "the time step is too large or the contact too soft, or the "
 				"particle was put there");
 	ts_str_release(&where);
 	return status;
+}
+
+/* Whether the contact is computed: particles that are held are only where the forces on a mesh are summed. */
+static bool counts(const struct ts_wall *w, const struct tsim *sim, size_t k)
+{
+	return sim->particles->imass[w->contacts.row[k]] > 0 ||
+	       (w->mesh && w->mesh->mesh[w->mesh->near[k].mesh].surface->stress);
+}
+
+enum ts_status ts_coincide_foresee(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_wall *w = self->state;
+
+	if (!sim->explain || sim->review.stale)
+		return TS_OK;
+	w->inside = TS_WALL_NONE;
+	for (size_t k = 0; w->distance && k < w->contacts.n && w->inside == TS_WALL_NONE; k++) {
+		size_t i = (size_t)w->contacts.row[k];
+		int type;
+
+		if (counts(w, sim, k) && ts_coincide(w->distance(self, sim, k, &type), sim->particles->radius[i]))
+			w->inside = k;
+	}
+	return ts_coincide_wall(sim, w, w->mesh ? ts_mesh_wall_name : NULL, w->mesh);
 }
 
 /* ---- bonds */

@@ -25,6 +25,9 @@ enum ts_status ts_coincide_rows(struct tsim *sim, const struct ts_rows *rows);
 typedef void ts_wall_part_fn(const void *context, size_t k, struct ts_str *out);
 enum ts_status ts_coincide_wall(struct tsim *sim, struct ts_wall *wall, ts_wall_part_fn *part,
 				const void *context);
+/* The same where nothing is computed (-check, -explain): looks at all contacts that are listed, as they are now. For
+ * the slot `review` of walls. */
+enum ts_status ts_coincide_foresee(struct ts_instance *self, struct tsim *sim);
 /* Refuses a bond between particles at the same place; `distance` is that of the rows i and j. */
 enum ts_status ts_coincide_bond(struct tsim *sim, const struct ts_place *where, size_t i, size_t j,
 				double distance);

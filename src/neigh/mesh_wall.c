@@ -559,7 +559,7 @@ static void push_share(void *context, size_t from, size_t end)
 }
 
 /* ": triangle 12 of mesh cad" */
-static void name_triangle(const void *context, size_t k, struct ts_str *out)
+void ts_mesh_wall_name(const void *context, size_t k, struct ts_str *out)
 {
 	const struct ts_mesh_wall *mw = context;
 	const struct ts_mesh_near *near = &mw->near[k];
@@ -574,5 +574,5 @@ enum ts_status ts_mesh_wall_push(struct tsim *sim, struct ts_wall *w, struct ts_
 	/* a contact is worth several particles of other loops */
 	ts_parallel(ts_team(sim, 4 * w->contacts.n), mw->nvisitors, push_share, &task);
 	ts_wall_finish(w);
-	return ts_coincide_wall(sim, w, name_triangle, mw);
+	return ts_coincide_wall(sim, w, ts_mesh_wall_name, mw);
 }

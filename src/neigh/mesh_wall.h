@@ -78,6 +78,9 @@ void ts_mesh_wall_release(struct ts_mesh_wall *mw);
 /* How far particle i is from the triangle of contact k now. */
 double ts_mesh_wall_distance(const struct tsim *sim, const struct ts_mesh_wall *mw, size_t k, size_t i);
 
+/* ", triangle 12 of mesh cad": of contact k; `context` is the mesh wall. For ts_coincide_wall. */
+void ts_mesh_wall_name(const void *context, size_t k, struct ts_str *out);
+
 /* Mesh and triangle of the contact k, for who reads reports. */
 static inline const struct ts_mesh_near *ts_mesh_wall_near(const struct ts_mesh_wall *mw, size_t k)
 {

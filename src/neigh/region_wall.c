@@ -254,6 +254,15 @@ static const struct ts_region_spot *spot_of(const struct ts_region_spot *spot, i
 	return NULL;
 }
 
+double ts_region_wall_distance(const struct ts_region_wall *w, const struct tsim *sim, const struct ts_wall *wall,
+			       size_t k)
+{
+	int n = ts_region_spots(w->region, sim->particles->x[wall->contacts.row[k]], w->spot);
+	const struct ts_region_spot *on = spot_of(w->spot, n, wall->contacts.key[k][1]);
+
+	return on ? on->distance : INFINITY;
+}
+
 /* The contact k of a particle with a face that has a spot for it. */
 static void push_face(struct ts_wall_queue *q, struct ts_wall *wall, const struct ts_region_wall *w, size_t k,
 		      const struct ts_region_spot *on, int type)

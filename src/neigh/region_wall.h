@@ -42,6 +42,9 @@ enum ts_status ts_region_wall_list(struct ts_instance *self, struct tsim *sim, s
 enum ts_status ts_region_wall_update(struct ts_instance *self, struct tsim *sim, struct ts_region_wall *w);
 /* Before the forces: updates it, and says whether it has gone so far that particles must be listed anew. */
 enum ts_status ts_region_wall_follow(struct ts_instance *self, struct tsim *sim, struct ts_region_wall *w, bool *list);
+/* How far the particle of contact k is from its face now; infinite: it does not meet it. */
+double ts_region_wall_distance(const struct ts_region_wall *w, const struct tsim *sim, const struct ts_wall *wall,
+			       size_t k);
 /* All forces; the surface has the material of this type. */
 enum ts_status ts_region_wall_push(struct tsim *sim, struct ts_wall *wall, struct ts_region_wall *w, int type);
 enum ts_status ts_region_wall_archive(struct ts_archive *a, struct ts_region_wall *w);

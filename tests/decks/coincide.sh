@@ -24,6 +24,10 @@ fix m all nve
 timestep 1e-6
 END
 }
+# foreseen TEXT: what the run has refused -check refuses, with the same words
+foreseen() {
+	refused "-check: $(tail -n 3 in.script | head -n 1)" "$1" -check -in in.script
+}
 second='create_atoms 1 single $(0.5*v_l) $(0.5*v_l) $(0.1*v_l) units box
 set type 1 diameter $(0.1*v_l) density 2385'
 together='particles 1 and 2 are at the same place'
@@ -36,6 +40,7 @@ for scale in 1 1e-6 1e6; do
 	rejects "$base
 $second
 run 0" "$together"
+	foreseen "$together"
 	rejects "$base
 $second
 set atom 2 x \$(0.6*v_l)
@@ -66,12 +71,14 @@ region slot block \$(0.4*v_l) \$(0.6*v_l) \$(0.4*v_l) \$(0.6*v_l) \$(0.1*v_l) \$
 fix cad all mesh/surface file plate.stl type 1 move 0.5 0.5 0.1 scale \$(v_l)
 fix w all $wall
 run 1" "$inside"
+		foreseen "$inside"
 	done
 	rejects "$base
 fix cad all mesh/surface file plate.stl type 1 move 0.5 0.5 0.1 scale \$(v_l)
 fix w all wall/gran mesh n_meshes 1 meshes cad
 set atom 1 x \$(0.55*v_l)
 run 1" 'of mesh cad'
+	foreseen 'of mesh cad'
 
 	# bonds
 	rejects "$base
@@ -135,6 +142,8 @@ fix w all wall/gran primitive type 1 zplane 0.0
 timestep 0.1
 run 20
 print 'went on'" 'went on'
+"$TSIM" -check -in in.script >out 2>&1
+report '-check takes what runs' $? out
 
 # surfaces that pass through a particle in one step, of five radii and of 1.5; those that are slow or far away may
 moves() {

@@ -226,6 +226,22 @@ found 'in a mesh' wall_overlap "$whole
 fix plate all mesh/surface file plate.stl type 1
 fix floor all wall/gran mesh n_meshes 1 meshes plate
 $rest" ': 2, the worst by 0.04 (40 %)'
+found 'in the surface of a region' wall_overlap "$whole
+region cup block 0 1 0 1 0.1 1 units box
+fix floor all wall/gran/region type 1 region cup
+$rest" ': 2, the worst by 0.05 (50 %)' 'particle 1 at (0.3 0.5 0.15)' 'an energy of 25,'
+found 'around a region' wall_overlap "$whole
+region ball sphere 0.3 0.5 0.3 0.1 side out units box
+fix ball all wall/gran/region type 1 region ball
+$rest" ': 1, the worst by 0.05 (50 %)'
+sound 'on the other side of the surface of a region' "$whole
+region cup block 0 1 0 1 0.2 1 units box
+fix floor all wall/gran/region type 1 region cup
+$rest"
+sound 'on the surface of a region' "$whole
+region cup block 0 1 0 1 0.05 1 units box
+fix floor all wall/gran/region type 1 region cup
+$rest"
 sound 'on a wall' "$whole
 fix floor all wall/gran primitive type 1 zplane 0.05
 $rest"

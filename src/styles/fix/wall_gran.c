@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "core/plan.h"
+#include "neigh/coincide.h"
 
 #include "base/banned.h"
 
@@ -282,5 +283,6 @@ const struct ts_style ts_fix_wall_gran = {
 		  [TS_STAGE_POST_BUILD] = post_build,
 		  [TS_STAGE_POST_FORCE] = post_force },
 	.plan = plan,
+	.review = ts_coincide_foresee,
 	.fini = fini,
 };

@@ -1,5 +1,6 @@
 /* Fix wall/gran/region: the surface of a region is a wall. */
 #include "core/plan.h"
+#include "neigh/coincide.h"
 #include "neigh/region_wall.h"
 #include "neigh/wall_law.h"
 
@@ -11,6 +12,14 @@ struct wall {
 	struct ts_region_wall region;
 	int64_t type;
 };
+
+static double distance(const struct ts_instance *self, const struct tsim *sim, size_t k, int *type)
+{
+	const struct wall *w = self->state;
+
+	*type = (int)w->type;
+	return ts_region_wall_distance(&w->region, sim, &w->wall, k);
+}
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
@@ -25,6 +34,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		w->type = 1;
 	TS_TRY(ts_region_wall_init(self, sim, &w->region));
 	w->wall.region = w->region.region;
+	w->wall.distance = distance;
 	return ts_wall_init(self, sim);
 }
 
@@ -131,5 +141,6 @@ const struct ts_style ts_fix_wall_gran_region = {
 	.saved = saved,
 	.hook = { [TS_STAGE_POST_BUILD] = post_build, [TS_STAGE_POST_FORCE] = post_force },
 	.plan = plan,
+	.review = ts_coincide_foresee,
 	.fini = ts_wall_fini,
 };
