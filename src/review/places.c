@@ -4,10 +4,12 @@
 #include <math.h>
 
 #include "neigh/bonds.h"
+#include "neigh/mesh_wall.h"
 #include "neigh/primitive_wall.h"
 #include "particles/domain.h"
 #include "particles/gravity.h"
 #include "particles/integrators.h"
+#include "particles/mesh_motion.h"
 #include "particles/mesh_surface.h"
 
 #include "base/banned.h"
@@ -97,26 +99,97 @@ enum ts_status ts_review_reach(struct tsim *sim)
 
 /* ---- gravity and no floor ---- */
 
-/* Whether a wall may stop what falls along dim: planes across it, cylinders that are not along it,
- * meshes, regions. */
-static bool may_stop(const struct ts_wall *w, int dim)
-{
-	const struct ts_primitive_wall *p = w->primitive;
-	int shape = p && p->n ? (int)p->primitive[0].shape : -1;
+/* Particles that fall out of the box in the time of the run, and the space that they may pass, as far as their surfaces
+ * reach. */
+struct fall {
+	size_t n;
+	double time, lo[3], hi[3];
+};
 
-	if (!p)
-		return true;
-	return shape >= TS_XCYLINDER ? shape % 3 != dim : shape == dim;
+static void add_path(const struct tsim *sim, size_t i, const double g[3], int dim, struct fall *fall)
+{
+	const struct ts_particles *p = sim->particles;
+	double radius = p->radius[i], t = fall->time;
+
+	for (int k = 0; k < 3; k++) {
+		double aside = k == dim ? 0 : fabs(p->v[i][k]) * t + 0.5 * fabs(g[k]) * t * t;
+
+		fall->lo[k] = fmin(fall->lo[k], p->x[i][k] - radius - aside);
+		fall->hi[k] = fmax(fall->hi[k], p->x[i][k] + radius + aside);
+	}
+	fall->n++;
 }
 
-static bool something_stops(const struct tsim *sim, int dim)
+/* In free fall for the time of the run. */
+static struct fall fall_of(const struct tsim *sim, const struct ts_instance *by, int dim, const double g[3])
+{
+	const struct ts_particles *p = sim->particles;
+	const struct ts_box *box = &sim->domain->box;
+	uint32_t moved = ts_integrated(sim, TS_MOVES);
+	struct fall fall = { .time = (double)sim->review.steps * sim->clock.dt,
+			     .lo = { INFINITY, INFINITY, INFINITY },
+			     .hi = { -INFINITY, -INFINITY, -INFINITY } };
+
+	for (size_t i = 0; i < p->n; i++) {
+		double end = p->x[i][dim] + (p->v[i][dim] + 0.5 * g[dim] * fall.time) * fall.time;
+
+		if ((p->mask[i] & moved) && ts_in_group(p, i, by->group) &&
+		    (g[dim] < 0 ? end < box->lo[dim] : end > box->hi[dim]))
+			add_path(sim, i, g, dim, &fall);
+	}
+	if (g[dim] < 0)
+		fall.lo[dim] = fmin(fall.lo[dim], box->lo[dim] - largest(sim));
+	else
+		fall.hi[dim] = fmax(fall.hi[dim], box->hi[dim] + largest(sim));
+	return fall;
+}
+
+/* A mesh that no falling particle can meet is above or beside all of them; across a periodic face it may be met. */
+static bool mesh_stops(const struct tsim *sim, const struct ts_mesh_part_of_wall *part, const struct fall *fall)
+{
+	const struct ts_mesh_surface *s = part->surface;
+	double lo[3], hi[3];
+	bool meets = true;
+	size_t first = 0;
+
+	if (part->by->style->hook[TS_STAGE_INITIAL_INTEGRATE] || /* it moves by itself, or some are moved */
+	    ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_MESH_MOVER, &first))
+		return true;
+	ts_mesh_bounds(&s->mesh, lo, hi);
+	for (int k = 0; k < 3; k++)
+		meets &= ts_box_periodic(&sim->domain->box, k) || (hi[k] >= fall->lo[k] && lo[k] <= fall->hi[k]);
+	return meets;
+}
+
+/* Whether a wall may stop what falls along dim: planes across it and below, cylinders that are not along it,
+ * meshes, regions. */
+static bool may_stop(const struct tsim *sim, const struct ts_wall *w, int dim, const struct fall *fall)
+{
+	const struct ts_primitive_wall *p = w->primitive;
+	bool stops = !p && !w->mesh;
+
+	for (int k = 0; w->mesh && k < w->meshes; k++)
+		stops |= mesh_stops(sim, &w->mesh->mesh[k], fall);
+	for (int k = 0; p && k < p->n; k++) {
+		int shape = (int)p->primitive[k].shape;
+		double at = p->primitive[k].position;
+
+		stops |= shape >= TS_XCYLINDER
+				 ? shape % 3 != dim
+				 : shape == dim && (ts_primitive_wall_moves(p) ||
+						    (at >= fall->lo[dim] && at <= fall->hi[dim]));
+	}
+	return stops;
+}
+
+static bool something_stops(const struct tsim *sim, int dim, const struct fall *fall)
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_wall *w;
 	bool held = false;
 
 	for (size_t k = 0; (w = ts_walls_next(sim, &k, NULL));)
-		if (may_stop(w, dim))
+		if (may_stop(sim, w, dim, fall))
 			return true;
 	for (size_t i = 0; i < p->n; i++)
 		held |= !(p->imass[i] > 0);
@@ -140,31 +213,22 @@ static bool something_lifts(const struct tsim *sim)
 	return lifts;
 }
 
-/* In free fall for the time of the run. */
-static enum ts_status look_below(struct tsim *sim, const struct ts_instance *by, int dim, double g)
+static enum ts_status look_below(struct tsim *sim, const struct ts_instance *by, int dim, const double g[3])
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_box *box = &sim->domain->box;
-	double time = (double)sim->review.steps * sim->clock.dt;
-	uint32_t moved = ts_integrated(sim, TS_MOVES);
-	size_t n = 0;
+	struct fall fall = fall_of(sim, by, dim, g);
 
-	for (size_t i = 0; i < p->n; i++) {
-		double end = p->x[i][dim] + (p->v[i][dim] + 0.5 * g * time) * time;
-
-		n += (p->mask[i] & moved) && ts_in_group(p, i, by->group) &&
-		     (g < 0 ? end < box->lo[dim] : end > box->hi[dim]);
-	}
-	if (!n)
+	if (!fall.n || something_stops(sim, dim, &fall))
 		return TS_OK;
 	return ts_review_find(sim, "floor", &by->where,
 			      "gravity pulls particles to the fixed face %c%s, and there is no "
-			      "wall, mesh or held particle: in "
+			      "wall, mesh or held particle below them: in "
 			      "the time %g of this run %zu of %zu particles fall out of the box; "
 			      "add `fix ID all wall/gran "
 			      "primitive type 1 %cplane %g`, or say `thermo_modify lost ignore`",
-			      'x' + dim, g < 0 ? "lo" : "hi", time, n, p->n, 'x' + dim,
-			      g < 0 ? box->lo[dim] : box->hi[dim]);
+			      'x' + dim, g[dim] < 0 ? "lo" : "hi", fall.time, fall.n, p->n, 'x' + dim,
+			      g[dim] < 0 ? box->lo[dim] : box->hi[dim]);
 }
 
 enum ts_status ts_review_floor(struct tsim *sim)
@@ -177,14 +241,15 @@ enum ts_status ts_review_floor(struct tsim *sim)
 	for (size_t k = 0; (by = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_GRAVITY, &k));) {
 		const struct ts_gravity *g = by->state;
 
+		double pull[3];
+
+		ts_scale(g->magnitude.value, g->direction, pull);
 		for (int dim = 0; dim < sim->dimension && !g->magnitude.variable; dim++) {
-			double along = g->magnitude.value * g->direction[dim];
-			bool down = along < 0;
+			bool down = pull[dim] < 0;
 
 			if (fabs(g->direction[dim]) > 0.1 &&
-			    sim->domain->box.face[dim][!down] == TS_FACE_FIXED &&
-			    !something_stops(sim, dim))
-				TS_TRY(look_below(sim, by, dim, along));
+			    sim->domain->box.face[dim][!down] == TS_FACE_FIXED)
+				TS_TRY(look_below(sim, by, dim, pull));
 		}
 	}
 	return TS_OK;

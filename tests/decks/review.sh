@@ -281,6 +281,29 @@ fix g all gravity 9.81 vector 0 0 -1
 fix floor all wall/gran primitive type 1 zplane 0
 timestep 1e-4
 run 2000"
+fall='fix g all gravity 9.81 vector 0 0 -1
+timestep 1e-4
+run 2000'
+found 'a lid is no floor' floor "$whole
+fix lid all wall/gran primitive type 1 zplane 0.8
+$fall" '2 of 2 particles'
+found 'a mesh above the particles is no floor' floor "$whole
+fix plate all mesh/surface file plate.stl type 1 move 0 0 0.3
+fix floor all wall/gran mesh n_meshes 1 meshes plate
+$fall" '2 of 2 particles'
+found 'a mesh beside them is none' floor "$whole
+fix plate all mesh/surface file plate.stl type 1 scale 0.2 move 0.75 0.75 0
+fix floor all wall/gran mesh n_meshes 1 meshes plate
+$fall" '2 of 2 particles'
+sound 'a mesh below one of them may be a hopper' "$whole
+fix plate all mesh/surface file plate.stl type 1 scale 0.2 move 0.55 0.4 0
+fix floor all wall/gran mesh n_meshes 1 meshes plate
+$fall"
+sound 'a mesh that moves may come' "$whole
+fix plate all mesh/surface file plate.stl type 1 move 0 0 0.3
+fix lift all move/mesh mesh plate linear 0 0 -0.01
+fix floor all wall/gran mesh n_meshes 1 meshes plate
+$fall"
 sound 'losses are meant' "$whole
 fix g all gravity 9.81 vector 0 0 -1
 thermo_modify lost ignore
