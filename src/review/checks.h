@@ -11,6 +11,7 @@ enum ts_status ts_review_rotation(struct tsim *sim);
 enum ts_status ts_review_units(struct tsim *sim);
 enum ts_status ts_review_diameter(struct tsim *sim);
 enum ts_status ts_review_density(struct tsim *sim);
+enum ts_status ts_review_modulus(struct tsim *sim);
 /* places.c */
 enum ts_status ts_review_reach(struct tsim *sim);
 enum ts_status ts_review_floor(struct tsim *sim);

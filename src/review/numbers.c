@@ -1,8 +1,10 @@
-/* Checks of the review: units, sizes and densities. */
+/* Checks of the review: units, sizes, densities and moduli. */
 #include "review/checks.h"
 
 #include <math.h>
+#include <stdio.h>
 
+#include "neigh/wall.h"
 #include "particles/body.h"
 #include "particles/gravity.h"
 #include "particles/property.h"
@@ -121,4 +123,79 @@ enum ts_status ts_review_density(struct tsim *sim)
 		"%g kg/m3; water has 1000, sand 2650, steel 7850 kg/m3: `set type %d density RHO`",
 		n, p->n, p->tag[first], p->type[first],
 		p->mass[first] / ts_body_volume(sim, p->radius[first]), p->type[first]);
+}
+
+/* ---- moduli ---- */
+
+static const double SOFTEST = 1e4, HARDEST = 1e13; /* Pa: a soft gel, ten times diamond */
+
+/* E* of the laws of Hertz and those that stick; 0: there is none. */
+static double modulus_of(const struct ts_granular_model *model, const struct ts_granular_pair *law)
+{
+	return model->normal == TS_NORMAL_HERTZ	      ? law->young
+	       : model->normal > TS_NORMAL_AREA_HOOKE ? 0.75 * law->kn
+						      : 0;
+}
+
+static bool unlikely_modulus(double modulus)
+{
+	return modulus > 0 && !(modulus >= 0.5 * SOFTEST && modulus <= HARDEST);
+}
+
+static enum ts_status find_modulus(struct tsim *sim, const struct ts_instance *by, const char *what, double modulus)
+{
+	return ts_review_find(sim, "modulus", &by->where,
+			      "%s have the modulus E* = %g Pa (1/E* = (1 - nu^2)/E of both partners), which no "
+			      "solid has: rubber has 1e6 to 1e8, glass 7e10, steel 2e11 Pa; check the units of "
+			      "Young's modulus (softened grains seldom have less than 1e5), or say another system "
+			      "by `units`",
+			      what, modulus);
+}
+
+static bool has_type(const struct ts_particles *p, int type)
+{
+	for (size_t i = 0; i < p->n; i++)
+		if (p->type[i] == type)
+			return true;
+	return false;
+}
+
+static enum ts_status look_at_walls(struct tsim *sim)
+{
+	const struct ts_instance *by;
+	const struct ts_wall *w;
+	char what[80];
+
+	for (size_t k = 0; (w = ts_walls_next(sim, &k, &by));)
+		for (int a = 1; w->own_model && w->law && a <= w->ntypes; a++)
+			for (int b = 1; b <= sim->particles->ntypes; b++) {
+				double modulus = modulus_of(&w->model, ts_wall_law(w, sim, a, b));
+
+				if (!has_type(sim->particles, b) || !unlikely_modulus(modulus))
+					continue;
+				snprintf(what, sizeof what, "contacts of type %d with wall %.30s", b, by->id);
+				return find_modulus(sim, by, what, modulus);
+			}
+	return TS_OK;
+}
+
+enum ts_status ts_review_modulus(struct tsim *sim)
+{
+	const struct ts_instance *by = ts_sim_only(sim, TS_KIND_PAIR);
+	const struct ts_particles *p = sim->particles;
+	char what[80];
+
+	if (sim->units != TS_UNITS_SI)
+		return TS_OK;
+	for (int a = 1; by && a <= p->ntypes; a++)
+		for (int b = a; has_type(p, a) && b <= p->ntypes; b++) {
+			double modulus =
+				modulus_of(ts_pair_model(by->state, a, b), ts_pair_law(by->state, a, b));
+
+			if (!has_type(p, b) || !unlikely_modulus(modulus))
+				continue;
+			snprintf(what, sizeof what, "contacts of types %d and %d", a, b);
+			return find_modulus(sim, by, what, modulus);
+		}
+	return look_at_walls(sim);
 }

@@ -254,6 +254,37 @@ sound 'other gravity' "${whole/density 1000/density 2.65}
 fix g all gravity 1 vector 0 0 -1
 $rest"
 
+# ---- modulus ----
+hertz() {
+	printf '%s\n' "$start" "$two" 'fix m1 all property/global youngsModulus peratomtype '"$1 $1" \
+		'fix m2 all property/global poissonsRatio peratomtype 0.3 0.3' \
+		'fix m3 all property/global coefficientRestitution peratomtypepair 2 0.5 0.5 0.5 0.5' \
+		'fix m4 all property/global coefficientFriction peratomtypepair 2 0.5 0.5 0.5 0.5' \
+		'pair_style gran model hertz tangential history' 'pair_coeff * *' 'fix move all nve/sphere' \
+		"timestep $2" 'run 10'
+}
+found 'GPa' modulus "soft_particles yes
+$(hertz 200 1e-4)" 'contacts of types 1 and 1 have the modulus E* = 109.89 Pa'
+found 'a thousand times too hard' modulus "hard_particles yes
+$(hertz 2e14 1e-10)" 'E* = 1.0989e+14 Pa'
+sound 'soft grains' "soft_particles yes
+$(hertz 2e4 1e-4)"
+sound 'steel' "hard_particles yes
+$(hertz 2e11 1e-8)"
+found 'a law of LAMMPS' modulus "$start
+$two
+pair_style granular
+pair_coeff * * hertz/material 70 0.5 0.3 tangential mindlin NULL 1.0 0.5 damping tsuji
+fix move all nve/sphere
+$rest" 'modulus E*'
+found 'the law of a wall' modulus "$start
+$two
+pair_style granular
+pair_coeff * * hertz/material 7e6 0.5 0.3 tangential mindlin NULL 1.0 0.5 damping tsuji
+fix floor all wall/gran granular hertz/material 70 0.5 0.3 tangential mindlin NULL 1.0 0.5 damping tsuji zplane 0 NULL
+fix move all nve/sphere
+$rest" 'contacts of type 1 with wall floor'
+
 # ---- reach ----
 found 'a plane in millimetres' reach "$whole
 fix side all wall/gran primitive type 1 xplane 1000

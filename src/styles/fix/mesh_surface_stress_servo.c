@@ -481,7 +481,7 @@ const struct ts_style ts_fix_mesh_surface_stress_servo = {
 	       "velocity it had, as with LIGGGHTS), `start` lets them go on;\n"
 	       "`servo/target_val T`, `servo/vel_max V` and `servo/ctrlParam kp ki kd` change their values.",
 	.example = "fix lid all mesh/surface/stress/servo file lid.stl type 1 com 0 0 0.1 ctrlPV force axis 0 0 "
-		   "-1 target_val 10 vel_max 0.1 kp 5",
+		   "-1 target_val 10 vel_max 0.1",
 	.args = args,
 	.family = TS_FAMILY_MESH,
 	.state_size = sizeof(struct state),
