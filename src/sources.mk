@@ -558,6 +558,7 @@ library_sources = \
 	src/particles/type_factors.h \
 	src/particles/user_columns.c \
 	src/particles/user_columns.h \
+	src/review/bonds.c \
 	src/review/checks.h \
 	src/review/motion.c \
 	src/review/numbers.c \

@@ -18,6 +18,8 @@ enum ts_status ts_review_floor(struct tsim *sim);
 enum ts_status ts_review_mesh_size(struct tsim *sim);
 /* overlap.c */
 enum ts_status ts_review_overlap(struct tsim *sim);
+/* bonds.c */
+enum ts_status ts_review_bonds(struct tsim *sim);
 /* walls.c */
 enum ts_status ts_review_wall_overlap(struct tsim *sim);
 

@@ -13,6 +13,7 @@ const struct ts_review_check ts_review_table[] = {
 	{ "overlap", "particles that overlap each other at the start", ts_review_overlap },
 	{ "wall_overlap", "particles that overlap a wall at the start", ts_review_wall_overlap },
 	{ "density", "densities that no grain has, in SI units", ts_review_density },
+	{ "bonds", "bonded structures that keep no shape", ts_review_bonds },
 	{ "modulus", "moduli that no solid has, in SI units", ts_review_modulus },
 	{ "reach", "walls that no particle in the box can touch", ts_review_reach },
 	{ "floor", "gravity towards a fixed face, and nothing that stops what falls",

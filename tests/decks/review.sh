@@ -254,6 +254,40 @@ sound 'other gravity' "${whole/density 1000/density 2.65}
 fix g all gravity 1 vector 0 0 -1
 $rest"
 
+# ---- bonds ----
+# grains on a lattice of 5 x 5 in the plane z = 0.5, or 4 x 4 x 4, bonded up to a distance
+bonded() {
+	printf '%s\n' "$1" 'units si' 'boundary f f f' 'region box block 0 1 0 1 0 1 units box' 'create_box 1 box' \
+		'lattice sc 0.1' "region some block $2 units box" 'create_atoms 1 region some' \
+		'set type 1 diameter 0.1 density 1000' 'pair_style spring/dashpot' 'pair_coeff * * stiffness 1e4 damping 0' \
+		'bond_style contact' 'bond_coeff 1 stiffness 1e4 ultimate 1e9' "create_bonds many all all 1 0.01 $3" \
+		'fix move all nve' "${4-# all free}" 'timestep 1e-4' 'run 10'
+}
+plate='0.29 0.71 0.29 0.71 0.49 0.51'
+cube='0.29 0.61 0.29 0.61 0.29 0.61'
+row='0.09 0.91 0.49 0.51 0.49 0.51'
+# a square lattice: 2 5 4 = 40 bonds; with diagonals 72. In a plane 2 25 - 3 = 47 are needed, in space 3 25 - 6 = 69
+found 'a square lattice in a plane' bonds "$(bonded 'dimension 2' "${plate/0.49 0.51/-0.1 0.1}" 0.11 | sed 's/boundary f f f/boundary f f p/; s/0 1 units box/-0.5 0.5 units box/; s/lattice sc/lattice sq/')" \
+	': 1, the largest of 25 particles (particle 1 is one) with 40 bonds, where 47 are needed'
+sound 'with diagonals' "$(bonded 'dimension 2' "${plate/0.49 0.51/-0.1 0.1}" 0.145 | sed 's/boundary f f f/boundary f f p/; s/0 1 units box/-0.5 0.5 units box/; s/lattice sc/lattice sq/')"
+found 'a square lattice in space' bonds "$(bonded '' "$plate" 0.11)" 'with 40 bonds, where 69 are needed'
+# a cubic lattice: 3 4 4 3 = 144 bonds of 3 64 - 6 = 186; with diagonals of its faces 360
+found 'a cubic lattice' bonds "$(bonded '' "$cube" 0.11)" 'of 64 particles' 'with 144 bonds, where 186 are needed'
+sound 'a cubic lattice with diagonals' "$(bonded '' "$cube" 0.145)"
+# 16 are held: 144 - 24 bonds of the free ones, 3 48 = 144 needed
+found 'a cubic lattice that stands on a plate' bonds "$(bonded '' "$cube" 0.11 'region foot block 0 1 0 1 0 0.35 units box
+group foot region foot
+fix hold foot freeze')" 'with 120 bonds, where 144 are needed'
+sound 'a chain' "$(bonded '' "$row" 0.11)"
+sound 'a rock of which bonds have broken' "$(bonded '' "$cube" 0.145 'velocity all ramp vx 0 3 x 0.3 0.6 units box
+bond_coeff 1 stiffness 1e4 ultimate 1')
+run 100
+timestep 2e-4
+print \"bonds \$(bonds)\"
+run 10"
+awk '/^bonds/ { n++; bad = !($2 > 64 && $2 < 186) } END { exit bad || n != 1 }' run.log
+report 'so that fewer are left than the structure needs' $? run.log
+
 # ---- modulus ----
 hertz() {
 	printf '%s\n' "$start" "$two" 'fix m1 all property/global youngsModulus peratomtype '"$1 $1" \
