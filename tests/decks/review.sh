@@ -446,7 +446,8 @@ report 'a servo that flips' $? run.log
 printf '%s\n' "${held/target_val 20/target_val 0.02} vel_max 1" "$press" \
 	'variable off equal abs(abs(f_lid[3])/0.02-1)' 'print "off ${off}"' >in.script
 "$TSIM" -in in.script -log run.log -screen none >out 2>&1 </dev/null
-awk '/^off/ { n++; if ($2 > 1e-6) exit bad = 1 } END { exit bad || n != 1 }' run.log && ! grep -q 'review:' run.log
+awk '/^off/ { n++; if ($2 > 1e-6) exit bad = 1 } END { exit bad || n != 1 }' run.log && ! grep -q 'review:' run.log &&
+	grep -q '^fix lid: kp is 0.0006414, 0.1 of the largest that is stable with 1 contacts' run.log
 report 'a servo without gains comes to rest' $? run.log
 
 # ---- members of rigid bodies: more of it in integrators.sh ----

@@ -149,8 +149,9 @@ static double margin(const struct state *s, const struct tsim *sim, const struct
 }
 
 /* Once, when a run begins: so that a run cut in two goes on with it. */
-static void choose_gain(struct state *s, const struct tsim *sim)
+static void choose_gain(struct ts_instance *self, struct tsim *sim)
 {
+	struct state *s = self->state;
 	struct ts_servo_mesh mesh = controlled(s);
 	struct ts_servo_contacts most;
 
@@ -161,6 +162,11 @@ static void choose_gain(struct state *s, const struct tsim *sim)
 		return;
 	most = ts_servo_contacts(sim, &mesh, ts_servo_room(sim, &mesh), true);
 	s->gain = fmin(USUAL_GAIN, SAFE_PART * margin(s, sim, &most) * USUAL_GAIN);
+	if (s->gain < USUAL_GAIN && !sim->explain)
+		ts_log(&sim->log,
+		       "fix %s: kp is %.4g, %g of the largest that is stable with %.0f contacts (stiffness %.3g, damping "
+		       "%.3g by speed)\n",
+		       self->id, s->gain, SAFE_PART, most.n, most.stiffness, most.damping);
 }
 
 /* Only what is beyond the limit with the contacts that there are, or with a single one: how many there will be is
@@ -199,7 +205,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 
 	TS_TRY(ts_mesh_surface_plan(self, sim, report));
 	if (!report->limits_only)
-		choose_gain(self->state, sim);
+		choose_gain(self, sim);
 	if (!(sim->neigh->skin > 0) || s->fastest < limit)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "vel_max"),
@@ -472,7 +478,8 @@ const struct ts_style ts_fix_mesh_surface_stress_servo = {
 	       "Where the script gives no gain, kp is 0.01, as in LIGGGHTS, or kp_max/10 if that is smaller, chosen when a\n"
 	       "run begins: K and C are those of the contact law of the wall at the load target_val/N, with the smallest\n"
 	       "particles (there or to be inserted) and N = A/(4 R^2) of them, A being the area of the mesh as seen along\n"
-	       "the axis (at most as many as there are, where none are inserted). With `legacy yes` it is always 0.01.\n"
+	       "the axis (at most as many as there are, where none are inserted); the log tells it. A target by a variable\n"
+	       "counts as it is then. With `legacy yes` it is always 0.01.\n"
 	       "Gains that are given stay as they are. Gains beyond the limit for the contacts that there are when a run\n"
 	       "begins, or for one contact, are told before it, and a speed that goes to and fro while it goes on\n"
 	       "(doc/review.md, servo).\n\n"
