@@ -46,13 +46,13 @@ static bool hits(const struct tsim *sim, size_t i, size_t j, double reach)
 	const struct ts_particles *p = sim->particles;
 	double way[3], middle[3], sum = p->radius[i] + p->radius[j] + reach;
 
-	ts_sub(p->x[i], p->x[j], middle);
-	ts_box_nearest(&sim->domain->box, middle);
 	ts_sub(p->v[i], p->v[j], way);
 	ts_scale(sim->clock.dt, way, way);
-	ts_axpy(-0.5, way, middle);
 	if (!(ts_dot(way, way) > p->radius[i] * p->radius[i]))
 		return false;
+	ts_sub(p->x[i], p->x[j], middle);
+	ts_box_nearest(&sim->domain->box, middle);
+	ts_axpy(-0.5, way, middle);
 	if (!(nearest(middle, way) > sum) && meet(sim, i, j))
 		return true;
 	return sim->bonds->n && ts_bonds_has(sim->bonds, p->tag[i], p->tag[j]);
