@@ -109,6 +109,8 @@ library_sources = \
 	src/crosscheck/frame.h \
 	src/crosscheck/inputs.c \
 	src/crosscheck/inputs.h \
+	src/crosscheck/meaning.c \
+	src/crosscheck/meaning.h \
 	src/crosscheck/outputs.c \
 	src/crosscheck/reader.c \
 	src/crosscheck/reader.h \

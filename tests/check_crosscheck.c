@@ -9,6 +9,7 @@
 
 #include "crosscheck/crosscheck.h"
 #include "crosscheck/inputs.h"
+#include "crosscheck/meaning.h"
 #include "base/process.h"
 
 static struct tsim *sim;
@@ -145,6 +146,111 @@ START_TEST(dumps)
 	ck_assert_int_eq(vx->at, 10);
 	ck_assert_msg(vy->most < 1e-15 && !vy->parts, "round-off in a component that is zero");
 	ts_compare_release(&p);
+}
+END_TEST
+
+#define CONTACTS(n, rows)                                                                           \
+	"ITEM: TIMESTEP\n0\nITEM: NUMBER OF ENTRIES\n" n                                           \
+	"\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\nITEM: ENTRIES c_c[1] c_c[4] c_c[7] c_c[8] c_c[10] c_c[13] c_c[16]\n" rows
+
+static struct ts_pairing compared_contacts(struct ts_meanings *m, const char *a, const char *b)
+{
+	static const char *const line[] = { "compute", "c", "all", "pair/gran/local", "history", "torque", "force", "id", "pos" };
+	struct ts_pairing p = { .name = "out", .kind = TS_FRAMES_DUMP, .folder = { "a", "b" },
+				.file = { one_file, one_file }, .meanings = m };
+
+	*m = (struct ts_meanings){ .err = &sim->error, .pool = sim->pool };
+	ck_assert_int_eq(ts_meanings_take(m, line, 9), TS_OK);
+	put("a/out", a);
+	put("b/out", b);
+	ck_assert_int_eq(ts_compare(&p, 1e-6, &sim->error, sim->pool), TS_OK);
+	ts_meanings_release(m);
+	return p;
+}
+
+/* Columns: x of both partners, both ids, force, torque, history. The second contact stands the other way round. */
+START_TEST(partners_in_the_other_order)
+{
+	static const char here[] = CONTACTS("2", "0.5 1.5 1 2 7.5 0.25 3.5\n2.5 4.5 3 5 1.5 0.75 2.5\n");
+	static const struct {
+		const char *row, *parts;
+	} cases[] = {
+		{ "4.5 2.5 5 3 -1.5 0.75 2.5\n", NULL },
+		{ "4.5 2.5 5 3 -1.5 0.625 -2.5\n", NULL }, /* another arm; a memory that turns, too */
+		{ "4.5 2.5 5 3 1.5 0.75 2.5\n", "c_c[10]" },
+		{ "2.5 4.5 5 3 -1.5 0.75 2.5\n", "c_c[1]" },
+		{ "4.5 2.5 5 3 -1.5 0.75 2.25\n", "c_c[16]" },
+		{ "2.5 4.5 3 5 -1.5 0.75 2.5\n", "c_c[10]" }, /* in the same order signs count */
+		{ "2.5 4.5 3 5 1.5 0.625 2.5\n", "c_c[13]" },
+		{ "2.5 4.5 3 5 1.5 0.75 -2.5\n", "c_c[16]" },
+	};
+
+	for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+		struct ts_meanings m;
+		struct ts_pairing p;
+		char there[400];
+
+		snprintf(there, sizeof there, CONTACTS("2", "%s0.5 1.5 1 2 7.5 0.25 3.5\n"), cases[k].row);
+		p = compared_contacts(&m, here, there);
+		ck_assert_uint_eq(p.rows_alone, 0);
+		ck_assert_uint_eq(p.turned, k < 5);
+		for (size_t n = 0; n < p.columns; n++)
+			ck_assert_msg(p.column[n].parts == (cases[k].parts && (ts_streq(p.column[n].name, cases[k].parts) ||
+						(k == 3 && ts_streq(p.column[n].name, "c_c[4]")))),
+				      "%zu: %s", k, p.column[n].name);
+		ts_compare_release(&p);
+	}
+}
+END_TEST
+
+/* Frames without rows in both are no difference; of one that only one program fills, the rows are alone. */
+START_TEST(empty_frames)
+{
+	struct ts_meanings m;
+	struct ts_pairing p = compared_contacts(&m, CONTACTS("0", ""), CONTACTS("0", ""));
+	struct ts_str text = { 0 };
+
+	ck_assert_uint_eq(p.frames, 1);
+	ck_assert(p.columns == 7 && !ts_compare_lacks(&p.column[0], TS_HERE) && !ts_compare_lacks(&p.column[0], TS_PEER));
+	ts_report_pairing(&p, false, "peer", &text);
+	ck_assert_str_eq(ts_str_text(&text), "\nout: 1 step, empty in both\n");
+	ts_str_release(&text);
+	ts_compare_release(&p);
+	p = compared_contacts(&m, CONTACTS("1", "0.5 1.5 1 2 7.5 0.25 3.5\n"), CONTACTS("0", ""));
+	ck_assert_uint_eq(p.rows_alone, 1);
+	ck_assert_int_eq(p.alone_at, 0);
+	ts_compare_release(&p);
+}
+END_TEST
+
+/* By the script: the energy of contacts and what is made of it. */
+START_TEST(differences_on_purpose)
+{
+	static const char *const lines[][5] = {
+		{ "compute", "stored_energy", "all", "pe" },   { "compute", "one", "all", "pe/atom" },
+		{ "compute", "other", "all", "ke" },	       { "variable", "sum", "equal", "c_stored_energy+1" },
+		{ "variable", "more", "equal", "2*v_sum" },    { "variable", "plain", "equal", "c_other+peak" },
+		{ "variable", "total", "equal", "etotal/atoms" }, { "compute", "x", "all", "pe" },
+		{ "variable", "x", "equal", "1+1" },
+	};
+	struct ts_meanings m = { .err = &sim->error, .pool = sim->pool };
+	static const struct {
+		enum ts_frame_kind kind;
+		const char *column;
+		bool differs;
+	} cases[] = {
+		{ TS_FRAMES_THERMO, "stored_e", true }, { TS_FRAMES_THERMO, "PotEng", true }, { TS_FRAMES_THERMO, "KinEng", false },
+		{ TS_FRAMES_TEXT, "c_stored_energy", true }, { TS_FRAMES_DUMP, "c_one", true }, { TS_FRAMES_DUMP, "c_other", false },
+		{ TS_FRAMES_TEXT, "v_sum", true }, { TS_FRAMES_TEXT, "v_more", true }, { TS_FRAMES_THERMO, "plain", false },
+		{ TS_FRAMES_THERMO, "total", true }, { TS_FRAMES_TEXT, "c_x", true }, { TS_FRAMES_TEXT, "PotEng", false },
+		{ TS_FRAMES_THERMO, "x", false }, /* it may be either */
+	};
+
+	for (size_t k = 0; k < sizeof lines / sizeof *lines; k++)
+		ck_assert_int_eq(ts_meanings_take(&m, lines[k], 4), TS_OK);
+	for (size_t k = 0; k < sizeof cases / sizeof *cases; k++)
+		ck_assert_msg(ts_meanings_differ(&m, cases[k].kind, cases[k].column) == cases[k].differs, "%s", cases[k].column);
+	ts_meanings_release(&m);
 }
 END_TEST
 
@@ -346,6 +452,9 @@ int main(void)
 	tcase_add_test(tc, digits_of_words);
 	tcase_add_test(tc, thermo_of_screens);
 	tcase_add_test(tc, dumps);
+	tcase_add_test(tc, partners_in_the_other_order);
+	tcase_add_test(tc, empty_frames);
+	tcase_add_test(tc, differences_on_purpose);
 	tcase_add_test(tc, statistics);
 	tcase_add_test(tc, averages);
 	tcase_add_test(tc, texts);

@@ -69,6 +69,26 @@ PEER_CHANGE='sed -i "s/ATOMS id x y z/ATOMS id x y w/" post/*.txt'
 crosscheck 'a column is missing' 1 '^failed: columns are missing'
 PEER_CHANGE='rm post/d200.txt'
 crosscheck 'one of many is missing' 1 '^only tsim wrote post/d200.txt'
+PEER_CHANGE=': >z.txt'
+crosscheck 'a file that the other program leaves empty' 0 '^left empty by liggghts, not compared: z.txt'
+grep -q '^agree' ../out && ! grep -q '^z.txt' ../out
+report 'is no difference' $? ../out
+PEER_CHANGE=': >post/d200.txt'
+crosscheck 'one of many that is empty' 0 '^left empty by liggghts, not compared: post/d200.txt'
+grep -q '^post/d\*\.txt: 3 steps' ../out
+report 'the others are compared' $? ../out
+PEER_CHANGE='for f in post/*.txt; do sed -i "/^ITEM: NUMBER/{n;s/1/0/}; /^1 0 0/d" "$f"; done'
+crosscheck 'frames that only one program leaves without rows' 3 '4 rows without a partner'
+cp in.fall in.all
+sed -i 's/^dump.*/group none empty\ndump d none custom 100 post\/d*.txt id x y z/' in.fall
+PEER_CHANGE=''
+crosscheck 'frames without rows in both programs' 0 '^post/d\*\.txt: 4 steps, empty in both'
+sed 's/^run/compute e all pe\nfix a all ave\/time 100 1 100 c_e file e.txt\n&/' in.all >in.fall
+PEER_CHANGE='sed -i "s/^\([0-9][0-9]*\) .*/\1 7/" e.txt'
+crosscheck 'the elastic energy of contacts' 0 '^  c_e .* differs on purpose, see -help legacy'
+sed -i 's/compute e all pe/compute e all ke/' in.fall
+crosscheck 'another energy' 3 '^part: c_e of e.txt'
+mv in.all in.fall
 PEER_CHANGE='echo ERROR: no such thing'
 PEER_STATUS=3
 crosscheck 'the other program fails' 1 'ERROR: no such thing'

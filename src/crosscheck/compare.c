@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "crosscheck/meaning.h"
+
 #include "base/banned.h"
 
 /* A format of the programs without precision prints six digits and drops zeros at the end. */
@@ -39,6 +41,7 @@ static enum ts_status column_of(struct ts_pairing *p, const char *name, struct t
 		return ts_nomem(err);
 	*out = &p->column[p->columns++];
 	**out = (struct ts_compared){ .name = name, .lo = INFINITY, .hi = -INFINITY };
+	(*out)->differs = ts_meanings_differ(p->meanings, p->kind, name);
 	return TS_OK;
 }
 
@@ -46,6 +49,7 @@ static void survey(struct ts_compared *c, int who, const struct ts_frame *f, siz
 {
 	struct ts_side *side = &c->side[who];
 
+	side->named = true;
 	for (size_t row = 0; row < f->rows; row++) {
 		const struct ts_printed *w = &f->cell[row * f->columns + k];
 
@@ -63,6 +67,7 @@ static struct ts_reader reader_of(const struct ts_pairing *p, int who, struct ts
 				  struct ts_pool *pool)
 {
 	return (struct ts_reader){ .kind = p->kind,
+				   .meanings = p->meanings,
 				   .err = err,
 				   .pool = pool,
 				   .folder = p->folder[who],
@@ -185,6 +190,7 @@ struct row {
 	const struct ts_printed *cell;
 	const size_t *key;
 	size_t keys;
+	bool turned;
 };
 
 static int compare_keys(const struct row *a, const struct row *b)
@@ -237,16 +243,33 @@ static enum ts_status order_rows(struct walk *w, int who, const size_t *key, siz
 	if (TS_GROW(w->row[who], w->row_capacity[who], f->rows + 1) != TS_OK)
 		return ts_nomem(w->reader[who].err);
 	for (size_t k = 0; k < f->rows; k++)
-		w->row[who][k] = (struct row){ f->cell + k * f->columns, key, keys };
+		w->row[who][k] = (struct row){ f->cell + k * f->columns, key, keys, f->turns && f->turned[k] };
 	if (keys)
 		qsort(w->row[who], f->rows, sizeof *w->row[who], by_key);
 	return TS_OK;
 }
 
+/* Numbers of one contact of which the programs name the partners the other way round; 0 where what they shall be
+ * cannot be known. */
+static double difference_turned(const struct ts_compared *c, enum ts_turning turning, const struct ts_printed *a,
+				const struct ts_printed *b)
+{
+	struct ts_printed opposite = *b;
+
+	opposite.value = -opposite.value;
+	if (turning == TS_TURN_NOT)
+		return 0;
+	if (turning == TS_TURN_EITHER)
+		return fmin(difference(c, a, b), difference(c, a, &opposite));
+	return difference(c, a, b);
+}
+
 static void compare_row(struct walk *w, const struct row *a, const struct row *b, int64_t step)
 {
 	const struct ts_frame *here = &w->reader[TS_HERE].frame, *peer = &w->reader[TS_PEER].frame;
+	bool turned = a->turned != b->turned;
 
+	w->p->turned += turned;
 	for (size_t k = 0; k < here->columns; k++) {
 		struct ts_compared *c = find(w->p, here->name[k]);
 		size_t m = ts_frame_column(peer, here->name[k]);
@@ -254,7 +277,8 @@ static void compare_row(struct walk *w, const struct row *a, const struct row *b
 
 		if (!c || m == SIZE_MAX)
 			continue;
-		d = difference(c, &a->cell[k], &b->cell[m]);
+		d = turned ? difference_turned(c, here->turning[k], &a->cell[k], &b->cell[m])
+			   : difference(c, &a->cell[k], &b->cell[m]);
 		if (d > c->most || (d == c->most && c->most == 0)) {
 			c->most = d;
 			c->at = step;
@@ -339,6 +363,12 @@ static double distance(const double *a, size_t n, const double *b, size_t m)
 	return count ? sum / (double)count : 0;
 }
 
+/* The distribution of a column says nothing where its signs depend on which partner is named first. */
+static bool is_bound(const struct ts_frame *f, size_t k)
+{
+	return f->turns && (f->turning[k] == TS_TURN_EITHER || f->turning[k] == TS_TURN_NOT);
+}
+
 static enum ts_status gather_statistics(struct walk *w)
 {
 	const struct ts_frame *here = &w->reader[TS_HERE].frame, *peer = &w->reader[TS_PEER].frame;
@@ -347,7 +377,7 @@ static enum ts_status gather_statistics(struct walk *w)
 		struct ts_compared *c = find(w->p, here->name[k]);
 		size_t m = ts_frame_column(peer, here->name[k]);
 
-		if (!c || m == SIZE_MAX)
+		if (!c || m == SIZE_MAX || (w->p->turned && is_bound(here, k)))
 			continue;
 		TS_TRY(sort_column(w, TS_HERE, c, k));
 		TS_TRY(sort_column(w, TS_PEER, c, m));
@@ -455,6 +485,11 @@ enum ts_status ts_compare_statistics(struct ts_pairing *p, int64_t from, struct 
 		c->profile /= c->frames;
 	}
 	return TS_OK;
+}
+
+bool ts_compare_lacks(const struct ts_compared *column, int who)
+{
+	return !column->side[who].named && column->side[!who].n;
 }
 
 void ts_compare_release(struct ts_pairing *p)

@@ -16,6 +16,7 @@ enum { TS_HERE, TS_PEER, TS_BOTH };
 struct ts_side {
 	int digits, decimals;
 	bool padded, whole;
+	bool named;	     /* it has the column, be it without rows */
 	size_t n, after;     /* words in all, and since the runs parted */
 	double sum, squares; /* of the latter, above the column's lowest value */
 };
@@ -28,6 +29,7 @@ struct ts_compared {
 	int64_t at;  /* its step */
 	bool parts;
 	int64_t parts_at;
+	bool differs; /* on purpose */
 	/* since the runs parted, in units of the scale */
 	double mean, spread, profile, frames;
 };
@@ -36,6 +38,7 @@ struct ts_compared {
 struct ts_pairing {
 	const char *name; /* "post/dump*.txt" */
 	enum ts_frame_kind kind;
+	const struct ts_meanings *meanings;
 	const char *folder[TS_BOTH];
 	const char *const *file[TS_BOTH];
 	/* what was found */
@@ -43,6 +46,7 @@ struct ts_pairing {
 	size_t columns, column_capacity;
 	size_t frames, alone[TS_BOTH]; /* in both; only in one of them */
 	size_t rows_alone;
+	size_t turned; /* contacts whose partners the programs name the other way round */
 	int64_t alone_at; /* the first step of which one has a frame or row that the other lacks */
 	bool lines;    /* steps are not known: numbers of lines stand for them */
 	bool left_out; /* wall times are in the file and not compared */
@@ -54,6 +58,8 @@ enum ts_status ts_compare(struct ts_pairing *p, double tolerance, struct ts_erro
 /* Those, from this step on. */
 enum ts_status ts_compare_statistics(struct ts_pairing *p, int64_t from, struct ts_error *err,
 				     struct ts_pool *pool);
+/* Whether that program lacks a column that the other fills. */
+bool ts_compare_lacks(const struct ts_compared *column, int who);
 void ts_compare_release(struct ts_pairing *p);
 
 #endif

@@ -8,6 +8,7 @@
 #include "core/price.h"
 #include "crosscheck/folder.h"
 #include "crosscheck/inputs.h"
+#include "crosscheck/meaning.h"
 
 #include "base/banned.h"
 
@@ -58,6 +59,7 @@ struct crosscheck {
 	struct options o;
 	struct ts_str *text;
 	struct ts_arena arena;
+	struct ts_meanings meanings;
 	struct ts_inputs inputs;
 	struct ts_outputs outputs;
 	struct ts_pairing thermo;
@@ -244,7 +246,7 @@ static int64_t parting(struct crosscheck *c, const struct ts_pairing *p)
 	for (size_t k = 0; k < p->columns; k++) {
 		const struct ts_compared *column = &p->column[k];
 
-		if (!column->parts)
+		if (!column->parts || column->differs)
 			continue;
 		take_parting(c, p, column->parts_at, column->name);
 		first = first < 0 || column->parts_at < first ? column->parts_at : first;
@@ -262,6 +264,7 @@ static enum ts_status compare_all(struct crosscheck *c)
 		return ts_nomem(err);
 	c->parts_at = -1;
 	for (size_t k = 0; k < n; k++) {
+		pairing(c, k)->meanings = &c->meanings;
 		TS_TRY(ts_compare(pairing(c, k), c->o.tolerance, err, c->sim->pool));
 		first[k] = parting(c, pairing(c, k));
 	}
@@ -297,7 +300,7 @@ static bool statistics_near(struct crosscheck *c, struct ts_str *worst)
 			const struct ts_compared *column = &p->column[m];
 			double far = fmax(column->mean, fmax(column->spread, column->profile));
 
-			if (far <= most)
+			if (far <= most || column->differs)
 				continue;
 			most = far;
 			ts_str_clear(worst);
@@ -329,7 +332,7 @@ static bool columns_lost(struct crosscheck *c)
 		const struct ts_pairing *p = pairing(c, k);
 
 		for (size_t m = 0; m < p->columns; m++)
-			if (!p->column[m].side[TS_HERE].n || !p->column[m].side[TS_PEER].n)
+			if (ts_compare_lacks(&p->column[m], TS_HERE) || ts_compare_lacks(&p->column[m], TS_PEER))
 				return true;
 	}
 	return false;
@@ -347,6 +350,9 @@ static enum ts_verdict judge(struct crosscheck *c)
 	list_files("only tsim wrote ", o->only[TS_HERE], o->nonly[TS_HERE], c->text);
 	list_files(c->o.program ? "only lammps wrote " : "only liggghts wrote ", o->only[TS_PEER],
 		   o->nonly[TS_PEER], c->text);
+	list_files("left empty by tsim, not compared: ", o->empty[TS_HERE], o->nempty[TS_HERE], c->text);
+	list_files(c->o.program ? "left empty by lammps, not compared: " : "left empty by liggghts, not compared: ",
+		   o->empty[TS_PEER], o->nempty[TS_PEER], c->text);
 	list_files("no plain text, not compared: ", o->skipped, o->nskipped, c->text);
 	if (!columns) {
 		ts_str_add(c->text, "failed: there is nothing to compare\n");
@@ -380,7 +386,7 @@ static enum ts_verdict compare(struct crosscheck *c)
 	if (pair_outputs(c) != TS_OK || compare_all(c) != TS_OK)
 		return TS_FAILED;
 	for (size_t k = 0; k <= c->outputs.n; k++)
-		if (pairing(c, k)->columns)
+		if (pairing(c, k)->columns || k)
 			ts_report_pairing(pairing(c, k), c->parts_in[0] != NULL,
 					  c->name[TS_PEER], c->text);
 	return judge(c);
@@ -420,7 +426,8 @@ enum ts_verdict ts_crosscheck(struct tsim *sim, const struct ts_crosscheck_input
 			      struct ts_str *text)
 {
 	struct crosscheck c = { .sim = sim, .in = input, .text = text,
-				.inputs = { .err = &sim->error, .pool = sim->pool } };
+				.meanings = { .err = &sim->error, .pool = sim->pool },
+				.inputs = { .err = &sim->error, .pool = sim->pool, .meanings = &c.meanings } };
 	struct ts_place where = { .file = "-crosscheck" };
 	struct ts_str path = { 0 };
 	enum ts_verdict verdict = TS_USAGE;
@@ -435,6 +442,7 @@ enum ts_verdict ts_crosscheck(struct tsim *sim, const struct ts_crosscheck_input
 	}
 	ts_str_release(&path);
 	ts_inputs_release(&c.inputs);
+	ts_meanings_release(&c.meanings);
 	ts_outputs_release(&c.outputs);
 	ts_compare_release(&c.thermo);
 	ts_arena_release(&c.arena);

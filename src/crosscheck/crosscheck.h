@@ -28,7 +28,9 @@ struct ts_outputs {
 	struct ts_pairing *pairing;
 	size_t n, capacity;
 	const char **only[TS_BOTH], **skipped; /* in one of them; in both and not to be read as text */
+	const char **empty[TS_BOTH]; /* in both, and of that one without a word */
 	size_t nonly[TS_BOTH], nskipped, only_capacity[TS_BOTH], skipped_capacity;
+	size_t nempty[TS_BOTH], empty_capacity[TS_BOTH];
 	struct ts_arena arena;
 };
 enum ts_status ts_outputs_pair(struct ts_outputs *o, const char *const folder[TS_BOTH],

@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 
 #include "crosscheck/folder.h"
+#include "crosscheck/meaning.h"
 #include "io/lines.h"
 
 #include "base/banned.h"
@@ -145,6 +146,35 @@ static enum ts_status scan_word(struct ts_inputs *in, const char *word, struct t
 	return status;
 }
 
+/* A word of the command at hand, with what -var fills in; one of which not all is known remains as it is. */
+static enum ts_status keep_word(struct ts_inputs *in, const char *word, struct ts_words vars)
+{
+	struct ts_str filled = { 0 };
+	bool letters, known;
+
+	if (TS_GROW(in->word, in->word_capacity, in->words + 1) != TS_OK)
+		return ts_nomem(in->err);
+	if (strchr(word, '$'))
+		pattern_of(word, vars, &filled, &letters);
+	known = filled.length && !strchr(filled.text, '*');
+	in->word[in->words] = filled.failed ? NULL : ts_pool_get(in->pool, known ? filled.text : word);
+	ts_str_release(&filled);
+	return in->word[in->words++] ? TS_OK : ts_nomem(in->err);
+}
+
+static enum ts_status keep_words(struct ts_inputs *in, const struct ts_lines *l, struct ts_words vars)
+{
+	bool goes_on = ts_streq(l->word[l->nwords - 1], "&");
+
+	for (size_t k = 0; k + goes_on < l->nwords; k++)
+		TS_TRY(keep_word(in, l->word[k], vars));
+	if (goes_on)
+		return TS_OK;
+	TS_TRY(ts_meanings_take(in->meanings, in->word, in->words));
+	in->words = 0;
+	return TS_OK;
+}
+
 static enum ts_status scan_lines(struct ts_inputs *in, struct ts_lines *l, struct ts_words vars,
 				 int depth)
 {
@@ -154,6 +184,8 @@ static enum ts_status scan_lines(struct ts_inputs *in, struct ts_lines *l, struc
 		TS_TRY(ts_lines_next_filled(l, &more));
 		if (!more)
 			return TS_OK;
+		if (in->meanings)
+			TS_TRY(keep_words(in, l, vars));
 		for (size_t k = 0; k < l->nwords; k++)
 			TS_TRY(scan_word(in, l->word[k], vars, l->word[0], depth));
 	}
@@ -195,6 +227,7 @@ void ts_inputs_release(struct ts_inputs *in)
 {
 	ts_free(in->file);
 	ts_free(in->folder);
+	ts_free(in->word);
 	ts_map_release(&in->seen);
 }
 

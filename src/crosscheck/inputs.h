@@ -13,6 +13,9 @@ struct ts_inputs {
 	size_t files, folders, file_capacity, folder_capacity;
 	int up; /* how far they lead above it: number of leading "../" */
 	struct ts_map seen;
+	struct ts_meanings *meanings; /* learns what the commands tell; NULL: nobody asks */
+	const char **word;	      /* of the command at hand, which may go over several lines */
+	size_t words, word_capacity;
 };
 
 /* The script, what it includes, and the values of the variables (-var) are searched for words that are, or

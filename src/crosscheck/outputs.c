@@ -10,7 +10,7 @@
 
 enum { PROBE = 512 };
 
-enum sort { SORT_TEXT, SORT_DUMP, SORT_VTK, SORT_LOG, SORT_OTHER };
+enum sort { SORT_EMPTY, SORT_TEXT, SORT_DUMP, SORT_VTK, SORT_LOG, SORT_OTHER };
 
 /* By how the file begins. */
 static enum sort sort_of(const char *folder, const char *name)
@@ -27,6 +27,8 @@ static enum sort sort_of(const char *folder, const char *name)
 	n = file ? gzread(file, bytes, PROBE) : 0;
 	if (file)
 		gzclose(file);
+	if (n == (int)strspn(bytes, " \t\r\n"))
+		return n < PROBE ? SORT_EMPTY : SORT_TEXT;
 	for (int k = 0; k < n; k++)
 		if (!isprint((unsigned char)bytes[k]) && !isspace((unsigned char)bytes[k]) &&
 		    !(bytes[k] & 0x80))
@@ -124,6 +126,28 @@ static enum ts_status pair(struct ts_outputs *o, const char *const folder[TS_BOT
 	return TS_OK;
 }
 
+/* Takes those out of the list of tsim that one of the programs leaves empty: there is nothing to compare. */
+static enum ts_status set_aside_empty(struct ts_outputs *o, const char *const folder[TS_BOTH], struct ts_error *err)
+{
+	struct ts_listing *list = &o->listing[TS_HERE];
+	size_t kept = 0;
+
+	for (size_t k = 0; k < list->n; k++) {
+		const char *name = list->name[k];
+		bool both = has(&o->listing[TS_PEER], name), empty[TS_BOTH];
+
+		for (int who = 0; who < TS_BOTH; who++)
+			empty[who] = both && sort_of(folder[who], name) == SORT_EMPTY;
+		for (int who = 0; who < TS_BOTH; who++)
+			if (empty[who] && !empty[!who])
+				TS_TRY(keep(&o->empty[who], &o->nempty[who], &o->empty_capacity[who], name, err));
+		if (empty[TS_HERE] == empty[TS_PEER])
+			list->name[kept++] = name;
+	}
+	list->n = kept;
+	return TS_OK;
+}
+
 enum ts_status ts_outputs_pair(struct ts_outputs *o, const char *const folder[TS_BOTH],
 			       struct ts_error *err, struct ts_pool *pool)
 {
@@ -135,6 +159,7 @@ enum ts_status ts_outputs_pair(struct ts_outputs *o, const char *const folder[TS
 				TS_TRY(keep(&o->only[who], &o->nonly[who], &o->only_capacity[who],
 					    list->name[k], err));
 	}
+	TS_TRY(set_aside_empty(o, folder, err));
 	for (size_t k = 0; k < o->listing[TS_HERE].n; k++) {
 		const char *name = o->listing[TS_HERE].name[k];
 		enum sort sort = sort_of(folder[TS_HERE], name);
@@ -156,6 +181,7 @@ void ts_outputs_release(struct ts_outputs *o)
 	for (int who = 0; who < TS_BOTH; who++) {
 		ts_free(o->listing[who].name);
 		ts_free(o->only[who]);
+		ts_free(o->empty[who]);
 	}
 	ts_free(o->pairing);
 	ts_free(o->skipped);

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "crosscheck/meaning.h"
 #include "crosscheck/reader.h"
 
 #include "base/banned.h"
@@ -333,6 +334,8 @@ enum ts_status ts_reader_next(struct ts_reader *r, bool *got)
 			TS_TRY(ts_reader_next_vtk(r, got));
 		else
 			TS_TRY(next_text(r, got));
+		if (*got)
+			TS_TRY(ts_meanings_turn(r->meanings, &r->frame));
 		if (!*got)
 			TS_TRY(open_file(r));
 	}
@@ -343,6 +346,9 @@ static void drop(struct ts_frame *f)
 {
 	ts_free(f->name);
 	ts_free(f->cell);
+	ts_free(f->turning);
+	ts_free(f->partner);
+	ts_free(f->turned);
 	*f = (struct ts_frame){ 0 };
 }
 

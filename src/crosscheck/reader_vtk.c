@@ -162,7 +162,7 @@ enum ts_status ts_reader_next_vtk(struct ts_reader *r, bool *got)
 {
 	struct ts_frame *f = &r->frame;
 	const char *word;
-	bool done = false;
+	bool done = false, first = r->line == 0;
 
 	f->columns = f->rows = 0;
 	f->step = number_in(r->file[-1]);
@@ -179,6 +179,6 @@ enum ts_status ts_reader_next_vtk(struct ts_reader *r, bool *got)
 		if (!ts_printed_is_number(word))
 			TS_TRY(read_keyword(r, word, &done));
 	}
-	*got = f->columns > 0;
+	*got = f->columns > 0 || first; /* a file without tables is an empty frame */
 	return TS_OK;
 }

@@ -24,13 +24,22 @@ static void add_row(const struct ts_compared *c, bool statistics, struct ts_str 
 		ts_str_addf(out, "  %-*s %9.1e %10" PRId64, NAME_WIDTH, c->name, c->most, c->at);
 	else
 		ts_str_addf(out, "  %-*s %9s %10s", NAME_WIDTH, c->name, "0", "");
-	if (c->parts)
+	if (statistics && c->parts)
 		ts_str_addf(out, " %10" PRId64, c->parts_at);
 	else if (statistics)
 		ts_str_addf(out, " %10s", "-");
 	if (statistics && c->frames > 0)
 		ts_str_addf(out, " %9.1e %9.1e %9.1e", c->mean, c->spread, c->profile);
-	ts_str_add(out, "\n");
+	ts_str_add(out, c->differs && c->parts ? "  differs on purpose, see -help legacy\n" : "\n");
+}
+
+/* Nothing but frames without rows, or no frame at all, in both. */
+static bool all_empty(const struct ts_pairing *p)
+{
+	for (size_t k = 0; k < p->columns; k++)
+		if (p->column[k].side[0].n || p->column[k].side[1].n)
+			return false;
+	return !p->alone[0] && !p->alone[1];
 }
 
 static void add_alone(const struct ts_pairing *p, const char *const who[TS_BOTH], struct ts_str *out)
@@ -47,7 +56,7 @@ static void add_alone(const struct ts_pairing *p, const char *const who[TS_BOTH]
 			    p->alone_at);
 	for (size_t k = 0; k < p->columns; k++)
 		for (int side = 0; side < TS_BOTH; side++)
-			if (!p->column[k].side[side].n)
+			if (ts_compare_lacks(&p->column[k], side))
 				ts_str_addf(out, "  column %s only from %s\n", p->column[k].name,
 					    who[!side]);
 }
@@ -57,6 +66,10 @@ void ts_report_pairing(const struct ts_pairing *p, bool statistics, const char *
 {
 	const char *const who[TS_BOTH] = { "tsim", peer };
 
+	if (all_empty(p)) {
+		ts_str_addf(out, "\n%s: %zu %s%s, empty in both\n", p->name, p->frames, unit(p), plural(p->frames));
+		return;
+	}
 	ts_str_addf(out, "\n%s: %zu %s%s%s\n", p->name, p->frames, unit(p), plural(p->frames),
 		    p->left_out ? ", wall times not compared" : "");
 	ts_str_addf(out, "  %-*s %9s    at %s", NAME_WIDTH, "column", "largest", unit(p));
@@ -66,5 +79,10 @@ void ts_report_pairing(const struct ts_pairing *p, bool statistics, const char *
 	for (size_t k = 0; k < p->columns; k++)
 		if (p->column[k].side[TS_HERE].n && p->column[k].side[TS_PEER].n)
 			add_row(&p->column[k], statistics, out);
+	if (p->turned)
+		ts_str_addf(out,
+			    "  %zu contact%s with the partners in the other order: forces are compared with the opposite sign, "
+			    "history without sign, torques not\n",
+			    p->turned, plural(p->turned));
 	add_alone(p, who, out);
 }

@@ -47,6 +47,10 @@ const struct ts_command_style ts_command_legacy = {
 			  "fix mesh/surface/stress/servo without gains has kp 0.01 even where its loop is not stable with "
 			  "it; otherwise kp is at most a tenth of the largest stable one.\n\n"
 			  "Legacy VTK files (.vtk) have positions in single precision, with six digits in text.\n\n"
+			  "One difference remains with `legacy yes`: compute pe, compute pe/atom and the keywords pe, etotal and "
+			  "epair give the elastic energy of contacts. LIGGGHTS and LAMMPS give 0 for granular contacts, because "
+			  "their granular pair styles compute no energy; the books of energy (fix energy/ledger) need it. "
+			  "`tsim -crosscheck` shows such columns and does not count them as differences.\n\n"
 			  "`-legacy` on the command line does the same for scripts that LIGGGHTS shall read, "
 			  "too.",
 		   .example = "legacy yes",

@@ -52,8 +52,8 @@ const struct ts_style ts_compute_pe = {
 	       "store nothing. A contact of hooke/hysteresis yields and has no potential: the line is refused\n"
 	       "at the run. `bond`: K U^2/2 of bond style contact. `fix`: what the fixes give that `fix_modify\n"
 	       "ID energy yes` counts in (gravity: -sum m g.x, positions unwrapped). Walls are fixes.\n\n"
-	       "LAMMPS itself has no energy of granular contacts and prints 0 for their part; LIGGGHTS has no\n"
-	       "such column.",
+	       "LAMMPS and LIGGGHTS have no energy of granular contacts: their compute pe is 0 for that part\n"
+	       "(see `legacy`). LIGGGHTS has no keyword pe of thermo_style.",
 	.example = "compute stored all pe pair bond",
 	.args = args,
 	.state_size = sizeof(struct pe),

@@ -1,0 +1,28 @@
+/* What the script tells about columns of outputs: which are of contacts, whose numbers depend on
+ * the partner that is named first, and which differ from those of the other program on purpose. */
+#ifndef TS_CROSSCHECK_MEANING_H
+#define TS_CROSSCHECK_MEANING_H
+
+#include "base/map.h"
+#include "base/words.h"
+#include "crosscheck/frame.h"
+
+/* Zero-initialise but for err and pool. */
+struct ts_meanings {
+	struct ts_error *err;
+	struct ts_pool *pool;
+	struct ts_map contacts; /* ID of a compute pair/gran/local -> its columns */
+	struct ts_map differs;	/* "c_ID", "v_NAME" that differ on purpose */
+	struct ts_map titles;	/* as they stand above columns, cut, -> "c_ID" */
+	struct ts_arena arena;
+};
+
+/* A command of the script. */
+enum ts_status ts_meanings_take(struct ts_meanings *m, const char *const *word, size_t n);
+/* Whether a column differs on purpose: see the page of command legacy. */
+bool ts_meanings_differ(const struct ts_meanings *m, enum ts_frame_kind kind, const char *column);
+/* In rows of contacts the partner with the smaller identity becomes the first. */
+enum ts_status ts_meanings_turn(const struct ts_meanings *m, struct ts_frame *frame);
+void ts_meanings_release(struct ts_meanings *m);
+
+#endif
