@@ -11,9 +11,11 @@
 #include "base/alloc.h"
 #include "base/clock.h"
 #include "core/price.h"
+#include "core/saver.h"
 #include "core/sim.h"
 #include "crosscheck/crosscheck.h"
 #include "io/restart.h"
+#include "io/textfile.h"
 #include "program/program.h"
 #include "script/script.h"
 #include "tsim.h"
@@ -43,6 +45,16 @@ static void on_signal(int number)
 		tsim_stop(sim);
 }
 
+/* USR1: the state is saved after the step or command at hand, and the script goes on. */
+static void on_save(int number)
+{
+	struct tsim *sim = interrupted;
+
+	(void)number;
+	if (sim)
+		sim->save = 1;
+}
+
 /* The kernel says it each second. */
 static void on_time_up(int number)
 {
@@ -55,12 +67,15 @@ static void on_time_up(int number)
 
 static void catch_signals(struct tsim *sim)
 {
+	struct sigaction save = { .sa_handler = on_save, .sa_flags = SA_RESTART };
 	struct sigaction time_up = { .sa_handler = on_time_up, .sa_flags = SA_RESTART };
 	struct sigaction action = { .sa_handler = on_signal, .sa_flags = SA_RESTART }, before;
 
 	interrupted = sim;
 	sigaction(SIGINT, &action, NULL);
 	sigaction(SIGTERM, &action, NULL);
+	sigaction(SIGUSR1, &save, NULL);
+	sigaction(SIGUSR2, &action, NULL);
 	sigaction(SIGHUP, NULL, &before);
 	if (before.sa_handler != SIG_IGN) /* nohup */
 		sigaction(SIGHUP, &action, NULL);
@@ -136,29 +151,68 @@ static int report_check(struct tsim *sim)
 	return bad || n ? EXIT_FAILURE : EXIT_SUCCESS;
 }
 
-/* Where an interrupted run is saved: beside the log file unless the user says otherwise. */
-static void interrupted_path(const struct tsim *sim, const struct ts_setup *setup, struct ts_str *out)
+/* Saves the state on request. */
+struct saver {
+	struct ts_saver base;
+	const struct ts_setup *setup;
+};
+
+/* Where it is saved: beside the log file unless the user says otherwise; "": nowhere. */
+static void saved_path(const struct tsim *sim, const struct ts_setup *setup, struct ts_str *out)
 {
 	const char *log = setup->log_given ? setup->log : "", *slash = strrchr(log, '/');
+	struct ts_str file = { 0 };
 
 	if (!sim->restart_on_signal && slash)
-		ts_str_add_n(out, log, (size_t)(slash + 1 - log));
-	ts_str_add(out, sim->restart_on_signal ? sim->restart_on_signal
-					       : "tsim.interrupted.restart");
+		ts_str_add_n(&file, log, (size_t)(slash + 1 - log));
+	ts_str_add(&file, sim->restart_on_signal ? sim->restart_on_signal : "tsim.interrupted.restart");
+	ts_step_path(out, ts_str_text(&file), (long long)sim->clock.step, 0);
+	out->failed |= file.failed;
+	ts_str_release(&file);
 }
 
-/* After a signal: saves the state and says how to go on. */
-static void save_interrupted(struct tsim *sim, const struct ts_setup *setup)
+/* USR1. What fails here does not end the run. */
+static enum ts_status save_and_go_on(struct ts_saver *self, struct tsim *sim)
 {
 	struct ts_str path = { 0 };
 
-	interrupted_path(sim, setup, &path);
+	if (sim->explain)
+		return TS_OK;
+	saved_path(sim, ((struct saver *)self)->setup, &path);
+	if (!path.length)
+		ts_log(&sim->log, "Signal USR1: nothing is saved, because no restart file shall be written on signals\n");
+	else if (!ts_sim_has_box(sim))
+		ts_log(&sim->log, "Signal USR1: nothing is saved, because there is no simulation box yet\n");
+	else if (ts_restart_write(sim, ts_str_text(&path), NULL) != TS_OK)
+		ts_warn(&sim->log, NULL, "signal USR1: the state at step %" PRId64 " is not saved: %s", sim->clock.step,
+			sim->error.message);
+	else
+		ts_log(&sim->log, "Signal USR1: the state at step %" PRId64 " is saved in %s\n", sim->clock.step,
+		       ts_str_text(&path));
+	ts_error_clear(&sim->error);
+	ts_str_release(&path);
+	return TS_OK;
+}
+
+/* After a signal that ended the run: saves the state and says how to go on. False: it should, and could not. */
+static bool save_interrupted(struct tsim *sim, const struct ts_setup *setup)
+{
+	struct ts_str path = { 0 };
+	bool good = true, whole = sim->stopped_whole;
+
+	saved_path(sim, setup, &path);
 	tsim_error_clear(sim);
 	if (!path.length || !ts_sim_has_box(sim) || sim->explain) {
 		ts_str_release(&path);
-		return;
+		return true;
 	}
-	if (ts_restart_write(sim, ts_str_text(&path), NULL) != TS_OK)
+	if (!whole) {
+		ts_log(&sim->log, "The state is not saved: a command of the script was ended before it had done its work.\n");
+		ts_str_release(&path);
+		return false;
+	}
+	good = ts_restart_write(sim, ts_str_text(&path), NULL) == TS_OK;
+	if (!good)
 		report_error(sim);
 	else
 		ts_log(&sim->log,
@@ -167,11 +221,13 @@ static void save_interrupted(struct tsim *sim, const struct ts_setup *setup)
 		       "  read_restart %s\nand as run command\n  run %" PRId64 " upto\n",
 		       sim->clock.step, ts_str_text(&path), sim->clock.goal);
 	ts_str_release(&path);
+	return good;
 }
 
 /* Runs the script; the exit status. */
 static int run(struct tsim *sim, struct ts_setup *setup)
 {
+	struct saver saver = { { save_and_go_on }, setup };
 	struct ts_str said = { 0 };
 	int status = setup->sandboxed ? ts_program_sandbox(sim, setup, &said) : 0, quit = EXIT_SUCCESS;
 
@@ -180,6 +236,7 @@ static int run(struct tsim *sim, struct ts_setup *setup)
 		ts_str_release(&said);
 		return status;
 	}
+	sim->saver = &saver.base;
 	catch_signals(sim);
 	if (!status)
 		ts_log(&sim->log, "tsim %s\n%s", tsim_version(), ts_str_text(&said));
@@ -196,7 +253,8 @@ static int run(struct tsim *sim, struct ts_setup *setup)
 			fputs("the processor time that -sandbox allows is used up (-sandbox time)\n", stderr);
 		if (sim->error.status == TS_STOPPED && signal_number) {
 			quit = 128 + signal_number;
-			save_interrupted(sim, setup);
+			if (!save_interrupted(sim, setup) && signal_number == SIGUSR2)
+				quit = EXIT_FAILURE; /* it is what was asked for */
 		}
 	} else {
 		if (setup->explain)
@@ -211,6 +269,7 @@ static int run(struct tsim *sim, struct ts_setup *setup)
 		}
 	}
 	interrupted = NULL;
+	sim->saver = NULL;
 	return quit;
 }
 

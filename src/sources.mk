@@ -83,6 +83,8 @@ library_sources = \
 	src/core/registry.c \
 	src/core/review.c \
 	src/core/review.h \
+	src/core/saver.c \
+	src/core/saver.h \
 	src/core/settings.c \
 	src/core/settings.h \
 	src/core/sim.c \

@@ -81,6 +81,56 @@ interrupted INT 5
 report 'the second signal stops at once' $? err
 again=
 
+# USR1: saves and goes on; USR2: saves and stops.
+interrupted USR1 311
+[ $status = 0 ] && [ -s tsim.interrupted.restart ]
+report 'USR1: the run goes on to its end' $? err
+grep -q '^Signal USR1: the state at step 3[0-9]* is saved in tsim.interrupted.restart$' out
+report 'USR1: says so' $? out
+for kind in dump contacts bonds cracks; do
+	same "USR1: $kind is that of a run without signal" "whole.$kind" "a.$kind"
+done
+same 'USR1: so is the state at the end' whole.restart a.restart
+"$TSIM" -in in.part -log b.log -screen none -var out b -var last 700 -var from tsim.interrupted.restart 2>err
+report 'USR1: the file can be gone on from' $? err
+same 'USR1: to the same state' whole.restart b.restart
+again=yes
+interrupted USR1 5 -restart-on-signal 'step*.restart'
+[ $status = 0 ] && [ "$(grep -c '^Signal USR1' out)" = 1 ] && [ "$(echo step[0-9]*.restart | wc -w)" = 1 ]
+report 'USR1: two in one step are one; the file is named after the step' $? out
+again=
+interrupted USR1 5 -restart-on-signal none
+[ $status = 0 ] && grep -q '^Signal USR1: nothing is saved' out && ! ls ./*.interrupted.restart 2>/dev/null
+report 'USR1: no file is named' $? out
+interrupted USR1 5 -restart-on-signal in.paced/file
+[ $status = 0 ] && grep -q "warning: signal USR1: the state at step [0-9]* is not saved: .*in.paced/file'" out err
+report 'USR1: a file that cannot be written is no end' $? out
+interrupted USR2 311
+[ $status = 140 ] && [ -s tsim.interrupted.restart ] && grep -q '^  run 700 upto' out
+report 'USR2: saves and stops' $? out
+interrupted USR2 5 -restart-on-signal in.paced/file
+[ $status = 1 ] && grep -q "in.paced/file'" err
+report 'USR2: a file that cannot be written' $? err
+
+# Between runs, before there is a box, and with -check.
+echo 'kill "-$1" "$(cat pid)"' >send
+printf 'shell sh send USR1\nprint early\ninclude in.box\nshell sh send USR1\nshell sh send USR2\nprint late\n' >in.signals
+printf 'units si\nregion b block 0 1 0 1 0 1 units box\ncreate_box 1 b\ncreate_atoms 1 single .5 .5 .5 units box\n' >in.box
+rm -f tsim.interrupted.restart
+sh -c 'echo $$ >pid; exec "$0" -in in.signals -shell yes -log none' "$TSIM" >out 2>err
+[ $? = 140 ] && grep -q 'no simulation box yet' out && grep -q early out && ! grep -q late out &&
+	[ "$(grep -c 'state at step 0 is saved' out)" = 2 ] && [ -s tsim.interrupted.restart ]
+report 'between runs' $? out
+rm -f tsim.interrupted.restart
+{
+	cat in.box
+	sleep 0.3
+	sh send USR1
+	echo 'print "late"'
+} | sh -c 'echo $$ >pid; exec "$0" -check -log none' "$TSIM" >out 2>err
+[ $? = 0 ] && [ ! -e tsim.interrupted.restart ]
+report '-check goes on and writes nothing' $? err
+
 printf 'label a\njump SELF a\n' >in.loop
 timeout -s TERM 0.3 "$TSIM" -in in.loop -log none >out 2>err
 grep -q 'stopped on request' err

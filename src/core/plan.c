@@ -7,6 +7,7 @@
 #include "base/clock.h"
 #include "core/pending.h"
 #include "core/ref_list.h"
+#include "core/saver.h"
 #include "core/settings.h"
 #include "core/uses.h"
 
@@ -270,7 +271,7 @@ enum ts_status ts_plan_step(struct ts_plan *plan, struct tsim *sim)
 static enum ts_status leave_run(struct tsim *sim, enum ts_status status)
 {
 	ts_sweep(sim);
-	sim->running = sim->in_setup = sim->resuming = sim->rebuild = false;
+	sim->running = sim->in_setup = sim->resuming = sim->rebuild = sim->saving = false;
 	return status;
 }
 
@@ -314,7 +315,10 @@ enum ts_status ts_plan_steps(struct ts_plan *plan, struct tsim *sim)
 			break;
 		if (sim->stop) /* one more, of which all know that it is the last */
 			sim->clock.last_step = sim->clock.step + 1;
+		sim->saving = sim->save && sim->saver;
 		status = ts_plan_step(plan, sim);
+		if (status == TS_OK && sim->saving)
+			status = ts_saver_act(sim);
 		look_at_clock(sim);
 	}
 	return leave_run(sim, status);
@@ -329,6 +333,7 @@ enum ts_status ts_plan_finish(struct ts_plan *plan, struct tsim *sim)
 
 enum ts_status ts_plan_stopped(struct tsim *sim)
 {
+	sim->stopped_whole = sim->stop != 0;
 	if (sim->stop)
 		return ts_fail(&sim->error, TS_STOPPED, NULL,
 			       "stopped on request after step %" PRId64

@@ -145,6 +145,10 @@ struct tsim {
 	uint64_t epochs;
 	struct ts_bill bill;
 	volatile int stop; /* set from a signal handler: finish the step, then stop */
+	bool stopped_whole; /* it stopped between two steps or commands, and can be saved */
+	volatile int save;  /* set from a signal handler: save the state after this step or command */
+	bool saving;	    /* this step ends so */
+	struct ts_saver *saver; /* who does it; NULL: nobody */
 	uint64_t generation; /* grows when particles are added, deleted, reordered or their columns
 			      * move in memory; never goes back, not by `clear` either */
 	const char *restart_on_signal; /* file written when a signal stops the run; "": none,

@@ -292,7 +292,7 @@ static bool shows(const struct tsim *sim)
 	const struct ts_neigh *nb = sim->neigh;
 	int64_t step = sim->clock.step;
 
-	return nb->shown || sim->shows_contacts || sim->in_setup || step == sim->clock.last_step ||
+	return nb->shown || sim->shows_contacts || sim->in_setup || sim->saving || step == sim->clock.last_step ||
 	       sim->timeout > 0 || (nb->show_every && step % nb->show_every == 0);
 }
 

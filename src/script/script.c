@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "core/saver.h"
 #include "script/check.h"
 #include "script/unknown.h"
 
@@ -320,6 +321,9 @@ static enum ts_status run_line(struct ts_script *script, struct ts_line *line)
 		status = ts_script_run_words(script, words);
 	if (status == TS_OK)
 		status = ts_log_check(&script->sim->log, error);
+	if (status == TS_OK && words.n)
+		status = ts_saver_act(script->sim);
+	script->sim->stopped_whole |= status == TS_OK && script->sim->stop;
 	if (status == TS_OK && words.n && script->sim->stop)
 		status = ts_fail(error, TS_STOPPED, &words.word[0].place, "stopped on request");
 	if (status != TS_OK && script->check)

@@ -1,0 +1,16 @@
+/* Saving the state on request, from a signal handler, while a script goes on. */
+#ifndef TS_CORE_SAVER_H
+#define TS_CORE_SAVER_H
+
+#include "base/status.h"
+
+struct tsim;
+
+struct ts_saver {
+	enum ts_status (*save)(struct ts_saver *self, struct tsim *sim);
+};
+
+/* After a step or a command: saves if sim->save is set, and there is somebody to do it. */
+enum ts_status ts_saver_act(struct tsim *sim);
+
+#endif
