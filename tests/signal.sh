@@ -138,9 +138,10 @@ report 'a loop of the script without a run' $? err
 
 # soon WHAT MESSAGE: the script on standard input would take for ever, and ends when it is told to
 soon() {
+	rm -f tsim.interrupted.restart
 	cat >in.long
 	timeout -k 20 -s INT 0.5 "$TSIM" -in in.long -log none >out 2>err
-	[ $? = 124 ] && grep -q "$2" err
+	[ $? = 124 ] && grep -q "$2" err && [ ! -e tsim.interrupted.restart ]
 	report "$1" $? err
 }
 soon 'a placement that cannot end' 'stopped on request: .* placed, none is made' <<'END'
@@ -153,5 +154,93 @@ END
 	echo 'variable a0 equal random(0,1,17)'
 	for k in $(seq 63); do echo "variable a$k equal v_a$((k - 1))+v_a$((k - 1))"; done
 	echo 'print "$(v_a63)"'
-} | soon 'a formula that takes for ever' 'stopped on request in a formula'
+} >in.formula
+soon 'a formula that takes for ever' 'stopped on request in a formula' <in.formula
+# Columns and lists that double 63 times: each variable is evaluated once.
+{
+	cat <<'END'
+units si
+region b block 0 1 0 1 0 1 units box
+create_box 1 b
+create_atoms 1 single 0.25 0.5 0.5 units box
+create_atoms 1 single 0.5 0.5 0.5 units box
+set type 1 diameter 0.01 density 2500
+variable b0 atom x
+variable c0 vector [1,2.5]
+variable r atom random(0,1,17)
+variable same atom v_r-v_r
+END
+	for k in $(seq 63); do
+		echo "variable b$k atom v_b$((k - 1))+v_b$((k - 1))"
+		echo "variable c$k vector v_c$((k - 1))+v_c$((k - 1))"
+	done
+	cat <<'END'
+variable v atom v_b63/2^62+v_b62/2^62
+velocity all set v_v 0 0
+print "is $(vcm(all,x)) $(v_b63[2]/2^62) $(v_c63[2]/2^63) $(v_same[1]!=0)"
+END
+} >in.columns
+timeout -k 5 20 "$TSIM" -in in.columns -log none >out 2>err
+grep -qx 'is 1.125 1 2.5 1' out
+report 'columns and lists that double 63 times' $? err
+soon 'a lattice of many places' 'stopped on request: the lattice' <<'END'
+units si
+region b block 0 1 0 1 0 1 units box
+region far sphere 0.5 0.5 0.5 5 side out units box
+region rest intersect 2 b far
+lattice sc 0.0012
+create_box 1 b
+create_atoms 1 region rest
+END
+
+# Files without an end: endless WHAT FILE COMMANDS: the lines on standard input, of which the last goes on and on
+endless() {
+	local file=$2 packed=cat
+	cat >head
+	case $file in *.gz) packed='gzip -1' ;; esac
+	mkfifo "$file"
+	{ cat head && yes "$(tail -n 1 head)"; } 2>/dev/null | $packed >"$file" 2>/dev/null &
+	soon "$1" "stopped on request while '$file' was read" <<<"$3"
+	wait $! 2>/dev/null
+}
+box='units si
+region b block 0 1 0 1 0 1 units box
+create_box 1 b'
+data='grains
+
+1000000000 atoms
+1 atom types
+0 1 xlo xhi
+0 1 ylo yhi
+0 1 zlo zhi
+
+Atoms
+
+1 1 0.01 2500 0.5 0.5 0.5'
+endless 'a data file' in.data 'units si
+read_data in.data' <<<"$data"
+endless 'a compressed data file' data.gz 'units si
+read_data data.gz' <<<"$data"
+endless 'a mesh' m.stl "$box
+fix m all mesh/surface file m.stl type 1" <<<'solid a
+facet normal 0 0 1
+outer loop
+vertex 0 0 0'
+frame='ITEM: TIMESTEP
+10
+ITEM: NUMBER OF ATOMS
+1000000000
+ITEM: BOX BOUNDS ff ff ff
+0 1
+0 1
+0 1
+ITEM: ATOMS id type x y z radius
+1 1 0.5 0.5 0.5 0.01'
+endless 'read_dump' one.dump "$box
+read_dump one.dump 10 x y z add yes box no" <<<"$frame"
+endless 'rerun' two.dump "$box
+pair_style spring/dashpot
+pair_coeff * * stiffness 1e4 restitution 0.6
+rerun two.dump dump x y z" <<<"$frame"
+endless 'a restart file' three.restart 'read_restart three.restart' <<<'tsim restart'
 finish

@@ -405,6 +405,11 @@ FILE *ts_files_open(struct ts_files *files, const char *path, const char *mode)
 	return file;
 }
 
+bool ts_files_stopped(const struct ts_files *files)
+{
+	return files && files->stop && *files->stop;
+}
+
 void *ts_files_open_gz(struct ts_files *files, const char *path)
 {
 	gzFile file;

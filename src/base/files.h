@@ -31,6 +31,7 @@ struct ts_files {
 	struct ts_files_own *own; /* files that were written through here: they can be read again */
 	size_t nown, own_capacity;
 	char why[512]; /* the last refusal */
+	volatile const int *stop; /* not 0: whoever reads for long shall end; NULL: never */
 };
 
 /* Lets a closed door open this folder; -1 and errno where there is no such folder. */
@@ -39,6 +40,7 @@ void ts_files_close(struct ts_files *files, int64_t most_bytes);
 bool ts_files_closed(const struct ts_files *files);
 void ts_files_release(struct ts_files *files);
 
+bool ts_files_stopped(const struct ts_files *files);
 /* The reason of the last failure, from errno and the door. */
 const char *ts_files_why(const struct ts_files *files);
 

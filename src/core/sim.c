@@ -99,6 +99,7 @@ struct tsim *ts_sim_new(void)
 		return NULL;
 	ts_math_init();
 	sim->log.files = &sim->files;
+	sim->files.stop = &sim->stop;
 	set_defaults(sim);
 	sim->pool = ts_pool_new();
 	if (!sim->pool || start_systems(sim) != TS_OK) {

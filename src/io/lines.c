@@ -31,6 +31,7 @@ enum ts_status ts_lines_open(struct ts_lines *l, struct ts_files *files, struct 
 		return ts_nomem(err);
 	l->chunk = l->buffer;
 	errno = 0;
+	l->files = files;
 	l->gz = ts_files_open_gz(files, path);
 	if (l->gz)
 		return TS_OK;
@@ -66,6 +67,8 @@ static enum ts_status refill(struct ts_lines *l)
 	l->at = l->end = 0;
 	if (!l->gz)
 		return TS_OK;
+	if (ts_files_stopped(l->files))
+		return ts_lines_fail(l, TS_STOPPED, SIZE_MAX, "stopped on request while '%s' was read", l->file);
 	errno = 0;
 	got = gzread(l->gz, l->buffer, CHUNK);
 	text = gzerror(l->gz, &code);

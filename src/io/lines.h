@@ -18,6 +18,7 @@ struct ts_lines {
 	struct ts_pool *pool; /* for the texts of places */
 	const char *file;     /* its name, in the pool */
 	void *gz;	      /* gzFile; NULL: from memory */
+	struct ts_files *files;
 	double most_unfolded;	      /* base/input_limit.h */
 	size_t longest;		      /* likewise, a line */
 	double unfolded;	      /* bytes, since the reader last set it to 0 */

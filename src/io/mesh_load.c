@@ -163,6 +163,10 @@ static enum ts_status load(struct ts_instance *self, struct tsim *sim,
 	if (status == TS_OK) {
 		source = source_of(self, w);
 		how.precision = precision_of(w, &soup);
+		if (sim->stop)
+			status = ts_fail(&sim->error, TS_STOPPED, &source.place, "stopped on request before the mesh was built");
+	}
+	if (status == TS_OK) {
 		status = ts_mesh_admit(sim, &source.place, &how, &soup, &surface->mesh);
 	}
 	ts_triangles_release(&soup);

@@ -91,7 +91,9 @@ enum ts_status ts_obj_read(struct ts_scan *s, struct ts_triangles *soup)
 
 	s->comments = true;
 	while (status == TS_OK && ts_scan_word(s)) {
-		status = read_line(&o);
+		status = ts_scan_go_on(s);
+		if (status == TS_OK)
+			status = read_line(&o);
 		while (status == TS_OK && ts_scan_word_in_line(s)) /* colours and the like */
 			;
 	}

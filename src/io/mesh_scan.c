@@ -29,6 +29,13 @@ static void pass_byte_order_mark(struct ts_scan *s)
 		s->at = s->line_start = 3;
 }
 
+enum ts_status ts_scan_go_on(struct ts_scan *s)
+{
+	if (ts_files_stopped(s->files))
+		return ts_scan_refuse(s, TS_STOPPED, "stopped on request while '%s' was read", s->file);
+	return TS_OK;
+}
+
 static enum ts_status load(struct ts_scan *s, gzFile gz)
 {
 	size_t capacity = 0;
@@ -37,6 +44,7 @@ static enum ts_status load(struct ts_scan *s, gzFile gz)
 		int got, code;
 		const char *text;
 
+		TS_TRY(ts_scan_go_on(s));
 		if (TS_GROW(s->owned, capacity, s->n + CHUNK) != TS_OK)
 			return ts_nomem(s->err);
 		errno = 0;
@@ -62,6 +70,7 @@ enum ts_status ts_scan_open(struct ts_scan *s, struct ts_files *files, struct ts
 	gzFile gz;
 
 	TS_TRY(start(s, err, pool, path));
+	s->files = files;
 	errno = 0;
 	gz = ts_files_open_gz(files, path);
 	if (!gz)

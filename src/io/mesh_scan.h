@@ -13,6 +13,7 @@ struct ts_scan {
 	const char *bytes;
 	char *owned; /* the same, if the scan has to free them */
 	size_t n, at;
+	struct ts_files *files;
 	bool comments; /* `#` hides the rest of a line */
 	bool binary;   /* messages count bytes, not lines */
 	/* the last word */
@@ -28,6 +29,8 @@ enum ts_status ts_scan_memory(struct ts_scan *s, struct ts_error *err, struct ts
 			      const char *name, const char *bytes, size_t n);
 void ts_scan_close(struct ts_scan *s);
 
+/* TS_STOPPED if someone asked for it. */
+enum ts_status ts_scan_go_on(struct ts_scan *s);
 /* The next word, or false: at the end of the file; of the line, of which the end is not passed. */
 bool ts_scan_word(struct ts_scan *s);
 bool ts_scan_word_in_line(struct ts_scan *s);

@@ -49,6 +49,7 @@ static enum ts_status read_binary(struct ts_scan *s, struct ts_triangles *soup)
 	for (uint32_t k = 0; k < n; k++) {
 		struct ts_triangle t = { .solid = "" };
 
+		TS_TRY(ts_scan_go_on(s));
 		for (size_t c = 0; c < 9; c++) {
 			s->at = HEAD + (size_t)k * RECORD + 12 + 4 * c;
 			t.v[c / 3][c % 3] = get_float(s->bytes + s->at);
@@ -116,6 +117,7 @@ static enum ts_status read_text(struct ts_scan *s, struct ts_triangles *soup)
 	s->comments = true;
 	while (ts_scan_word(s)) {
 		if (ts_scan_is(s, "facet")) {
+			TS_TRY(ts_scan_go_on(s));
 			TS_TRY(read_facet(s, &t));
 			if (ts_triangles_add(soup, &t) != TS_OK)
 				return ts_nomem(s->err);

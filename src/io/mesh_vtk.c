@@ -100,6 +100,7 @@ static double as_real(uint64_t bits, const struct type *type)
 static enum ts_status next_real(struct vtk *v, const struct type *type, const char *what,
 				double *out)
 {
+	TS_TRY(ts_scan_go_on(v->s));
 	if (!v->binary)
 		return ts_scan_real(v->s, what, out);
 	*out = as_real(take(v->s, type->size), type);
@@ -111,6 +112,7 @@ static enum ts_status next_real(struct vtk *v, const struct type *type, const ch
 static enum ts_status next_int(struct vtk *v, const struct type *type, const char *what, int64_t lo,
 			       int64_t hi, int64_t *out)
 {
+	TS_TRY(ts_scan_go_on(v->s));
 	if (!v->binary)
 		return ts_scan_int(v->s, what, lo, hi, out);
 	*out = as_int(take(v->s, type->size), type);

@@ -230,6 +230,9 @@ static enum ts_status load_stream(struct reader *r, FILE *file)
 	size_t got;
 
 	do {
+		if (r->sim->stop)
+			return ts_fail(&r->sim->error, TS_STOPPED, r->where, "stopped on request while '%s' was read",
+				       r->path);
 		if (TS_GROW(r->bytes, r->capacity, r->n + (1u << 16)) != TS_OK)
 			return ts_nomem(&r->sim->error);
 		got = fread(r->bytes + r->n, 1, r->capacity - r->n, file);

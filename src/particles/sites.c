@@ -129,9 +129,13 @@ enum ts_status ts_sites_on_lattice(struct tsim *sim, const struct ts_instance *r
 	}
 	TS_TRY(find_cells(sim, lo, hi, where, first, last));
 	for (c[2] = first[2]; c[2] <= last[2]; c[2]++)
-		for (c[1] = first[1]; c[1] <= last[1]; c[1]++)
+		for (c[1] = first[1]; c[1] <= last[1]; c[1]++) {
+			if (sim->stop)
+				return ts_fail(&sim->error, TS_STOPPED, where,
+					       "stopped on request: the lattice was not filled yet, no particle is made");
 			for (c[0] = first[0]; c[0] <= last[0]; c[0]++)
 				TS_TRY(fill_cell(sim, region, type_of_basis, &fill, c, sites));
+		}
 	return TS_OK;
 }
 

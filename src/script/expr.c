@@ -294,6 +294,8 @@ static enum ts_status evaluate(struct ts_expr *e, struct ts_operand *out)
 		return ts_expr_fail(e, TS_STOPPED, 0, e->length, "stopped on request in a formula that takes long");
 	status = ts_expr_read(e, 1, out);
 	e->script->formula_depth = depth;
+	if (!depth)
+		ts_variables_forget(e->script);
 	if (status != TS_OK)
 		return status;
 	if (ts_expr_peek(e))

@@ -37,6 +37,7 @@ struct ts_script {
 	int depth;		  /* of scripts and commands in each other */
 	uint64_t reading;	  /* of formulas, from outside: within one each variable is evaluated once */
 	uint64_t formulas;	  /* evaluated in this one */
+	struct ts_variable *kept; /* those whose columns or lists are kept within it */
 	uint64_t drawn;		  /* values that differ from one look to the next: of random(), next() */
 	bool misfit;		  /* a formula has named an output that is not of the shape that is needed there */
 	int formula_depth;	  /* of formulas, over all variables that use each other */

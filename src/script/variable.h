@@ -81,6 +81,8 @@ struct ts_variable {
 	int pad;		/* loop: digits */
 	double number;		/* internal, once, timer; of a formula: as it was read last */
 	uint64_t reading;	/* of the script, when that was */
+	struct ts_table kept;	/* of a formula of particles or a list: likewise, within a reading */
+	struct ts_variable *next_kept;
 	size_t place;		/* among all */
 	struct ts_variable_feed *feed;
 	struct ts_arena arena;
@@ -121,6 +123,9 @@ enum ts_status ts_variable_vector(struct ts_script *script, struct ts_variable *
 				  const struct ts_place *where, struct ts_table *out);
 enum ts_status ts_variable_next(struct ts_script *script, struct ts_variable *variable,
 				const struct ts_place *where, bool *exhausted);
+
+/* At the end of a reading: columns and lists that were kept within it. */
+void ts_variables_forget(struct ts_script *script);
 
 /* Gives a variable that is being defined what a restart file keeps of it; *resumed: there was something. */
 enum ts_status ts_variable_resume(struct ts_script *script, struct ts_variable *variable,

@@ -1,4 +1,6 @@
 /* Variables that keep a formula, evaluated each time they are used: equal, atom, vector. */
+#include <string.h>
+
 #include "script/unknown.h"
 
 #include "base/banned.h"
@@ -30,8 +32,57 @@ static enum ts_status equal_text(struct ts_script *script, struct ts_variable *v
 	return TS_OK;
 }
 
+typedef enum ts_status read_table(struct ts_script *script, const char *text, const struct ts_place *place,
+				  struct ts_table *out);
+
+static enum ts_status copy_table(struct ts_script *script, const struct ts_table *from, struct ts_table *to)
+{
+	if (ts_table_resize(to, from->rows, from->columns) != TS_OK)
+		return ts_nomem(&script->sim->error);
+	if (from->rows)
+		memcpy(to->data, from->data, from->rows * from->columns * sizeof *to->data);
+	return TS_OK;
+}
+
+/* Within a reading each column and list is evaluated once, unless it drew random numbers. */
+static enum ts_status table_once(struct ts_script *script, struct ts_variable *variable, read_table *read,
+				 struct ts_table *out)
+{
+	const struct ts_word *formula = &variable->values.word[0];
+	bool inner = script->formula_depth > 0;
+	uint64_t drawn = script->drawn;
+
+	if (inner && variable->reading == script->reading)
+		return copy_table(script, &variable->kept, out);
+	TS_TRY(read(script, formula->text, &formula->place, out));
+	if (!inner || drawn != script->drawn)
+		return TS_OK;
+	TS_TRY(copy_table(script, out, &variable->kept));
+	variable->reading = script->reading;
+	variable->next_kept = script->kept;
+	script->kept = variable;
+	return TS_OK;
+}
+
+void ts_variables_forget(struct ts_script *script)
+{
+	for (struct ts_variable *v = script->kept; v; v = v->next_kept) {
+		ts_table_release(&v->kept);
+		v->reading = 0;
+	}
+	script->kept = NULL;
+}
+
 static enum ts_status formula_peratom(struct ts_script *script, struct ts_variable *variable,
 				      const struct ts_place *where, struct ts_table *out)
+{
+	(void)where;
+	return table_once(script, variable, ts_expr_peratom, out);
+}
+
+/* Asked for from outside only: formulas take its number. */
+static enum ts_status equal_peratom(struct ts_script *script, struct ts_variable *variable,
+				    const struct ts_place *where, struct ts_table *out)
 {
 	const struct ts_word *formula = &variable->values.word[0];
 
@@ -42,10 +93,8 @@ static enum ts_status formula_peratom(struct ts_script *script, struct ts_variab
 static enum ts_status formula_vector(struct ts_script *script, struct ts_variable *variable,
 				     const struct ts_place *where, struct ts_table *out)
 {
-	const struct ts_word *formula = &variable->values.word[0];
-
 	(void)where;
-	return ts_expr_vector(script, formula->text, &formula->place, out);
+	return table_once(script, variable, ts_expr_vector, out);
 }
 
 /* As LAMMPS shows it: [1,2.5,3] */
@@ -67,8 +116,7 @@ static enum ts_status vector_text(struct ts_script *script, struct ts_variable *
 
 /* What is there already must be of the right shape; what is not may come later. */
 static enum ts_status read_formula(struct ts_script *script, struct ts_variable *variable,
-				   enum ts_status (*read)(struct ts_script *script, const char *text,
-							  const struct ts_place *place, struct ts_table *out))
+				   read_table *read)
 {
 	const struct ts_word *formula = &variable->values.word[0];
 	struct ts_dry before = ts_dry_begin(script);
@@ -101,7 +149,7 @@ const struct ts_variable_style ts_var_equal = {
 	.define = define_equal,
 	.text = equal_text,
 	.number = equal_number,
-	.peratom = formula_peratom,
+	.peratom = equal_peratom,
 };
 
 const struct ts_variable_style ts_var_atom = {
