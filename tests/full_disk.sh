@@ -139,4 +139,16 @@ for what in 'dump d all custom 1 file/x id' 'write_restart file/x' 'write_data f
 	[ $? = 1 ] && grep -qE "file/x'.*(Not a directory|is no folder)" err
 	report "$what" $? err
 done
+# An interrupt while files cannot grow ends at once: the state is not saved, what was written is kept, no rest of a file
+# that could not be written is left.
+rm -rf out.* small/*
+mkdir inner
+printf 'include scene\ndump d all custom 1000000000 out.frame id x y z\nrun 1000000000\n' >in.full
+(
+	ulimit -f 2
+	exec timeout -k 20 -s INT 0.5 "$TSIM" -in in.full -log none -screen none -restart-on-signal inner/state
+) 2>err
+[ $? = 124 ] && grep -q 'stopped on request' err && grep -qE "inner/state.*$reason" err &&
+	[ "$(grep -c . out.frame)" = 39 ] && [ -z "$(ls inner)" ]
+report 'an interrupt when the state cannot be saved' $? err
 finish

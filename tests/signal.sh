@@ -156,6 +156,23 @@ END
 	echo 'print "$(v_a63)"'
 } >in.formula
 soon 'a formula that takes for ever' 'stopped on request in a formula' <in.formula
+soon 'an insertion that cannot end' 'fix insert/pack: stopped on request while places were searched for' <<'END'
+units si
+boundary f f f
+region b block 0 1 0 1 0 1 units box
+create_box 1 b
+region small block 0.2 0.8 0.2 0.8 0.2 0.8 units box
+fix one all particletemplate/sphere 15485863 atom_type 1 density constant 2500 radius constant 0.1
+fix all all particledistribution/discrete 32452843 1 one 1.0
+fix in all insert/pack seed 49979687 distributiontemplate all insert_every once overlapcheck yes &
+	maxattempt 1000000 vel constant 0 0 0 region small ntry_mc 2000 volumefraction_region 0.9
+pair_style spring/dashpot
+pair_coeff * * stiffness 1e4 restitution 0.6
+fix i all nve/sphere
+timestep 1e-6
+run 1
+END
+
 # Columns and lists that double 63 times: each variable is evaluated once.
 {
 	cat <<'END'

@@ -119,16 +119,17 @@ enum ts_status ts_arg_read_enum(struct ts_parse *p, const struct ts_arg *row, in
 	const struct ts_word *word = ts_arg_take(p);
 	struct ts_suggest suggest = ts_suggest_start(word ? word->text : "");
 	struct ts_str expected = { 0 };
-	const char *remark = word ? ts_known_choice_remark(row->name, word->text) : NULL;
+	const char *remark;
 	enum ts_status status;
 
-	for (int k = 0; word && row->choices[k]; k++) {
+	for (int k = 0; word && row->choices[k]; k++)
 		if (ts_streq(word->text, row->choices[k])) {
 			*out = k;
 			return TS_OK;
 		}
+	for (int k = 0; word && row->choices[k]; k++)
 		ts_suggest_try(&suggest, row->choices[k]);
-	}
+	remark = word ? ts_known_choice_remark(row->name, word->text) : NULL;
 	ts_str_add(&expected, "one of ");
 	list_choices(row->choices, &expected);
 	if (remark)

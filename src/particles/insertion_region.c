@@ -1,5 +1,7 @@
 #include "particles/insertion_region.h"
 
+#include <inttypes.h>
+
 #include "particles/body.h"
 #include "particles/domain.h"
 #include "particles/particles.h"
@@ -10,6 +12,8 @@
 static const int64_t SEED_OFFSET = 12;
 /* So many points in a row without one where the particle fits: there is no such place. */
 static const int64_t MOST_POINTS = 20000000;
+/* After a request to stop so many tries are made before the step is given up. */
+static const int64_t PATIENCE = 500000;
 
 static struct ts_minstd *stream_of(const struct ts_insertion_region *s)
 {
@@ -151,6 +155,7 @@ struct search {
 	double lo[3], hi[3]; /* where points are drawn */
 	struct ts_spherehash crowd;
 	int64_t tries, most_tries;
+	int64_t patience; /* until so many tries after a request to stop; 0: there was none */
 };
 
 static bool near_border(const struct ts_box *box, const double x[3], double radius)
@@ -185,6 +190,21 @@ static void draw_motion(struct ts_insertion *s, struct ts_newcomer *one)
 	ts_insertion_draw_orientation(s, one);
 }
 
+/* What ends within a second or so goes on: the step is finished then, and its state can be saved. */
+static enum ts_status look_for_stop(struct ts_instance *self, struct tsim *sim, struct search *search)
+{
+	if (!sim->stop)
+		return TS_OK;
+	if (!search->patience)
+		search->patience = search->tries + PATIENCE;
+	if (search->tries < search->patience)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STOPPED, &self->where,
+		       "fix %s: stopped on request while places were searched for, after %" PRId64
+		       " tries; the step is not finished, and no particle is made in it",
+		       self->style->name, search->tries);
+}
+
 /* Tries of all particles count together. */
 static enum ts_status place(struct ts_instance *self, struct tsim *sim, struct search *search,
 			    struct ts_newcomer *one)
@@ -192,6 +212,7 @@ static enum ts_status place(struct ts_instance *self, struct tsim *sim, struct s
 	struct ts_insertion_region *s = self->state;
 
 	while (!one->placed && search->tries < search->most_tries) {
+		TS_TRY(look_for_stop(self, sim, search));
 		do {
 			TS_TRY(draw_in_region(self, sim, search, one));
 			search->tries++;
