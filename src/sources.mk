@@ -407,6 +407,8 @@ library_sources = \
 	src/neigh/material_words.c \
 	src/neigh/materials.c \
 	src/neigh/materials.h \
+	src/neigh/mesh_stick.c \
+	src/neigh/mesh_stick.h \
 	src/neigh/mesh_stress.c \
 	src/neigh/mesh_stress.h \
 	src/neigh/mesh_wall.c \

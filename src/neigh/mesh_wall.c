@@ -5,8 +5,8 @@
 
 #include "base/parallel.h"
 #include "geom/mesh_distance.h"
-#include "geom/mesh_touch.h"
 #include "neigh/coincide.h"
+#include "neigh/mesh_stick.h"
 #include "neigh/wall_push.h"
 #include "particles/domain.h"
 
@@ -53,6 +53,7 @@ void ts_mesh_wall_release(struct ts_mesh_wall *mw)
 {
 	drop_trees(mw);
 	ts_free(mw->near);
+	ts_free(mw->place);
 	ts_free(mw->visitor);
 	ts_free(mw->touching);
 	*mw = (struct ts_mesh_wall){ 0 };
@@ -126,6 +127,8 @@ static enum ts_status add(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wa
 		code = 3 * code + modulo3(p->image[f->i][d] % 3 + f->shift[d]);
 	if (TS_GROW(mw->near, mw->near_capacity, k + 1) != TS_OK)
 		return ts_nomem(&sim->error);
+	if (ts_wall_pulls(w, sim) && TS_GROW(mw->place, mw->place_capacity, k + 1) != TS_OK)
+		return ts_nomem(&sim->error);
 	mw->near[k] = (struct ts_mesh_near){ f->mesh, f->triangle, { f->shift[0], f->shift[1], f->shift[2] }, false,
 					     safe_way(mesh, f->triangle, f->distance, p->radius[f->i]) };
 	TS_TRY(add_visitor(sim, mw, f->i, k));
@@ -177,12 +180,12 @@ static void find_image(struct search *s, const struct ts_mesh_part_of_wall *part
 }
 
 static void find_images(const struct tsim *sim, const struct ts_mesh_wall *mw, size_t mesh, size_t i,
-			struct search *found)
+			double reach, struct search *found)
 {
 	const struct ts_box *box = &sim->domain->box;
 	const struct ts_mesh_part_of_wall *part = &mw->mesh[mesh];
 	const double *x = sim->particles->xhold[i];
-	double r = sim->particles->radius[i] + sim->neigh->built_skin;
+	double r = sim->particles->radius[i] + sim->neigh->built_skin + reach;
 	struct found what = { .i = i, .mesh = (int32_t)mesh };
 	int range[3][2], *s = what.shift;
 
@@ -204,6 +207,7 @@ static void find_images(const struct tsim *sim, const struct ts_mesh_wall *mw, s
 struct searching {
 	struct ts_instance *self;
 	struct tsim *sim;
+	const struct ts_wall *w;
 	const struct ts_mesh_wall *mw;
 	struct search *share;
 	size_t shares;
@@ -223,7 +227,9 @@ static bool concerns(const struct searching *s, size_t mesh, size_t i)
 static void search_share(void *context, size_t from, size_t to)
 {
 	const struct searching *s = context;
-	size_t n = s->sim->particles->n;
+	const struct ts_particles *p = s->sim->particles;
+	size_t n = p->n;
+	bool pulls = ts_wall_pulls(s->w, s->sim);
 
 	for (size_t t = from; t < to; t++) {
 		struct search *share = &s->share[t];
@@ -233,7 +239,8 @@ static void search_share(void *context, size_t from, size_t to)
 		for (size_t i = n * t / s->shares; i < n * (t + 1) / s->shares; i++)
 			for (size_t mesh = 0; mesh < s->mw->nmeshes && !share->failed; mesh++)
 				if (concerns(s, mesh, i))
-					find_images(s->sim, s->mw, mesh, i, share);
+					find_images(s->sim, s->mw, mesh, i,
+						    pulls ? ts_wall_reach(s->w, s->sim, p->radius[i]) : 0, share);
 		for (size_t mesh = 0; mesh < s->mw->nmeshes && share->vicinity; mesh++)
 			ts_free(share->vicinity[mesh].leaf.item);
 		ts_free(share->vicinity);
@@ -280,7 +287,7 @@ enum ts_status ts_mesh_wall_list(struct ts_instance *self, struct tsim *sim, str
 	size_t n = sim->particles->n;
 	/* a search is worth many particles of other loops */
 	int team = ts_team(sim, 16 * n);
-	struct searching s = { self, sim, mw, NULL, (size_t)team };
+	struct searching s = { self, sim, w, mw, NULL, (size_t)team };
 	enum ts_status status = TS_OK;
 
 	for (size_t k = 0; k < mw->nmeshes; k++) {
@@ -389,12 +396,6 @@ enum ts_status ts_mesh_wall_check_pace(struct ts_instance *self, struct tsim *si
 	return status;
 }
 
-/* Whether there is a contact: as of the last step, or found in this one. */
-static double *alive(const struct ts_wall_contacts *c, size_t k)
-{
-	return ts_wall_memory(c, k) + c->width - TS_MESH_MEMORY;
-}
-
 /* Across a periodic face the image of a triangle may be the neighbour. */
 static bool same_surface(const struct ts_mesh_wall *mw, size_t a, size_t b)
 {
@@ -415,10 +416,10 @@ static bool begin_contact(struct ts_wall *w, const struct ts_mesh_wall *mw, size
 		if (mw->near[j].done && same_surface(mw, j, k))
 			return false;
 	for (size_t j = from; j < to; j++)
-		if (*alive(c, j) > 0 && !mw->near[j].done && same_surface(mw, j, k))
+		if (*ts_mesh_alive(c, j) > 0 && !mw->near[j].done && same_surface(mw, j, k))
 			for (size_t m = 0; m < c->width; m++)
 				ts_wall_memory(c, k)[m] = ts_wall_memory(c, j)[m];
-	*alive(c, k) = 1;
+	*ts_mesh_alive(c, k) = 1;
 	return true;
 }
 
@@ -429,8 +430,7 @@ struct task {
 	double step; /* of the meshes since the last time, at most; infinite: all contacts are looked at */
 };
 
-/* Where the particle sees the image of the mesh. */
-static void local_place(const struct tsim *sim, const struct ts_mesh_near *near, size_t i, double x[3])
+void ts_mesh_wall_place(const struct tsim *sim, const struct ts_mesh_near *near, size_t i, double x[3])
 {
 	for (int d = 0; d < 3; d++)
 		x[d] = sim->particles->x[i][d] - near->shift[d] * ts_box_length(&sim->domain->box, d);
@@ -441,7 +441,7 @@ double ts_mesh_wall_distance(const struct tsim *sim, const struct ts_mesh_wall *
 	const struct ts_mesh_near *near = &mw->near[k];
 	double x[3];
 
-	local_place(sim, near, i, x);
+	ts_mesh_wall_place(sim, near, i, x);
 	return ts_mesh_distance(&mw->mesh[near->mesh].surface->mesh, (size_t)near->triangle, x);
 }
 
@@ -481,12 +481,12 @@ static void push(const struct task *task, struct ts_wall_queue *q, const struct 
 	enum ts_mesh_part part;
 	double x[3];
 
-	local_place(task->sim, near, v->i, x);
+	ts_mesh_wall_place(task->sim, near, v->i, x);
 	if (!w->contacts.touching[k] && waits(&s->mesh, near, v, x))
 		return;
 	part = ts_mesh_nearest(&s->mesh, t, x, &at);
 	near->done = part != TS_MESH_NOTHING && at.distance <= v->radius &&
-		     (*alive(&w->contacts, k) > 0 || begin_contact(w, task->mw, v->first, v->first + v->n, k, part));
+		     (*ts_mesh_alive(&w->contacts, k) > 0 || begin_contact(w, task->mw, v->first, v->first + v->n, k, part));
 	near->until = -INFINITY;
 	if (!near->done)
 		return;
@@ -508,6 +508,44 @@ static bool moves(const struct task *task, struct ts_mesh_visitor *v)
 	return !(v->way < v->until);
 }
 
+/* A surface that acts beyond the touch: whether the contact k, which has a place of its own, is one. */
+static bool meets(const struct task *task, struct ts_wall_queue *q, const struct ts_mesh_visitor *v, size_t k,
+		  struct ts_wall_spot *spot)
+{
+	const struct ts_wall_contacts *c = &task->w->contacts;
+	const struct ts_mesh_near *near = &task->mw->near[k];
+	size_t from = *ts_mesh_alive(c, k) > 0 ? k : ts_mesh_donor(task->mw, c, v, k);
+
+	make_spot(task->mw->mesh[near->mesh].surface, near, &task->mw->place[k].at, spot);
+	for (size_t m = 0; m < c->width && from != SIZE_MAX; m++)
+		ts_wall_memory(c, k)[m] = ts_wall_memory(c, from)[m];
+	if (ts_wall_touches(q, k, spot))
+		return true;
+	for (size_t m = 0; m < c->width && from != k; m++)
+		ts_wall_memory(c, k)[m] = 0;
+	return false;
+}
+
+static void visit_sticking(const struct task *task, struct ts_wall_queue *q, const struct ts_mesh_visitor *v)
+{
+	struct ts_mesh_wall *mw = task->mw;
+
+	ts_mesh_places(task->sim, mw, v, ts_wall_reach(task->w, task->sim, v->radius));
+	for (size_t k = v->first; k < v->first + v->n; k++) {
+		struct ts_mesh_near *near = &mw->near[k];
+		struct ts_wall_spot spot;
+
+		near->until = v->way + safe_way(&mw->mesh[near->mesh].surface->mesh, near->triangle,
+						mw->place[k].distance, v->radius);
+		near->done = mw->place[k].own && meets(task, q, v, k, &spot);
+		if (!near->done)
+			continue;
+		near->until = -INFINITY;
+		*ts_mesh_alive(&task->w->contacts, k) = 1;
+		ts_wall_push(q, k, &spot);
+	}
+}
+
 static void visit(const struct task *task, struct ts_wall_queue *q, struct ts_mesh_visitor *v)
 {
 	struct ts_wall_contacts *c = &task->w->contacts;
@@ -518,7 +556,9 @@ static void visit(const struct task *task, struct ts_wall_queue *q, struct ts_me
 		return;
 	for (size_t k = v->first; k < end; k++)
 		near[k].done = false;
-	for (size_t k = v->first; k < end; k++)
+	if (q->sticks)
+		visit_sticking(task, q, v);
+	for (size_t k = v->first; k < end && !q->sticks; k++)
 		if (c->touching[k] || !(v->way < near[k].until))
 			push(task, q, v, k);
 	v->until = INFINITY;

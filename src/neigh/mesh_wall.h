@@ -10,6 +10,7 @@
 #ifndef TS_NEIGH_MESH_WALL_H
 #define TS_NEIGH_MESH_WALL_H
 
+#include "geom/mesh_touch.h"
 #include "geom/mesh_tree.h"
 #include "neigh/wall.h"
 #include "particles/mesh_surface.h"
@@ -33,6 +34,14 @@ struct ts_mesh_near {
 	double until;	  /* it cannot touch before the way of the particle is so long */
 };
 
+/* Where the surface is met, of a wall that acts beyond the touch; see mesh_stick.h. */
+struct ts_mesh_place {
+	struct ts_mesh_spot at;
+	double point[3], distance; /* as seen from the particle; of the triangle */
+	enum ts_mesh_part part;
+	bool own;
+};
+
 /* A particle near the meshes; its contacts follow one another. */
 struct ts_mesh_visitor {
 	size_t i, first, n;
@@ -51,8 +60,9 @@ struct ts_mesh_wall {
 	struct ts_mesh_part_of_wall *mesh;
 	size_t nmeshes;
 	struct ts_mesh_near *near; /* of each contact */
+	struct ts_mesh_place *place; /* of each contact, of a wall that acts beyond the touch */
 	struct ts_mesh_visitor *visitor;
-	size_t nvisitors, near_capacity, visitor_capacity;
+	size_t nvisitors, near_capacity, place_capacity, visitor_capacity;
 	double length[3]; /* of the box, when contacts were looked at last */
 	struct ts_mesh_touching *touching; /* for sums over contacts */
 	size_t touching_capacity;
@@ -80,6 +90,13 @@ double ts_mesh_wall_distance(const struct tsim *sim, const struct ts_mesh_wall *
 
 /* ", triangle 12 of mesh cad": of contact k; `context` is the mesh wall. For ts_coincide_wall. */
 void ts_mesh_wall_name(const void *context, size_t k, struct ts_str *out);
+/* Where particle i sees the image of the mesh. */
+void ts_mesh_wall_place(const struct tsim *sim, const struct ts_mesh_near *near, size_t i, double x[3]);
+/* Whether there is a contact: as of the last step, or found in this one. */
+static inline double *ts_mesh_alive(const struct ts_wall_contacts *c, size_t k)
+{
+	return ts_wall_memory(c, k) + c->width - TS_MESH_MEMORY;
+}
 
 /* Mesh and triangle of the contact k, for who reads reports. */
 static inline const struct ts_mesh_near *ts_mesh_wall_near(const struct ts_mesh_wall *mw, size_t k)

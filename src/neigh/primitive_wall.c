@@ -332,7 +332,7 @@ enum ts_status ts_primitive_wall_list(struct ts_instance *self, struct tsim *sim
 				      struct ts_primitive_wall *w)
 {
 	const struct ts_particles *p = sim->particles;
-	bool pulls = ts_wall_reach(wall, 1) > 0;
+	bool pulls = ts_wall_pulls(wall, sim);
 	struct ts_primitive at[MOST];
 
 	if (!sim->resuming)
@@ -341,7 +341,7 @@ enum ts_status ts_primitive_wall_list(struct ts_instance *self, struct tsim *sim
 		at[k] = moved_by(w, k, w->held);
 	for (size_t i = 0; i < p->n; i++) {
 		double reach = p->radius[i] + sim->neigh->built_skin +
-			       (pulls ? ts_wall_reach(wall, p->radius[i]) : 0);
+			       (pulls ? ts_wall_reach(wall, sim, p->radius[i]) : 0);
 
 		for (int k = 0; k < w->n; k++)
 			if (away(&at[k], p->xhold[i]) < reach &&

@@ -88,7 +88,7 @@ static bool is_near(const struct ts_region_wall *w, const struct tsim *sim, cons
 	double radius = sim->particles->radius[i];
 
 	return !(fabs(ts_region_depth(w->region, x)) >=
-		 radius + further + ts_wall_reach(wall, radius));
+		 radius + further + ts_wall_reach(wall, sim, radius));
 }
 
 /* Where the movers are now, and how far from their pivots particles are until they are listed again. */

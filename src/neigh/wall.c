@@ -134,13 +134,20 @@ enum ts_status ts_wall_rebuild_finish(struct ts_wall *w, struct tsim *sim,
 	return status;
 }
 
-double ts_wall_reach(const struct ts_wall *w, double radius)
+bool ts_wall_pulls(const struct ts_wall *w, const struct tsim *sim)
+{
+	return ts_wall_has_law(w, sim) && ts_normal_sticks(ts_wall_model(w, sim));
+}
+
+double ts_wall_reach(const struct ts_wall *w, const struct tsim *sim, double radius)
 {
 	size_t types = (size_t)w->ntypes + 1;
 	double most = 0;
 
-	if (!w->law || !w->own_model || !ts_normal_sticks(&w->model))
+	if (!w->law || !ts_wall_pulls(w, sim))
 		return 0;
+	if (!w->own_model)
+		return ts_pair_reach(sim, 4 * radius); /* that of a pair of this radius: half of it is R* */
 	/* hollow surfaces stick farther; they are found while their curvature is less than half the sphere's */
 	for (size_t k = 0; k < types * types; k++)
 		if (w->law[k].kn > 0)

@@ -124,8 +124,9 @@ void ts_wall_rebuild_start(struct ts_wall *w, const struct tsim *sim, size_t own
 enum ts_status ts_wall_rebuild_finish(struct ts_wall *w, struct tsim *sim,
 				      struct ts_wall_rebuild *rebuild, enum ts_status status);
 
-/* How far beyond the touch of a particle of this radius the surface may still pull. */
-double ts_wall_reach(const struct ts_wall *w, double radius);
+/* Whether surfaces act beyond the touch; how far beyond that of a particle of this radius at most. */
+bool ts_wall_pulls(const struct ts_wall *w, const struct tsim *sim);
+double ts_wall_reach(const struct ts_wall *w, const struct tsim *sim, double radius);
 /* Its laws; those of a particle of a type that meets a surface of the type `wall`. */
 const struct ts_granular_model *ts_wall_model(const struct ts_wall *w, const struct tsim *sim);
 const struct ts_granular_pair *ts_wall_law(const struct ts_wall *w, const struct tsim *sim, int wall,

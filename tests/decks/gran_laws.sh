@@ -146,12 +146,86 @@ rejects "$(one 'model jkr tangential history cohesion sjkr')" 'model jkr has its
 rejects "$(one 'model jkr limitForce on')" "'limitForce' does not go with model jkr"
 rejects "$(one 'model jkr located yes')" "'located' belongs to a normal model without adhesion"
 rejects "$(one 'model hertz tangential incremental_history located yes')" 'history or no_history'
-plate 2 0 >plate.stl
-for law in 'pair_style gran model jkr;pair_coeff * *;fix w all wall/gran model jkr' \
-	'pair_style granular;pair_coeff * * jkr 6e6 0.6 0.3 1.5 tangential linear_nohistory 0 0;fix w all wall/gran'; do
-	rejects "$(scene 1 2)
-fix m all mesh/surface file $work/plate.stl type 1
-$(tr ';' '\n' <<<"$law") mesh n_meshes 1 meshes m
-run 0" 'contacts with triangles do not follow'
-done
+# Meshes hold as planes do, wherever the contact is. Grain 3 is on a plane, the others on a mesh.
+sticky() { # HEIGHT PLACE...
+	local height=$1 place
+	shift
+	scene 1 2
+	printf '%s\n' "$undamped" 'pair_style gran model jkr' 'pair_coeff * *' 'unfix move' 'delete_atoms group all' \
+		'create_atoms 1 single 0 0 0.00999 units box' 'group plane id 3'
+	for place; do echo "create_atoms 1 single $place $height units box"; done
+	echo 'set type 1 diameter 0.02 density 2385
+group mesh subtract all plane'
+}
+on_mesh() { # FILE
+	echo "fix cad all mesh/surface file $work/$1 type 2
+fix floor plane wall/gran model jkr primitive type 2 zplane 0
+fix part mesh wall/gran model jkr mesh n_meshes 1 meshes cad"
+}
+pulled='group last id 8
+group still subtract all last
+fix away still move linear 0 0 0.01
+fix aslant last move linear -0.2 -0.1 0.01
+variable pull equal -fz[3]
+variable off equal abs(fz[4]-fz[3])+abs(fz[5]-fz[3])+abs(fz[6]-fz[3])+abs(fz[7]-fz[3])+abs(fz[8]-fz[3])
+fix pulls all vector 1 v_pull v_off'
+plate 4 0 >plate.stl
+agree 'a mesh holds as a plane does' "$(sticky 0.00999 '0.08 0.15' '0.125 0.125' '0 0.1' '0 0' '0.001 0.0007'; on_mesh plate.stl)
+$pulled
+run 1000
+write_restart $work/half.restart
+run 2000
+print \"is pull \$(abs(max(f_pulls[1])/(1.5*PI*4*0.01)-1)<1e-3) 1\"
+print \"is off \$(max(f_pulls[2])<1e-15) 1\"
+print \"is apart \$(fz[8]) 0\""
+# at the restart all hold beyond their touch
+agree 'and goes on after a restart' "read_restart $work/half.restart
+$properties
+$undamped
+pair_style gran model jkr
+pair_coeff * *
+timestep 2e-6
+$(on_mesh plate.stl)
+$pulled
+run 1
+print \"is holding \$(v_pull>0.1) 1\"
+print \"is off \$(v_off<1e-15) 1\"
+run 1999
+print \"is apart \$(fz[8]) 0\""
+
+# over a convex edge, and a corner, of a block: grain 3 is as far from the plane at the end
+cuboid 0.2 0.2 0.1 >block.stl
+agree 'over edges and corners' "$(sticky 0.10999 '0.1999 0.05' '-0.1999 0.05' '0.03 0.1999' '0.03 -0.1999' \
+	'0.1999 0.1999' '-0.1999 -0.1999' '0.1999 -0.1999' '-0.1999 0.1999'; on_mesh block.stl)
+variable out equal 5e-4/0.012
+variable up equal 1e-5/0.012
+variable far equal (sqrt(0.01^2+0.0004^2)-0.00999)/0.012
+fix m3 plane move linear 0 0 \$(v_far)
+group g4 id 4
+fix m4 g4 move linear \$(v_out) 0 \$(v_up)
+group g5 id 5
+fix m5 g5 move linear \$(-v_out) 0 \$(v_up)
+group g6 id 6
+fix m6 g6 move linear 0 \$(v_out) \$(v_up)
+group g7 id 7
+fix m7 g7 move linear 0 \$(-v_out) \$(v_up)
+group g8 id 8
+fix m8 g8 move linear \$(v_out) \$(v_out) \$(v_up)
+group g9 id 9
+fix m9 g9 move linear \$(-v_out) \$(-v_out) \$(v_up)
+group g10 id 10
+fix m10 g10 move linear \$(v_out) \$(-v_out) \$(v_up)
+group g11 id 11
+fix m11 g11 move linear \$(-v_out) \$(v_out) \$(v_up)
+variable f atom sqrt(fx^2+fy^2+fz^2)
+run 6000
+variable edge equal v_f[3]
+print \"is pulled \$(fz[3]<-0.1) 1\"
+$(for k in 4 5 6 7; do echo "print \"is edge \$(abs(v_f[$k]/v_edge-1)<1e-9) 1\""; done)
+unfix m3
+fix m3 plane move linear 0 0 \$((sqrt(0.01^2+2*0.0004^2)-z[3])/2e-6)
+$(for k in 4 5 6 7 8 9 10 11; do echo "unfix m$k"; done)
+fix rest mesh move linear 0 0 0
+run 1
+$(for k in 8 9 10 11; do echo "print \"is corner \$(abs(v_f[$k]/v_f[3]-1)<1e-9) 1\""; done)"
 finish

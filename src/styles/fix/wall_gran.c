@@ -50,10 +50,6 @@ static enum ts_status find_meshes(struct ts_instance *self, struct tsim *sim)
 	if (w->type != INT64_MIN)
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "type"),
 			       "fix wall/gran: each mesh has the type that its fix says");
-	if (ts_wall_has_law(&w->wall, sim) && ts_normal_sticks(ts_wall_model(&w->wall, sim)))
-		return ts_fail(&sim->error, TS_STATE, &self->where,
-			       "fix wall/gran: jkr pulls beyond the touch, which contacts with triangles do not "
-			       "follow; take a plane, a cylinder or a region, or `cohesion sjkr`");
 	TS_TRY(ts_mesh_wall_find(self, sim, &w->mesh, w->meshes));
 	w->wall.contacts.want_reports |= ts_mesh_stress_wanted(&w->mesh);
 	return TS_OK;
@@ -253,7 +249,9 @@ static const char doc[] =
 	"says. `store_force yes` keeps the force of the wall on each particle, f_force_ID[1] ... [3].\n\n"
 	"A wall of meshes is met in faces, edges and corners, from both sides; particles of the groups of\n"
 	"both fixes meet it. fix mesh/surface says which edges and corners count, and its temperature. A contact\n"
-	"that moves from one triangle to a flat neighbour goes on with what it remembers.";
+	"that moves from one triangle to a flat neighbour goes on with what it remembers. Surfaces that pull beyond the touch\n"
+	"(model jkr) do so on meshes as on planes: each place of the mesh that is nearest to the particle in all triangles\n"
+	"that meet there is one contact, which also passes over edges and corners and keeps its memory.";
 
 TS_STYLE(fix, ts_style, ts_fix_wall_gran)
 const struct ts_style ts_fix_wall_gran = {
