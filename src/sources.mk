@@ -312,6 +312,7 @@ library_sources = \
 	src/law/granular.h \
 	src/law/granular_force.h \
 	src/law/granular_limit.h \
+	src/law/halfspace.h \
 	src/law/heat.h \
 	src/law/impact.h \
 	src/law/lens.h \
@@ -413,6 +414,8 @@ library_sources = \
 	src/neigh/mesh_stress.h \
 	src/neigh/mesh_wall.c \
 	src/neigh/mesh_wall.h \
+	src/neigh/multicontact.c \
+	src/neigh/multicontact.h \
 	src/neigh/neigh.c \
 	src/neigh/neigh.h \
 	src/neigh/network.c \
@@ -821,6 +824,7 @@ library_sources = \
 	src/styles/fix/move.c \
 	src/styles/fix/move_mesh.c \
 	src/styles/fix/move_mesh_free.c \
+	src/styles/fix/multicontact_halfspace.c \
 	src/styles/fix/multisphere.c \
 	src/styles/fix/nve.c \
 	src/styles/fix/nve_euler.c \

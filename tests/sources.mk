@@ -91,6 +91,7 @@ shell_tests = \
 	tests/decks/mesh_servo.sh \
 	tests/decks/mesh_stress.sh \
 	tests/decks/mistakes.sh \
+	tests/decks/multicontact.sh \
 	tests/decks/neigh_words.sh \
 	tests/decks/outflow.sh \
 	tests/decks/plane.sh \

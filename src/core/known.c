@@ -16,6 +16,7 @@
 	"cohesion models or fixes"
 #define FRAGMENTS "particles do not break into others; bonded spheres do (bond_style)"
 #define OTHER_EDITION "it belongs to another edition of LIGGGHTS: 3.8 does not have it either"
+#define UNPUBLISHED "it belongs to another edition of LIGGGHTS, and no description of it is public"
 #define ACCELERATORS "all styles use threads by themselves; see -threads"
 
 const struct ts_known ts_known_table[] = {
@@ -79,7 +80,6 @@ const struct ts_known ts_known_table[] = {
 	{ TS_KIND_FIX, "insert/pack/dense", OTHER_EDITION },
 	{ TS_KIND_FIX, "insert/pack/face", OTHER_EDITION },
 	{ TS_KIND_FIX, "mesh/surface/stress/6dof", OTHER_EDITION },
-	{ TS_KIND_FIX, "multicontact/halfspace", "contacts of one particle do not know of each other" },
 	{ TS_KIND_FIX, "particletemplate/fragments", FRAGMENTS },
 	{ TS_KIND_FIX, "pour/legacy", OTHER_EDITION },
 	{ TS_KIND_FIX, "pour/dev", OTHER_EDITION },
@@ -103,15 +103,14 @@ static const struct {
 	const char *keyword, *choice, *remark;
 } choices[] = {
 	{ "model", "hertz/break", FRAGMENTS },
-	{ "model", "hysteretic/nonlinear2", OTHER_EDITION },
+	{ "model", "hysteretic/nonlinear2", UNPUBLISHED "; hooke/hysteresis is the law of its kind here" },
 	{ "model", "luding", "hooke/hysteresis is the law of its kind here" },
-	{ "rolling_friction", "cdtnonlinear2", OTHER_EDITION },
+	{ "rolling_friction", "cdtnonlinear2", UNPUBLISHED "; cdt is the law of its kind here" },
 	{ "cohesion", "bond", BONDS },
 	{ "cohesion", "bond/nonlinear", BONDS },
 	{ "cohesion", "capillary", BRIDGES },
 	{ "cohesion", "easo/capillary/viscous", BRIDGES },
 	{ "cohesion", "washino/capillary/viscous", BRIDGES },
-	{ "surface", "multicontact", "contacts of one particle do not know of each other" },
 	{ "surface", "superquadric", SHAPES },
 	{ .keyword = NULL },
 };

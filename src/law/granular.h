@@ -68,6 +68,7 @@ struct ts_granular_model {
 	bool full_slip; /* the arms of slip alone are */
 	bool located; /* begin and end of contacts are found within the step: law/located.h */
 	bool solved; /* touch.solved has what takes a root or an iteration: k_n of hooke, the area of jkr */
+	bool multi; /* contacts of one grain act on each other: law/halfspace.h */
 	bool wide; /* memory has room for all laws, as contacts of other types may have others */
 };
 
@@ -81,7 +82,7 @@ static inline bool ts_granular_same_model(const struct ts_granular_model *a, con
 	       a->tangential_stiffness_2_7 == b->tangential_stiffness_2_7 && a->viscous == b->viscous &&
 	       a->reduce == b->reduce && a->torsion == b->torsion && a->plane == b->plane &&
 	       a->full_arms == b->full_arms && a->full_slip == b->full_slip && a->located == b->located &&
-	       a->wide == b->wide;
+	       a->multi == b->multi && a->wide == b->wide;
 }
 
 /* Constants of a pair of materials; each law uses its own few. */

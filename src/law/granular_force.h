@@ -39,6 +39,8 @@ TS_INLINE bool ts_granular_weighs(const struct ts_granular_model *m)
 /* By how much the arms of the contact fall short of the radii; then the arms. */
 TS_INLINE double ts_granular_short(const struct ts_granular_model *m, const struct ts_touch *t)
 {
+	if (m->multi) /* surfaces that stand out meet at the same place */
+		return m->full_arms ? 0 : 0.5 * (t->overlap - t->bulge);
 	return m->full_arms ? 0 : 0.5 * t->overlap;
 }
 
@@ -88,10 +90,44 @@ static inline int ts_granular_located_at(const struct ts_granular_model *m)
 	return ts_granular_met_at(m) + (m->wide || ts_normal_sticks(m));
 }
 
-enum { TS_GRANULAR_MEMORY = 9 + TS_LOCATED_MEMORY }; /* at most */
-static inline int ts_granular_memory(const struct ts_granular_model *m)
+/* What contacts remember that others of the same grain know of; they are not located. */
+enum {
+	TS_MULTI_FORCE, /* F_n in the last step */
+	TS_MULTI_BULGE, /* by how much the surfaces stand out; R* with that, of each radius its own part */
+	TS_MULTI_RADIUS,
+	TS_MULTI_ARM, /* n times the distance */
+	TS_MULTI_MEMORY = TS_MULTI_ARM + 3
+};
+static inline int ts_granular_multi_at(const struct ts_granular_model *m)
 {
 	return ts_granular_located_at(m) + ts_located_memory(m);
+}
+
+/* The surfaces stand out as the contact remembers it. */
+static inline void ts_granular_stand_out(const struct ts_granular_model *m, const double *memory, struct ts_touch *t)
+{
+	if (!m->multi || !memory)
+		return;
+	t->bulge = memory[ts_granular_multi_at(m) + TS_MULTI_BULGE];
+	t->overlap += t->bulge;
+	t->r_eff = memory[ts_granular_multi_at(m) + TS_MULTI_RADIUS];
+}
+
+static inline void ts_granular_note_load(const struct ts_granular_model *m, const struct ts_touch *t, double force,
+					 double *memory)
+{
+	double *own = memory + ts_granular_multi_at(m);
+
+	own[TS_MULTI_FORCE] = force;
+	for (int k = 0; k < 3; k++)
+		own[TS_MULTI_ARM + k] = t->distance * t->n[k];
+}
+
+enum { TS_GRANULAR_MEMORY = 9 + TS_LOCATED_MEMORY }; /* at most */
+_Static_assert((int)TS_MULTI_MEMORY <= (int)TS_LOCATED_MEMORY, "models with `multi` are not located");
+static inline int ts_granular_memory(const struct ts_granular_model *m)
+{
+	return ts_granular_multi_at(m) + (m->multi ? TS_MULTI_MEMORY : 0);
 }
 
 /* What changes sign when i and j change places: slip, and torques of rolling. The way that sds has rolled,
@@ -105,6 +141,8 @@ TS_INLINE void ts_granular_memory_signs(const struct ts_granular_model *m, signe
 		sign[k] = k < odd ? -1 : 1;
 	for (int k = 0; k < 3 && ts_located_memory(m) > TS_LOCATED_SLIP; k++)
 		sign[ts_granular_located_at(m) + TS_LOCATED_SLIP + k] = -1;
+	for (int k = 0; k < 3 && m->multi; k++)
+		sign[ts_granular_multi_at(m) + TS_MULTI_ARM + k] = -1;
 }
 
 /* The distance at which a contact ends, less the sum of the radii: > 0 for surfaces that stick and have met. */
@@ -160,6 +198,8 @@ ts_granular_contact(const struct ts_granular_model *m, const struct ts_granular_
 	twist = ts_twisting_torque(m, c, t, &n, advance ? dt : 0, memory + ts_granular_twist_at(m));
 	if (ts_normal_sticks(m))
 		memory[ts_granular_met_at(m)] = 1;
+	if (m->multi && advance)
+		ts_granular_note_load(m, t, out->normal, memory);
 	ts_cross(tangential, t->n, out->turn);
 	for (int k = 0; k < 3; k++) {
 		out->force[k] = out->normal * t->n[k] + tangential[k];

@@ -15,6 +15,7 @@ struct ts_touch {
 	double n[3];	     /* unit vector from j to i */
 	double distance;     /* of the centres; to a wall: of centre and surface */
 	double overlap;	     /* delta > 0 */
+	double bulge;	     /* the part of it by which surfaces stand out, of models with `multi` */
 	double radius[2];    /* of i and j; [1] = 0 for a wall */
 	double mass[2];	     /* of i and j; [1] = 0 for a wall */
 	double r_eff, m_eff; /* R*, m* */

@@ -16,6 +16,7 @@ static double of_row(const struct tsim *sim, const struct ts_pair *pair, size_t 
 	struct ts_touch t;
 
 	ts_row_touch(p, i, j, model, &t);
+	ts_granular_stand_out(model, width ? rows->history + r * width : NULL, &t);
 	if (!(t.overlap > 0) && !ts_normal_sticks(model))
 		return 0;
 	return ts_granular_energy(model, ts_pair_law(pair, p->type[i], p->type[j]), &t,

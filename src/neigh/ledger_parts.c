@@ -67,10 +67,11 @@ static void book(double *own, int side, const struct ts_contact_parts *parts, do
 	ts_axpy(sign, parts->roll, cause + TS_PART_ROLLING * TS_CAUSE_NUMBERS + TS_CAUSE_TORQUE);
 }
 
-/* Normal springs that do not give back what they got: they yield, or the energy jumps as surfaces meet and part. */
+/* Normal springs that do not give back what they got: they yield, the energy jumps as surfaces meet
+ * and part, or other contacts move the surface. */
 static bool loses(const struct ts_granular_model *m)
 {
-	return m->normal == TS_NORMAL_HOOKE_HYSTERESIS || ts_normal_sticks(m);
+	return m->normal == TS_NORMAL_HOOKE_HYSTERESIS || ts_normal_sticks(m) || m->multi;
 }
 
 struct row_work {
@@ -94,6 +95,7 @@ static void book_row(struct row_work *w, size_t r, int side, size_t own)
 	struct ts_touch t;
 
 	ts_row_touch(p, i, j, m, &t);
+	ts_granular_stand_out(m, memory, &t);
 	ts_contact_split(m, ts_pair_law(w->pair, p->type[i], p->type[j]), &t, memory, ts_row_force(rows, r),
 			 rows->parts > 2 ? ts_row_roll(rows, r) : still, &parts);
 	if (j >= p->n) { /* an image may move as its original does not; the other half is the mirror row's */

@@ -44,6 +44,11 @@ static bool can_be_located(const struct ts_granular_words *w)
 	return has_normal(w) && w->normal != TS_WORD_JKR && w->tangential < TS_TANGENTIAL_INCREMENTAL;
 }
 
+static bool knows_others(const struct ts_granular_words *w)
+{
+	return is_hertz_or_hooke(w) && w->cohesion == TS_COHESION_OFF && !w->located;
+}
+
 static bool rolls(const struct ts_granular_words *w)
 {
 	return w->rolling != TS_ROLLING_OFF;
@@ -77,6 +82,11 @@ static enum ts_status check_laws(struct tsim *sim, const struct ts_instance *sel
 {
 	bool jkr = w->normal == TS_WORD_JKR;
 
+	if (w->surface == TS_SURFACE_MULTICONTACT && !knows_others(w))
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "multicontact"),
+			       "%s: surface multicontact goes with model hertz, hooke or hooke/hysteresis, without cohesion and "
+			       "located",
+			       who);
 	if (w->tangential == TS_WORD_JKR_TAN && !jkr)
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "jkr_tan"),
 			       "%s: 'jkr_tan' belongs to model jkr, which is not chosen here", who);

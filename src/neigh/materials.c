@@ -15,7 +15,7 @@ const char *const ts_tangential_names[] = { "off",     "history", "no_history", 
 					    "jkr_tan", NULL };
 const char *const ts_rolling_names[] = { "off", "cdt", "epsd", "epsd2", "epsd3", NULL };
 const char *const ts_cohesion_names[] = { "off", "sjkr", "sjkr2", NULL };
-const char *const ts_surface_names[] = { "default", NULL };
+const char *const ts_surface_names[] = { "default", "multicontact", NULL };
 
 struct ts_granular_model ts_granular_model_of(const struct tsim *sim,
 					      const struct ts_granular_words *w)
@@ -36,6 +36,7 @@ struct ts_granular_model ts_granular_model_of(const struct tsim *sim,
 		.reduce = w->reduce,
 		.torsion = w->torsion,
 		.located = w->located,
+		.multi = w->surface == TS_SURFACE_MULTICONTACT,
 		.plane = sim->dimension == 2,
 	};
 }

@@ -14,6 +14,7 @@ struct ts_granular_words {
 };
 /* Words that stand for laws of another number in law/granular.h; the other words have the numbers of the laws. */
 enum { TS_WORD_JKR = TS_NORMAL_HOOKE_HYSTERESIS + 1, TS_WORD_JKR_TAN = TS_TANGENTIAL_INCREMENTAL + 1 };
+enum { TS_SURFACE_DEFAULT, TS_SURFACE_MULTICONTACT };
 extern const char *const ts_normal_names[],
 	*const ts_tangential_names[], *const ts_rolling_names[], *const ts_cohesion_names[],
 									 *const ts_surface_names[];
@@ -27,7 +28,8 @@ extern const char *const ts_normal_names[],
 		TS_ENUM("cohesion", T, f.cohesion, ts_cohesion_names, .fallback = "off",           \
 			.help = "law of cohesion"),                                                \
 		TS_ENUM("surface", T, f.surface, ts_surface_names, .fallback = "default",          \
-			.help = "shape of the surfaces: spheres"),                                 \
+			.help = "surfaces of the spheres: `multicontact` lets contacts of one "            \
+				"grain act on each other"),                                 \
 		TS_BOOL("limitForce", T, f.limit_force, .fallback = "off",                         \
 			.help = "the normal force never pulls (before cohesion)"),                 \
 		TS_BOOL("tangential_damping", T, f.tangential_damping, .fallback = "on",           \

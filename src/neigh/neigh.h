@@ -18,6 +18,7 @@ struct ts_exclude {
 };
 
 struct ts_row_follower;
+struct ts_multicontact;
 
 struct ts_neigh {
 	double skin;        /* at most; <= 0: chosen from the particles, see ts_neigh_skin */
@@ -37,6 +38,7 @@ struct ts_neigh {
 	bool shown;	    /* an output may look at the forces of contacts at any step: they are kept */
 	int64_t show_every; /* at these steps too; 0: none */
 	struct ts_rows rows;
+	struct ts_multicontact *multicontact; /* how contacts of one grain act on each other; NULL: not at all */
 	struct ts_row_follower *follower; /* of the forces of this step, see row_walk.h; NULL: none */
 	struct ts_row_history saved; /* from a restart file, for the next build */
 };

@@ -7,6 +7,7 @@
 #include "core/plan.h"
 #include "neigh/limits.h"
 #include "neigh/located.h"
+#include "neigh/multicontact.h"
 #include "particles/template.h"
 
 #include "base/banned.h"
@@ -139,7 +140,7 @@ double ts_pair_reach(const struct tsim *sim, double radius)
 		for (int b = a; b <= pair->ntypes; b++)
 			if (ts_normal_sticks(ts_pair_model(pair, a, b)))
 				most = fmax(most, ts_jkr_reach(ts_pair_law(pair, a, b), 0.5 * radius));
-	return most;
+	return pair && pair->model.multi ? 2 * TS_BULGE_MOST * radius : most;
 }
 
 static void types_present(const struct tsim *sim, bool *present)
@@ -278,6 +279,8 @@ enum ts_status ts_pair_plan(struct ts_instance *self, struct tsim *sim,
 	double *overlap = deepest_overlaps(sim, pair), speed = 2 * ts_fastest(sim, 0);
 	enum ts_status status = lightest && overlap ? TS_OK : ts_nomem(&sim->error);
 
+	if (status == TS_OK)
+		status = ts_multicontact_check(sim, &pair->model, ts_instance_word(self, "multicontact"));
 	if (status == TS_OK)
 		status = ts_located_check(sim, &pair->model, ts_instance_word(self, "located"));
 

@@ -22,7 +22,7 @@ struct ts_pair {
 	int ntypes;
 	size_t law_offset;		/* in an entry */
 	size_t model_offset;		/* where each entry has a model of its own; 0: all have this one */
-	bool sticks;			/* some surfaces that have met pull beyond their touch */
+	bool sticks;			/* some surfaces act beyond their touch */
 	bool mixes;			/* entries that are not given are made of those that are */
 	struct ts_granular_model model; /* the law: used by rows, walls, outputs and tests */
 	signed char memory_sign[TS_GRANULAR_MEMORY + 1];

@@ -27,6 +27,8 @@ static double beyond(const struct ts_row_task *task, const struct ts_row_block *
 	const struct ts_particles *p = task->p;
 	double a = p->radius[near->i], b = p->radius[near->j], memory[TS_GRANULAR_MEMORY] = { 0 };
 
+	if (rows->bulge)
+		return rows->bulge[near->row].bulge;
 	if (at < block->active)
 		remember(rows, block, at, memory);
 	return ts_granular_beyond(ts_pair_model(task->pair, block->type[0], block->type[1]),
@@ -72,6 +74,11 @@ static void work(const struct ts_row_task *task, const struct ts_row_block *bloc
 
 	remember(rows, block, at, memory);
 	ts_row_touch(task->p, (size_t)near->i, (size_t)near->j, m, &t);
+	if (rows->bulge) {
+		memory[ts_granular_multi_at(m) + TS_MULTI_BULGE] = rows->bulge[near->row].bulge;
+		memory[ts_granular_multi_at(m) + TS_MULTI_RADIUS] = rows->bulge[near->row].r_eff;
+		ts_granular_stand_out(m, memory, &t);
+	}
 	ts_granular_contact(m, ts_pair_law(pair, block->type[0], block->type[1]), &t, task->dt, task->advance, memory,
 			    &f);
 	note(rows, block, at, memory);

@@ -109,6 +109,7 @@ TS_INLINE void ts_ends_touch(const struct ts_row_ends *e, const struct ts_granul
 
 	t->wall = false;
 	t->solved = 0; /* not known */
+	t->bulge = 0;
 	t->distance = distance;
 	t->radius[0] = e->radius[0];
 	t->radius[1] = e->radius[1];

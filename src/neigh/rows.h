@@ -24,6 +24,11 @@ struct ts_row_sphere {
 	double spin[4];	  /* angular velocity, radius again */
 } __attribute__((aligned(32)));
 
+/* By how much the surfaces of a row stand out in this step, and R* with that. */
+struct ts_row_bulge {
+	double bulge, r_eff;
+};
+
 /* A row that is looked at. */
 struct ts_row_near {
 	uint32_t row, slot;
@@ -96,6 +101,7 @@ struct ts_rows {
 	struct ts_row_span *span; /* of each share */
 	struct ts_row_near *near;
 	struct ts_row_block *block;
+	const struct ts_row_bulge *bulge; /* of each row; NULL: surfaces do not move */
 	uint32_t *at; /* where in `near` each row is, or TS_ROW_FAR; later slots that are free */
 	uint8_t *waiting; /* of each near row: how many of its partners have not added it */
 	size_t span_capacity, near_capacity, block_capacity, memory_capacity, at_capacity, waiting_capacity;

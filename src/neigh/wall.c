@@ -8,6 +8,7 @@
 #include "core/plan.h"
 #include "neigh/limits.h"
 #include "neigh/located.h"
+#include "neigh/multicontact.h"
 #include "particles/rigid.h"
 #include "particles/template.h"
 
@@ -136,7 +137,9 @@ enum ts_status ts_wall_rebuild_finish(struct ts_wall *w, struct tsim *sim,
 
 bool ts_wall_pulls(const struct ts_wall *w, const struct tsim *sim)
 {
-	return ts_wall_has_law(w, sim) && ts_normal_sticks(ts_wall_model(w, sim));
+	const struct ts_granular_model *m = ts_wall_has_law(w, sim) ? ts_wall_model(w, sim) : NULL;
+
+	return m && (ts_normal_sticks(m) || m->multi);
 }
 
 double ts_wall_reach(const struct ts_wall *w, const struct tsim *sim, double radius)
@@ -146,6 +149,8 @@ double ts_wall_reach(const struct ts_wall *w, const struct tsim *sim, double rad
 
 	if (!w->law || !ts_wall_pulls(w, sim))
 		return 0;
+	if (ts_wall_model(w, sim)->multi)
+		return TS_BULGE_MOST * radius;
 	if (!w->own_model)
 		return ts_pair_reach(sim, 4 * radius); /* that of a pair of this radius: half of it is R* */
 	/* hollow surfaces stick farther; they are found while their curvature is less than half the sphere's */
@@ -225,6 +230,7 @@ enum ts_status ts_wall_plan(struct ts_instance *self, struct tsim *sim, int type
 	char what[64];
 
 	TS_TRY(setup_check(self, sim, type));
+	TS_TRY(ts_multicontact_check(sim, ts_wall_model(w, sim), &self->where));
 	TS_TRY(ts_located_check(sim, ts_wall_model(w, sim), ts_instance_word(self, "located")));
 	lightest = ts_lightest(sim, self->group);
 	if (!lightest)

@@ -124,7 +124,7 @@ void ts_wall_rebuild_start(struct ts_wall *w, const struct tsim *sim, size_t own
 enum ts_status ts_wall_rebuild_finish(struct ts_wall *w, struct tsim *sim,
 				      struct ts_wall_rebuild *rebuild, enum ts_status status);
 
-/* Whether surfaces act beyond the touch; how far beyond that of a particle of this radius at most. */
+/* Whether surfaces act beyond the touch, or others may stand out; how far beyond that of a particle of this radius at most. */
 bool ts_wall_pulls(const struct ts_wall *w, const struct tsim *sim);
 double ts_wall_reach(const struct ts_wall *w, const struct tsim *sim, double radius);
 /* Its laws; those of a particle of a type that meets a surface of the type `wall`. */

@@ -2,6 +2,7 @@
 TS_UNROLLED
 
 #include "neigh/coincide.h"
+#include "neigh/multicontact.h"
 #include "neigh/wall_batch.h"
 #include "neigh/wall_push.h"
 #include "particles/rigid.h"
@@ -46,6 +47,7 @@ void ts_wall_view(const struct ts_wall *w, const struct tsim *sim, size_t k, str
 	view->law = ts_wall_law(w, sim, spot.type, p->type[i]);
 	ends_of(p, i, &spot, &ends);
 	ts_wall_ends_touch(&ends, view->model, &view->touch);
+	ts_granular_stand_out(view->model, ts_wall_memory(&w->contacts, k), &view->touch);
 }
 
 void ts_wall_force_now(const struct ts_wall *w, const struct tsim *sim, size_t k, double force[3],
@@ -130,6 +132,7 @@ static void work(const struct ts_wall_queue *q, size_t at)
 
 	ends_of(q->sim->particles, (size_t)q->w->contacts.row[k], &q->spot[at], &ends);
 	ts_wall_ends_touch(&ends, q->model, &t);
+	ts_granular_stand_out(q->model, ts_wall_memory(&q->w->contacts, k), &t);
 	ts_granular_contact(q->model, law_of(q, at), &t, q->sim->clock.dt, !q->sim->in_setup,
 			    ts_wall_memory(&q->w->contacts, k), &f);
 	for (int d = 0; d < 3; d++) {
@@ -251,8 +254,22 @@ void ts_wall_queue_start(struct ts_wall_queue *q, const struct ts_wall *w, struc
 	q->w = w;
 	q->sim = sim;
 	q->model = ts_wall_model(w, sim);
-	q->sticks = ts_normal_sticks(q->model);
+	q->sticks = ts_wall_pulls(w, sim);
 	q->n = 0;
+}
+
+/* How far the surface stands out at the spot: the contact remembers it while it lasts. */
+static double stand_out(const struct ts_wall_queue *q, size_t k, size_t i, const struct ts_wall_spot *spot)
+{
+	double *memory = ts_wall_memory(&q->w->contacts, k) + ts_granular_multi_at(q->model);
+	double bulge = ts_multicontact_at_wall(q->sim, i, spot->n, spot->distance, q->w);
+	double radius = q->sim->particles->radius[i] + bulge;
+
+	if (spot->distance < radius) {
+		memory[TS_MULTI_BULGE] = bulge;
+		memory[TS_MULTI_RADIUS] = ts_wall_effective_radius(radius, spot->curvature);
+	}
+	return bulge;
 }
 
 bool ts_wall_sticks(const struct ts_wall_queue *q, size_t k, const struct ts_wall_spot *spot)
@@ -261,6 +278,8 @@ bool ts_wall_sticks(const struct ts_wall_queue *q, size_t k, const struct ts_wal
 	size_t i = (size_t)q->w->contacts.row[k];
 	double radius = p->radius[i];
 
+	if (q->model->multi)
+		return spot->distance < radius + stand_out(q, k, i, spot);
 	return spot->distance <
 	       radius + ts_granular_beyond(q->model, ts_wall_law(q->w, q->sim, spot->type, p->type[i]),
 					   ts_wall_effective_radius(radius, spot->curvature),

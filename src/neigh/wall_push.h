@@ -12,7 +12,7 @@ struct ts_wall_queue {
 	const struct ts_wall *w;
 	struct tsim *sim;
 	const struct ts_granular_model *model;
-	bool sticks; /* surfaces that have met pull beyond their touch */
+	bool sticks; /* surfaces act beyond their touch */
 	size_t n;
 	size_t contact[TS_COLUMN];
 	struct ts_wall_spot spot[TS_COLUMN];
@@ -23,8 +23,8 @@ void ts_wall_queue_start(struct ts_wall_queue *q, const struct ts_wall *w, struc
 bool ts_wall_sticks(const struct ts_wall_queue *q, size_t k, const struct ts_wall_spot *spot);
 static inline bool ts_wall_touches(const struct ts_wall_queue *q, size_t k, const struct ts_wall_spot *spot)
 {
-	return spot->distance < q->sim->particles->radius[q->w->contacts.row[k]] ||
-	       (q->sticks && ts_wall_sticks(q, k, spot));
+	return q->sticks ? ts_wall_sticks(q, k, spot)
+			 : spot->distance < q->sim->particles->radius[q->w->contacts.row[k]];
 }
 /* The contact k touches at the spot: force and torque on the particle, force on the wall. */
 void ts_wall_push(struct ts_wall_queue *q, size_t k, const struct ts_wall_spot *spot);

@@ -230,6 +230,7 @@ TS_STYLE(fix, ts_style, ts_fix_momentum)
 TS_STYLE(fix, ts_style, ts_fix_move)
 TS_STYLE(fix, ts_style, ts_fix_move_mesh)
 TS_STYLE(fix, ts_style, ts_fix_move_mesh_free)
+TS_STYLE(fix, ts_style, ts_fix_multicontact_halfspace)
 TS_STYLE(fix, ts_style, ts_fix_multisphere)
 TS_STYLE(fix, ts_style, ts_fix_nve)
 TS_STYLE(fix, ts_style, ts_fix_nve_euler)
@@ -510,6 +511,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_move,
 	&ts_fix_move_mesh,
 	&ts_fix_move_mesh_free,
+	&ts_fix_multicontact_halfspace,
 	&ts_fix_multisphere,
 	&ts_fix_nve,
 	&ts_fix_nve_euler,

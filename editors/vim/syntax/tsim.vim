@@ -105,9 +105,10 @@ syn keyword tsimKeyword  amplitude riggle viblin order phase vibrot linear/super
 syn keyword tsimKeyword  linear/variable/superposable rotate/superposable
 syn keyword tsimKeyword  rotate/variable/superposable wiggle/superposable
 syn keyword tsimKeyword  riggle/superposable viblin/superposable vibrot/superposable
-syn keyword tsimKeyword  gravity allow_group_and_set allow_heatsource by_dimension sphere
-syn keyword tsimKeyword  disc atom_type volume_limit relative nspheres ntry inertia_tensor
-syn keyword tsimKeyword  use_volume use_density fflag tflag diam dens vol rate
+syn keyword tsimKeyword  gravity geometric_prefactor allow_group_and_set allow_heatsource
+syn keyword tsimKeyword  by_dimension sphere disc atom_type volume_limit relative nspheres
+syn keyword tsimKeyword  ntry inertia_tensor use_volume use_density fflag tflag diam dens
+syn keyword tsimKeyword  vol rate
 syn match tsimKeyword /\<next\>/ 
 syn keyword tsimKeyword  molfrac rigid shake title ghost writedata add_region
 syn keyword tsimKeyword  check_region_every region_mark mark_step marker_style dirac
@@ -116,19 +117,20 @@ syn keyword tsimKeyword  peratomtypepair matrix tether couple method divided ker
 syn keyword tsimKeyword  least model hooke hertz hooke/stiffness hertz/stiffness
 syn keyword tsimKeyword  hooke/hysteresis jkr tangential history no_history
 syn keyword tsimKeyword  incremental_history jkr_tan rolling_friction cdt epsd epsd2 epsd3
-syn keyword tsimKeyword  cohesion sjkr sjkr2 surface limitForce tangential_damping
-syn keyword tsimKeyword  absolute_damping ktToKnUser viscous tangential_reduce
-syn keyword tsimKeyword  torsionTorque heating_normal_hertz heating_tangential_history
-syn keyword tsimKeyword  computeElasticPotential computeDissipatedEnergy
-syn keyword tsimKeyword  disableNormalWhenBonded located hooke/history hertz/history
-syn keyword tsimKeyword  granular limit_damping primitive n_meshes meshes xplane yplane
-syn keyword tsimKeyword  zplane xcylinder ycylinder zcylinder shear store_force contacts
-syn keyword tsimKeyword  store_force_contact store_force_contact_stress viscosity ab2 rk2
-syn keyword tsimKeyword  rk3 backward substeps courant quick cubista gamma form fv fd
-syn keyword tsimKeyword  quadratic body_force pressure_level generic hertz/material dmt
-syn keyword tsimKeyword  mass_velocity viscoelastic tsuji coeff_restitution rolling
-syn keyword tsimKeyword  twisting heat restitution unfinished preconditioner diagonal
-syn keyword tsimKeyword  direct multigrid relaxation side in out open center bounds angle0
+syn keyword tsimKeyword  cohesion sjkr sjkr2 surface multicontact limitForce
+syn keyword tsimKeyword  tangential_damping absolute_damping ktToKnUser viscous
+syn keyword tsimKeyword  tangential_reduce torsionTorque heating_normal_hertz
+syn keyword tsimKeyword  heating_tangential_history computeElasticPotential
+syn keyword tsimKeyword  computeDissipatedEnergy disableNormalWhenBonded located
+syn keyword tsimKeyword  hooke/history hertz/history granular limit_damping primitive
+syn keyword tsimKeyword  n_meshes meshes xplane yplane zplane xcylinder ycylinder zcylinder
+syn keyword tsimKeyword  shear store_force contacts store_force_contact
+syn keyword tsimKeyword  store_force_contact_stress viscosity ab2 rk2 rk3 backward substeps
+syn keyword tsimKeyword  courant quick cubista gamma form fv fd quadratic body_force
+syn keyword tsimKeyword  pressure_level generic hertz/material dmt mass_velocity
+syn keyword tsimKeyword  viscoelastic tsuji coeff_restitution rolling twisting heat
+syn keyword tsimKeyword  restitution unfinished preconditioner diagonal direct multigrid
+syn keyword tsimKeyword  relaxation side in out open center bounds angle0
 
 " numbers of the simulation and of particles
 syn keyword tsimName  id type radius diameter
@@ -166,8 +168,9 @@ syn keyword tsim_fix contained immersed/boundary insert/pack insert/rate/region 
 syn keyword tsim_fix contained langevin lift/magnus lift/saffman lineforce massflow/mesh
 syn keyword tsim_fix contained mesh/surface mesh/surface/planar mesh/surface/stress
 syn keyword tsim_fix contained mesh/surface/stress/servo momentum move move/mesh move/mesh/free
-syn keyword tsim_fix contained multisphere nve nve/euler nve/limit nve/noforce nve/sphere
-syn keyword tsim_fix contained nve/symplectic particledistribution/discrete
+syn keyword tsim_fix contained multicontact/halfspace multisphere nve nve/euler nve/limit
+syn keyword tsim_fix contained nve/noforce nve/sphere nve/symplectic
+syn keyword tsim_fix contained particledistribution/discrete
 syn keyword tsim_fix contained particledistribution/discrete/massbased
 syn keyword tsim_fix contained particledistribution/discrete/numberbased
 syn keyword tsim_fix contained particletemplate/multiplespheres particletemplate/multisphere

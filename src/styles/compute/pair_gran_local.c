@@ -70,6 +70,7 @@ static void compute_anew(const struct tsim *sim, const struct ts_contact_view *v
 	for (size_t k = 0; k < rows->history_width; k++)
 		memory[k] = rows->history[v->row * rows->history_width + k];
 	ts_row_touch(p, i, j, model, &t);
+	ts_granular_stand_out(model, memory, &t);
 	ts_granular_contact(model, ts_pair_law(pair, p->type[i], p->type[j]), &t,
 			    sim->clock.dt, false, memory, &acting);
 	for (int k = 0; k < 3; k++) {

@@ -55,7 +55,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct gran *g = self->state;
 
 	g->pair.model = ts_granular_model_of(sim, &g->words);
-	g->pair.sticks = ts_normal_sticks(&g->pair.model);
+	g->pair.sticks = ts_normal_sticks(&g->pair.model) || g->pair.model.multi;
 	TS_TRY(check_words(self, sim));
 	if (!sim->particles->ntypes)
 		return TS_OK;
@@ -148,11 +148,11 @@ static const char gran_doc[] =
 	"`epsd`, `epsd2`, `epsd3`: a spring and dashpot of rolling, limited to mu_r |F_n| R*. "
 	"`cohesion "
 	"sjkr`: a pull k A, A the area in which the spheres cut each other; `sjkr2`: A = 4 pi "
-	"delta R*.\n\n"
+	"delta R*. `surface multicontact`: see fix multicontact/halfspace.\n\n"
 	"The constants come from fix property/global: youngsModulus, poissonsRatio (per type); "
 	"coefficientRestitution, coefficientFriction, coefficientRollingFriction, "
 	"coefficientRollingViscousDamping (epsd, epsd3), "
-	"cohesionEnergyDensity, workOfAdhesion (jkr; resolutionJKR has no effect: the root is found to round-off), kn, kt, gamman, gammat (the stiffness laws; gamman_abs, gammat_abs "
+	"cohesionEnergyDensity, workOfAdhesion (jkr; resolutionJKR has no effect: the root is exact), kn, kt, gamman, gammat (the stiffness laws; gamman_abs, gammat_abs "
 	"with "
 	"absolute_damping), coefficientMaxElasticStiffness, coefficientAdhesionStiffness, "
 	"coefficientPlasticityDepth (hysteresis), FluidViscosity, CriticalStokes, "
