@@ -13,6 +13,7 @@ trap 'rm -rf "$work"' EXIT
 
 # Styles and commands: yes, no, or known (refused with a reason).
 {
+	awk -F'\t' '$1 == "atom_style" { print $1, $2 }' $words
 	printf 'region b block 0 1 0 1 0 1 units box\ncreate_box 1 b\n'
 	# commands last: `jump` and others lead away
 	{ grep -v '^#' $words | grep -v '^command'; grep '^command' $words; } | awk -F'\t' '
@@ -20,6 +21,15 @@ trap 'rm -rf "$work"' EXIT
 		$1 == "dump" { print $1, "x" NR, "all", $2, "1 f"; next }
 		$1 == "region" { print $1, "x" NR, $2; next }
 		$1 == "pair" || $1 == "bond" { print $1 "_style", $2; next }
+		$1 == "model" { print "pair_style gran model", $2; next }
+		$1 == "cohesion" || $1 == "rolling_friction" || $1 == "surface" || $1 == "tangential" {
+			print "pair_style gran model hertz", $1, $2
+			next
+		}
+		$1 == "pair gran" { print "pair_style gran model hertz", $2; next }
+		$1 == "wall/gran" { print "fix x" NR, "all wall/gran model hertz", $2; next }
+		$1 == "set" { print "set group all", $2, 1; next }
+		$1 == "dump column" { print "dump x" NR, "all custom 1 f", $2; next }
 		$1 == "command" { print $2 }'
 } >"$work/in"
 $tsim -check -in "$work/in" >/dev/null 2>"$work/errors" </dev/null
@@ -30,6 +40,23 @@ style() {
 		echo no
 	else
 		echo yes
+	fi
+}
+
+# Choices and keywords: refused with a reason, or else on their page.
+choice() {
+	local kind=$1 word=$2 page=$3 said
+
+	case $kind in
+	atom_style) said="atom_style $word is known but not built" ;;
+	'pair gran' | wall/gran | set) said="keyword '$word' is known, but tsim does not have it" ;;
+	'dump column') said="quantity '$word' is known, but tsim does not have it" ;;
+	*) said="$kind is '$word', expected.*known, but tsim does not have it" ;;
+	esac
+	if grep -qE "$said" "$work/errors"; then
+		echo known
+	else
+		page "$word" $page
 	fi
 }
 
@@ -48,10 +75,11 @@ page() {
 judge() {
 	case $1 in
 	fix | compute | dump | region | pair | bond | command) style "$1" "$2" ;;
-	atom_style | boundary | create_atoms | dump_modify | group | lattice | neigh_modify | run | set | \
-		thermo_modify | units | velocity) page "$2" "command_$1.md" ;;
-	cohesion | model | rolling_friction | surface | tangential | 'pair gran') page "$2" pair_gran.md ;;
-	'dump column') page "$2" quantities.md dump_custom.md ;;
+	atom_style | set) choice "$1" "$2" "command_$1.md" ;;
+	boundary | create_atoms | dump_modify | group | lattice | neigh_modify | run | thermo_modify | units | \
+		velocity) page "$2" "command_$1.md" ;;
+	cohesion | model | rolling_friction | surface | tangential | 'pair gran') choice "$1" "$2" pair_gran.md ;;
+	'dump column') choice "$1" "$2" 'quantities.md dump_custom.md' ;;
 	function) page "$2" functions.md ;;
 	gravity) page "$2" fix_gravity.md ;;
 	insert) page "$2" fix_insert_pack.md fix_insert_stream.md fix_insert_rate_region.md ;;
@@ -63,7 +91,7 @@ judge() {
 	template) page "$2" fix_particletemplate_sphere.md ;;
 	thermo_style) page "$2" keywords.md ;;
 	variable) page "$2" variables.md ;;
-	wall/gran) page "$2" fix_wall_gran.md ;;
+	wall/gran) choice "$1" "$2" fix_wall_gran.md ;;
 	*) echo "no rule for $1" >&2 ;;
 	esac
 }

@@ -1,5 +1,6 @@
 /* Reads the words of a line into a state, guided by argument rows. */
 #include "core/arg_read.h"
+#include "core/known.h"
 
 #include <string.h>
 
@@ -160,6 +161,7 @@ static enum ts_status unknown_keyword(struct ts_parse *p, const struct ts_arg *r
 				      const struct ts_arg *common, const struct ts_word *word)
 {
 	struct ts_suggest suggest = ts_suggest_start(word->text);
+	const char *remark = ts_known_word_remark(p->what, word->text);
 	bool any = false;
 
 	for (const struct ts_arg *r = rows; r && r->type != TS_ARG_END; r++)
@@ -170,6 +172,9 @@ static enum ts_status unknown_keyword(struct ts_parse *p, const struct ts_arg *r
 		return ts_fail(&p->sim->error, TS_SYNTAX, &word->place,
 			       "%s: unexpected '%s', the line should end before it", p->what,
 			       word->text);
+	if (remark)
+		return ts_fail(&p->sim->error, TS_UNKNOWN, &word->place,
+			       "%s: keyword '%s' is known, but tsim does not have it: %s", p->what, word->text, remark);
 	suggest_keywords(rows, &suggest);
 	suggest_keywords(common, &suggest);
 	return ts_fail(&p->sim->error, TS_UNKNOWN, &word->place, "%s: unknown keyword '%s'%s",

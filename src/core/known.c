@@ -123,6 +123,31 @@ const char *ts_known_choice_remark(const char *keyword, const char *choice)
 	return NULL;
 }
 
+#define TURNED "fix wall/gran/region meets planes and cylinders of any direction (region plane; region cylinder with rotate)"
+
+static const struct {
+	const char *of, *word, *remark;
+} words[] = {
+	{ "pair gran", "createBondAlways", BONDS },
+	{ "pair gran", "stressBreak", BONDS },
+	{ "fix wall/gran", "createBondAlways", BONDS },
+	{ "fix wall/gran", "stressBreak", BONDS },
+	{ "fix wall/gran", "general_plane", TURNED },
+	{ "fix wall/gran", "general_cylinder", TURNED },
+	{ "set", "blockiness", SHAPES },
+	{ "set", "quat", SHAPES },
+	{ "set", "shape", SHAPES },
+	{ "set", "meso_rho", SPH },
+	{ "set", "sphkernel", SPH },
+	{ TS_KNOWN_QUANTITY, "p", SPH },
+	{ TS_KNOWN_QUANTITY, "rho", SPH },
+	{ TS_KNOWN_QUANTITY, "blockiness*", SHAPES },
+	{ TS_KNOWN_QUANTITY, "quat*", SHAPES },
+	{ TS_KNOWN_QUANTITY, "shape*", SHAPES },
+	{ TS_KNOWN_QUANTITY, "i_cg_level", "grains of several levels of coarse graining are not built" },
+	{ .of = NULL },
+};
+
 static bool matches(const char *pattern, const char *name)
 {
 	size_t n = strlen(pattern);
@@ -135,5 +160,13 @@ const struct ts_known *ts_known_find(enum ts_kind kind, const char *name)
 	for (const struct ts_known *k = ts_known_table; k->name; k++)
 		if (k->kind == kind && matches(k->name, name))
 			return k;
+	return NULL;
+}
+
+const char *ts_known_word_remark(const char *of, const char *word)
+{
+	for (size_t k = 0; words[k].of; k++)
+		if (ts_streq(words[k].of, of) && matches(words[k].word, word))
+			return words[k].remark;
 	return NULL;
 }

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "core/known.h"
 #include "core/sim.h"
 
 #include "base/banned.h"
@@ -56,7 +57,11 @@ static enum ts_status unknown_quantity(struct tsim *sim, const char *what, unsig
 				       const struct ts_ref_input *input)
 {
 	struct ts_suggest suggest = ts_suggest_start(input->name);
+	const char *remark = ts_known_word_remark(TS_KNOWN_QUANTITY, input->name);
 
+	if (remark && shapes & TS_WANT(PERATOM))
+		return ts_fail(&sim->error, TS_UNKNOWN, &input->where,
+			       "%s: quantity '%s' is known, but tsim does not have it: %s", what, input->name, remark);
 	if (shapes & TS_WANT(PERATOM))
 		ts_quantity_suggest(&suggest);
 	return ts_fail(&sim->error, TS_UNKNOWN, &input->where,
