@@ -597,6 +597,7 @@ library_sources = \
 	src/script/flow_control.c \
 	src/script/grammar.c \
 	src/script/interpreter.h \
+	src/script/later.c \
 	src/script/line.c \
 	src/script/line.h \
 	src/script/manual.c \

@@ -345,6 +345,43 @@ variable w equal c_nope
 thermo 5000
 run 10000
 END
+early 'a condition within run every' 8:29 "no compute 'nope'" <<'END'
+run 10000 every 5000 "if '$(c_nope) > 1' then 'print x'"
+END
+early 'a command of if within run every' 8:52 "unknown variable 'z'" <<'END'
+run 10000 every 5000 "if '$(ke) > 1e9' then 'print ${z}' else 'print y'"
+END
+early 'an if in an if within run every' 8:56 "unknown variable 'z'" <<'END'
+run 10000 every 5000 "if $(ke)>1 then 'if $(ke)>2 then $z'"
+END
+early 'an elif within run every' 8:60 'no scalar' <<'END'
+run 10000 every 5000 "if '$(ke) < 0' then 'print x' elif $(c_pp) 'print z'"
+END
+early 'if without then within run every' 8:38 "expected 'then'" <<'END'
+run 10000 every 5000 "if '$(ke) < 0' 'print x' 'print y'"
+END
+early 'a variable in fix print' 8:28 "unknown variable 'nope'" <<'END'
+fix p all print 5000 "then ${nope}"
+run 10000
+END
+early 'a formula in fix print' 8:30 'no scalar' <<'END'
+fix p all print 5000 "then $(c_pp)"
+run 10000
+END
+early 'a variable of a variable in fix print' 8:18 "no compute 'nope'" <<'END'
+variable w equal c_nope
+fix p all print 5000 "then ${w}" screen no
+run 10000
+END
+{ echo "$scene"; cat; } >later.in <<'END'
+fix p all print 10 "q is ${q} and $(random(0,1,7):%.6f)"
+variable debug equal 0
+run 20 every 5 "variable q equal step" "if '${debug} == 1' then 'print ${none}'" "compute new all ke" &
+	"print $(c_new)" "uncompute new"
+END
+"$TSIM" -check -in later.in >out 2>err && timeout 20 "$TSIM" -in later.in -log none >out 2>err && grep -q '^q is 10 and' out &&
+	grep -q '^q is 20 and' out && [ "$(grep -c '^q is' out)" = 2 ]
+report 'fix print of a variable that run every defines' $? err
 printf '%s\n' "$scene" 'thermo_style custom step c_later v_w' 'variable w equal c_later*2' 'compute later all ke' \
 	'run 20 every 5 "variable q equal ke" "print $q" "reset_timestep 0"' >late.in
 "$TSIM" -check -in late.in >out 2>err && timeout 20 "$TSIM" -in late.in -log none >out 2>err &&

@@ -31,6 +31,10 @@ struct ts_host {
 				const struct ts_place *where);
 	/* The same of commands that are to be executed later, one after the other. */
 	enum ts_status (*reads_commands)(void *host, struct ts_words commands);
+	/* The same of a text whose variables and formulas are to be replaced later. */
+	enum ts_status (*reads_text)(void *host, const char *text, const struct ts_place *where);
+	/* Commands that are executed while a run goes on: what they define may be named before it is there. */
+	void (*expects)(void *host, struct ts_words commands);
 	/* Gives a variable of style internal its number, for the formulas that use it. */
 	enum ts_status (*set)(void *host, const char *variable, const struct ts_place *where,
 			      double value);

@@ -48,7 +48,7 @@ static enum ts_status no_command(struct tsim *sim, const struct ts_word *word)
 }
 
 /* An `else` with nothing behind it is an error only where it is reached. */
-static enum ts_status check(struct tsim *sim, struct ts_words words, const struct ts_place *where)
+enum ts_status ts_condition_words(struct tsim *sim, struct ts_words words, const struct ts_place *where)
 {
 	const struct ts_word *word = words.word;
 
@@ -121,7 +121,7 @@ static enum ts_status run_if(struct tsim *sim, void *state, const struct ts_plac
 	size_t k = 0;
 
 	TS_TRY(ts_script_of(sim, where, &script));
-	TS_TRY(check(sim, words, where));
+	TS_TRY(ts_condition_words(sim, words, where));
 	while (k < words.n) {
 		bool otherwise = is(&words.word[k], "else");
 		enum ts_truth yes = TS_YES;

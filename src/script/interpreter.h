@@ -42,6 +42,7 @@ struct ts_script {
 	bool misfit;		  /* a formula has named an output that is not of the shape that is needed there */
 	int formula_depth;	  /* of formulas, over all variables that use each other */
 	struct ts_words current;  /* the command that runs */
+	struct ts_words expected; /* commands of `run every` */
 	struct ts_stream *stream; /* one per seed of random() and normal() */
 	size_t nstreams, stream_capacity;
 	struct ts_variable_state *waiting; /* from a restart file, for variables not yet defined */
@@ -94,6 +95,13 @@ enum ts_status ts_dry_end(struct ts_script *script, struct ts_dry before, enum t
 /* A condition of `if`, where bare names are words that can be compared. */
 enum ts_status ts_expr_condition(struct ts_script *script, const char *text,
 				 const struct ts_place *place, enum ts_truth *out);
+
+/* condition.c: whether conditions, `then` and commands stand as `if` takes them. */
+enum ts_status ts_condition_words(struct tsim *sim, struct ts_words words, const struct ts_place *where);
+
+/* later.c: reads commands, or a text, that are to be executed or substituted later. */
+enum ts_status ts_later_commands(struct ts_script *script, struct ts_words commands);
+enum ts_status ts_later_text(struct ts_script *script, const char *text, const struct ts_place *where);
 
 /* random.c: the stream of a seed; what a restart file keeps of a script, streams and variables. */
 enum ts_status ts_script_stream_of(struct ts_script *script, double seed, struct ts_stream **out);

@@ -97,45 +97,21 @@ static enum ts_status host_reads(void *host, const char *name, enum ts_shape sha
 	return ts_dry_end(host, before, status, true);
 }
 
-/* Does one of the commands define what is missing? */
-static bool comes_later(const struct ts_error *error, struct ts_words commands)
-{
-	bool found = strncmp(error->missing, "variable ", strlen("variable ")) == 0;
-
-	for (size_t k = 0; k < commands.n && found; k++)
-		if (strstr(commands.word[k].text, error->missing))
-			return true;
-	return false;
-}
-
 static enum ts_status host_reads_commands(void *host, struct ts_words commands)
 {
+	return ts_later_commands(host, commands);
+}
+
+static enum ts_status host_reads_text(void *host, const char *text, const struct ts_place *where)
+{
+	return ts_later_text(host, text, where);
+}
+
+static void host_expects(void *host, struct ts_words commands)
+{
 	struct ts_script *script = host;
-	struct ts_line line = { 0 };
-	enum ts_status status = TS_OK;
 
-	for (size_t k = 0; k < commands.n && status == TS_OK; k++) {
-		const struct ts_word *word = &commands.word[k];
-		struct ts_dry before;
-		struct ts_str text = { 0 };
-
-		if (ts_streq(word->text, "NULL")) /* no command */
-			continue;
-		before = ts_dry_begin(script);
-		status = ts_substitute_text(script, word->text, &word->place, &text);
-		ts_str_release(&text);
-		if (status != TS_OK && comes_later(&script->sim->error, commands)) {
-			ts_error_clear(&script->sim->error);
-			status = TS_OK;
-		}
-		status = ts_dry_end(script, before, status, true);
-		if (status == TS_OK && ts_line_set(&line, word->text, strlen(word->text), &word->place) != TS_OK)
-			status = ts_nomem(&script->sim->error);
-		if (status == TS_OK)
-			status = ts_check_unreached(script, &line, "");
-	}
-	ts_line_release(&line);
-	return status;
+	script->expected = commands;
 }
 
 static enum ts_status host_set(void *host, const char *name, const struct ts_place *where,
@@ -226,6 +202,8 @@ static const struct ts_host host_table = {
 	.set = host_set,
 	.reads = host_reads,
 	.reads_commands = host_reads_commands,
+	.reads_text = host_reads_text,
+	.expects = host_expects,
 	.archive = host_archive,
 	.list_variables = host_list_variables,
 	.suggest_variable = host_suggest_variable,

@@ -89,8 +89,8 @@ static enum ts_status run_once(struct tsim *sim, int64_t steps, const struct run
 	return status;
 }
 
-/* Runs in pieces, executing the commands after each; they are substituted anew every time. */
-static enum ts_status run_pieces(struct tsim *sim, int64_t last, const struct run *r)
+/* Executes the commands after each piece; they are substituted anew every time. */
+static enum ts_status each_piece(struct tsim *sim, int64_t last, const struct run *r)
 {
 	const struct ts_word *word = r->pieces.word;
 	int64_t every, left = last - sim->clock.step;
@@ -116,6 +116,16 @@ static enum ts_status run_pieces(struct tsim *sim, int64_t last, const struct ru
 							  &word[k].place));
 	}
 	return TS_OK;
+}
+
+static enum ts_status run_pieces(struct tsim *sim, int64_t last, const struct run *r)
+{
+	enum ts_status status;
+
+	sim->host->expects(sim->host_data, ts_words_from(r->pieces, 1));
+	status = each_piece(sim, last, r);
+	sim->host->expects(sim->host_data, (struct ts_words){ 0 });
+	return status;
 }
 
 static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
@@ -184,7 +194,7 @@ const struct ts_command_style ts_command_run = {
 			  "run cut into several is the same, bit for bit.\n\n"
 			  "`every M \"command\" ...` interrupts the run every M steps to execute the "
 			  "commands; variables in them are substituted each time. Before the first step they are "
-			  "read: that commands, styles, arguments and variables exist.\n\n"
+			  "read, those of `if` among them, too: that commands, styles, arguments and variables exist.\n\n"
 			  "What changes over a run counts from its first to its last step. With `start` and "
 			  "`stop` several runs, or one that goes on from a restart file, count as one.\n\n"
 			  "A step beyond a limit of stability is refused. While the run goes on limits are looked at "

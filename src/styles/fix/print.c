@@ -49,7 +49,8 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 		return TS_OK;
 	ts_str_clear(&s->line);
 	if (sim->host)
-		TS_TRY(sim->host->substitute(sim->host_data, s->text, &self->where, &s->line));
+		TS_TRY(sim->host->substitute(sim->host_data, s->text,
+					     ts_instance_word(self, s->text), &s->line));
 	else
 		ts_str_add(&s->line, s->text);
 	if (s->line.failed)
@@ -69,6 +70,8 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 	const struct state *s = self->state;
 	const char *path = s->file ? s->file : s->append;
 
+	if (sim->host && !report->limits_only)
+		TS_TRY(sim->host->reads_text(sim->host_data, s->text, ts_instance_word(self, s->text)));
 	if (!sim->explain || !path)
 		return TS_OK;
 	return ts_report_output(report, path, ts_report_times(sim, s->every),
@@ -107,7 +110,8 @@ const struct ts_style ts_fix_print = {
 	.summary = "Prints a line of text at intervals",
 	.doc = "The line is printed at the end of each step that is a multiple of N; ${name} and "
 	       "$(formula) in\n"
-	       "it are replaced by their values at that time.",
+	       "it are replaced by their values at that time. Before the first step of a run they are read: "
+	       "that variables, computes and fixes exist and have numbers of the right shape.",
 	.example = "fix depth all print 1000 \"$(step) ${depth}\" file post/depth.txt screen no",
 	.args = args,
 	.state_size = sizeof(struct state),

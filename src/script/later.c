@@ -1,0 +1,142 @@
+/* Commands and texts that act later are read before: commands of `run every`, the text of fix print. Formulas are gone
+ * through without numbers of the simulation, commands without being run. */
+#include <string.h>
+
+#include "script/check.h"
+
+#include "base/banned.h"
+
+enum { DEEPEST_IF = 50 };
+
+/* What is read, and what it may name before it is there. */
+struct later {
+	struct ts_script *script;
+	struct ts_words commands;
+	int depth; /* of `if` in each other */
+};
+
+/* Does one of the commands define what is missing? */
+static bool comes_later(const struct ts_error *error, struct ts_words commands)
+{
+	bool found = false;
+
+	for (size_t k = 0; k < commands.n && error->missing[0] && !found; k++)
+		found = strstr(commands.word[k].text, error->missing) != NULL;
+	return found;
+}
+
+static enum ts_status forgive(struct later *later, enum ts_status status)
+{
+	struct ts_error *error = &later->script->sim->error;
+
+	if (status == TS_OK || !comes_later(error, later->commands))
+		return status;
+	ts_error_clear(error);
+	return TS_OK;
+}
+
+/* The text without its variables. */
+static enum ts_status read_text(struct later *later, const char *text, const struct ts_place *where,
+				struct ts_str *out)
+{
+	struct ts_dry before = ts_dry_begin(later->script);
+	enum ts_status status = ts_substitute_text(later->script, text, where, out);
+
+	return ts_dry_end(later->script, before, forgive(later, status), true);
+}
+
+static enum ts_status read_condition(struct later *later, const struct ts_word *word, enum ts_truth *truth)
+{
+	struct ts_script *script = later->script;
+	struct ts_dry before = ts_dry_begin(script);
+	struct ts_str text = { 0 };
+	enum ts_status status = ts_substitute_text(script, word->text, &word->place, &text);
+
+	*truth = TS_OPEN;
+	if (status == TS_OK)
+		status = ts_expr_condition(script, ts_str_text(&text), &word->place, truth);
+	ts_str_release(&text);
+	return ts_dry_end(script, before, forgive(later, status), true);
+}
+
+static enum ts_status read_command(struct later *later, const struct ts_word *word);
+
+/* The condition and what follows it: `then`, `elif`, `else` and commands. What cannot be reached as things are now is
+ * left to ts_check_unreached. */
+static enum ts_status read_if(struct later *later, struct ts_words words, const struct ts_place *where)
+{
+	enum ts_truth truth = TS_OPEN;
+	bool condition = true, reached = true;
+
+	TS_TRY(ts_condition_words(later->script->sim, words, where));
+	for (size_t k = 0; k < words.n; k++) {
+		const struct ts_word *word = &words.word[k];
+		bool bare = !word->quoted;
+
+		if (condition) {
+			condition = false;
+			TS_TRY(read_condition(later, word, &truth));
+			reached = truth != TS_NO;
+		} else if (bare && (ts_streq(word->text, "elif") || ts_streq(word->text, "else"))) {
+			if (truth == TS_YES)
+				return TS_OK;
+			condition = ts_streq(word->text, "elif");
+			reached = true;
+		} else if (reached && !(bare && ts_streq(word->text, "then"))) {
+			TS_TRY(read_command(later, word));
+		}
+	}
+	return TS_OK;
+}
+
+static enum ts_status read_inside(struct later *later, const struct ts_line *line)
+{
+	struct ts_arena arena = { 0 };
+	struct ts_words words = { 0 };
+	enum ts_status status = ts_line_cut(line, &later->script->sim->error, &arena, &words);
+
+	later->depth++;
+	if (status == TS_OK && words.n && ts_streq(words.word[0].text, "if") && later->depth < DEEPEST_IF)
+		status = read_if(later, ts_words_from(words, 1), &words.word[0].place);
+	later->depth--;
+	ts_arena_release(&arena);
+	return status;
+}
+
+static enum ts_status read_command(struct later *later, const struct ts_word *word)
+{
+	struct ts_script *script = later->script;
+	struct ts_line line = { 0 };
+	struct ts_str text = { 0 };
+	enum ts_status status = read_text(later, word->text, &word->place, &text);
+
+	ts_str_release(&text);
+	if (status == TS_OK && ts_line_set(&line, word->text, strlen(word->text), &word->place) != TS_OK)
+		status = ts_nomem(&script->sim->error);
+	if (status == TS_OK)
+		status = ts_check_unreached(script, &line, "");
+	if (status == TS_OK)
+		status = read_inside(later, &line);
+	ts_line_release(&line);
+	return status;
+}
+
+enum ts_status ts_later_commands(struct ts_script *script, struct ts_words commands)
+{
+	struct later later = { .script = script, .commands = commands };
+
+	for (size_t k = 0; k < commands.n; k++)
+		if (!ts_streq(commands.word[k].text, "NULL")) /* no command */
+			TS_TRY(read_command(&later, &commands.word[k]));
+	return TS_OK;
+}
+
+enum ts_status ts_later_text(struct ts_script *script, const char *text, const struct ts_place *where)
+{
+	struct later later = { .script = script, .commands = script->expected };
+	struct ts_str out = { 0 };
+	enum ts_status status = read_text(&later, text, where, &out);
+
+	ts_str_release(&out);
+	return status;
+}
