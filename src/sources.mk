@@ -846,6 +846,7 @@ library_sources = \
 	src/styles/fix/property_atom_tracer_stream.c \
 	src/styles/fix/property_global.c \
 	src/styles/fix/recenter.c \
+	src/styles/fix/remove.c \
 	src/styles/fix/rigid.c \
 	src/styles/fix/setforce.c \
 	src/styles/fix/spring.c \

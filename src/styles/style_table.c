@@ -252,6 +252,7 @@ TS_STYLE(fix, ts_style, ts_fix_property_atom_tracer)
 TS_STYLE(fix, ts_style, ts_fix_property_atom_tracer_stream)
 TS_STYLE(fix, ts_style, ts_fix_property_global)
 TS_STYLE(fix, ts_style, ts_fix_recenter)
+TS_STYLE(fix, ts_style, ts_fix_remove)
 TS_STYLE(fix, ts_style, ts_fix_rigid)
 TS_STYLE(fix, ts_style, ts_fix_setforce)
 TS_STYLE(fix, ts_style, ts_fix_spring)
@@ -533,6 +534,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_property_atom_tracer_stream,
 	&ts_fix_property_global,
 	&ts_fix_recenter,
+	&ts_fix_remove,
 	&ts_fix_rigid,
 	&ts_fix_setforce,
 	&ts_fix_spring,

@@ -112,6 +112,11 @@ exact 'adapt' 'fix n all nve/sphere' 'variable size equal 0.078+step*1e-5' \
 	'variable k atom 1.1+0.05*sin(step)' 'variable soft equal 1-step/300' \
 	'fix a light adapt 5 atom diameter v_size' 'fix b all adapt 3 atom density v_k scale yes' \
 	'fix c all adapt 4 pair spring/dashpot stiffness 1 1* v_soft scale yes'
+exact 'remove, whole particles' 'fix n all nve/sphere' \
+	'fix a light remove nevery 7 massrate 60 style delete seed 5143 region left' \
+	'variable q equal 20*step' 'fix b all remove nevery 11 massratevariable q style delete seed 7 integrated_error no'
+exact 'remove, by shrinking' 'fix n all nve/sphere' 'variable q equal 500*(step/60)' \
+	'fix a all remove nevery 7 massrate v_q style shrink delete_below 0.037 seed 5143'
 
 # fast enough that images move by more than the skin between two rebuilds
 exact 'deform, positions follow' 'fix n all nve/sphere' \
@@ -328,6 +333,55 @@ END
 says 'so many each time' 'gone 8 52 8'
 says 'until none is left' 'all 0 0'
 
+# mass that is removed at a rate: whole particles, to within one of them; or a part of each
+removal='create_box 2 box
+create_atoms 1 random 60 86028157 NULL units box
+create_atoms 2 random 30 49979687 NULL units box
+set type 1 diameter 0.01 density 2385
+set type 2 diameter 0.02 density 1310
+region left block INF 0.5 INF INF INF INF units box
+fix n all nve
+timestep 1e-3
+variable m1 equal 2385*PI/6*0.01^3
+variable m2 equal 1310*PI/6*0.02^3
+variable before equal mass(all)
+variable m0 equal $(v_before)
+variable others equal $(count(all)-count(all,left))'
+script <<END
+$removal
+fix r all remove nevery 7 massrate \$(3.3*v_m1/0.007) style delete seed 5143 region left atomtype 1
+run 35
+print "one kind \$(count(all)) \$(f_r[2]) \$((v_m0-mass(all))/v_m1:%.9g) \$(f_r[1]/v_m1:%.9g) \$(f_r[3]/v_m1:%.6f)"
+unfix r
+region right block 0.5 INF INF INF INF INF units box
+variable rate equal v_m1/0.007*(time>0.05)
+fix r all remove nevery 5 massratevariable rate style delete seed 5143 region left
+run 5000
+print "all there were \$(count(all,left)) \$(count(all)-v_others) \$(f_r[3]>0)"
+END
+says 'removed to within a particle' 'one kind 73 17 17 17 -0.500000'
+says 'until nothing is left' 'all there were 0 0 1'
+script <<END
+$removal
+fix r all remove nevery 10 massrate \$(0.25*v_m0/0.02) style shrink delete_below 0.0045 seed 7 verbose yes
+run 10
+print "part \$(mass(all)/v_m0:%.9g) \$(count(all)) \$((2*radius[1]/0.01)^3:%.9g) \$(mass[1]/v_m1:%.9g) \$(f_r[1]/v_m0:%.9g)"
+run 20
+print "the small ones go \$(count(all)) \$(f_r[2]) \$(f_r[3]<0)"
+END
+says 'shrunk' 'part 0.875 90 0.875 0.875 0.125'
+says 'deleted below a radius' 'the small ones go 30 60 1'
+grep -q '^fix remove r: step 10, mass 0.0.* removed, 0 particles deleted, 90 chosen from' script.out
+report 'told' $? script.out
+# without the balance the mean is right
+script <<END
+$removal
+fix r all remove nevery 1 massrate \$(0.05*v_m1/0.001) style delete seed 5143 atomtype 1 integrated_error no
+run 600
+print "by lot \$(f_r[2]>=22 && f_r[2]<=38) \$(f_r[3]<=0)"
+END
+says 'the mean is right' 'by lot 1'
+
 # what ends a run early
 script <<'END'
 create_box 1 box
@@ -410,6 +464,14 @@ bad 'is -1 for particle' 'variable s equal -1' 'fix a all adapt 1 atom diameter 
 bad "'3' is not a type" 'fix v all viscous 0.2 scale 3 1'
 bad 'is followed by a number > 0' 'fix v all viscous 0.2 scale 2'
 bad 'expected a number, INIT or NULL' 'fix r all recenter INIT NUL 0'
+bad 'expected one of massrate, massratevariable, found none' 'fix r all remove nevery 5 style delete seed 3'
+bad 'found both' 'variable q equal 1' 'fix r all remove nevery 5 massrate 1 massratevariable q style delete seed 3'
+bad 'needs delete_below' 'fix r all remove nevery 5 massrate 1 style shrink seed 3'
+bad 'with style shrink only' 'fix r all remove nevery 5 massrate 1 style delete delete_below 0.1 seed 3'
+bad "unknown variable 'rat'" 'variable rate equal 1' 'fix r all remove nevery 5 massratevariable rat style delete seed 3'
+bad 'the rate v_q is -1' 'variable q equal -1' 'fix r all remove nevery 5 massratevariable q style delete seed 3' 'run 5'
+bad 'atomtype is 9' 'fix r all remove nevery 5 massrate 1 style delete seed 3 atomtype 9'
+bad "there is no region 'nowhere'" 'fix r all remove nevery 5 massrate 1 style delete seed 3 region nowhere'
 bad 'there are no molecules' 'fix e all evaporate 5 4 left 49892 molecule yes'
 bad 'is to be c_ID' 'variable c internal 1' 'fix c all controller 5 1 1 1 1 ke 1 c'
 bad 'expected a length > 0' 'fix l all nve/limit radius 0.1'
