@@ -181,6 +181,29 @@ static enum ts_status check_agreement(struct tsim *sim, const struct ts_material
 		       one->name, one->partner, one->value, other->value, other->where.line);
 }
 
+/* The contact of the two was not measured: said once. */
+static enum ts_status tell_mean(struct tsim *sim, const struct ts_material *a, const struct ts_material *b,
+				const struct ts_material_value *own, double mean)
+{
+	struct ts_map *told = &sim->particles->materials.told;
+	bool turn = strcmp(a->name, b->name) > 0;
+	struct ts_str key = { 0 };
+	const char *kept;
+
+	ts_str_addf(&key, "%s of %s with %s", own->name, turn ? b->name : a->name, turn ? a->name : b->name);
+	kept = key.failed ? NULL : ts_pool_get(sim->pool, ts_str_text(&key));
+	ts_str_release(&key);
+	if (!kept)
+		return ts_nomem(&sim->error);
+	if (ts_map_get(told, kept))
+		return TS_OK;
+	ts_warn(&sim->log, &own->where,
+		"material: no file gives %s; the mean of their own, %g, is taken. A line `%s with %s VALUE 1` in a file, or "
+		"fix property/global, gives what was measured",
+		kept, mean, own->name, b->name);
+	return ts_map_set(told, kept, told) == TS_OK ? TS_OK : ts_nomem(&sim->error);
+}
+
 enum ts_status ts_material_find(struct tsim *sim, const char *name, int a, int b, bool *found,
 				double *out)
 {
@@ -199,7 +222,14 @@ enum ts_status ts_material_find(struct tsim *sim, const char *name, int a, int b
 		*out = mutual[mutual[0] ? 0 : 1]->value;
 	else if (*found)
 		*out = 0.5 * (own->value + others->value);
+	if (*found && !mutual[0] && !mutual[1] && b > 0 && ma->name && mb->name && !ts_streq(ma->name, mb->name))
+		return tell_mean(sim, ma, mb, own, *out);
 	return TS_OK;
+}
+
+const char *ts_material_name(const struct tsim *sim, int type)
+{
+	return material_of(sim, type)->name;
 }
 
 const struct ts_place *ts_material_place(const struct tsim *sim, const char *name, int a, int b)
@@ -237,5 +267,6 @@ void ts_materials_release(struct ts_materials *m)
 	for (size_t t = 0; t < m->n; t++)
 		release(&m->of[t]);
 	ts_free(m->of);
+	ts_map_release(&m->told);
 	*m = (struct ts_materials){ 0 };
 }

@@ -2,10 +2,11 @@
  * the script. Their place in the order of things: `fix property/global` of the same name goes before.
  *
  * A pair of materials has the value that either file gives for the other (`NAME with OTHER value unit`),
- * else that of the one material they both are, else the mean of their own. */
+ * else that of the one material they both are, else the mean of their own, and that is said. */
 #ifndef TS_PARTICLES_MATERIAL_H
 #define TS_PARTICLES_MATERIAL_H
 
+#include "base/map.h"
 #include "core/sim.h"
 
 struct ts_hash;
@@ -25,6 +26,7 @@ struct ts_material {
 struct ts_materials {
 	struct ts_material *of; /* by type, from 1 */
 	size_t n;
+	struct ts_map told; /* "friction of glass with steel": means that were said to be taken */
 };
 
 /* The type is of the material in that file from now on. */
@@ -34,6 +36,8 @@ enum ts_status ts_material_read(struct tsim *sim, int type, const struct ts_word
 enum ts_status ts_material_find(struct tsim *sim, const char *name, int a, int b, bool *found,
 				double *out);
 const struct ts_place *ts_material_place(const struct tsim *sim, const char *name, int a, int b);
+/* Of the material of a type; NULL: none was given. */
+const char *ts_material_name(const struct tsim *sim, int type);
 /* Whether any file gives it. */
 bool ts_material_given(const struct tsim *sim, const char *name);
 

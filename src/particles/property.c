@@ -40,9 +40,26 @@ static void try_misspelt(struct ts_suggest *suggest, const char *defined)
 		ts_suggest_try(suggest, defined);
 }
 
-static enum ts_status missing(struct tsim *sim, const char *name, const char *kind, const char *who,
+/* What files of materials have to do with it. */
+static void files_lack(const struct tsim *sim, int a, int b, char *out, size_t size)
+{
+	const char *one = ts_material_name(sim, a), *other = ts_material_name(sim, b);
+
+	out[0] = '\0';
+	if (sim->particles->materials.n)
+		snprintf(out, size, ", or a line in the files of the materials");
+	if (one && (b == 0 || (other && ts_streq(one, other))))
+		snprintf(out, size, ", or a line in the files of the materials; that of %.60s gives none", one);
+	else if (one && other)
+		snprintf(out, size, ", or a line in the files of the materials; those of %.60s and %.60s give none for "
+			 "the two, nor both their own", one, other);
+}
+
+static enum ts_status missing(struct tsim *sim, const char *name, int a, int b, const char *who,
 			      const struct ts_place *where)
 {
+	const char *kind = b ? "peratomtypepair N" : a ? "peratomtype" : "scalar";
+	char files[256];
 	struct ts_suggest suggest = ts_suggest_start(name);
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
 
@@ -50,9 +67,9 @@ static enum ts_status missing(struct tsim *sim, const char *name, const char *ki
 		if (ts_streq(fixes->item[k]->style->name, "property/global"))
 			try_misspelt(&suggest,
 				     ((const struct ts_property *)fixes->item[k]->state)->name);
+	files_lack(sim, a, b, files, sizeof files);
 	return ts_fail(&sim->error, TS_STATE, where,
-		       "%s needs `fix ID all property/global %s %s ...`%s%s", who, name, kind,
-		       sim->particles->materials.n ? ", or a line in the files of the materials" : "",
+		       "%s needs `fix ID all property/global %s %s ...`%s%s", who, name, kind, files,
 		       ts_suggest_text(&suggest));
 }
 
@@ -88,11 +105,7 @@ enum ts_status ts_property_value(struct tsim *sim, const char *name, int a, int 
 	if (found)
 		return TS_OK;
 	if (!p)
-		return missing(sim, name,
-			       b   ? "peratomtypepair N"
-			       : a ? "peratomtype"
-				   : "scalar",
-			       who, where);
+		return missing(sim, name, a, b, who, where);
 	if (p->kind == TS_PROPERTY_SCALAR) {
 		*out = p->value[0];
 		return TS_OK;

@@ -68,6 +68,21 @@ material 4 file oak" 'particle type 4 does not exist'
 rejects "units si
 $start
 material 1 file teak" "cannot read coefficient file 'teak'"
+# the mean of two materials is no measurement: said once for each pair, whatever the order
+mean="units si
+$start
+print '\$(property(coefficientRestitution,1,2):%.6g) \$(property(coefficientRestitution,2,3):%.6g) \$(property(coefficientFriction,1,2):%.6g)'
+print '\$(property(coefficientRestitution,2,1)) \$(property(coefficientRestitution,1,3))'"
+prints "$mean" '0.59 0.59 0.17'
+[ "$(grep -c 'no file gives coefficientRestitution of brass with oak; the mean of their own, 0.59, is taken' out)" = 1 ] &&
+	[ "$(grep -c 'no file gives' out)" = 1 ]
+report 'a mean is told' $? out
+rejects "units si
+$start
+print '\$(property(coefficientRollingFriction,1,2))'" 'those of oak and brass give none for the two'
+rejects "units si
+$start
+print '\$(property(thermalConductivity,1))'" 'that of oak gives none'
 bad() { # WORDS MESSAGE
 	printf 'density 1 kg/m3\n%s\n' "$1" >bad.material
 	rejects "units si
@@ -144,6 +159,22 @@ TSIM_POTENTIALS=shelf "$TSIM" -in scripts/in.where -log none >out 2>err </dev/nu
 [ $? = 1 ] && grep -q '^is 2500 2500' out && grep -q "nowhere' nor with the ending .material" err &&
 	grep -q 'looked for here, scripts, shelf, potentials, .*/potentials' err
 report 'where materials are' $? err
+
+# Installed pairs, from either side
+agree 'pairs of installed materials' "units si
+boundary f f f
+region b block -1 1 -1 1 -1 1 units box
+create_box 4 b
+material 1 file glass
+material 2 file alumina
+material 3 file steel
+material 4 file aluminium
+variable one equal 1
+print 'is glass \$(property(coefficientRestitution,1,1)) 0.97'
+print 'is alumina \$(property(coefficientRestitution,2,1)) 0.98'
+print 'is alumina \$(property(coefficientFriction,1,2)) 0.092'
+print 'is steel \$(property(coefficientFriction,4,3)) 0.47'
+print 'is aluminium \$(property(coefficientFriction,4,4)) 1.4'"
 
 # A property that is missing is not one that is given, but a misspelt one.
 models='fix m1 all property/global youngsModulus peratomtype 5e6 5e6 5e6
