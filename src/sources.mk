@@ -848,6 +848,7 @@ library_sources = \
 	src/styles/fix/recenter.c \
 	src/styles/fix/remove.c \
 	src/styles/fix/rigid.c \
+	src/styles/fix/scale_diameter.c \
 	src/styles/fix/setforce.c \
 	src/styles/fix/spring.c \
 	src/styles/fix/spring_self.c \

@@ -84,7 +84,6 @@ const struct ts_known ts_known_table[] = {
 	{ TS_KIND_FIX, "pour/legacy", OTHER_EDITION },
 	{ TS_KIND_FIX, "pour/dev", OTHER_EDITION },
 	{ TS_KIND_FIX, "property/atom/timetracer", "it is called property/atom/regiontracer/time now" },
-	{ TS_KIND_FIX, "scale/diameter", OTHER_EDITION },
 	{ TS_KIND_BOND, "gran", "bonded grains are bond_style contact here" },
 	{ TS_KIND_BOND, "harmonic*", MOLECULAR },
 	{ TS_KIND_COMPUTE, "bond/counter", OTHER_EDITION },

@@ -93,6 +93,20 @@ double ts_region_depth(const struct ts_instance *region, const double x[3])
 	return r->side == 1 ? -depth : depth;
 }
 
+double ts_region_radial(const struct ts_instance *region, const double x[3])
+{
+	const struct ts_region *r = region->state;
+	double y[3];
+
+	if (!style_of(region)->radial || r->side == 1)
+		return NAN;
+	if (r->moves) {
+		to_shape(r, x, y);
+		x = y;
+	}
+	return style_of(region)->radial(region, x);
+}
+
 /* ---- its surface */
 
 int ts_region_faces(const struct ts_instance *region)

@@ -76,6 +76,8 @@ struct ts_region_style {
 	/* How deep x lies in the shape: distance from its surface, < 0 outside. Where the distance is
 	 * not known exactly, a bound nearer to 0. NULL: not known at all. */
 	double (*depth)(const struct ts_instance *self, const double x[3]);
+	/* Distance from the centre or axis, as a part of the radius. NULL: it has no radius. */
+	double (*radial)(const struct ts_instance *self, const double x[3]);
 	int faces; /* how many faces can be open */
 	/* The spots of x on faces that are not open: seen from inside the nearest of each face, from outside
 	 * the nearest of all, with face 0. NULL: not known. */
@@ -93,6 +95,8 @@ bool ts_region_contains(const struct ts_instance *region, const double x[3]);
 void ts_region_bounds(const struct ts_instance *region, double lo[3], double hi[3]);
 /* Of x in the region: distance from its surface, or a lower bound of it, < 0 outside; NaN: not known. */
 double ts_region_depth(const struct ts_instance *region, const double x[3]);
+/* Distance of x from the centre or axis of a round region, as a part of its radius; NaN: it has none. */
+double ts_region_radial(const struct ts_instance *region, const double x[3]);
 /* NaN where it is not known, infinite outside of a shape. */
 double ts_region_volume(const struct ts_instance *region);
 

@@ -254,6 +254,7 @@ TS_STYLE(fix, ts_style, ts_fix_property_global)
 TS_STYLE(fix, ts_style, ts_fix_recenter)
 TS_STYLE(fix, ts_style, ts_fix_remove)
 TS_STYLE(fix, ts_style, ts_fix_rigid)
+TS_STYLE(fix, ts_style, ts_fix_scale_diameter)
 TS_STYLE(fix, ts_style, ts_fix_setforce)
 TS_STYLE(fix, ts_style, ts_fix_spring)
 TS_STYLE(fix, ts_style, ts_fix_spring_self)
@@ -536,6 +537,7 @@ const struct ts_style *const ts_style_table[] = {
 	&ts_fix_recenter,
 	&ts_fix_remove,
 	&ts_fix_rigid,
+	&ts_fix_scale_diameter,
 	&ts_fix_setforce,
 	&ts_fix_spring,
 	&ts_fix_spring_self,

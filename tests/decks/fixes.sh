@@ -26,6 +26,8 @@ region left block INF 0.4 INF INF INF INF units box
 pair_style spring/dashpot
 pair_coeff * * stiffness 20000 restitution 0.7
 timestep 1e-4
+variable up equal 0.05*sin(40*time)
+variable less equal 0.8-step/1000
 END
 
 # run_script NAME THREADS: standard input after the grains
@@ -117,6 +119,8 @@ exact 'remove, whole particles' 'fix n all nve/sphere' \
 	'variable q equal 20*step' 'fix b all remove nevery 11 massratevariable q style delete seed 7 integrated_error no'
 exact 'remove, by shrinking' 'fix n all nve/sphere' 'variable q equal 500*(step/60)' \
 	'fix a all remove nevery 7 massrate v_q style shrink delete_below 0.037 seed 5143'
+exact 'scale/diameter' 'fix n all nve/sphere' 'region core sphere 0.5 0.6 0.4 0.35 units box move NULL NULL v_up' \
+	'fix a all scale/diameter 3 region core scale v_less scale_width 0.4'
 
 # fast enough that images move by more than the skin between two rebuilds
 exact 'deform, positions follow' 'fix n all nve/sphere' \
@@ -382,6 +386,41 @@ print "by lot \$(f_r[2]>=22 && f_r[2]<=38) \$(f_r[3]<=0)"
 END
 says 'the mean is right' 'by lot 1'
 
+# diameters by the distance from a centre or an axis
+script <<'END'
+create_box 1 box
+create_atoms 1 single 0.5 0.5 0.5 units box
+create_atoms 1 single 0.5 0.5 0.65 units box
+create_atoms 1 single 0.5 0.5 0.78 units box
+create_atoms 1 single 0.1 0.5 0.5 units box
+set group all diameter 0.02 density 2385
+region core sphere 0.5 0.5 0.5 0.2 units box
+region tube cylinder z 0.5 0.5 0.1 0.4 0.79 units box
+fix n all nve
+timestep 1e-4
+variable m0 equal $(mass[1])
+fix s all scale/diameter 0 region core scale 0.5
+run 0
+print "linear $(radius[1]) $(radius[2]:%.6g) $(radius[3]:%.6g) $(radius[4]) $(mass[2]/v_m0:%.9g) $(mass[4]/v_m0)"
+velocity all set 0 0 2
+run 500
+print "once $(radius[1]:%.6g)"
+unfix s
+set group all diameter 0.02 density 2385
+fix s all scale/diameter 5 region tube scale 3 scale_width 0.25
+run 5
+print "axis $(radius[1]:%.6g) $(radius[2]:%.6g) $(radius[3]:%.6g) $(radius[4]:%.6g)"
+region back block -1 2 -1 2 -1 2 units box
+displace_atoms all move 0.08 0 0 units box
+run 5
+print "side $(radius[1]:%.6g)"
+END
+says 'linear to the centre' 'linear 0.0050000000000000001041 0.00875 0.01 '
+says 'the mass follows' ' 0.669921875 1'
+says 'once only' 'once 0.005'
+says 'a cylinder ends' 'axis 0.03 0.03 0.01 0.01'
+says 'the outer part' 'side 0.026'
+
 # what ends a run early
 script <<'END'
 create_box 1 box
@@ -472,6 +511,10 @@ bad "unknown variable 'rat'" 'variable rate equal 1' 'fix r all remove nevery 5 
 bad 'the rate v_q is -1' 'variable q equal -1' 'fix r all remove nevery 5 massratevariable q style delete seed 3' 'run 5'
 bad 'atomtype is 9' 'fix r all remove nevery 5 massrate 1 style delete seed 3 atomtype 9'
 bad "there is no region 'nowhere'" 'fix r all remove nevery 5 massrate 1 style delete seed 3 region nowhere'
+bad 'has no centre and radius' 'fix s all scale/diameter 5 region left scale 0.5'
+bad 'has no centre and radius' 'region o sphere 0 0 0 0.5 side out units box' 'fix s all scale/diameter 5 region o scale 0.5'
+bad 'the factor v_q is 0' 'variable q equal 0' 'region o sphere 0 0 0 0.5 units box' 'fix s all scale/diameter 5 region o scale v_q' 'run 1'
+bad 'scale_width is 1.5' 'region o sphere 0 0 0 0.5 units box' 'fix s all scale/diameter 5 region o scale 2 scale_width 1.5'
 bad 'there are no molecules' 'fix e all evaporate 5 4 left 49892 molecule yes'
 bad 'is to be c_ID' 'variable c internal 1' 'fix c all controller 5 1 1 1 1 ke 1 c'
 bad 'expected a length > 0' 'fix l all nve/limit radius 0.1'

@@ -114,9 +114,9 @@ syn keyword tsimKeyword  molfrac rigid shake title ghost writedata add_region
 syn keyword tsimKeyword  check_region_every region_mark mark_step marker_style dirac
 syn keyword tsimKeyword  heaviside check_mark_every insert_stream n_tracer peratomtype
 syn keyword tsimKeyword  peratomtypepair matrix massratevariable style shrink delete_below
-syn keyword tsimKeyword  atomtype integrated_error tether couple method divided kernel
-syn keyword tsimKeyword  reach least model hooke hertz hooke/stiffness hertz/stiffness
-syn keyword tsimKeyword  hooke/hysteresis jkr tangential history no_history
+syn keyword tsimKeyword  atomtype integrated_error scale_width tether couple method divided
+syn keyword tsimKeyword  kernel reach least model hooke hertz hooke/stiffness
+syn keyword tsimKeyword  hertz/stiffness hooke/hysteresis jkr tangential history no_history
 syn keyword tsimKeyword  incremental_history jkr_tan rolling_friction cdt epsd epsd2 epsd3
 syn keyword tsimKeyword  cohesion sjkr sjkr2 surface multicontact limitForce
 syn keyword tsimKeyword  tangential_damping absolute_damping ktToKnUser viscous
@@ -179,9 +179,9 @@ syn keyword tsim_fix contained particletemplate/sphere planeforce pour
 syn match tsim_fix /\<print\>/ contained
 syn keyword tsim_fix contained property/atom property/atom/regiontracer/time property/atom/tracer
 syn keyword tsim_fix contained property/atom/tracer/stream property/global recenter remove rigid
-syn keyword tsim_fix contained setforce spring spring/self store/force store/state vector viscous
-syn keyword tsim_fix contained viscous/sphere void_fraction wall/gran wall/gran/region
-syn keyword tsim_fix contained wall/reflect
+syn keyword tsim_fix contained scale/diameter setforce spring spring/self store/force store/state
+syn keyword tsim_fix contained vector viscous viscous/sphere void_fraction wall/gran
+syn keyword tsim_fix contained wall/gran/region wall/reflect
 hi def link tsim_fix Type
 syn match tsimHead /^\s*compute\s\+\S\+\s\+\S\+\s\+/ contains=tsimCommand,tsimVariable nextgroup=tsim_compute
 syn keyword tsim_compute contained aggregate/atom angmom/chunk bond/local bonds chunk/atom

@@ -57,6 +57,14 @@ static double depth(const struct ts_instance *self, const double x[3])
 	return in < 0 && along < 0 ? -sqrt(in * in + along * along) : fmin(in, along);
 }
 
+static double radial(const struct ts_instance *self, const double x[3])
+{
+	const struct cylinder *z = self->state;
+	double a = x[z->c[0]] - z->center[0], b = x[z->c[1]] - z->center[1];
+
+	return sqrt(a * a + b * b) / z->radius;
+}
+
 static int spots(const struct ts_instance *self, const double x[3], bool inside,
 		 struct ts_region_spot *out)
 {
@@ -121,6 +129,7 @@ const struct ts_region_style ts_region_cylinder = {
 	},
 	.contains = contains,
 	.depth = depth,
+	.radial = radial,
 	.bounds = bounds,
 	.volume = volume,
 	.update = update,

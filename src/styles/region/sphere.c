@@ -46,6 +46,13 @@ static double depth(const struct ts_instance *self, const double x[3])
 	return b->radius - sqrt(ts_distance2(x, b->center));
 }
 
+static double radial(const struct ts_instance *self, const double x[3])
+{
+	const struct ball *b = self->state;
+
+	return sqrt(ts_distance2(x, b->center)) / b->radius;
+}
+
 static int spots(const struct ts_instance *self, const double x[3], bool inside,
 		 struct ts_region_spot *out)
 {
@@ -106,6 +113,7 @@ const struct ts_region_style ts_region_sphere = {
 	},
 	.contains = contains,
 	.depth = depth,
+	.radial = radial,
 	.bounds = bounds,
 	.volume = volume,
 	.update = update,
