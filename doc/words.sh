@@ -43,29 +43,20 @@ style() {
 	fi
 }
 
-# Choices and keywords: refused with a reason, or else on their page.
-choice() {
-	local kind=$1 word=$2 page=$3 said
-
-	case $kind in
-	atom_style) said="atom_style $word is known but not built" ;;
-	'pair gran' | wall/gran | set) said="keyword '$word' is known, but tsim does not have it" ;;
-	'dump column') said="quantity '$word' is known, but tsim does not have it" ;;
-	*) said="$kind is '$word', expected.*known, but tsim does not have it" ;;
-	esac
-	if grep -qE "$said" "$work/errors"; then
-		echo known
-	else
-		page "$word" $page
-	fi
+# Why a word is refused, as tsim says it.
+reason() {
+	grep -hoE -- "($1 (style )?'$2' is known from .*|$1 is '$2', expected.* is known, .*|(keyword|quantity) '$2' is known, .*|$1 $2 is known but .*)" "$work/errors" |
+		sed 's/.*but tsim does not have it: //; s/.*is known but /it is /' | head -n 1
 }
 
-# Other words: on one of the manual pages.
+# Other words: on one of the manual pages, or refused with a reason.
 # shellcheck disable=SC2048,SC2086
 page() {
 	local word=$1
 	shift
-	if (cd $pages && cat $* 2>/dev/null) | grep -qE "(^|[^A-Za-z0-9_/])$word([^A-Za-z0-9_/]|\$)"; then
+	if [ -n "$(reason "$kind" "$word")" ]; then
+		echo known
+	elif (cd $pages && cat $* 2>/dev/null) | grep -qE "(^|[^A-Za-z0-9_/])$word([^A-Za-z0-9_/]|\$)"; then
 		echo yes
 	else
 		echo no
@@ -75,11 +66,11 @@ page() {
 judge() {
 	case $1 in
 	fix | compute | dump | region | pair | bond | command) style "$1" "$2" ;;
-	atom_style | set) choice "$1" "$2" "command_$1.md" ;;
+	atom_style | set) page "$2" "command_$1.md" ;;
 	boundary | create_atoms | dump_modify | group | lattice | neigh_modify | run | thermo_modify | units | \
 		velocity) page "$2" "command_$1.md" ;;
-	cohesion | model | rolling_friction | surface | tangential | 'pair gran') choice "$1" "$2" pair_gran.md ;;
-	'dump column') choice "$1" "$2" 'quantities.md dump_custom.md' ;;
+	cohesion | model | rolling_friction | surface | tangential | 'pair gran') page "$2" pair_gran.md ;;
+	'dump column') page "$2" quantities.md dump_custom.md ;;
 	function) page "$2" functions.md ;;
 	gravity) page "$2" fix_gravity.md ;;
 	insert) page "$2" fix_insert_pack.md fix_insert_stream.md fix_insert_rate_region.md ;;
@@ -91,7 +82,7 @@ judge() {
 	template) page "$2" fix_particletemplate_sphere.md ;;
 	thermo_style) page "$2" keywords.md ;;
 	variable) page "$2" variables.md ;;
-	wall/gran) choice "$1" "$2" fix_wall_gran.md ;;
+	wall/gran) page "$2" fix_wall_gran.md ;;
 	*) echo "no rule for $1" >&2 ;;
 	esac
 }
@@ -105,9 +96,9 @@ cat <<'END'
 
 480 public LIGGGHTS scripts from 21 repositories were counted: which words they use, and how many scripts use each.
 Here is which of them tsim has. A word counts as known if it is a style or command, or stands on the manual page
-where it belongs. `refused` words are met with the reason: they belong to methods that tsim does not have (smoothed
-particles, other shapes, reactions). "By use" weighs each word by the scripts that use it. Made by
-`doc/words.sh`.
+where it belongs. `refused` words are met with a reason, which is listed below: most belong to methods that tsim does
+not have (smoothed particles, other shapes, reactions), or to editions of LIGGGHTS other than 3.8. "By use" weighs
+each word by the scripts that use it. Made by `doc/words.sh`.
 
 | kind | words | known | refused | lacking | known, by use |
 |---|---|---|---|---|---|
@@ -132,4 +123,6 @@ sort -t "$tab" -k3,3nr -s "$work/judged" | awk -F'\t' '$4 == "no" { printf "%s%s
 echo
 echo '## Refused with a reason'
 echo
-awk -F'\t' '$4 == "known" { printf "%s%s %s (%d)", n++ ? ", " : "", $1, $2, $3 } END { print "" }' "$work/judged" | fold -s -w 110 | sed 's/ *$//'
+awk -F'\t' '$4 == "known"' "$work/judged" | sort -t "$tab" -k3,3nr -s | while IFS=$tab read -r kind word scripts _; do
+	printf '%s\n' "- $kind $word ($scripts): $(reason "$kind" "$word")" | fold -s -w 110 | sed 's/ *$//; 2,$s/^/  /'
+done

@@ -503,6 +503,47 @@ bad 'is -1 for particle' 'variable s equal -1' 'fix a all adapt 1 atom diameter 
 bad "'3' is not a type" 'fix v all viscous 0.2 scale 3 1'
 bad 'is followed by a number > 0' 'fix v all viscous 0.2 scale 2'
 bad 'expected a number, INIT or NULL' 'fix r all recenter INIT NUL 0'
+# what another program has and tsim lacks: the line to write instead; such lines are taken
+bad 'region W plane PX PY PZ NX NY NZ' 'fix w all wall/gran model hertz primitive type 1 general_plane 0 0 0 0 0 1'
+bad 'one at another angle is a mesh' 'fix w all wall/gran model hertz primitive type 1 general_cylinder 1 0 0 0 0 0 1'
+bad 'fix ID GROUP pour N TYPE SEED' 'fix p all pour/legacy 100 1 29494 region left'
+bad 'compute ID GROUP bonds' 'compute n all bond/counter'
+bad 'compute ID GROUP bond/local dist force fx fy fz' 'compute n all pair/gran/local/bond'
+bad 'massflow/mesh mesh MESH vec_side' 'fix m all massflow/mesh/face mesh m'
+bad 'fix ID all move/mesh/free mesh M density D' 'fix m all mesh/surface/stress/6dof file x.stl type 1'
+bad 'insert/pack ... overlapcheck yes' 'fix m all insert/pack/dense seed 5143'
+bad 'ave/euler nevery N cell_size_relative C' 'fix m all ave/euler/region nevery 10 region left'
+bad 'coupling of coarse and fine grains' 'fix m all forcecontrol/region ctrlPV stress'
+script <<'END'
+units si
+boundary f f f
+create_box 1 box
+create_atoms 1 single 0.5 0.5 0.5 units box
+create_atoms 1 single 0.59 0.5 0.5 units box
+set group all diameter 0.09 density 1000
+fix m1 all property/global youngsModulus peratomtype 5.e6
+fix m2 all property/global poissonsRatio peratomtype 0.45
+fix m3 all property/global coefficientRestitution peratomtypepair 1 0.3
+fix m4 all property/global coefficientFriction peratomtypepair 1 0.5
+pair_style gran model hertz tangential history
+pair_coeff * *
+bond_style contact
+compute n all bonds
+compute l all bond/local dist force fx fy fz
+compute w all property/local batom1 batom2 btype
+region R block 0.2 0.8 0.2 0.8 0.2 0.8 units box
+compute g all reduce/region R ave vx vy vz
+region W plane 0.1 0 0.1 1 0 1 units box
+fix wall all wall/gran/region model hertz tangential history type 1 region W
+fix cells all ave/euler nevery 10 cell_size_relative 4 parallel no
+fix grav all gravity 9.81 vector 0 0 -1
+fix rain all pour 100 1 29494 region R vol 0.2 50 diam range 0.01 0.012 dens 2500 2500 vel 0 0 0 0 -1
+fix i all nve/sphere
+timestep 1e-5
+run 1
+print "lines $(c_n) $(count(all)>2)"
+END
+says 'the lines to write instead' 'lines 0 1'
 bad 'expected one of massrate, massratevariable, found none' 'fix r all remove nevery 5 style delete seed 3'
 bad 'found both' 'variable q equal 1' 'fix r all remove nevery 5 massrate 1 massratevariable q style delete seed 3'
 bad 'needs delete_below' 'fix r all remove nevery 5 massrate 1 style shrink seed 3'
