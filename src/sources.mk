@@ -810,6 +810,7 @@ library_sources = \
 	src/styles/fix/heat_gran.c \
 	src/styles/fix/immersed_boundary.c \
 	src/styles/fix/insert_pack.c \
+	src/styles/fix/insert_pack_dense.c \
 	src/styles/fix/insert_rate_region.c \
 	src/styles/fix/insert_stream.c \
 	src/styles/fix/langevin.c \

@@ -81,10 +81,6 @@ const struct ts_known ts_known_table[] = {
 	{ TS_KIND_FIX, "break/particle", FRAGMENTS },
 	{ TS_KIND_FIX, "check/timestep/bond", "each run is refused that steps beyond the stability limit of its bonds" },
 	{ TS_KIND_FIX, "forcecontrol/region", RESOLUTION },
-	{ TS_KIND_FIX, "insert/pack/dense",
-	  "places found at random, `fix ID GROUP insert/pack ... overlapcheck yes volumefraction_region F`, reach about "
-	  "F = 0.3; for a denser bed insert smaller particles and let `fix ID GROUP adapt N atom diameter v_NAME` grow "
-	  "them, or let them settle" },
 	{ TS_KIND_FIX, "insert/pack/face", RESOLUTION },
 	{ TS_KIND_FIX, "mesh/surface/stress/6dof",
 	  "write `fix M all mesh/surface/stress file FILE type T` and `fix ID all move/mesh/free mesh M density D`: the "

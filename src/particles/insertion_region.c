@@ -268,6 +268,15 @@ enum ts_status ts_insertion_region_event(struct ts_instance *self, struct tsim *
 	return ts_insertion_make(self, sim, &from);
 }
 
+enum ts_status ts_insertion_region_scatter(struct ts_instance *self, struct tsim *sim, int64_t n)
+{
+	struct ts_insertion *s = self->state;
+
+	s->overlapcheck = false;
+	TS_TRY(ts_distribution_draw(s->distribution, sim, n, s->random_distribute == 0, &s->list));
+	return place_all(self, sim, n);
+}
+
 enum ts_status ts_insertion_region_archive(struct ts_instance *self, struct tsim *sim,
 					   struct ts_archive *archive)
 {

@@ -38,6 +38,8 @@ enum ts_status ts_insertion_region_content(struct ts_instance *self, struct tsim
 /* Draws n particles, finds places for them with so many tries in all, and makes them. */
 enum ts_status ts_insertion_region_event(struct ts_instance *self, struct tsim *sim, int64_t n,
 					 int64_t most_tries);
+/* Draws n particles and gives them places, whether they overlap or not: in the list of newcomers. */
+enum ts_status ts_insertion_region_scatter(struct ts_instance *self, struct tsim *sim, int64_t n);
 enum ts_status ts_insertion_region_archive(struct ts_instance *self, struct tsim *sim,
 					   struct ts_archive *archive);
 

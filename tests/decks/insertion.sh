@@ -261,6 +261,58 @@ rejects "$scene
 fix rain all insert/rate/region seed 32452867 distributiontemplate mix region bed mass 20 massrate 40000 insert_every once" \
 	"insert_every is 'once'"
 
+# Densely: the volume asked for, no overlaps, all of it in the region; what is there stays; in other lengths, too
+dense='fix large all particletemplate/sphere 15485863 atom_type 1 density constant 2500 radius constant $(v_L*0.012) volume_limit 1e-40
+fix small all particletemplate/sphere 15485867 atom_type 1 density constant 2500 radius constant $(v_L*0.009) volume_limit 1e-40
+fix mix all particledistribution/discrete 32452843 2 large 0.6 small 0.4
+fix m1 all property/global kn peratomtypepair 1 1e3
+fix m2 all property/global kt peratomtypepair 1 1e3
+fix m3 all property/global gamman peratomtypepair 1 1
+fix m4 all property/global gammat peratomtypepair 1 1
+pair_style gran model hooke/stiffness
+pair_coeff * *
+compute touching all contacts
+variable deep atom sqrt(x*x+y*y)+radius
+variable high atom z+radius
+variable low atom radius-z
+compute most all reduce max v_deep v_high v_low
+fix move all nve/sphere
+timestep $(1e-5*v_L^1.5)'
+for L in 1e-6 1 1000; do
+	prints "units si
+variable L equal $L
+boundary f f f
+region box block \$(-v_L*0.1) \$(v_L*0.1) \$(-v_L*0.1) \$(v_L*0.1) \$(-v_L*0.1) \$(v_L*0.1) units box
+create_box 1 box
+create_atoms 1 single 0 0 0 units box
+set group all diameter \$(v_L*0.05) density 2500
+$dense
+region drum cylinder z 0 0 \$(v_L*0.08) \$(-v_L*0.08) \$(v_L*0.08) volume_limit 1e-40 units box
+fix fill all insert/pack/dense seed 32452867 distributiontemplate mix region drum volumefraction_region 0.5
+run 0
+run 1
+print 'full \$(abs(mass(all)/2500/(PI*0.08^2*0.16*v_L^3)-0.5)<0.002) touching \$(c_touching) stayed \$(x[1]) \$(y[1])'
+print 'inside \$(c_most[1]<=0.08*v_L) \$(c_most[2]<=0.08*v_L) \$(c_most[3]<=0.08*v_L) near \$(c_most[2]>0.0799*v_L)'
+run 10
+print 'once \$(f_fill[1]-count(all)+1)'" 'full 1 touching 0 stayed 0 0' 'inside 1 1 1 near 1' 'once 0'
+done
+fill='units si
+variable L equal 1
+boundary p p p
+region box block -0.1 0.1 -0.1 0.1 -0.1 0.1 units box
+create_box 1 box
+region whole block -0.1 0.1 -0.1 0.1 -0.1 0.1 units box
+'"$dense
+fix fill all insert/pack/dense seed 32452867 distributiontemplate mix region whole"
+prints "$fill volumefraction_region 0.5 vel constant 0 0 2
+run 1
+print 'full \$(abs(mass(all)/2500/0.008-0.5)<0.002) touching \$(c_touching) \$(vcm(all,z):%.6g)'" 'full 1 touching 0 2'
+rejects "$fill" "keyword 'volumefraction_region' is missing"
+rejects "$fill volumefraction_region 0.8" 'volumefraction_region is 0.8'
+rejects "$fill volumefraction_region 0.66 max_rounds 50
+run 1" 'were not moved apart: after 50 rounds'
+rejects "$fill volumefraction_region 0.5 all_in no" "unknown keyword 'all_in'"
+
 # Clumps: a rigid one counts once, with the mass of its body, and is turned as asked.
 stones="$scene
 fix fall all multisphere
@@ -279,6 +331,9 @@ compute e all erotate/multisphere
 thermo_style custom step c_e
 run 1
 print \"\$(f_fill[2]) \$(z[1]-z[2])\"" '12 0'
+rejects "$stones 0 0 0 0.05 0.13 0 0 0.05
+fix clumps all particledistribution/discrete 32452883 1 stone 1
+fix fill all insert/pack/dense seed 32452867 distributiontemplate clumps region bed volumefraction_region 0.3" 'spheres are packed, only'
 stone() { # WORDS TEXT
 	rejects "$stones $1" "$2"
 }

@@ -91,10 +91,10 @@ syn keyword tsimKeyword  virtual_mass spheres seed distributiontemplate maxattem
 syn keyword tsimKeyword  overlapcheck all_in random_distribute uncorrelated orientation
 syn keyword tsimKeyword  set_property verbose compress_tags insert_every ntry_mc
 syn keyword tsimKeyword  check_dist_from_subdomain_border warn_region particles_in_region
-syn keyword tsimKeyword  volumefraction_region mass_in_region nparticles particlerate
-syn keyword tsimKeyword  massrate insertion_face extrude_length duration law rubinow
-syn keyword tsimKeyword  oesterle saffman mei vec_side multiple point_at_outlet inside_out
-syn keyword tsimKeyword  writeTime
+syn keyword tsimKeyword  volumefraction_region mass_in_region max_rounds nparticles
+syn keyword tsimKeyword  particlerate massrate insertion_face extrude_length duration law
+syn keyword tsimKeyword  rubinow oesterle saffman mei vec_side multiple point_at_outlet
+syn keyword tsimKeyword  inside_out writeTime
 syn match tsimKeyword /\<delete_atoms\>/ 
 syn keyword tsimKeyword  interval sum_property temperature element_exclusion_list precision
 syn keyword tsimKeyword  curvature extrude_planar curvature_tolerant heal
@@ -165,9 +165,9 @@ syn keyword tsim_fix contained deform drag drag/beetstra drag/di_felice drag/erg
 syn keyword tsim_fix contained drag/koch_hill drag/schiller_naumann drag/stokes drag/wen_yu
 syn keyword tsim_fix contained drill/bit energy/ledger enforce2d evaporate flow/pressure_gradient
 syn keyword tsim_fix contained flow/scalar freeze gravity halt heat/gran heat/gran/conduction
-syn keyword tsim_fix contained immersed/boundary insert/pack insert/rate/region insert/stream
-syn keyword tsim_fix contained langevin lift/magnus lift/saffman lineforce massflow/mesh
-syn keyword tsim_fix contained mesh/surface mesh/surface/planar mesh/surface/stress
+syn keyword tsim_fix contained immersed/boundary insert/pack insert/pack/dense insert/rate/region
+syn keyword tsim_fix contained insert/stream langevin lift/magnus lift/saffman lineforce
+syn keyword tsim_fix contained massflow/mesh mesh/surface mesh/surface/planar mesh/surface/stress
 syn keyword tsim_fix contained mesh/surface/stress/servo momentum move move/mesh move/mesh/free
 syn keyword tsim_fix contained multicontact/halfspace multisphere nve nve/euler nve/limit
 syn keyword tsim_fix contained nve/noforce nve/sphere nve/symplectic
