@@ -182,6 +182,8 @@ library_sources = \
 	src/flow/projection.h \
 	src/flow/relaxation.c \
 	src/flow/relaxation.h \
+	src/flow/resolution.c \
+	src/flow/resolution.h \
 	src/flow/sample.c \
 	src/flow/schemes.c \
 	src/flow/schemes.h \

@@ -66,6 +66,7 @@ shell_tests = \
 	tests/decks/flow_faults.sh \
 	tests/decks/flow_outputs.sh \
 	tests/decks/flow_pressure.sh \
+	tests/decks/flow_resolution.sh \
 	tests/decks/flow_style.sh \
 	tests/decks/folders.sh \
 	tests/decks/free_mesh.sh \

@@ -22,5 +22,6 @@ const struct ts_review_check ts_review_table[] = {
 	{ "members", "integrators that move members of rigid bodies, too", NULL },
 	{ "mesh_leaves", "meshes that will leave the box in the run", NULL },
 	{ "servo", "a servo that goes to and fro with its largest speed", NULL },
+	{ "flow_resolution", "cells that are too wide for the flow that is solved for", NULL },
 	{ .name = NULL },
 };

@@ -450,6 +450,9 @@ awk '/^off/ { n++; if ($2 > 1e-6) exit bad = 1 } END { exit bad || n != 1 }' run
 	grep -q '^fix lid: kp is 0.0006414, 0.1 of the largest that is stable with 1 contacts' run.log
 report 'a servo without gains comes to rest' $? run.log
 
+# ---- flow_resolution: more of it in flow_resolution.sh ----
+echo flow_resolution >>provoked
+
 # ---- members of rigid bodies: more of it in integrators.sh ----
 printf '%s\n' "$start" 'create_atoms 1 single 0.3 0.5 0.3 units box' 'set group all diameter 0.1 density 1000' "$law" \
 	'fix body all rigid single' 'fix move all nve/sphere' 'timestep 1e-5' 'run 10' >in.script

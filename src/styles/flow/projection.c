@@ -5,6 +5,7 @@
 #include "flow/outside.h"
 #include "flow/implicit.h"
 #include "flow/limits.h"
+#include "flow/resolution.h"
 
 #include "base/banned.h"
 
@@ -119,9 +120,10 @@ static enum ts_status finish(struct ts_instance *self, struct tsim *sim)
 	struct ts_fluid *fluid = &((struct ts_projection *)self->state)->fluid;
 
 	ts_fluid_tell_outside(fluid, sim);
-	if (fluid->steps > 0)
-		ts_fluid_fill_ghosts(fluid, fluid->u);
-	return TS_OK;
+	if (fluid->steps == 0)
+		return TS_OK;
+	ts_fluid_fill_ghosts(fluid, fluid->u);
+	return ts_projection_resolution(self, sim);
 }
 
 static void fini(struct ts_instance *self)
