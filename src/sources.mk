@@ -184,6 +184,7 @@ library_sources = \
 	src/flow/relaxation.h \
 	src/flow/resolution.c \
 	src/flow/resolution.h \
+	src/flow/room.c \
 	src/flow/sample.c \
 	src/flow/schemes.c \
 	src/flow/schemes.h \

@@ -130,6 +130,7 @@ shell_tests = \
 	tests/layers.sh \
 	tests/manual_current.sh \
 	tests/meshes.sh \
+	tests/momentum.sh \
 	tests/omissions.sh \
 	tests/price.sh \
 	tests/python.sh \

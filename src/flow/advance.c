@@ -176,6 +176,8 @@ static enum ts_status make_stage(struct ts_instance *self, struct tsim *sim,
 		stage.old[d] = old[d];
 		stage.out[d] = p->work[d];
 	}
+	if (ts_projection_whole(p))
+		ts_projection_room_stage(p, &stage, s);
 	ts_predict(&stage);
 	if (scheme->history)
 		add_history(p, p->work, dt);
@@ -251,6 +253,8 @@ static void divide_used(struct ts_projection *p, double by)
 	for (int d = 0; d < 3 && fluid->used[d] && by > 1; d++)
 		for (size_t k = 0; k < fluid->grid.size; k++)
 			fluid->used[d][k] /= by;
+	for (size_t k = 0; fluid->p_mean && by > 1 && k < fluid->grid.size; k++)
+		fluid->p_mean[k] /= by;
 }
 
 enum ts_status ts_projection_step(struct ts_instance *self, struct tsim *sim, double length)

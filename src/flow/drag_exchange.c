@@ -51,19 +51,6 @@ enum ts_status ts_drag_react(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* How much of a force added now the velocities get before the next forces: velocity Verlet has given half of
- * the kick already. */
-static double kicks_left(const struct tsim *sim)
-{
-	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
-
-	for (size_t k = 0; k < fixes->n; k++)
-		if (fixes->item[k]->style->hook[TS_STAGE_INITIAL_INTEGRATE] &&
-		    fixes->item[k]->style->hook[TS_STAGE_FINAL_INTEGRATE])
-			return 0.5;
-	return 1;
-}
-
 /* What particle i gets more, now that the fluid has another velocity. */
 static void add_change(const struct ts_instance *self, const struct tsim *sim, const struct ts_fluid *fluid,
 		       size_t i, double share)
@@ -97,7 +84,7 @@ enum ts_status ts_drag_settle(struct ts_instance *self, struct tsim *sim, struct
 {
 	struct ts_drag *s = self->state;
 	size_t n = sim->particles->n;
-	double share = 1 / kicks_left(sim);
+	double share = 1 / ts_fluid_kicks_left(sim);
 
 	(void)length;
 	if (s->noted != n)

@@ -14,13 +14,14 @@ static void release_vector(double *field[3])
 
 void ts_fluid_release(struct ts_fluid *fluid)
 {
-	double **const scalars[] = { &fluid->p, &fluid->empty, &fluid->empty_rate };
+	double **const scalars[] = { &fluid->p, &fluid->empty, &fluid->empty_rate, &fluid->p_mean };
 
 	release_vector(fluid->u);
 	release_vector(fluid->force);
 	release_vector(fluid->exchange);
 	release_vector(fluid->used);
 	release_vector(fluid->empty_face);
+	release_vector(fluid->inertia);
 	for (size_t k = 0; k < sizeof scalars / sizeof *scalars; k++) {
 		ts_grid_field_free(*scalars[k]);
 		*scalars[k] = NULL;
@@ -74,7 +75,20 @@ enum ts_status ts_fluid_want(struct ts_fluid *fluid, struct tsim *sim, unsigned 
 		status = want_field(grid, &fluid->empty_rate, 0);
 	if (fields & TS_FLUID_VOID && status == TS_OK)
 		status = want_vector(grid, fluid->empty_face, 1);
+	if (fields & TS_FLUID_P_MEAN && status == TS_OK)
+		status = want_field(grid, &fluid->p_mean, 0);
 	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
+}
+
+double ts_fluid_kicks_left(const struct tsim *sim)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+
+	for (size_t k = 0; k < fixes->n; k++)
+		if (fixes->item[k]->style->hook[TS_STAGE_INITIAL_INTEGRATE] &&
+		    fixes->item[k]->style->hook[TS_STAGE_FINAL_INTEGRATE])
+			return 0.5;
+	return 1;
 }
 
 enum ts_status ts_flow_require_fluid(struct tsim *sim, const char *who, const struct ts_place *where,

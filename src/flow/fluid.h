@@ -68,6 +68,8 @@ struct ts_fluid {
 	double *empty;       /* void fraction e, at centres: particles set it in the cells inside */
 	double *empty_rate;  /* de/dt since the last step of the fluid, at centres: made by the fluid */
 	double *empty_face[3]; /* e at lower faces: made by the fluid from `empty` */
+	double *inertia[3];    /* where e u is stepped forward: the e of this product after the last step */
+	double *p_mean;	       /* the pressure that the last step took, mean over its stages and substeps */
 
 	double dt;       /* of the last step of the fluid; 0: there was none */
 	double time;     /* of the fields */
@@ -94,7 +96,7 @@ static inline int ts_fluid_team(const struct ts_fluid *fluid, size_t n)
 	return fluid->threads < 1 || most < 1 ? 1 : most < (size_t)fluid->threads ? (int)most : fluid->threads;
 }
 
-enum ts_fluid_field { TS_FLUID_FORCE = 1, TS_FLUID_EXCHANGE = 2, TS_FLUID_VOID = 4 };
+enum ts_fluid_field { TS_FLUID_FORCE = 1, TS_FLUID_EXCHANGE = 2, TS_FLUID_VOID = 4, TS_FLUID_P_MEAN = 8 };
 
 /* Where a point of a face across axis d stands in the planes of its values; a < b are the other two axes. */
 static inline size_t ts_flow_plane_at(const struct ts_grid *grid, int d, int ia, int ib)
@@ -121,10 +123,15 @@ static inline double ts_flow_pressure_at(const struct ts_flow_pressure *p, size_
 enum ts_status ts_fluid_make(struct ts_fluid *fluid);
 void ts_fluid_release(struct ts_fluid *fluid);
 
+/* How much of a force added after a step the velocities get before the next forces: velocity Verlet has given half of
+ * the kick already. */
+double ts_fluid_kicks_left(const struct tsim *sim);
+
 /* Makes optional fields, in the init of who needs them. */
 enum ts_status ts_fluid_want(struct ts_fluid *fluid, struct tsim *sim, unsigned fields);
 
 struct ts_mesh_surface;
+struct ts_spread_how;
 struct ts_way_out;
 
 /* Who takes part in a step of the fluid: state of a fix begins with this and its family is TS_FAMILY_FLOW_PART.
@@ -139,6 +146,8 @@ struct ts_flow_part {
 	 * on, forces summed. */
 	enum ts_status (*carry)(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
 				double dt);
+	/* Where the volume of a particle counts, for e; NULL: it makes no e. */
+	void (*spread)(const struct ts_instance *self, const struct tsim *sim, struct ts_spread_how *how);
 	/* Largest stable dt of the fluid as far as it is concerned, or INFINITY. */
 	double (*limit)(const struct ts_instance *self, const struct ts_fluid *fluid);
 	/* After all of these, `length` in all: `used` is the mean over them; f and k are still there. */

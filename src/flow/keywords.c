@@ -16,6 +16,9 @@
 		return TS_OK;                                                                      \
 	}
 OF_FLUID(ke, ts_flow_kinetic_energy(fluid))
+OF_FLUID(px, ts_flow_momentum(fluid, 0))
+OF_FLUID(py, ts_flow_momentum(fluid, 1))
+OF_FLUID(pz, ts_flow_momentum(fluid, 2))
 OF_FLUID(div, fluid->divergence)
 OF_FLUID(cfl, fluid->courant)
 OF_FLUID(iter, fluid->iterations)
@@ -26,6 +29,9 @@ OF_FLUID(steps, (double)fluid->steps)
 
 static const struct ts_keyword keywords[] = {
 	{ "flow_ke", "FlowKE", "energy", "kinetic energy of the fluid", 0, ke },
+	{ "flow_px", "FlowPx", "mass velocity", "momentum of the fluid along x", 0, px },
+	{ "flow_py", "FlowPy", "mass velocity", "momentum of the fluid along y", 0, py },
+	{ "flow_pz", "FlowPz", "mass velocity", "momentum of the fluid along z", 0, pz },
 	{ "flow_div", "FlowDiv", "1/time", "largest divergence left by the last projection", 0, div },
 	{ "flow_cfl", "FlowCFL", "", "largest sum of |u| dt/h in the last step of the fluid", 0, cfl },
 	{ "flow_iter", "FlowIter", "", "iterations of the pressure solver in the last projection", 1, iter },

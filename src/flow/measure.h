@@ -12,6 +12,10 @@ extern const char *const ts_flow_side_names[];
  * central differences with exact projection conserve. */
 double ts_flow_kinetic_energy(const struct ts_fluid *fluid);
 
+/* Momentum along axis d: sum over cells of V times the mean of rho e u at their two faces. With form conservative e is the
+ * one that belongs to u (flow/room.c). */
+double ts_flow_momentum(const struct ts_fluid *fluid, int d);
+
 /* In the middle of a cell: mean of its faces, mean of its edges. */
 void ts_flow_centre_velocity(const struct ts_fluid *fluid, const int cell[3], double u[3]);
 void ts_flow_centre_vorticity(const struct ts_fluid *fluid, const int cell[3], double w[3]);

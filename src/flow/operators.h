@@ -4,7 +4,8 @@
  *   - sum_e [q_e phi]/width + nu sum_e d/de (du_c/de)
  * q_e the velocity across the sides of the control volume, phi = u_c there by a convection scheme.
  * Where particles leave the void fraction e
- *   1/e sum_e { - [e q_e phi]/width + u_c [e q_e]/width + nu d/de (e du_c/de) }.
+ *   1/e sum_e { - [e q_e phi]/width + u_c [e q_e]/width + nu d/de (e du_c/de) },
+ * or, where e u is stepped forward, of e u_c: sum_e { - [e q_e phi]/width + nu d/de (e du_c/de) }.
  * Second order on smooth grids: both differences are centred (donor cell: first order as far as gamma). */
 #ifndef TS_FLOW_OPERATORS_H
 #define TS_FLOW_OPERATORS_H
@@ -42,7 +43,8 @@ struct ts_convection_scheme {
 	bool difference; /* known in the form of finite differences as well */
 };
 extern const struct ts_convection_scheme ts_convection_schemes[TS_NCONVECTION];
-enum ts_form { TS_FORM_VOLUME, TS_FORM_DIFFERENCE };
+/* conservative: volumes, and e u is what is stepped forward. */
+enum ts_form { TS_FORM_VOLUME, TS_FORM_DIFFERENCE, TS_FORM_CONSERVATIVE };
 extern const char *const ts_convection_names[], *const ts_form_names[];
 
 /* out = keep * old + take * (u + dt rate(u)) at all faces where the velocity is not given. */
@@ -56,6 +58,9 @@ struct ts_predictor {
 	double acceleration[3];
 	double dt, keep, take;
 	const double *u[3], *old[3];
+	/* Where e u is stepped forward: e of the fluxes e u, and what u of the beginning, u and the new one are multiplied
+	 * by (flow/room.c). */
+	const double *flow[3], *start[3], *last[3], *next[3];
 	double *out[3];
 	int threads;
 };

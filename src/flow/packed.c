@@ -21,13 +21,9 @@ static size_t row_at(const struct ts_grid *grid, long line, int *j, int *k)
 	return ts_at(grid, -grid->ghosts[0], *j, *k);
 }
 
-/* Void fraction on the lower faces across d: linear between centres, each cell with its half. */
-static void make_faces(const struct ts_projection *p, int d)
+void ts_projection_to_faces(const struct ts_projection *p, int d, const double *e, double *face)
 {
-	const struct ts_fluid *fluid = &p->fluid;
-	const struct ts_grid *grid = &fluid->grid;
-	const double *e = fluid->empty;
-	double *face = fluid->empty_face[d];
+	const struct ts_grid *grid = &p->fluid.grid;
 	const ptrdiff_t s = grid->stride[d];
 	const int n = grid->n[0] + 2 * grid->ghosts[0];
 
@@ -72,10 +68,12 @@ enum ts_status ts_projection_room(struct ts_projection *p, double elapsed)
 	if (!p->empty_before && !(p->empty_before = ts_grid_field(&fluid->grid)))
 		return TS_NOMEM;
 	ts_fluid_fill_centred(fluid, fluid->empty);
+	if (ts_projection_whole(p))
+		TS_TRY(ts_projection_room_keep(p, elapsed));
 	make_rate(p, elapsed);
 	p->empty_known = 1;
 	for (int d = 0; d < fluid->grid.dimensions; d++)
-		make_faces(p, d);
+		ts_projection_to_faces(p, d, fluid->empty, fluid->empty_face[d]);
 	return TS_OK;
 }
 
@@ -98,20 +96,28 @@ double ts_projection_room_rate(const struct ts_projection *p)
 
 /* ---- forces of particles */
 
-/* w = e/(1 + dt k/(e rho)) for all faces across d. */
+/* What du/dt is multiplied by in the momentum of a stage. */
+static const double *inertia(const struct ts_projection *p, int d)
+{
+	return ts_projection_whole(p) && p->fluid.inertia[d] && !p->still ? p->fluid.inertia[d]
+									  : p->fluid.empty_face[d];
+}
+
+/* w = e e/E/(1 + dt k/(E rho)) for all faces across d, E the e of the product e u. */
 static void make_weights(const struct ts_projection *p, int d, double dt)
 {
 	const struct ts_fluid *fluid = &p->fluid;
-	const double *e = fluid->empty_face[d], *k = fluid->exchange[d];
+	const double *e = fluid->empty_face[d], *k = fluid->exchange[d], *mass = inertia(p, d);
 	const double share = dt / fluid->density * p->source_share;
 	double *weight = p->weight[d];
 	const size_t size = fluid->grid.size;
 
 #pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
 	for (size_t at = 0; at < size; at++) {
-		double room = e ? e[at] : 1;
+		double room = e ? e[at] : 1, heavy = mass ? mass[at] : 1;
+		double held = k ? share * k[at] / heavy : 0;
 
-		weight[at] = room / (1 + share * k[at] / room);
+		weight[at] = mass == e ? room / (1 + held) : room * (room / heavy) / (1 + held);
 	}
 }
 
@@ -120,7 +126,7 @@ enum ts_status ts_projection_weights(struct ts_projection *p, double dt)
 	struct ts_fluid *fluid = &p->fluid;
 
 	for (int d = 0; d < fluid->grid.dimensions; d++) {
-		if (!fluid->exchange[d]) {
+		if (!fluid->exchange[d] && !ts_projection_whole(p)) {
 			p->poisson.weight[d] = fluid->empty_face[d];
 			continue;
 		}
@@ -137,7 +143,7 @@ enum ts_status ts_projection_weights(struct ts_projection *p, double dt)
 static void push_row(const struct ts_projection *p, int c, size_t at, size_t end, double dt)
 {
 	const struct ts_fluid *fluid = &p->fluid;
-	const double *e = fluid->empty_face[c], *f = fluid->force[c], *k = fluid->exchange[c];
+	const double *e = inertia(p, c), *f = fluid->force[c], *k = fluid->exchange[c];
 	const double share = dt / fluid->density * p->source_share;
 	double *u = fluid->u[c];
 
@@ -190,6 +196,8 @@ void ts_projection_use(struct ts_projection *p, double carry, double take)
 
 	for (int d = 0; d < fluid->grid.dimensions && fluid->used[d]; d++)
 		use(p, fluid->used[d], fluid->u[d], carry, take);
+	if (fluid->p_mean)
+		use(p, fluid->p_mean, fluid->p, carry, take);
 }
 
 void ts_projection_clear_sources(struct ts_projection *p)

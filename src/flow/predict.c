@@ -39,6 +39,7 @@ struct direction {
 	const double *q;     /* the velocity in this direction */
 	const double *share; /* the void fraction on its faces, and in the centres of cells */
 	const double *share_centre;
+	const double *flow; /* e of the fluxes, where e u is stepped forward */
 	ptrdiff_t se;
 	bool same; /* e is the direction of the component */
 	double mass;
@@ -54,6 +55,22 @@ TS_INLINE void shares(const struct direction *e, ptrdiff_t at, ptrdiff_t sc, dou
 	} else {
 		*low = mass * e->share[at - sc] + (1 - mass) * e->share[at];
 		*high = mass * e->share[at - sc + e->se] + (1 - mass) * e->share[at + e->se];
+	}
+}
+
+/* Fluxes e q on the lower and upper side: means of those through the faces of cells, so that what flows in and out is
+ * what e on the face changes by. */
+TS_INLINE void fluxes(const struct direction *e, ptrdiff_t at, ptrdiff_t sc, double mass, double *low, double *high)
+{
+	const double *q = e->q, *f = e->flow;
+	const ptrdiff_t se = e->se;
+
+	if (e->same) {
+		*low = 0.5 * (f[at - sc] * q[at - sc] + f[at] * q[at]);
+		*high = 0.5 * (f[at] * q[at] + f[at + sc] * q[at + sc]);
+	} else {
+		*low = mass * f[at - sc] * q[at - sc] + (1 - mass) * f[at] * q[at];
+		*high = mass * f[at - sc + se] * q[at - sc + se] + (1 - mass) * f[at + se] * q[at + se];
 	}
 }
 
@@ -78,13 +95,15 @@ TS_INLINE double along(double inverse, double below, double above, double part_l
 		q_low = mass * q[at - sc] + (1 - mass) * q[at];
 		q_high = mass * q[at - sc + se] + (1 - mass) * q[at + se];
 	}
-	if (form == TS_FORM_VOLUME) {
+	if (form != TS_FORM_DIFFERENCE) {
 		double phi_low = ts_side_value(scheme, gamma, q_low, u[at - 2 * se], low, here, high,
 					       part_low, line, m);
 		double phi_high = ts_side_value(scheme, gamma, q_high, low, here, high, u[at + 2 * se],
 						part_high, line, m + 1);
 
-		if (packed) {
+		if (form == TS_FORM_CONSERVATIVE) {
+			fluxes(e, at, sc, mass, &q_low, &q_high);
+		} else if (packed) {
 			q_low *= e_low;
 			q_high *= e_high;
 			phi_low -= here;
@@ -116,6 +135,7 @@ TS_INLINE struct direction direction(const struct row *row, int d, int c, int di
 	return (struct direction){ .q = row->p->u[d] + row->at,
 				   .share = packed ? fluid->empty_face[d] + row->at : NULL,
 				   .share_centre = packed ? fluid->empty + row->at : NULL,
+				   .flow = row->p->flow[d] ? row->p->flow[d] + row->at : NULL,
 				   .se = d == 0 ? 1 : fluid->grid.stride[d],
 				   .same = c == d };
 }
@@ -143,6 +163,9 @@ TS_INLINE void predict_row(const struct row *row, int c, int dimensions, enum ts
 	double *out = p->out[c] + row->at;
 	const double nu = p->nu, gamma = p->gamma, keep = p->keep, take = p->take, dt = p->dt;
 	const double acceleration = p->acceleration[c];
+	const bool whole = form == TS_FORM_CONSERVATIVE;
+	const double *start = whole ? p->start[c] + row->at : NULL, *last = whole ? p->last[c] + row->at : NULL;
+	const double *next = whole ? p->next[c] + row->at : NULL;
 
 #pragma omp simd
 	for (int i = row->from; i < row->to; i++) {
@@ -152,6 +175,11 @@ TS_INLINE void predict_row(const struct row *row, int c, int dimensions, enum ts
 		rate += along(OF(y), &along_y, u, i, sc, mass, nu, gamma, scheme, form, packed);
 		if (dimensions == 3)
 			rate += along(OF(z), &along_z, u, i, sc, mass, nu, gamma, scheme, form, packed);
+		if (whole) {
+			rate += share[i] * acceleration;
+			out[i] = (keep * start[i] * old[i] + take * (last[i] * u[i] + dt * rate)) / next[i];
+			continue;
+		}
 		if (packed)
 			rate /= share[i];
 		out[i] = keep * old[i] + take * (u[i] + dt * (acceleration + rate));
@@ -175,6 +203,7 @@ typedef void row_fn(const struct row *row);
 #define VARIANTS(name, scheme, form)                                                               \
 	ROWS(name##_free, scheme, form, false)                                                     \
 	ROWS(name##_packed, scheme, form, true)
+#define WHOLE(name, scheme) ROWS(name##_whole, scheme, TS_FORM_CONSERVATIVE, true)
 #define ENTRY(name)                                                                                \
 	{                                                                                          \
 		{ name##_2_0, name##_2_1, NULL }, { name##_3_0, name##_3_1, name##_3_2 }           \
@@ -188,6 +217,10 @@ VARIANTS(donor, TS_CONVECTION_DONOR, TS_FORM_VOLUME)
 VARIANTS(central, TS_CONVECTION_CENTRAL, TS_FORM_VOLUME)
 VARIANTS(quick, TS_CONVECTION_QUICK, TS_FORM_VOLUME)
 VARIANTS(cubista, TS_CONVECTION_CUBISTA, TS_FORM_VOLUME)
+WHOLE(donor, TS_CONVECTION_DONOR)
+WHOLE(central, TS_CONVECTION_CENTRAL)
+WHOLE(quick, TS_CONVECTION_QUICK)
+WHOLE(cubista, TS_CONVECTION_CUBISTA)
 VARIANTS(difference, TS_CONVECTION_DONOR, TS_FORM_DIFFERENCE)
 
 /* [scheme][particles take room][in three dimensions][component] */
@@ -196,6 +229,12 @@ static row_fn *const volume_rows[TS_NCONVECTION][2][2][3] = {
 	[TS_CONVECTION_CENTRAL] = ENTRIES(central),
 	[TS_CONVECTION_QUICK] = ENTRIES(quick),
 	[TS_CONVECTION_CUBISTA] = ENTRIES(cubista),
+};
+static row_fn *const whole_rows[TS_NCONVECTION][2][3] = {
+	[TS_CONVECTION_DONOR] = ENTRY(donor_whole),
+	[TS_CONVECTION_CENTRAL] = ENTRY(central_whole),
+	[TS_CONVECTION_QUICK] = ENTRY(quick_whole),
+	[TS_CONVECTION_CUBISTA] = ENTRY(cubista_whole),
 };
 /* Central differences are the donor cell's with gamma 0. */
 static row_fn *const difference_rows[2][2][3] = ENTRIES(difference);
@@ -206,6 +245,7 @@ void ts_predict(const struct ts_predictor *p)
 	bool packed = p->fluid->empty, solid = grid->dimensions == 3;
 	row_fn *const *row_of = p->form == TS_FORM_DIFFERENCE
 					? difference_rows[packed][solid]
+				: p->next[0] ? whole_rows[p->convection][solid]
 					: volume_rows[p->convection][packed][solid];
 	int from[3][3], to[3][3], height = grid->n[1] + 1;
 	long total = (long)height * (grid->n[2] + (grid->dimensions == 3));

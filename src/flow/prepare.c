@@ -188,6 +188,10 @@ void ts_projection_release(struct ts_projection *p)
 		ts_grid_field_free(p->second[d]);
 		ts_grid_field_free(p->history[d]);
 		ts_grid_field_free(p->weight[d]);
+		ts_grid_field_free(p->room_before[d]);
+		ts_grid_field_free(p->room_rate[d]);
+		ts_grid_field_free(p->room_start[d]);
+		ts_grid_field_free(p->room_last[d]);
 		ts_free(p->graded[d]);
 		for (int k = 0; k < 6; k++) {
 			ts_free(p->now[d][k / 3].plane[k % 3]);

@@ -82,7 +82,8 @@ static void correct_row(const struct ts_projection *projection, const double *pr
 {
 	const struct ts_fluid *fluid = &projection->fluid;
 	const struct ts_grid *grid = &fluid->grid;
-	const double *weight = fluid->exchange[c] ? projection->weight[c] : NULL;
+	const bool weighs = fluid->exchange[c] || ts_projection_whole(projection);
+	const double *weight = weighs ? projection->weight[c] : NULL;
 	const size_t at = ts_at(grid, 0, j, k);
 	const ptrdiff_t s = grid->stride[c];
 	const double *p = pressure + at, *gap = grid->gap[0];

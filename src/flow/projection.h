@@ -87,6 +87,10 @@ struct ts_projection {
 	double *rhs;
 	double *weight[3];    /* of faces in the projection, where particles take part in it */
 	double *empty_before; /* void fraction at the last step */
+	/* form conservative, at lower faces: e of the step before and its rate, what the velocities at the beginning of the
+	 * step and of the stage before are multiplied by */
+	double *room_before[3], *room_rate[3], *room_start[3], *room_last[3];
+	double room_elapsed; /* between e of the step before and now */
 	uint8_t empty_known;  /* it has been set */
 	int64_t source_steps; /* steps of the simulation since the last one of the fluid */
 	double source_share;  /* 1/source_steps, while sources are used */
@@ -128,6 +132,16 @@ void ts_projection_release(struct ts_projection *projection);
 
 /* packed.c. From `empty`: its ghosts, faces and rate; `elapsed` since the last step. */
 enum ts_status ts_projection_room(struct ts_projection *projection, double elapsed);
+/* Whether e u is stepped forward. */
+static inline bool ts_projection_whole(const struct ts_projection *projection)
+{
+	return projection->form == TS_FORM_CONSERVATIVE && projection->fluid.empty;
+}
+/* room.c. Keeps e of the step before, and makes what its product with u is of in a stage: for the predictor. */
+enum ts_status ts_projection_room_keep(struct ts_projection *projection, double elapsed);
+void ts_projection_room_stage(struct ts_projection *projection, struct ts_predictor *stage, int s);
+/* On the lower faces across d, of a field at centres: each cell with its half. */
+void ts_projection_to_faces(const struct ts_projection *projection, int d, const double *field, double *face);
 /* Sum of de/dt over the grid. */
 double ts_projection_room_rate(const struct ts_projection *projection);
 /* Weights of the faces in the projection of a stage of length dt. */

@@ -62,15 +62,19 @@ static void find_span(const struct ts_grid *grid, int d, double x, int cell, dou
 		s->face[s->n] = 1;
 }
 
+struct visitor {
+	ts_spread_visit *visit;
+	void *context;
+};
+
 static void add(const struct ts_grid *grid, const struct span s[3], int i, int j, int k, double volume,
-		double *fraction)
+		const struct visitor *to)
 {
 	int index[3] = { s[0].first + i, s[1].first + j, s[2].first + k };
 
 	for (int d = 0; d < 3; d++)
 		index[d] = (index[d] % grid->n[d] + grid->n[d]) % grid->n[d];
-	fraction[ts_at(grid, index[0], index[1], index[2])] +=
-		volume / ts_grid_volume(grid, index[0], index[1], index[2]);
+	to->visit(to->context, index, volume);
 }
 
 /* What of the unit ball, or disc, lies beyond the corners of one layer of faces. */
@@ -90,7 +94,7 @@ static double between(double (*a)[TS_SPREAD_MOST + 2], int i, int j)
 }
 
 static void divide(const struct ts_grid *grid, const struct span s[3], bool disc, double unit,
-		   double *fraction)
+		   const struct visitor *to)
 {
 	layer layers[2];
 
@@ -105,7 +109,7 @@ static void divide(const struct ts_grid *grid, const struct span s[3], bool disc
 			for (int i = 0; i < s[0].n; i++) {
 				double part = between(low, i, j) - (disc ? 0 : between(high, i, j));
 
-				add(grid, s, i, j, k, fmax(part, 0) * unit, fraction);
+				add(grid, s, i, j, k, fmax(part, 0) * unit, to);
 			}
 	}
 }
@@ -117,14 +121,14 @@ static double kernel(const struct span *s, int i)
 	return b > a ? 0.5 * (b - a + (sin(PI * b) - sin(PI * a)) / PI) : 0;
 }
 
-static void smear(const struct ts_grid *grid, const struct span s[3], double volume, double *fraction)
+static void smear(const struct ts_grid *grid, const struct span s[3], double volume, const struct visitor *to)
 {
 	for (int k = 0; k < s[2].n; k++)
 		for (int j = 0; j < s[1].n; j++)
 			for (int i = 0; i < s[0].n; i++)
 				add(grid, s, i, j, k,
 				    volume * kernel(&s[0], i) * kernel(&s[1], j) * kernel(&s[2], k),
-				    fraction);
+				    to);
 }
 
 /* A slice of the flow one cell thick has all of the particle. */
@@ -136,17 +140,17 @@ static void flat(int d, struct span s[3])
 	s[d].face[1] = 1;
 }
 
-void ts_spread_volume(const struct ts_grid *grid, const struct ts_spread_how *how,
-		      const double place[3], const int cell[3], double radius, double *fraction)
+void ts_spread_each(const struct ts_grid *grid, const struct ts_spread_how *how, const double place[3],
+		    const int cell[3], double radius, ts_spread_visit *visit, void *context)
 {
 	double reach = extent(how, radius);
 	double unit = how->disc ? radius * radius * grid->width[2][cell[2]] : radius * radius * radius;
 	double volume = (how->disc ? PI : 4 * PI / 3) * unit;
+	const struct visitor to = { visit, context };
 	struct span s[3];
 
 	if (how->method == TS_SPREAD_CENTRE) {
-		fraction[ts_at(grid, cell[0], cell[1], cell[2])] +=
-			volume / ts_grid_volume(grid, cell[0], cell[1], cell[2]);
+		visit(context, cell, volume);
 		return;
 	}
 	for (int d = 0; d < 3; d++) {
@@ -156,7 +160,28 @@ void ts_spread_volume(const struct ts_grid *grid, const struct ts_spread_how *ho
 			find_span(grid, d, place[d], cell[d], reach, &s[d]);
 	}
 	if (how->method == TS_SPREAD_DIVIDED)
-		divide(grid, s, how->disc, unit, fraction);
+		divide(grid, s, how->disc, unit, &to);
 	else
-		smear(grid, s, volume, fraction);
+		smear(grid, s, volume, &to);
+}
+
+struct sum {
+	const struct ts_grid *grid;
+	double *fraction;
+};
+
+static void add_fraction(void *context, const int cell[3], double volume)
+{
+	const struct sum *sum = context;
+
+	sum->fraction[ts_at(sum->grid, cell[0], cell[1], cell[2])] +=
+		volume / ts_grid_volume(sum->grid, cell[0], cell[1], cell[2]);
+}
+
+void ts_spread_volume(const struct ts_grid *grid, const struct ts_spread_how *how,
+		      const double place[3], const int cell[3], double radius, double *fraction)
+{
+	struct sum sum = { grid, fraction };
+
+	ts_spread_each(grid, how, place, cell, radius, add_fraction, &sum);
 }

@@ -23,6 +23,11 @@ struct ts_spread_how {
 /* Cells beyond its own one that a particle may count for. */
 int ts_spread_reach(const struct ts_grid *grid, const struct ts_spread_how *how, double radius);
 
+/* Tells each cell that has a part of the volume, with that part. */
+typedef void ts_spread_visit(void *context, const int cell[3], double volume);
+void ts_spread_each(const struct ts_grid *grid, const struct ts_spread_how *how, const double place[3],
+		    const int cell[3], double radius, ts_spread_visit *visit, void *context);
+
 /* fraction += part of the volume in the cell / volume of the cell; `place` in the grid and in `cell`. */
 void ts_spread_volume(const struct ts_grid *grid, const struct ts_spread_how *how,
 		      const double place[3], const int cell[3], double radius, double *fraction);

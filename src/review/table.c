@@ -22,6 +22,7 @@ const struct ts_review_check ts_review_table[] = {
 	{ "members", "integrators that move members of rigid bodies, too", NULL },
 	{ "mesh_leaves", "meshes that will leave the box in the run", NULL },
 	{ "servo", "a servo that goes to and fro with its largest speed", NULL },
+	{ "momentum", "momentum of particles and fluid in a periodic box that is not kept", NULL },
 	{ "flow_resolution", "cells that are too wide for the flow that is solved for", NULL },
 	{ .name = NULL },
 };

@@ -450,6 +450,29 @@ awk '/^off/ { n++; if ($2 > 1e-6) exit bad = 1 } END { exit bad || n != 1 }' run
 	grep -q '^fix lid: kp is 0.0006414, 0.1 of the largest that is stable with 1 contacts' run.log
 report 'a servo without gains comes to rest' $? run.log
 
+# ---- momentum of particles and fluid ----
+suspension='units si
+boundary p p p
+newton off
+communicate single vel yes
+region box block 0 1 0 1 0 1 units box
+create_box 1 box
+create_atoms 1 random 20 17 box
+set group all diameter 0.05 density 2000
+fix m all nve/sphere
+flow_style projection cells 4 4 4 viscosity 1 density 1000
+fix e all void_fraction
+fix d all drag/stokes
+fix p all flow/pressure_gradient'
+found 'momentum that is not kept' momentum "$suspension
+$rest" 'the box is periodic on all sides' 'form conservative'
+found 'nor so' momentum "${suspension/density 1000/density 1000 form conservative} interpolation linear
+$rest" 'leave `interpolation` here to its default'
+sound 'momentum that is kept' "${suspension/density 1000/density 1000 form conservative}
+$rest"
+sound 'a channel' "${suspension/boundary p p p/boundary p p f}
+$rest"
+
 # ---- flow_resolution: more of it in flow_resolution.sh ----
 echo flow_resolution >>provoked
 

@@ -35,6 +35,11 @@ static struct ts_spread_how how_of(const struct state *s, const struct tsim *sim
 	return (struct ts_spread_how){ (enum ts_spread)s->method, sim->dimension == 2, s->reach };
 }
 
+static void spread(const struct ts_instance *self, const struct tsim *sim, struct ts_spread_how *how)
+{
+	*how = how_of(self->state, sim);
+}
+
 struct context {
 	const struct state *state;
 	const struct tsim *sim;
@@ -203,6 +208,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	TS_TRY(ts_flow_require_fluid(sim, "fix void_fraction", &self->where, &s->fluid));
 	TS_TRY(ts_fluid_want(s->fluid, sim, TS_FLUID_VOID));
+	s->part.spread = spread;
 	s->sim = sim;
 	s->nseen = 0;
 	return make_field(self, sim);

@@ -77,6 +77,10 @@ static enum ts_status derive(struct ts_instance *self, struct tsim *sim)
 			       "flow_style projection: convection %s is for form fv; form fd has donor and "
 			       "central",
 			       ts_convection_names[p->convection]);
+	if (p->form == TS_FORM_CONSERVATIVE && (p->time == TS_TIME_AB2 || p->every > 1))
+		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, ts_form_names[p->form]),
+			       "flow_style projection: form conservative goes with time euler, rk2 or rk3 and every 1, not with %s",
+			       p->every > 1 ? "every of more than 1" : "time ab2");
 	return check_viscous(self, sim);
 }
 
@@ -155,12 +159,14 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 		double **field;
 	} vectors[] = { { "u", fluid->u },		 { "force", fluid->force },
 			{ "exchange", fluid->exchange }, { "used", fluid->used },
-			{ "history", p->history },	 { "empty_face", fluid->empty_face } },
+			{ "history", p->history },	 { "empty_face", fluid->empty_face },
+			{ "inertia", fluid->inertia } },
 	  scalars[] = { { "p", &fluid->p },
 			{ "empty", &fluid->empty },
 			{ "empty_rate", &fluid->empty_rate },
 			{ "empty_before", &p->empty_before },
-			{ "increment", &p->increment } };
+			{ "increment", &p->increment },
+			{ "p_mean", &fluid->p_mean } };
 	enum ts_status status = TS_OK;
 
 	for (size_t k = 0; k < sizeof vectors / sizeof *vectors; k++)
@@ -343,7 +349,7 @@ static const struct ts_arg args[] = {
 	TS_REAL("gamma", struct ts_projection, gamma, .range = TS_FRACTION, .fallback = "0.5",
 		.help = "convection donor: share of donor cell, the rest is central"),
 	TS_ENUM("form", struct ts_projection, form, ts_form_names, .fallback = "fv",
-		.help = "finite volumes, or finite differences of u grad u"),
+		.help = "finite volumes, finite differences of u grad u, or finite volumes of e u"),
 	TS_ENUM("wall", struct ts_projection, wall, wall_forms, .fallback = "quadratic",
 		.help = "profile along the normal between a wall and the points beside it"),
 	TS_SOME_KEYWORD("body_force", struct ts_projection, body_words, 0,
@@ -374,7 +380,10 @@ const struct ts_flow_style ts_flow_projection = {
 			   "upstream and the rest from the mean; central, the mean; quick, a parabola; cubista is "
 			   "quick kept within its neighbours. All are of second order in space but donor, of first as "
 			   "far as gamma goes. form fd takes u grad u by finite differences in place of div(u u) by "
-			   "finite volumes, and does not conserve momentum. With wall quadratic the shear at walls is "
+			   "finite volumes, and does not conserve momentum. form conservative steps e u forward in place of u, with "
+			   "fluxes that close the balance of e on the volumes of faces: with fix void_fraction and fix "
+			   "flow/pressure_gradient momentum of particles and fluid is kept to round-off (flow_px, flow_py, flow_pz; "
+			   "doc/coupling.md); without void fraction it is fv. It goes with time euler, rk2 and rk3. With wall quadratic the shear at walls is "
 			   "of second order: the parabola of a channel is exact.\n\n"
 			   "time: euler is of first order, ab2 and rk2 of second, rk3 of third; values at faces that "
 			   "change are linear in time within a step. viscous implicit (Crank-Nicolson) and backward "
