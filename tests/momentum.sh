@@ -87,6 +87,29 @@ END
 awk '/^drift/ { n++; exit !($2 < 1e-13) } END { if (!n) exit 1 }' out
 report 'graded cells between slip faces, along them' $? out
 
+# ---- discs, and what they exchange with the fluid, are by unit of depth: the depth of the box does not matter
+for depth in 1 0.001 70; do
+	for fluid in 'form conservative' 'form fv'; do
+		{ sed "s/^boundary/dimension 2\nboundary/; s/0 0.004 units/$(awk "BEGIN { print -$depth / 2, $depth / 2 }") units/; s/200 17/60 17/" in.start
+		  echo 'velocity all set 0.1 0.03 0'
+		  scene "cells 4 5 1 $fluid time rk2" divided 'drag/di_felice scheme exact'
+		  cat <<END
+run 1
+variable x0 equal \$(c_p[1]+flow_px/$depth:%.17g)
+run 40
+print "discs \$(c_p[1]:%.10g) \$(c_p[2]:%.10g) \$(flow_px/$depth:%.10g) $fluid"
+print "drift \$(abs(c_p[1]+flow_px/$depth-v_x0)/v_x0)"
+END
+		} >in.discs
+		"$TSIM" -in in.discs -log none >out 2>&1 </dev/null
+		[ "$fluid" = 'form fv' ] || awk '/^drift/ { n++; exit !($2 < 1e-13) } END { if (!n) exit 1 }' out
+		report "discs, depth $depth, $fluid" $? out
+		grep '^discs' out >>"discs.$depth"
+	done
+done
+same 'discs in a thin box' discs.1 discs.0.001
+same 'discs in a deep box' discs.1 discs.70
+
 # ---- particles and fluid that move alike: form conservative keeps the uniform flow as well as fv does
 for form in fv conservative; do
 	{ cat in.start; echo 'velocity all set 0.1 0.05 0'

@@ -125,7 +125,8 @@ static void add_history(struct ts_projection *p, double *const out[3], double dt
 
 static enum ts_status want_vector(const struct ts_grid *grid, double *field[3])
 {
-	for (int d = 0; d < grid->dimensions; d++)
+	/* In a plane the third component, too, which is 0: these take turns with the velocities, which have it. */
+	for (int d = 0; d < 3; d++)
 		if (!field[d] && !(field[d] = ts_grid_field(grid)))
 			return TS_NOMEM;
 	return TS_OK;

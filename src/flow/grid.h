@@ -17,6 +17,7 @@
 
 struct ts_grid {
 	int dimensions;      /* 2: the z axis is one cell thick and nothing varies along it; or 3 */
+	bool by_depth;	     /* dimension 2: particles are discs, and they and all that they exchange by unit of depth */
 	int n[3];            /* cells, ghosts not counted */
 	int ghosts[3];       /* layers on either side: TS_GRID_GHOSTS, along z none in two dimensions */
 	ptrdiff_t stride[3]; /* of fields; stride[0] == 1 */

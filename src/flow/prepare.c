@@ -162,6 +162,7 @@ enum ts_status ts_projection_prepare(struct ts_instance *self, struct tsim *sim)
 	struct ts_fluid *fluid = &p->fluid;
 
 	TS_TRY(make_grid(self, sim));
+	fluid->grid.by_depth = sim->dimension == 2;
 	fluid->density = p->density;
 	fluid->viscosity = p->viscosity;
 	fluid->threads = sim->threads;

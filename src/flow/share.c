@@ -136,6 +136,8 @@ double ts_share_react(const struct ts_grid *grid, const struct ts_share *s, int 
 		for (int d = 0; d < 3; d++) {
 			int i = s->index[d][b >> d & 1];
 
+			if (d == 2 && grid->by_depth)
+				continue;
 			volume *= d == c && grid->ghosts[d] ? grid->gap[d][i] : grid->width[d][i];
 		}
 		sum += weight * q[at];

@@ -13,7 +13,7 @@
 #include "particles/particles.h"
 
 enum { N = 4, PER_CELL = 9, STEPS = 60 };
-static const double PI = 3.14159265358979323846, WIDTH = 0.1, DIAMETER = 0.05, VISCOSITY = 0.1, DENSITY = 1.385;
+static const double PI = 3.14159265358979323846, WIDTH = 1, DIAMETER = 0.5, VISCOSITY = 0.1, DENSITY = 1.385;
 
 struct scene {
 	const char *drag;
@@ -36,10 +36,10 @@ static double exact_limit(double a, double k)
 
 static struct tsim *open_scene(const struct scene *s)
 {
-	double cell = WIDTH * WIDTH * WIDTH;
+	double cell = WIDTH * WIDTH; /* discs have their mass by unit of depth */
 
-	return deck_open("units si\natom_style granular\nboundary p p p\ndimension 2\nneighbor 0.001 bin\n"
-			 "region box block 0 0.4 0 0.4 -0.05 0.05 units box\ncreate_box 1 box\n"
+	return deck_open("units si\natom_style granular\nboundary p p p\ndimension 2\nneighbor 0.01 bin\n"
+			 "region box block 0 4 0 4 -0.05 0.05 units box\ncreate_box 1 box\n"
 			 "lattice sq %.17g\ncreate_atoms 1 box\npair_style none\n"
 			 "set group all diameter %.17g mass %.17g\n"
 			 "flow_style projection cells %d %d 1 viscosity %.17g density %.17g every %d\n"
@@ -108,7 +108,7 @@ START_TEST(limits)
 {
 	FILE *table = deck_table("Largest stable step of lagged drag: measured, theory");
 	const struct scene *s = &scenes[_i];
-	double c = 3 * PI * VISCOSITY * DIAMETER, cell = WIDTH * WIDTH * WIDTH;
+	double c = 3 * PI * VISCOSITY * DIAMETER, cell = WIDTH * WIDTH;
 	double k = PER_CELL * c / (DENSITY * cell), a = k / s->mass;
 	double said = 2 / (k * s->every + (s->theory == explicit_limit ? a : 0));
 	double theory = s->theory(a, k * s->every);

@@ -65,7 +65,8 @@ static void by_volume(const struct state *s, const struct tsim *sim, size_t i, c
 
 	((const struct ts_flow_part *)s->room->state)->spread(s->room, sim, &how);
 	ts_spread_each(&fluid->grid, &how, place, cell, sim->particles->radius[i], add_cell, &push);
-	memcpy(f, push.f, sizeof push.f);
+	for (int d = 0; d < 3; d++)
+		f[d] = fluid->grid.by_depth ? push.f[d] / fluid->grid.width[2][0] : push.f[d];
 }
 
 static void act(const struct ts_instance *self, const struct tsim *sim, size_t i,
