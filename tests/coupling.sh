@@ -330,6 +330,17 @@ $sums
 print 'drift \$(v_P/v_before-1:%.2g)'" 'drift -0.0018'
 
 # ---- forces
+# what no fix moves holds the fluid as what is frozen does, whatever the scheme: steps of 8 relaxation times
+for way in 'scheme explicit|fix hold all freeze' 'scheme exact|fix hold all freeze' 'scheme exact|' 'scheme implicit|' 'scheme explicit|' \
+	'scheme exact|fix hold all move linear 0 0 0' 'scheme exact|fix hold all nve/noforce'; do
+	printf '%s\n' "$head" 'flow_style projection cells 8 8 8 viscosity 1 density 1000' 'flow_set velocity 0.5 0 0' \
+		"fix d all drag/stokes ${way%%|*}" "${way#*|}" 'timestep 0.1' 'run 5' 'print "force $(f_d[1]:%.12g) $(flow_px:%.12g)"' >in.held
+	"$TSIM" -in in.held -log none 2>&1 </dev/null | grep '^force [0-9.e-]* 4[0-9.]*$' || echo "$way"
+done >held
+uniq held | wc -l >lines
+[ "$(wc -l <held)" = 7 ] && [ "$(cat lines)" -eq 1 ]
+report 'what is held, in any way' $? held
+
 agree 'laws in a uniform flow' "$still
 variable w equal 0.5
 variable mu equal 1e-3

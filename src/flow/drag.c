@@ -6,6 +6,7 @@
 #include "core/plan.h"
 #include "flow/outside.h"
 #include "particles/body.h"
+#include "particles/integrators.h"
 #include "particles/particles.h"
 #include "particles/rigid.h"
 
@@ -88,6 +89,7 @@ enum ts_status ts_drag_init(struct ts_instance *self, struct tsim *sim)
 	s->added = ts_added_find(sim);
 	TS_TRY(find_others(self, sim));
 	TS_TRY(ts_restraints_find(&s->restraints, sim, self, ts_drag_is_late(self)));
+	s->moved = ts_integrated(sim, TS_MOVES);
 	return check_numbers(self, sim);
 }
 
@@ -189,6 +191,13 @@ static void free_parts(const struct ts_drag *s, const struct tsim *sim, size_t i
 	}
 }
 
+bool ts_drag_holds(const struct ts_drag *s, const struct tsim *sim, size_t i)
+{
+	const struct ts_particles *p = sim->particles;
+
+	return p->imass[i] == 0 || (!(p->mask[i] & s->moved) && !sim->outside && !ts_rigid_member(p, i));
+}
+
 /* The explicit force; where the drag relaxes velocities only what has no effect, as the motion is given: whoever takes
  * it away counts it. */
 static void drag_on(const struct ts_instance *self, struct tsim *sim, size_t i, struct ts_slip *slip,
@@ -198,7 +207,7 @@ static void drag_on(const struct ts_instance *self, struct tsim *sim, size_t i, 
 	struct ts_particles *p = sim->particles;
 	double h = sim->clock.dt, w[3], c, most, f[3], later[3] = { 0 }, part[3] = { 0 };
 	double steps = s->part.settle ? ts_drag_steps_to_fluid(s) : 0;
-	bool held = p->imass[i] == 0, member = ts_rigid_member(p, i);
+	bool held = ts_drag_holds(s, sim, i), member = ts_rigid_member(p, i);
 	bool relaxes = ts_drag_is_late(self) && !held && !member;
 
 	if (!ts_drag_sample(self, p, i, slip, w)) {

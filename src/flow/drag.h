@@ -55,6 +55,7 @@ struct ts_drag {
 	struct ts_fluid *fluid; /* NULL: imposed */
 	struct ts_added added;	/* mass that particles take with them */
 	struct ts_restraints restraints;
+	uint32_t moved; /* groups of particles that a fix moves; others stay where they are */
 	struct ts_drag **late; /* those of the simulation that relax velocities, in script order */
 	size_t nlate, late_capacity;
 	struct ts_drag_felt *felt; /* of one that relaxes */
@@ -115,7 +116,8 @@ extern const char *const ts_drag_axes[], *const ts_drag_schemes[];
 	"particle relax it together. With velocity Verlet it is the half-step velocity that is exact.\n" \
 	"Where a fix after this one sets the force (setforce, freeze, planeforce, lineforce, enforce2d), or\n" \
 	"the motion is prescribed (fix move, nve/noforce), the drag is explicit and only the fluid feels\n" \
-	"it. Particles that are frozen or belong to rigid bodies get the explicit force, stable below 2 tau.\n" \
+	"it. Particles that are frozen, that no fix moves, or that belong to rigid bodies get the explicit\n" \
+	"force, in rigid bodies stable below 2 tau.\n"                                                        \
 	"fix aveforce after this fix is refused with these two schemes.\n\n"                         \
 	"Where the fluid is solved for (flow_style projection) it loses what the particles gain, to\n" \
 	"round-off, unless two_way is no, and takes part in the exchange implicitly; with `lagged yes` it\n" \
@@ -151,6 +153,8 @@ void ts_drag_fini(struct ts_instance *self);
 /* ---- between the files of drag */
 
 bool ts_drag_acts_along(const struct ts_drag *drag, int k);
+/* Whether particle i keeps its velocity whatever pushes it. (A program around tsim may move those that no fix does.) */
+bool ts_drag_holds(const struct ts_drag *drag, const struct tsim *sim, size_t i);
 /* Of particle i, added mass included. */
 double ts_drag_mass(const struct ts_drag *s, const struct tsim *sim, size_t i);
 /* The fluid where particle i is, and the slip; false: there is none. */

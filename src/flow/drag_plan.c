@@ -119,7 +119,7 @@ static struct times times_of(const struct ts_instance *self, const struct tsim *
 		    !ts_drag_sample(self, p, i, &slip, w))
 			continue;
 		t.largest = fmax(t.largest, slip.diameter);
-		if (p->imass[i] == 0)
+		if (ts_drag_holds(s, sim, i))
 			continue;
 		tau = ts_drag_mass(s, sim, i) / ts_drag_style_of(self)->coefficient(s, &slip);
 		t.least = fmin(t.least, tau);
