@@ -1,12 +1,15 @@
-/* The void fraction that belongs to the velocities, where e u is stepped forward (form conservative).
+/* The void fraction that belongs to the velocities, where e u is stepped forward (form
+ * conservative).
  *
- * The projection makes the fluxes G = e u of a step close the balance of its cells, div G = -de/dt, with de/dt from the step
- * before to this one. The next step carries momentum with these fluxes, d(E u)/dt = -div(G u) + ..., and a uniform
- * velocity stays uniform if dE/dt = -div G: E lags behind e by the share of the first stage in the step (the product of
- * all `take`), times its length. E u is then exactly what flows and what forces give it.
+ * The projection makes the fluxes G = e u of a step close the balance of its cells, div G = -de/dt,
+ * with de/dt from the step before to this one. The next step carries momentum with these fluxes,
+ * d(E u)/dt = -div(G u) + ..., and a uniform velocity stays uniform if dE/dt = -div G: E lags
+ * behind e by the share of the first stage in the step (the product of all `take`), times its
+ * length. E u is then exactly what flows and what forces give it.
  *
- * On faces e is made of halves of cells, and so are the fluxes through the sides of their volumes: what holds in cells holds
- * there (Harlow & Welch's staggered volumes; F. N. Felten & T. S. Lund, J. Comput. Phys. 215 (2006) 465). */
+ * On faces e is made of halves of cells, and so are the fluxes through the sides of their volumes:
+ * what holds in cells holds there (Harlow & Welch's staggered volumes; F. N. Felten & T. S. Lund,
+ * J. Comput. Phys. 215 (2006) 465). */
 #include <string.h>
 
 #include "flow/projection.h"
@@ -58,7 +61,8 @@ static double lag_of(const struct ts_time_scheme *scheme)
 static void begin(struct ts_projection *p, int d, double dt)
 {
 	const double lag = lag_of(&ts_time_schemes[p->time]), done = (double)p->now_at;
-	const double *before = p->room_before[d], *rate = p->room_rate[d], *now = p->fluid.empty_face[d];
+	const double *before = p->room_before[d], *rate = p->room_rate[d],
+		     *now = p->fluid.empty_face[d];
 	double *start = p->room_start[d], *mass = p->fluid.inertia[d];
 	const size_t size = p->fluid.grid.size;
 
@@ -66,7 +70,8 @@ static void begin(struct ts_projection *p, int d, double dt)
 	for (size_t at = 0; at < size; at++) {
 		double own = (now[at] - before[at]) / p->room_elapsed;
 
-		start[at] = before[at] + dt * (p->now_at > 0 ? (done - lag) * own : -lag * rate[at]);
+		start[at] =
+			before[at] + dt * (p->now_at > 0 ? (done - lag) * own : -lag * rate[at]);
 		mass[at] = start[at];
 	}
 }
@@ -74,7 +79,8 @@ static void begin(struct ts_projection *p, int d, double dt)
 /* E of the end of the stage. */
 static void go_on(struct ts_projection *p, int d, const struct ts_predictor *stage, bool first)
 {
-	const double *before = p->room_before[d], *rate = p->room_rate[d], *now = p->fluid.empty_face[d];
+	const double *before = p->room_before[d], *rate = p->room_rate[d],
+		     *now = p->fluid.empty_face[d];
 	const double *start = p->room_start[d];
 	double *last = p->room_last[d], *mass = p->fluid.inertia[d];
 	const double keep = stage->keep, take = stage->take, dt = stage->dt;
