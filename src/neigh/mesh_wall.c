@@ -116,6 +116,12 @@ static enum ts_status add_visitor(struct tsim *sim, struct ts_mesh_wall *mw, siz
 	return TS_OK;
 }
 
+/* How far from its surface a particle may begin a contact: surfaces that stick have to touch first. */
+static double outreach(const struct tsim *sim, const struct ts_wall *w, double radius)
+{
+	return ts_wall_model(w, sim)->multi ? ts_wall_reach(w, sim, radius) : 0;
+}
+
 static enum ts_status add(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw, const struct found *f)
 {
 	const struct ts_mesh *mesh = &mw->mesh[f->mesh].surface->mesh;
@@ -130,7 +136,8 @@ static enum ts_status add(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wa
 	if (ts_wall_pulls(w, sim) && TS_GROW(mw->place, mw->place_capacity, k + 1) != TS_OK)
 		return ts_nomem(&sim->error);
 	mw->near[k] = (struct ts_mesh_near){ f->mesh, f->triangle, { f->shift[0], f->shift[1], f->shift[2] }, false,
-					     safe_way(mesh, f->triangle, f->distance, p->radius[f->i]) };
+					     safe_way(mesh, f->triangle, f->distance,
+						      p->radius[f->i] + outreach(sim, w, p->radius[f->i])) };
 	TS_TRY(add_visitor(sim, mw, f->i, k));
 	return ts_wall_contacts_add(sim, &w->contacts, f->i,
 				    ((int)mw->mesh[f->mesh].first + f->triangle) * IMAGES + code);
@@ -529,6 +536,7 @@ static bool meets(const struct task *task, struct ts_wall_queue *q, const struct
 static void visit_sticking(const struct task *task, struct ts_wall_queue *q, const struct ts_mesh_visitor *v)
 {
 	struct ts_mesh_wall *mw = task->mw;
+	double begins = v->radius + outreach(task->sim, task->w, v->radius);
 
 	ts_mesh_places(task->sim, mw, v, ts_wall_reach(task->w, task->sim, v->radius));
 	for (size_t k = v->first; k < v->first + v->n; k++) {
@@ -536,7 +544,7 @@ static void visit_sticking(const struct task *task, struct ts_wall_queue *q, con
 		struct ts_wall_spot spot;
 
 		near->until = v->way + safe_way(&mw->mesh[near->mesh].surface->mesh, near->triangle,
-						mw->place[k].distance, v->radius);
+						mw->place[k].distance, begins);
 		near->done = mw->place[k].own && meets(task, q, v, k, &spot);
 		if (!near->done)
 			continue;
