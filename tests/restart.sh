@@ -114,4 +114,13 @@ report 'a full disk is an error' $? err
 same 'the old file is kept' b.restart kept
 [ "$(echo kept*)" = kept ]
 report 'nothing half-written is left' $?
+# 100 000 variables are found again in the time of as many, not of its square.
+awk 'BEGIN { for (k = 0; k < 100000; k++) print "variable v" k " once " k "+0.5" }' >many
+printf 'units si\nregion b block 0 1 0 1 0 1 units box\ncreate_box 1 b\ninclude many\nwrite_restart many.restart\n' >in.many
+"$TSIM" -in in.many -log none >/dev/null 2>err
+sed -i 's/+0.5$/+0.25/; s/^variable v99998 .*/variable v99998 once 99998+0.5/' many
+printf 'read_restart many.restart\ninclude many\nprint "is $(v_v99998) $(v_v99999)"\n' >in.again
+timeout 12 "$TSIM" -in in.again -log none >out 2>err
+grep -qx 'is 99998.5 99999.25' out
+report 'many variables after a restart' $? err
 finish

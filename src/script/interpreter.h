@@ -47,6 +47,7 @@ struct ts_script {
 	size_t nstreams, stream_capacity;
 	struct ts_variable_state *waiting; /* from a restart file, for variables not yet defined */
 	size_t nwaiting, waiting_capacity;
+	struct ts_map waiting_at; /* by name, those not yet taken: where in `waiting`, from 1 */
 	struct ts_script_text *text;
 	struct ts_arena arena; /* of the texts */
 	struct ts_check *check; /* -check: go through all of it, whatever fails */

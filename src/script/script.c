@@ -233,6 +233,7 @@ void ts_script_free(struct ts_script *script)
 	ts_arena_release(&script->arena);
 	ts_free(script->stream);
 	ts_free(script->waiting);
+	ts_map_release(&script->waiting_at);
 	script->sim->host = NULL;
 	script->sim->host_data = NULL;
 	ts_free(script);

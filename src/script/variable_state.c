@@ -69,17 +69,13 @@ static bool is_for(const struct ts_variable_state *state, const struct ts_variab
 enum ts_status ts_variable_resume(struct ts_script *script, struct ts_variable *variable,
 				  bool *resumed)
 {
-	*resumed = false;
-	for (size_t k = 0; k < script->nwaiting; k++) {
-		double number = script->waiting[k].number;
+	size_t k = (size_t)(uintptr_t)ts_map_get(&script->waiting_at, variable->name);
 
-		if (!is_for(&script->waiting[k], variable))
-			continue;
-		*resumed = true;
-		script->waiting[k] = script->waiting[--script->nwaiting];
-		return variable->style->restore(script, variable, number);
-	}
-	return TS_OK;
+	*resumed = k && is_for(&script->waiting[k - 1], variable);
+	if (!*resumed)
+		return TS_OK;
+	ts_map_remove(&script->waiting_at, variable->name);
+	return variable->style->restore(script, variable, script->waiting[k - 1].number);
 }
 
 static enum ts_status read_state(struct ts_script *script, struct ts_archive *archive,
@@ -93,6 +89,8 @@ static enum ts_status read_state(struct ts_script *script, struct ts_archive *ar
 	if (TS_GROW(script->waiting, script->waiting_capacity, script->nwaiting + 1) != TS_OK)
 		return ts_nomem(&script->sim->error);
 	script->waiting[script->nwaiting++] = state;
+	if (ts_map_set(&script->waiting_at, name, (void *)(uintptr_t)script->nwaiting) != TS_OK)
+		return ts_nomem(&script->sim->error);
 	return variable && variable->style->restore
 		       ? ts_variable_resume(script, variable, &resumed)
 		       : TS_OK;
@@ -107,6 +105,7 @@ static enum ts_status read_states(struct ts_script *script, struct ts_archive *a
 	enum ts_status status;
 
 	script->nwaiting = 0;
+	ts_map_release(&script->waiting_at);
 	if (!ts_archive_has(archive, list_field))
 		return TS_OK;
 	TS_TRY(ts_archive_string(archive, list_field, &list));
