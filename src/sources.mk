@@ -308,6 +308,7 @@ library_sources = \
 	src/io/vtk_xml.c \
 	src/io/vtk_xml.h \
 	src/law/buoyancy.h \
+	src/law/capillary.h \
 	src/law/cohesion.h \
 	src/law/contact_parts.h \
 	src/law/drag.h \
@@ -404,6 +405,8 @@ library_sources = \
 	src/neigh/limits.h \
 	src/neigh/linkage.c \
 	src/neigh/linkage.h \
+	src/neigh/liquid.c \
+	src/neigh/liquid.h \
 	src/neigh/located.c \
 	src/neigh/located.h \
 	src/neigh/loss.c \
@@ -558,6 +561,8 @@ library_sources = \
 	src/particles/sites.h \
 	src/particles/stream.c \
 	src/particles/stream.h \
+	src/particles/style_column.c \
+	src/particles/style_column.h \
 	src/particles/tally.c \
 	src/particles/tally.h \
 	src/particles/temperature.c \

@@ -110,8 +110,6 @@ const struct ts_known ts_known_table[] = {
 	{ .name = NULL },
 };
 
-#define BRIDGES "bridges of liquid are not built; sjkr is a cohesion of dry contacts"
-
 static const struct {
 	const char *keyword, *choice, *remark;
 } choices[] = {
@@ -121,9 +119,7 @@ static const struct {
 	{ "rolling_friction", "cdtnonlinear2", UNPUBLISHED "; cdt is the law of its kind here" },
 	{ "cohesion", "bond", BONDS },
 	{ "cohesion", "bond/nonlinear", BONDS },
-	{ "cohesion", "capillary", BRIDGES },
-	{ "cohesion", "easo/capillary/viscous", BRIDGES },
-	{ "cohesion", "washino/capillary/viscous", BRIDGES },
+	{ "cohesion", "capillary", "easo/capillary/viscous and washino/capillary/viscous are its successors" },
 	{ "surface", "superquadric", SHAPES },
 	{ .keyword = NULL },
 };

@@ -3,10 +3,12 @@
  * sjkr    A = the circle in which the spheres cut each other,
  *         -pi/4 (r-Ri-Rj)(r+Ri-Rj)(r-Ri+Rj)(r+Ri+Rj)/r^2; at a wall pi (R^2 - r^2)
  * sjkr2   A = 2 pi delta 2R*; at a wall 2 pi delta R: LIGGGHTS' value, half the limit of an
- * infinitely large partner */
+ * infinitely large partner
+ * easo, washino   bridges of liquid: law/capillary.h */
 #ifndef TS_LAW_COHESION_H
 #define TS_LAW_COHESION_H
 
+#include "law/capillary.h"
 #include "law/lens.h"
 #include "law/normal.h"
 
@@ -28,6 +30,9 @@ TS_INLINE double ts_cohesion_force(const struct ts_granular_model *m,
 	case TS_COHESION_SJKR2:
 		return -c->cohesion * 2 * TS_PI * t->overlap *
 		       (t->wall ? t->radius[0] : 2 * t->r_eff);
+	case TS_COHESION_EASO:
+	case TS_COHESION_WASHINO:
+		return ts_bridge_force(m, c, t);
 	default:
 		return 0;
 	}

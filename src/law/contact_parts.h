@@ -51,9 +51,10 @@ static inline void ts_parts_normal(const struct ts_granular_model *m,
 	struct ts_granular_model at_rest = *m;
 	struct ts_touch still = *t;
 	struct ts_normal n;
-	double deepest = 0, elastic, pull = ts_cohesion_force(m, c, t);
+	double deepest = 0, elastic, pull;
 
 	still.vn = 0;
+	pull = ts_cohesion_force(m, c, &still);
 	at_rest.viscous = false; /* a matter of the dashpot */
 	if (m->normal == TS_NORMAL_HOOKE_HYSTERESIS)
 		deepest = memory[ts_granular_depth_at(m)];

@@ -13,7 +13,8 @@
  *   spring of slip, of rolling       1/2 k_t xi^2, 1/2 M^2/k_r: at the present overlap
  *   of twisting, of rolling by sds   1/2 k phi^2, 1/2 k xi^2
  *
- * hooke/hysteresis yields: what it gives back depends on the way it opens. */
+ * hooke/hysteresis yields: what it gives back depends on the way it opens. Bridges of liquid have none either: their liquid
+ * comes and goes. */
 #ifndef TS_LAW_ENERGY_H
 #define TS_LAW_ENERGY_H
 
@@ -21,7 +22,7 @@
 
 static inline bool ts_granular_has_energy(const struct ts_granular_model *m)
 {
-	return m->normal != TS_NORMAL_HOOKE_HYSTERESIS;
+	return m->normal != TS_NORMAL_HOOKE_HYSTERESIS && !ts_cohesion_bridges(m);
 }
 
 static inline double ts_cohesion_energy(const struct ts_granular_model *m,

@@ -51,7 +51,14 @@ enum ts_rolling_law {
 	TS_ROLLING_SDS
 };
 enum ts_twisting_law { TS_TWISTING_OFF, TS_TWISTING_SDS, TS_TWISTING_MARSHALL };
-enum ts_cohesion_law { TS_COHESION_OFF, TS_COHESION_SJKR, TS_COHESION_SJKR2 };
+enum ts_cohesion_law {
+	TS_COHESION_OFF,
+	TS_COHESION_SJKR,
+	TS_COHESION_SJKR2,
+	/* bridges of liquid, which reach beyond the touch: law/capillary.h */
+	TS_COHESION_EASO,
+	TS_COHESION_WASHINO
+};
 
 struct ts_granular_model {
 	int normal, tangential, rolling, cohesion, twisting;
@@ -61,6 +68,7 @@ struct ts_granular_model {
 	bool absolute_damping;	       /* of the stiffness laws: gamma is not multiplied by m* */
 	bool tangential_stiffness_2_7; /* ktToKnUser: k_t = 2/7 k_n */
 	bool viscous;		       /* hooke: restitution by the Stokes number */
+	bool shares;  /* modifyLbVolume: the user says which share of its liquid a particle gives to a bridge */
 	bool reduce;  /* tangential_reduce: cohesion lowers the limit of friction */
 	bool torsion; /* torsionTorque: rolling friction resists spinning too */
 	bool plane;   /* two dimensions: discs roll */
@@ -82,7 +90,13 @@ static inline bool ts_granular_same_model(const struct ts_granular_model *a, con
 	       a->tangential_stiffness_2_7 == b->tangential_stiffness_2_7 && a->viscous == b->viscous &&
 	       a->reduce == b->reduce && a->torsion == b->torsion && a->plane == b->plane &&
 	       a->full_arms == b->full_arms && a->full_slip == b->full_slip && a->located == b->located &&
-	       a->multi == b->multi && a->wide == b->wide;
+	       a->multi == b->multi && a->wide == b->wide && a->shares == b->shares;
+}
+
+/* Whether there are bridges of liquid. */
+static inline bool ts_cohesion_bridges(const struct ts_granular_model *m)
+{
+	return m->cohesion >= TS_COHESION_EASO;
 }
 
 /* Constants of a pair of materials; each law uses its own few. */
@@ -99,6 +113,9 @@ struct ts_granular_pair {
 	double viscosity, critical_stokes, largest_restitution;	       /* of the fluid between */
 	double unloading, adhesion, plasticity;			       /* k2max/k1, kc/k1, phi */
 	double surface_energy;					       /* energy per area */
+	double surface_tension, contact_angle, liquid_viscosity; /* of bridges; the angle in radians */
+	double least_gap, most_gap;	/* minSeparationDistanceRatio, maxSeparationDistanceRatio */
+	double bridge_share;		/* of the liquid of a particle in a bridge, of washino */
 	double roll_stiffness, roll_damping;   /* of sds; its limit is rolling_friction |F_n| */
 	double twist_stiffness, twist_damping, twist_friction;
 };

@@ -21,7 +21,7 @@ struct ts_granular_force {
 TS_INLINE bool ts_granular_turns(const struct ts_granular_model *m)
 {
 	return m->tangential != TS_TANGENTIAL_OFF || m->rolling != TS_ROLLING_OFF ||
-	       m->twisting != TS_TWISTING_OFF;
+	       m->twisting != TS_TWISTING_OFF || ts_cohesion_bridges(m);
 }
 
 /* Whether contacts make torques that are opposite: of rolling, of twisting. */
@@ -36,11 +36,19 @@ TS_INLINE bool ts_granular_weighs(const struct ts_granular_model *m)
 	return m->rolling > TS_ROLLING_CDT && m->rolling < TS_ROLLING_SDS;
 }
 
+/* Whether surfaces pull beyond their touch: those that stick, once they have met, or bridges of liquid. */
+TS_INLINE bool ts_granular_reaches(const struct ts_granular_model *m)
+{
+	return ts_normal_sticks(m) || ts_cohesion_bridges(m);
+}
+
 /* By how much the arms of the contact fall short of the radii; then the arms. */
 TS_INLINE double ts_granular_short(const struct ts_granular_model *m, const struct ts_touch *t)
 {
 	if (m->multi) /* surfaces that stand out meet at the same place */
 		return m->full_arms ? 0 : 0.5 * (t->overlap - t->bulge);
+	if (ts_cohesion_bridges(m) && !(t->overlap > 0))
+		return 0;
 	return m->full_arms ? 0 : 0.5 * t->overlap;
 }
 
@@ -78,7 +86,7 @@ TS_INLINE int ts_granular_area_at(const struct ts_granular_model *m)
 	return ts_granular_twist_at(m) + (m->wide || m->twisting != TS_TWISTING_OFF);
 }
 
-/* Whether surfaces that stick have met: then they pull beyond their touch. */
+/* Whether surfaces have met that pull beyond their touch then. */
 TS_INLINE int ts_granular_met_at(const struct ts_granular_model *m)
 {
 	return ts_granular_area_at(m) + (m->wide || ts_tangential_rescales(m));
@@ -87,7 +95,7 @@ TS_INLINE int ts_granular_met_at(const struct ts_granular_model *m)
 /* What contacts that are located remember: law/located.h. */
 static inline int ts_granular_located_at(const struct ts_granular_model *m)
 {
-	return ts_granular_met_at(m) + (m->wide || ts_normal_sticks(m));
+	return ts_granular_met_at(m) + (m->wide || ts_granular_reaches(m));
 }
 
 /* What contacts remember that others of the same grain know of; they are not located. */
@@ -155,6 +163,15 @@ TS_INLINE double ts_granular_beyond(const struct ts_granular_model *m,
 	return ts_jkr_reach(c, r_eff);
 }
 
+/* The same of bridges: easo's are made where surfaces touch, washino's wherever they are near enough. */
+TS_INLINE double ts_granular_bridged(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+				     const double liquid[2], const double radius[2], bool wall, const double *memory)
+{
+	if (m->cohesion == TS_COHESION_EASO && !(memory[ts_granular_met_at(m)] > 0))
+		return 0;
+	return ts_bridge_reach(m, c, liquid, radius, wall);
+}
+
 /* The normal force and the slip, as of the time of the positions, of a contact that is located. */
 static inline void ts_granular_locate(const struct ts_granular_model *m, const struct ts_touch *t,
 				      double dt, bool advance, double *memory, struct ts_normal *n,
@@ -169,6 +186,23 @@ static inline void ts_granular_locate(const struct ts_granular_model *m, const s
 				memory, now);
 }
 
+/* A bridge between surfaces that do not touch: springs are gone. */
+TS_INLINE void ts_granular_bridge(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+				  const struct ts_touch *t, double *memory, struct ts_granular_force *out)
+{
+	double tangential[3] = { 0 };
+
+	for (int k = 0; k < ts_granular_memory(m); k++)
+		memory[k] = k == ts_granular_met_at(m) ? 1 : 0;
+	out->normal = ts_cohesion_force(m, c, t);
+	ts_bridge_slip(c, t, tangential);
+	ts_cross(tangential, t->n, out->turn);
+	for (int k = 0; k < 3; k++) {
+		out->force[k] = out->normal * t->n[k] + tangential[k];
+		out->roll[k] = 0;
+	}
+}
+
 /* `dt`: the time step; `advance`: false in the set-up of a run, when memory stands still. */
 TS_INLINE void
 ts_granular_contact(const struct ts_granular_model *m, const struct ts_granular_pair *c,
@@ -180,6 +214,10 @@ ts_granular_contact(const struct ts_granular_model *m, const struct ts_granular_
 	const double *slip = t->slip; /* as the velocities have it */
 	double tangential[3], roll[3], pull, twist;
 
+	if (ts_cohesion_bridges(m) && !(t->overlap > 0)) {
+		ts_granular_bridge(m, c, t, memory, out);
+		return;
+	}
 	ts_normal_force(m, c, t, advance, memory + ts_granular_depth_at(m), &n);
 	if (m->located) {
 		ts_granular_locate(m, t, dt, advance, memory, &n, &now);
@@ -191,12 +229,14 @@ ts_granular_contact(const struct ts_granular_model *m, const struct ts_granular_
 		n.limit += pull;
 	ts_tangential_force(m, c, t, &n, advance ? dt : 0, memory,
 			    memory + ts_granular_area_at(m), tangential);
+	if (ts_cohesion_bridges(m))
+		ts_bridge_slip(c, t, tangential);
 	if (m->located && m->tangential != TS_TANGENTIAL_OFF)
 		ts_located_slips(m, t, slip, advance ? dt : 0.5 * dt, tangential,
 				 memory + ts_granular_located_at(m));
 	ts_rolling_torque(m, c, t, &n, dt, advance, memory + ts_granular_rolling_at(m), roll);
 	twist = ts_twisting_torque(m, c, t, &n, advance ? dt : 0, memory + ts_granular_twist_at(m));
-	if (ts_normal_sticks(m))
+	if (ts_granular_reaches(m))
 		memory[ts_granular_met_at(m)] = 1;
 	if (m->multi && advance)
 		ts_granular_note_load(m, t, out->normal, memory);

@@ -16,6 +16,7 @@
 #ifndef TS_LAW_GRANULAR_LIMIT_H
 #define TS_LAW_GRANULAR_LIMIT_H
 
+#include "law/capillary.h"
 #include "law/normal.h"
 
 static inline double ts_oscillator_limit(double stiffness, double damping, double mass,
@@ -52,6 +53,10 @@ static inline struct ts_normal ts_granular_at(const struct ts_granular_model *m,
 		f.kn *= fmax(c->unloading, 1);
 	if (ts_granular_stiffens(m))
 		f.kn *= 1.5; /* F ~ delta^(3/2) */
+	if (ts_cohesion_bridges(m)) {
+		f.gamman += ts_bridge_normal_drag(c, r_eff, 0);
+		f.gammat += ts_bridge_tangential_drag(c, r_eff, 0);
+	}
 	if (m->viscous) /* slow collisions are damped critically */
 		f.gamman = f.gammat = 2 * sqrt(m_eff * f.kn);
 	return f;

@@ -25,6 +25,7 @@ struct ts_touch {
 	double slip[3];	     /* tangential velocity of i relative to j at the contact point */
 	double roll[3];	     /* relative rotation that rolling friction resists */
 	double spin[3];	     /* w_i - w_j */
+	double liquid[2];    /* on i and j, by their own volumes, where the model has bridges; [1] = 0 for a wall */
 	double solved;	     /* where the model says that it is known; see struct ts_granular_model */
 	bool wall;
 };

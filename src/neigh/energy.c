@@ -17,7 +17,7 @@ static double of_row(const struct tsim *sim, const struct ts_pair *pair, size_t 
 
 	ts_row_touch(p, i, j, model, &t);
 	ts_granular_stand_out(model, width ? rows->history + r * width : NULL, &t);
-	if (!(t.overlap > 0) && !ts_normal_sticks(model))
+	if (!(t.overlap > 0) && !ts_granular_reaches(model))
 		return 0;
 	return ts_granular_energy(model, ts_pair_law(pair, p->type[i], p->type[j]), &t,
 				  width ? rows->history + r * width : NULL);
@@ -76,8 +76,11 @@ enum ts_status ts_energy_require(struct tsim *sim, const struct ts_instance *sel
 	if (parts->pair && pair &&
 	    !ts_granular_has_energy(&((const struct ts_pair *)pair->state)->model))
 		return ts_fail(&sim->error, TS_STATE, &self->where,
-			       "hooke/hysteresis has no potential energy: what a contact that has yielded "
-			       "gives back depends on the way it opens");
+			       ts_cohesion_bridges(&((const struct ts_pair *)pair->state)->model)
+				       ? "bridges of liquid have no potential energy: what they give back depends on the "
+					 "liquid that there is when they break"
+				       : "hooke/hysteresis has no potential energy: what a contact that has yielded "
+					 "gives back depends on the way it opens");
 	if (parts->bond && bond && sim->bonds->n && !ts_bond_style_of(bond)->energy)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "bond style %s has no potential energy", bond->style->name);

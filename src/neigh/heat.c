@@ -8,6 +8,7 @@
 #include "neigh/pair.h"
 #include "particles/moments.h"
 #include "particles/property.h"
+#include "particles/style_column.h"
 #include "particles/template.h"
 
 #include "base/banned.h"
@@ -54,54 +55,24 @@ enum ts_status ts_heat_read_area(struct tsim *sim, const char *who, struct ts_wo
 
 /* ---- columns ---- */
 
-/* A fix property/atom of the user's keeps this name: it says what particles start with. */
-static bool is_users(const struct tsim *sim, const char *name)
-{
-	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
-
-	for (size_t k = 0; k < fixes->n; k++)
-		if (ts_streq(fixes->item[k]->style->name, "property/atom") &&
-		    ts_streq(fixes->item[k]->words.word[0].text, name))
-			return true;
-	return false;
-}
-
-/* Values that are there stay: of an earlier fix heat/gran. */
-static enum ts_status add_column(struct tsim *sim, const char *name, size_t width, unsigned flags,
-				 double initial, size_t *column)
-{
-	struct ts_particles *p = sim->particles;
-	double first[3] = { initial, initial, initial };
-	size_t known = p->ncolumns;
-
-	TS_TRY(ts_particles_add_column(sim, name, width, flags, column));
-	p->column[*column].flags |= flags;
-	if (is_users(sim, name))
-		return TS_OK;
-	TS_TRY(ts_particles_column_initial(sim, *column, first));
-	if (*column == known)
-		ts_particles_fill_initial(&p->column[*column], 0, p->n);
-	return TS_OK;
-}
-
 static enum ts_status add_columns(struct ts_heat *h, struct tsim *sim)
 {
 	const unsigned result = TS_COL_NAMED | TS_COL_RESULT;
 
-	TS_TRY(add_column(sim, "Temp", 1, TS_COL_NAMED | TS_COL_BORDER | TS_COL_FORWARD, h->initial,
+	TS_TRY(ts_particles_style_column(sim, "Temp", 1, TS_COL_NAMED | TS_COL_BORDER | TS_COL_FORWARD, h->initial,
 			  &h->temperature));
-	TS_TRY(add_column(sim, "heatFlux", 1, result, 0, &h->flux));
-	TS_TRY(add_column(sim, "heatSource", 1, TS_COL_NAMED, 0, &h->source));
-	TS_TRY(add_column(sim, "directionalHeatFlux", 3, result, 0, &h->directed));
-	TS_TRY(add_column(sim, "heat at walls", 1, TS_COL_RESULT, 0, &h->wall_conductance));
+	TS_TRY(ts_particles_style_column(sim, "heatFlux", 1, result, 0, &h->flux));
+	TS_TRY(ts_particles_style_column(sim, "heatSource", 1, TS_COL_NAMED, 0, &h->source));
+	TS_TRY(ts_particles_style_column(sim, "directionalHeatFlux", 3, result, 0, &h->directed));
+	TS_TRY(ts_particles_style_column(sim, "heat at walls", 1, TS_COL_RESULT, 0, &h->wall_conductance));
 	if (h->scheme == TS_HEAT_EXACT)
-		TS_TRY(add_column(sim, "heat rate", 1,
+		TS_TRY(ts_particles_style_column(sim, "heat rate", 1,
 				  TS_COL_RESULT | TS_COL_BORDER | TS_COL_FORWARD, 0, &h->rate));
 	if (!h->store)
 		return TS_OK;
-	TS_TRY(add_column(sim, "nContactsConduction", 1, result, 0, &h->contacts));
-	TS_TRY(add_column(sim, "contactAreaConduction", 1, result, 0, &h->area));
-	return add_column(sim, "wallHeatFlux", 1, result, 0, &h->wall_flux);
+	TS_TRY(ts_particles_style_column(sim, "nContactsConduction", 1, result, 0, &h->contacts));
+	TS_TRY(ts_particles_style_column(sim, "contactAreaConduction", 1, result, 0, &h->area));
+	return ts_particles_style_column(sim, "wallHeatFlux", 1, result, 0, &h->wall_flux);
 }
 
 enum ts_status ts_heat_init(struct ts_instance *self, struct tsim *sim)

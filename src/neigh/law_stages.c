@@ -336,7 +336,7 @@ static stage_fn *const twistings[] = { [TS_TWISTING_SDS] = twist_sds, [TS_TWISTI
 
 bool ts_stages_for(const struct ts_granular_model *m)
 {
-	return normals[m->normal] && !m->located && !m->viscous && !m->multi;
+	return normals[m->normal] && !m->located && !m->viscous && !m->multi && !ts_cohesion_bridges(m);
 }
 
 void ts_stages_work(struct ts_stages *s, size_t n, const struct ts_granular_model *m, const struct ts_granular_pair *law,

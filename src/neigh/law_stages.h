@@ -28,8 +28,8 @@ struct ts_stages {
 	double tangential[3][TS_COLUMN], rolling[3][TS_COLUMN], twist[TS_COLUMN];
 } __attribute__((aligned(64)));
 
-/* Whether there are stages for all laws of the model: not for contacts that are located, nor for restitution by the
- * Stokes number. */
+/* Whether there are stages for all laws of the model: not for contacts that are located, for restitution by the Stokes
+ * number, nor for bridges of liquid. */
 bool ts_stages_for(const struct ts_granular_model *m);
 
 /* Contacts 0 .. n-1, n whole vectors; the time step is positive. */

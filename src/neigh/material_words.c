@@ -41,7 +41,8 @@ static bool remembers(const struct ts_granular_words *w)
 
 static bool can_be_located(const struct ts_granular_words *w)
 {
-	return has_normal(w) && w->normal != TS_WORD_JKR && w->tangential < TS_TANGENTIAL_INCREMENTAL;
+	return has_normal(w) && w->normal != TS_WORD_JKR && w->tangential < TS_TANGENTIAL_INCREMENTAL &&
+	       w->cohesion < TS_COHESION_EASO;
 }
 
 static bool knows_others(const struct ts_granular_words *w)
@@ -59,17 +60,24 @@ static bool sticks(const struct ts_granular_words *w)
 	return w->cohesion != TS_COHESION_OFF;
 }
 
+static bool is_washino(const struct ts_granular_words *w)
+{
+	return w->cohesion == TS_COHESION_WASHINO;
+}
+
 static const struct {
 	const char *name, *of;
 	bool (*fits)(const struct ts_granular_words *words);
 } keywords[] = {
 	{ "limitForce", "a normal model", has_normal },
 	{ "tangential_damping", "a normal model", has_normal },
-	{ "located", "a normal model without adhesion, and tangential off, history or no_history", can_be_located },
+	{ "located", "a normal model without adhesion or bridges of liquid, and tangential off, history or no_history", can_be_located },
 	{ "absolute_damping", "model hooke/stiffness", is_stiffness },
 	{ "ktToKnUser", "model hooke or hooke/hysteresis", is_hooke },
 	{ "viscous", "model hooke or hooke/hysteresis", is_hooke },
 	{ "tangential_reduce", "a cohesion model", sticks },
+	{ "modifyLbVolume", "cohesion washino/capillary/viscous", is_washino },
+	{ "limitLiquidContent", "cohesion washino/capillary/viscous", is_washino },
 	{ "torsionTorque", "a rolling_friction model", rolls },
 	{ "heating_normal_hertz", "model hertz", is_hertz },
 	{ "heating_tangential_history", "tangential history", remembers },
@@ -93,6 +101,13 @@ static enum ts_status check_laws(struct tsim *sim, const struct ts_instance *sel
 	if (jkr && w->cohesion != TS_COHESION_OFF)
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "cohesion"),
 			       "%s: model jkr has its own adhesion (workOfAdhesion); leave cohesion out", who);
+	if (w->limit_liquid)
+		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "limitLiquidContent"),
+			       "%s: limitLiquidContent on is known, but not built: particles take what liquid comes to "
+			       "them; `limitLiquidContent off`", who);
+	if (w->cohesion >= TS_COHESION_EASO && !has_normal(w))
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "cohesion"),
+			       "%s: bridges of liquid need a normal model: `model hertz`", who);
 	if (jkr && w->limit_force)
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "limitForce"),
 			       "%s: 'limitForce' does not go with model jkr, which pulls", who);

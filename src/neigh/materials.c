@@ -14,7 +14,9 @@ const char *const ts_normal_names[] = {
 const char *const ts_tangential_names[] = { "off",     "history", "no_history", "incremental_history",
 					    "jkr_tan", NULL };
 const char *const ts_rolling_names[] = { "off", "cdt", "epsd", "epsd2", "epsd3", NULL };
-const char *const ts_cohesion_names[] = { "off", "sjkr", "sjkr2", NULL };
+const char *const ts_cohesion_names[] = {
+	"off", "sjkr", "sjkr2", "easo/capillary/viscous", "washino/capillary/viscous", NULL
+};
 const char *const ts_surface_names[] = { "default", "multicontact", NULL };
 
 struct ts_granular_model ts_granular_model_of(const struct tsim *sim,
@@ -34,6 +36,7 @@ struct ts_granular_model ts_granular_model_of(const struct tsim *sim,
 		.tangential_stiffness_2_7 = w->kt_to_kn,
 		.viscous = w->viscous,
 		.reduce = w->reduce,
+		.shares = w->modify_share,
 		.torsion = w->torsion,
 		.located = w->located,
 		.multi = w->surface == TS_SURFACE_MULTICONTACT,
@@ -56,7 +59,9 @@ enum needs {
 	ROLLING_DASHPOT = 1024,
 	ROLLING_STIFFNESS = 2048,
 	COHESION = 4096,
-	ADHESION = 8192
+	ADHESION = 8192,
+	BRIDGES = 16384,
+	BRIDGE_SHARE = 32768
 };
 
 static unsigned needs_of(const struct ts_granular_model *m)
@@ -83,8 +88,12 @@ static unsigned needs_of(const struct ts_granular_model *m)
 		needs |= ROLLING_DASHPOT;
 	if (m->rolling == TS_ROLLING_EPSD3)
 		needs |= ROLLING_STIFFNESS;
-	if (m->cohesion)
+	if (ts_cohesion_bridges(m))
+		needs |= BRIDGES;
+	else if (m->cohesion)
 		needs |= COHESION;
+	if (m->shares)
+		needs |= BRIDGE_SHARE;
 	return needs;
 }
 
@@ -132,6 +141,11 @@ static const struct property of_pairs[] = {
 	PAIR(HYSTERESIS, "coefficientMaxElasticStiffness", unloading, { 1, INFINITY, true }),
 	PAIR(HYSTERESIS, "coefficientAdhesionStiffness", adhesion, NOT_NEGATIVE),
 	PAIR(HYSTERESIS, "coefficientPlasticityDepth", plasticity, NOT_NEGATIVE),
+	FOR_ALL(BRIDGES, "surfaceTension", surface_tension, NOT_NEGATIVE),
+	FOR_ALL(BRIDGES, "fluidViscosity", liquid_viscosity, NOT_NEGATIVE),
+	FOR_ALL(BRIDGES, "minSeparationDistanceRatio", least_gap, { 0, 6, true }), /* drag is > 0 */
+	FOR_ALL(BRIDGES, "maxSeparationDistanceRatio", most_gap, { 1, INFINITY, false }),
+	FOR_ALL(BRIDGE_SHARE, "lbVolumeFraction", bridge_share, { 0, 1, true }),
 	FOR_ALL(ROLLING_STIFFNESS, "rollingStiffness", rolling_stiffness, POSITIVE),
 	FOR_ALL(VELOCITY, "characteristicVelocity", velocity, POSITIVE),
 };
@@ -245,6 +259,20 @@ static void stick(struct ts_granular_pair *out)
 	out->surface_energy *= 0.5;
 }
 
+/* The mean of both contact angles, in radians; LIGGGHTS 3.8 takes half their product. */
+static enum ts_status wet(struct tsim *sim, int a, int b, const char *who, const struct ts_place *where,
+			  struct ts_granular_pair *out)
+{
+	static const struct bounds angle = { 0, 180, false };
+	struct given one = { "contactAngle", a, 0, 0 }, other = { "contactAngle", b, 0, 0 };
+	double degree = TS_PI / 180;
+
+	TS_TRY(look_up(sim, &one, who, where, &angle));
+	TS_TRY(look_up(sim, &other, who, where, &angle));
+	out->contact_angle = 0.5 * (sim->legacy ? one.value * degree * other.value : one.value + other.value) * degree;
+	return TS_OK;
+}
+
 enum ts_status ts_granular_material(struct tsim *sim, const struct ts_granular_model *model, int a,
 				    int b, const char *who, const struct ts_place *where,
 				    struct ts_granular_pair *out)
@@ -252,6 +280,9 @@ enum ts_status ts_granular_material(struct tsim *sim, const struct ts_granular_m
 	unsigned needs = needs_of(model);
 
 	*out = (struct ts_granular_pair){ 0 };
+	out->bridge_share = 0.05;
+	if (needs & BRIDGES)
+		TS_TRY(wet(sim, a, b, who, where, out));
 	if (needs & ELASTIC)
 		TS_TRY(elastic(sim, a, b, who, where, out));
 	for (size_t k = 0; k < NPAIR; k++) {

@@ -10,7 +10,7 @@
 struct ts_granular_words {
 	int normal, tangential, rolling, cohesion, surface;
 	bool limit_force, tangential_damping, absolute_damping, kt_to_kn, viscous, reduce, torsion;
-	bool heating[2], potential, dissipated, unbonded, located;
+	bool heating[2], potential, dissipated, unbonded, located, modify_share, limit_liquid;
 };
 /* Words that stand for laws of another number in law/granular.h; the other words have the numbers of the laws. */
 enum { TS_WORD_JKR = TS_NORMAL_HOOKE_HYSTERESIS + 1, TS_WORD_JKR_TAN = TS_TANGENTIAL_INCREMENTAL + 1 };
@@ -42,6 +42,11 @@ extern const char *const ts_normal_names[],
 			.help = "hooke: restitution depends on the Stokes number"),                \
 		TS_BOOL("tangential_reduce", T, f.reduce, .fallback = "off",                       \
 			.help = "cohesion lowers the limit of friction"),                          \
+		TS_BOOL("modifyLbVolume", T, f.modify_share, .fallback = "off",                    \
+			.help = "cohesion washino/capillary/viscous: a bridge takes the share "     \
+				"lbVolumeFraction of the liquid, not 0.05"),                        \
+		TS_BOOL("limitLiquidContent", T, f.limit_liquid, .fallback = "off",                \
+			.help = "cohesion washino/capillary/viscous: only off"),                   \
 		TS_BOOL("torsionTorque", T, f.torsion, .fallback = "off",                          \
 			.help = "rolling friction resists spinning, too"),                         \
 		TS_BOOL("heating_normal_hertz", T, f.heating[0], .fallback = "off",                \

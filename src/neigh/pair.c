@@ -130,6 +130,14 @@ enum ts_status ts_pair_set_number(struct tsim *sim, const struct ts_arg *row, in
 	return TS_OK;
 }
 
+/* Of bridges whatever liquid there will be. */
+static double reach_of(const struct ts_granular_model *m, const struct ts_granular_pair *law, double radius)
+{
+	if (ts_cohesion_bridges(m))
+		return (law->most_gap - 1) * 2 * radius;
+	return ts_normal_sticks(m) ? ts_jkr_reach(law, 0.5 * radius) : 0;
+}
+
 double ts_pair_reach(const struct tsim *sim, double radius)
 {
 	const struct ts_instance *inst = ts_sim_only(sim, TS_KIND_PAIR);
@@ -138,8 +146,7 @@ double ts_pair_reach(const struct tsim *sim, double radius)
 
 	for (int a = 1; pair && pair->sticks && a <= pair->ntypes; a++)
 		for (int b = a; b <= pair->ntypes; b++)
-			if (ts_normal_sticks(ts_pair_model(pair, a, b)))
-				most = fmax(most, ts_jkr_reach(ts_pair_law(pair, a, b), 0.5 * radius));
+			most = fmax(most, reach_of(ts_pair_model(pair, a, b), ts_pair_law(pair, a, b), radius));
 	return pair && pair->model.multi ? 2 * TS_BULGE_MOST * radius : most;
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/coeff.h"
 #include "law/granular_force.h"
+#include "neigh/liquid.h"
 #include "neigh/neigh.h"
 #include "particles/particles.h"
 
@@ -14,6 +15,7 @@ struct ts_pair_style {
 	enum ts_status (*complete)(struct tsim *sim, void *coeff, const struct ts_place *where);
 	/* Where in an entry the constants of the law are. */
 	size_t law_offset;
+	enum ts_status (*chosen)(struct tsim *sim, void *state); /* makes what scripts may name from now on; or NULL */
 };
 
 /* First member of every pair style's state. */
@@ -23,6 +25,7 @@ struct ts_pair {
 	size_t law_offset;		/* in an entry */
 	size_t model_offset;		/* where each entry has a model of its own; 0: all have this one */
 	bool sticks;			/* some surfaces act beyond their touch */
+	struct ts_liquid liquid;	/* where there are bridges of it */
 	bool mixes;			/* entries that are not given are made of those that are */
 	struct ts_granular_model model; /* the law: used by rows, walls, outputs and tests */
 	signed char memory_sign[TS_GRANULAR_MEMORY + 1];

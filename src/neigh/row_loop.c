@@ -24,6 +24,8 @@ static double beyond(const struct ts_row_task *task, const struct ts_row_block *
 {
 	const struct ts_rows *rows = task->rows;
 	const struct ts_row_near *near = &rows->near[block->first + at];
+	const struct ts_granular_model *m = ts_pair_model(task->pair, block->type[0], block->type[1]);
+	const struct ts_granular_pair *law = ts_pair_law(task->pair, block->type[0], block->type[1]);
 	const struct ts_particles *p = task->p;
 	double a = p->radius[near->i], b = p->radius[near->j], memory[TS_GRANULAR_MEMORY] = { 0 };
 
@@ -31,8 +33,10 @@ static double beyond(const struct ts_row_task *task, const struct ts_row_block *
 		return rows->bulge[near->row].bulge;
 	if (at < block->active)
 		remember(rows, block, at, memory);
-	return ts_granular_beyond(ts_pair_model(task->pair, block->type[0], block->type[1]),
-				  ts_pair_law(task->pair, block->type[0], block->type[1]), a * b / (a + b), memory);
+	if (ts_cohesion_bridges(m))
+		return ts_granular_bridged(m, law, (double[2]){ p->liquid[near->i], p->liquid[near->j] },
+					   (double[2]){ a, b }, false, memory);
+	return ts_granular_beyond(m, law, a * b / (a + b), memory);
 }
 
 static void store(const struct ts_rows *rows, size_t slot, const struct ts_granular_model *m,
@@ -85,6 +89,22 @@ static void work(const struct ts_row_task *task, const struct ts_row_block *bloc
 	store(rows, near->slot, m, &t, &f);
 }
 
+/* Surfaces come apart; a bridge between them that nobody has forgotten (neigh/liquid.c) breaks. */
+static void part(const struct ts_row_task *task, struct ts_row_block *block, size_t at)
+{
+	const struct ts_granular_model *m = &task->pair->model;
+	struct ts_rows *rows = task->rows;
+	size_t met = rows->near[block->first + at].row * rows->history_width + (size_t)ts_granular_met_at(m);
+	bool breaks = ts_cohesion_bridges(m) && *ts_row_memory(rows, block, at, (size_t)ts_granular_met_at(m)) > 0;
+
+	ts_row_part(rows, block, at, task->keep);
+	if (!breaks)
+		return;
+	rows->history[met] = TS_BRIDGE_BROKEN;
+#pragma omp atomic write
+	rows->broken = true;
+}
+
 void ts_row_share_generic(void *context, size_t from, size_t to)
 {
 	const struct ts_row_task *task = context;
@@ -99,7 +119,7 @@ void ts_row_share_generic(void *context, size_t from, size_t to)
 				ts_row_meet(rows, block, k);
 		for (size_t k = block->active; k-- > 0;)
 			if (!touches(task, block, k))
-				ts_row_part(rows, block, k, task->keep);
+				part(task, block, k);
 		for (size_t k = 0; k < block->n; k++)
 			if (k < block->active)
 				work(task, block, k);
@@ -147,5 +167,5 @@ enum ts_status ts_row_loop(struct tsim *sim, const struct ts_pair *pair, ts_shar
 		loop.share = ts_row_share_generic;
 	TS_TRY(ts_rows_walk(sim, &walk));
 	rows->sets = false;
-	return TS_OK;
+	return rows->broken ? ts_liquid_share(sim, pair) : TS_OK;
 }

@@ -77,7 +77,7 @@ TS_INLINE void ts_row_still(const struct ts_rows *rows, size_t slot, size_t part
 /* What the laws need to know of the partners i and j, as far as the model has laws that ask. */
 struct ts_row_ends {
 	double d[3], v[3]; /* x_i - x_j, v_i - v_j */
-	double omega[2][3], radius[2], mass[2];
+	double omega[2][3], radius[2], mass[2], liquid[2];
 	double imass; /* 1/m_i + 1/m_j */
 };
 
@@ -92,6 +92,10 @@ ts_row_ends(const struct ts_particles *p, size_t i, size_t j, const struct ts_gr
 	for (int c = 0; ts_granular_turns(m) && c < 3; c++) {
 		e->omega[0][c] = p->omega[i][c];
 		e->omega[1][c] = p->omega[j][c];
+	}
+	if (ts_cohesion_bridges(m)) {
+		e->liquid[0] = p->liquid[i];
+		e->liquid[1] = p->liquid[j];
 	}
 	e->radius[0] = p->radius[i];
 	e->radius[1] = p->radius[j];
@@ -118,6 +122,8 @@ TS_INLINE void ts_ends_touch(const struct ts_row_ends *e, const struct ts_granul
 	t->m_eff = 1 / e->imass;
 	t->mass[0] = e->mass[0];
 	t->mass[1] = e->mass[1];
+	t->liquid[0] = e->liquid[0];
+	t->liquid[1] = e->liquid[1];
 	for (int k = 0; k < 3; k++)
 		t->n[k] = e->d[k] * inverse;
 	ts_granular_arms(m, t);

@@ -29,6 +29,35 @@ static enum ts_status add_column(struct ts_instance *self, struct tsim *sim)
 	return status;
 }
 
+static const struct ts_pair *pair_of(const struct tsim *sim)
+{
+	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
+
+	return pair ? pair->state : NULL;
+}
+
+/* The liquid is the pair style's, which is known when a run begins. */
+static enum ts_status check_bridges(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_wall *w = self->state;
+	const struct ts_granular_model *m;
+
+	if (!sim->running || !ts_wall_has_law(w, sim))
+		return TS_OK;
+	m = ts_wall_model(w, sim);
+	if (!ts_cohesion_bridges(m))
+		return TS_OK;
+	if (m->cohesion == TS_COHESION_WASHINO)
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix %s: cohesion washino/capillary/viscous is for particles alone; give the wall a model with "
+			       "`cohesion easo/capillary/viscous`, or without cohesion", self->style->name);
+	if (pair_of(sim) && ts_cohesion_bridges(&pair_of(sim)->model))
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, &self->where,
+		       "fix %s: particles are dry: bridges of liquid at a wall need a `pair_style gran ... cohesion "
+		       "easo/capillary/viscous`, which keeps the liquid", self->style->name);
+}
+
 enum ts_status ts_wall_init(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_wall *w = self->state;
@@ -39,20 +68,14 @@ enum ts_status ts_wall_init(struct ts_instance *self, struct tsim *sim)
 		TS_TRY(add_column(self, sim));
 	w->contacts.want_reports |= w->list_contacts;
 	w->own_model = w->given || w->words.normal != TS_NORMAL_OFF;
+	if (w->own_model && !w->given)
+		w->model = ts_granular_model_of(sim, &w->words);
+	TS_TRY(check_bridges(self, sim));
 	if (!w->own_model)
 		return TS_OK;
-	if (!w->given)
-		w->model = ts_granular_model_of(sim, &w->words);
 	return ts_granular_turns(&w->model)
 		       ? ts_particles_need(sim, TS_NEED(OMEGA) | TS_NEED(TORQUE))
 		       : TS_OK;
-}
-
-static const struct ts_pair *pair_of(const struct tsim *sim)
-{
-	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
-
-	return pair ? pair->state : NULL;
 }
 
 const struct ts_granular_model *ts_wall_model(const struct ts_wall *w, const struct tsim *sim)
@@ -99,6 +122,8 @@ static enum ts_status make_law(struct ts_instance *self, struct tsim *sim, int w
 	if (w->own_model && !w->given)
 		TS_TRY(ts_granular_material(sim, &w->model, particle, wall, who, &self->where,
 					    &w->law[k]));
+	if (ts_cohesion_bridges(ts_wall_model(w, sim)))
+		w->bridges = fmax(w->bridges, 2 * (ts_wall_law(w, sim, wall, particle)->most_gap - 1));
 	if (!w->warm || !ts_heat_of(sim))
 		return TS_OK;
 	TS_TRY(ts_heat_conductivity(sim, particle, who, &self->where, &own));
@@ -139,18 +164,20 @@ bool ts_wall_pulls(const struct ts_wall *w, const struct tsim *sim)
 {
 	const struct ts_granular_model *m = ts_wall_has_law(w, sim) ? ts_wall_model(w, sim) : NULL;
 
-	return m && (ts_normal_sticks(m) || m->multi);
+	return m && (ts_granular_reaches(m) || m->multi);
 }
 
 double ts_wall_reach(const struct ts_wall *w, const struct tsim *sim, double radius)
 {
 	size_t types = (size_t)w->ntypes + 1;
-	double most = 0;
+	double most = w->bridges * radius;
 
 	if (!w->law || !ts_wall_pulls(w, sim))
-		return 0;
+		return most;
 	if (ts_wall_model(w, sim)->multi)
 		return TS_BULGE_MOST * radius;
+	if (!ts_normal_sticks(ts_wall_model(w, sim)))
+		return most;
 	if (!w->own_model)
 		return ts_pair_reach(sim, 4 * radius); /* that of a pair of this radius: half of it is R* */
 	/* hollow surfaces stick farther; they are found while their curvature is less than half the sphere's */

@@ -52,6 +52,7 @@ struct ts_wall {
 	struct ts_heat_contact area;
 	double *conductivity; /* 4 k k'/(k + k'), in the same order */
 	int ntypes;
+	double bridges; /* how far bridges of liquid reach at most, by the radius */
 };
 
 #define TS_FAMILY_WALL "wall"

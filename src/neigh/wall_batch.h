@@ -13,6 +13,7 @@ struct ts_wall_ends {
 	double curvature;      /* of the surface, as struct ts_wall_spot has it */
 	double v[3];	       /* of the particle, less that of the surface */
 	double omega[3], radius, mass;
+	double liquid; /* as struct ts_touch has it */
 };
 
 /* R* at a surface of this curvature. */
@@ -32,6 +33,7 @@ TS_INLINE void ts_wall_ends_touch(const struct ts_wall_ends *e, const struct ts_
 	t->radius[0] = e->radius;
 	t->r_eff = ts_wall_effective_radius(e->radius, e->curvature);
 	t->mass[0] = t->m_eff = e->mass;
+	t->liquid[0] = e->liquid;
 	t->overlap = e->radius - e->distance;
 	ts_granular_arms(m, t);
 	ts_touch_motion(t, e->v, e->omega, at_rest);

@@ -20,7 +20,7 @@ TS_INLINE double mass_of(const struct ts_particles *p, size_t i)
 static void ends_of(const struct ts_particles *p, size_t i, const struct ts_wall_spot *spot, struct ts_wall_ends *e)
 {
 	*e = (struct ts_wall_ends){ .distance = spot->distance, .curvature = spot->curvature, .radius = p->radius[i],
-				    .mass = mass_of(p, i) };
+				    .mass = mass_of(p, i), .liquid = p->liquid ? p->liquid[i] : 0 };
 	for (int d = 0; d < 3; d++) {
 		e->n[d] = spot->n[d];
 		e->v[d] = p->v[i][d] - spot->velocity[d];
@@ -276,14 +276,17 @@ bool ts_wall_sticks(const struct ts_wall_queue *q, size_t k, const struct ts_wal
 {
 	const struct ts_particles *p = q->sim->particles;
 	size_t i = (size_t)q->w->contacts.row[k];
-	double radius = p->radius[i];
+	const struct ts_granular_pair *law = ts_wall_law(q->w, q->sim, spot->type, p->type[i]);
+	const double *memory = ts_wall_memory(&q->w->contacts, k);
+	double radius = p->radius[i], beyond;
 
 	if (q->model->multi)
 		return spot->distance < radius + stand_out(q, k, i, spot);
-	return spot->distance <
-	       radius + ts_granular_beyond(q->model, ts_wall_law(q->w, q->sim, spot->type, p->type[i]),
-					   ts_wall_effective_radius(radius, spot->curvature),
-					   ts_wall_memory(&q->w->contacts, k));
+	if (ts_cohesion_bridges(q->model))
+		beyond = ts_granular_bridged(q->model, law, (double[2]){ p->liquid[i] }, (double[2]){ radius }, true, memory);
+	else
+		beyond = ts_granular_beyond(q->model, law, ts_wall_effective_radius(radius, spot->curvature), memory);
+	return spot->distance < radius + beyond;
 }
 
 static void conduct(const struct ts_wall *w, struct tsim *sim, size_t i,

@@ -86,6 +86,7 @@ struct ts_particles {
 	double (*omega)[3], (*torque)[3];
 	int32_t *body;	     /* id of the rigid body it belongs to, or 0; see particles/rigid.h */
 	double (*body_x)[3]; /* its place there, along the principal axes */
+	double *liquid; /* on its surface, by its own volume: neigh/liquid.h; NULL where nothing is wet */
 
 	struct ts_column *column; /* built-in ones first, then those styles add */
 	size_t ncolumns, column_capacity;

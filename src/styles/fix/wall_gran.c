@@ -50,6 +50,10 @@ static enum ts_status find_meshes(struct ts_instance *self, struct tsim *sim)
 	if (w->type != INT64_MIN)
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "type"),
 			       "fix wall/gran: each mesh has the type that its fix says");
+	if (ts_wall_has_law(&w->wall, sim) && ts_cohesion_bridges(ts_wall_model(&w->wall, sim)))
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix wall/gran: bridges of liquid reach beyond the touch, which contacts with triangles do "
+			       "not follow; take a plane, a cylinder or a region, or leave cohesion out");
 	TS_TRY(ts_mesh_wall_find(self, sim, &w->mesh, w->meshes));
 	w->wall.contacts.want_reports |= ts_mesh_stress_wanted(&w->mesh);
 	return TS_OK;

@@ -55,13 +55,41 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct gran *g = self->state;
 
 	g->pair.model = ts_granular_model_of(sim, &g->words);
-	g->pair.sticks = ts_normal_sticks(&g->pair.model) || g->pair.model.multi;
+	g->pair.sticks = ts_granular_reaches(&g->pair.model) || g->pair.model.multi;
 	TS_TRY(check_words(self, sim));
 	if (!sim->particles->ntypes)
 		return TS_OK;
 	TS_TRY(ts_pair_prepare(sim, self));
 	TS_TRY(make_table(self, sim));
+	if (ts_cohesion_bridges(&g->pair.model))
+		TS_TRY(ts_liquid_init(sim, self, &g->pair.liquid));
 	return ts_pair_init(self, sim);
+}
+
+static enum ts_status advance(struct ts_instance *self, struct tsim *sim)
+{
+	const struct gran *g = self->state;
+
+	if (ts_cohesion_bridges(&g->pair.model))
+		ts_liquid_advance(sim, &g->pair.liquid);
+	return TS_OK;
+}
+
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	struct gran *g = self->state;
+
+	TS_TRY(ts_pair_archive_given(self, sim, a));
+	g->pair.model = ts_granular_model_of(sim, &g->words);
+	return ts_cohesion_bridges(&g->pair.model) ? ts_liquid_archive(sim, a, &g->pair.liquid) : TS_OK;
+}
+
+static enum ts_status chosen(struct tsim *sim, void *state)
+{
+	struct gran *g = state;
+	const struct ts_granular_model m = ts_granular_model_of(sim, &g->words);
+
+	return ts_cohesion_bridges(&m) ? ts_liquid_columns(sim, &g->pair.liquid) : TS_OK;
 }
 
 static enum ts_status force(struct ts_instance *self, struct tsim *sim)
@@ -190,13 +218,14 @@ const struct ts_pair_style ts_pair_gran = {
 		   .args = args,
 		   .coeff = coeff,
 		   .state_size = sizeof(struct gran),
-		   .archive = ts_pair_archive_given,
+		   .archive = archive,
 		   .fingerprint = ts_pair_fingerprint,
 		   .init = init,
-		   .hook = { [TS_STAGE_FORCE] = force },
+		   .hook = { [TS_STAGE_INITIAL_INTEGRATE] = advance, [TS_STAGE_FORCE] = force },
 		   .energy = ts_pair_energy,
 		   .plan = plan,
 		   .fini = ts_pair_fini },
 	.coeff_size = sizeof(struct ts_granular_pair),
 	.complete = complete,
+	.chosen = chosen,
 };
