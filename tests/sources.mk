@@ -7,6 +7,7 @@ shell_tests = \
 	tests/corpus.sh \
 	tests/coupling.sh \
 	tests/coupling_cases.sh \
+	tests/crosscheck/bridges.sh \
 	tests/crosscheck/data_files.sh \
 	tests/crosscheck/fixes.sh \
 	tests/crosscheck/granular.sh \
@@ -45,6 +46,7 @@ shell_tests = \
 	tests/decks/ave_period.sh \
 	tests/decks/averages.sh \
 	tests/decks/box.sh \
+	tests/decks/bridges.sh \
 	tests/decks/buoyancy.sh \
 	tests/decks/cell_regions.sh \
 	tests/decks/chunk_values.sh \

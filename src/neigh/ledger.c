@@ -283,13 +283,17 @@ static enum ts_status begin_run(struct tsim *sim, struct ts_ledger *l)
 enum ts_status ts_ledger_init(struct ts_instance *self, struct tsim *sim)
 {
 	static const enum ts_kind kinds[] = { TS_KIND_SYSTEM, TS_KIND_FLOW, TS_KIND_FIX };
-	const struct ts_instance *bond = ts_sim_only(sim, TS_KIND_BOND);
+	const struct ts_instance *bond = ts_sim_only(sim, TS_KIND_BOND), *pair = ts_sim_only(sim, TS_KIND_PAIR);
 	struct ts_ledger *l = self->state;
 
 	if (bond && !ts_bond_style_of(bond)->energy)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix %s: bond style %s has no potential energy", self->style->name,
 			       bond->style->name);
+	if (pair && ts_cohesion_bridges(&((const struct ts_pair *)pair->state)->model))
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix %s: bridges of liquid (cohesion) have no potential energy, so there are no books of it",
+			       self->style->name);
 	l->name = self->id;
 	sim->neigh->shown = true;
 	for (size_t a = 0; a < l->nactors; a++)

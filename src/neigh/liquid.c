@@ -28,22 +28,33 @@ static enum ts_status add(struct tsim *sim, struct ts_liquid *l, double initial)
 	return TS_OK;
 }
 
-/* What is not known yet. */
-enum ts_status ts_liquid_columns(struct tsim *sim, struct ts_liquid *l)
+static enum ts_status initial_of(struct tsim *sim, const struct ts_place *where, double *out)
 {
-	return add(sim, l, NAN);
+	static const char name[] = "surfaceLiquidContentInitial";
+
+	TS_TRY(ts_property_value(sim, name, 0, 0, "pair_style gran", where, out));
+	if (*out >= 0)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_RANGE, ts_property_place(sim, name, 0, 0),
+		       "property/global %s is %.15g, expected a number >= 0", name, *out);
+}
+
+/* What is not known yet is NaN. */
+enum ts_status ts_liquid_columns(struct tsim *sim, const struct ts_instance *self, struct ts_liquid *l)
+{
+	double initial = NAN;
+
+	if (ts_property_given(sim, "surfaceLiquidContentInitial"))
+		TS_TRY(initial_of(sim, &self->where, &initial));
+	return add(sim, l, initial);
 }
 
 enum ts_status ts_liquid_init(struct tsim *sim, const struct ts_instance *self, struct ts_liquid *l)
 {
-	static const char name[] = "surfaceLiquidContentInitial";
 	const struct ts_particles *p = sim->particles;
 	double initial;
 
-	TS_TRY(ts_property_value(sim, name, 0, 0, "pair_style gran", &self->where, &initial));
-	if (!(initial >= 0))
-		return ts_fail(&sim->error, TS_RANGE, ts_property_place(sim, name, 0, 0),
-			       "property/global %s is %.15g, expected a number >= 0", name, initial);
+	TS_TRY(initial_of(sim, &self->where, &initial));
 	TS_TRY(add(sim, l, initial));
 	for (size_t i = 0; i < p->n + p->nghost; i++)
 		p->liquid[i] = isnan(p->liquid[i]) ? initial : p->liquid[i];

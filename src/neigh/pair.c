@@ -200,6 +200,7 @@ enum ts_status ts_pair_init(struct ts_instance *self, struct tsim *sim)
 	if (!memory && sim->full & TS_FULL_HISTORY)
 		memory = 3;
 	TS_TRY(ts_rows_set_history(sim, &sim->neigh->rows, memory, pair->memory_sign));
+	sim->neigh->rows.bridged = ts_cohesion_bridges(&pair->model) ? (size_t)ts_granular_met_at(&pair->model) + 1 : 0;
 	ts_rows_set_torques(&sim->neigh->rows, ts_granular_turns(&pair->model),
 				   ts_granular_rolls(&pair->model));
 	if (ts_granular_turns(&pair->model))

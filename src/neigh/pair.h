@@ -15,7 +15,7 @@ struct ts_pair_style {
 	enum ts_status (*complete)(struct tsim *sim, void *coeff, const struct ts_place *where);
 	/* Where in an entry the constants of the law are. */
 	size_t law_offset;
-	enum ts_status (*chosen)(struct tsim *sim, void *state); /* makes what scripts may name from now on; or NULL */
+	enum ts_status (*chosen)(struct ts_instance *self, struct tsim *sim); /* makes what scripts may name from now on; or NULL */
 };
 
 /* First member of every pair style's state. */

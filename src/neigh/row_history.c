@@ -117,6 +117,12 @@ static bool overlap(const struct ts_particles *p, const struct ts_rows *rows, si
 	return ts_row_distance2(p, i, j, d) < sum * sum;
 }
 
+/* Number k of the old ones had a bridge of liquid. */
+static bool bridged(const struct ts_rows *rows, const struct ts_row_history *h, size_t k)
+{
+	return rows->bridged && h->value[k * h->width + rows->bridged - 1] > 0;
+}
+
 /* What is remembered, by particles: chains of those whose smaller tag a particle has. Its memory is
  * near that of its neighbours, as the particles are. */
 struct giving {
@@ -204,7 +210,7 @@ static void give_share(void *context, size_t from, size_t to)
 			continue;
 		key = key_of(rows, r, &swapped);
 		k = find_either(g, &key, local(g, swapped ? rows->j[r] : rows->i[r]));
-		if (!k || (h->overlapping && !overlap(p, rows, r)))
+		if (!k || (h->overlapping && !overlap(p, rows, r) && !bridged(rows, h, (size_t)(k - 1))))
 			continue;
 		rows->touching[r] = 1;
 		if (h->width)

@@ -84,6 +84,7 @@ struct ts_rows {
 	double *memory;	 /* of active rows, in columns: see row_memory.h */
 	bool unsettled;	 /* that is newer */
 	size_t history_width;
+	size_t bridged; /* 1 + which number of the history is > 0 while a bridge of liquid is there; 0: none has one */
 	const signed char *history_sign; /* +1 or -1: factor when i and j change places */
 
 	struct ts_gather gather; /* of the local particles */

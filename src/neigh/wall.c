@@ -36,13 +36,14 @@ static const struct ts_pair *pair_of(const struct tsim *sim)
 	return pair ? pair->state : NULL;
 }
 
-/* The liquid is the pair style's, which is known when a run begins. */
-static enum ts_status check_bridges(struct ts_instance *self, struct tsim *sim)
+/* The liquid is the pair style's, whose model is known when a run begins. */
+static enum ts_status check_bridges(struct ts_instance *self, struct tsim *sim, bool built)
 {
 	const struct ts_wall *w = self->state;
+	const struct ts_pair *pair = pair_of(sim);
 	const struct ts_granular_model *m;
 
-	if (!sim->running || !ts_wall_has_law(w, sim))
+	if (!ts_wall_has_law(w, sim))
 		return TS_OK;
 	m = ts_wall_model(w, sim);
 	if (!ts_cohesion_bridges(m))
@@ -51,7 +52,7 @@ static enum ts_status check_bridges(struct ts_instance *self, struct tsim *sim)
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix %s: cohesion washino/capillary/viscous is for particles alone; give the wall a model with "
 			       "`cohesion easo/capillary/viscous`, or without cohesion", self->style->name);
-	if (pair_of(sim) && ts_cohesion_bridges(&pair_of(sim)->model))
+	if (pair && (pair->model.normal || built) ? ts_cohesion_bridges(&pair->model) : !built)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, &self->where,
 		       "fix %s: particles are dry: bridges of liquid at a wall need a `pair_style gran ... cohesion "
@@ -70,7 +71,7 @@ enum ts_status ts_wall_init(struct ts_instance *self, struct tsim *sim)
 	w->own_model = w->given || w->words.normal != TS_NORMAL_OFF;
 	if (w->own_model && !w->given)
 		w->model = ts_granular_model_of(sim, &w->words);
-	TS_TRY(check_bridges(self, sim));
+	TS_TRY(check_bridges(self, sim, false));
 	if (!w->own_model)
 		return TS_OK;
 	return ts_granular_turns(&w->model)
@@ -137,6 +138,7 @@ enum ts_status ts_wall_make_law(struct ts_instance *self, struct tsim *sim, int 
 	struct ts_wall *w = self->state;
 	int most = ts_largest_type(sim);
 
+	TS_TRY(check_bridges(self, sim, true));
 	w->batch = ts_wall_batch_of(ts_wall_model(w, sim));
 	TS_TRY(reserve(self, sim, type));
 	for (int t = 1; t <= most; t++)

@@ -20,9 +20,11 @@ void ts_review_add(struct ts_review_overlaps *o, const struct ts_granular_model 
 {
 	const double nothing[TS_GRANULAR_MEMORY + 1] = { 0 };
 	double least = t->wall ? t->radius[0] : fmin(t->radius[0], t->radius[1]);
-	double depth = t->overlap / least;
-	double energy =
-		ts_granular_has_energy(model) ? ts_granular_energy(model, law, t, nothing) : 0;
+	double depth = t->overlap / least, energy;
+	struct ts_granular_model dry = *model; /* of bridges of liquid only the springs count */
+
+	dry.cohesion = ts_cohesion_bridges(model) ? TS_COHESION_OFF : model->cohesion;
+	energy = ts_granular_has_energy(&dry) ? ts_granular_energy(&dry, law, t, nothing) : 0;
 
 	o->n++;
 	o->energy += energy;
@@ -56,6 +58,7 @@ static void look_at_row(const struct tsim *sim, const struct ts_pair *pair, size
 	at_rest.tangential = TS_TANGENTIAL_OFF;
 	at_rest.rolling = TS_ROLLING_OFF;
 	at_rest.twisting = TS_TWISTING_OFF;
+	at_rest.cohesion = ts_cohesion_bridges(model) ? TS_COHESION_OFF : model->cohesion;
 	ts_row_touch(p, i, j, &at_rest, &t);
 	if (!(t.overlap > ts_review_depth * fmin(t.radius[0], t.radius[1])))
 		return;

@@ -10,13 +10,13 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 {
 	const struct style_line *line = state;
 
-	const struct ts_instance *pair;
+	struct ts_instance *pair;
 
 	TS_TRY(ts_sim_choose(sim, TS_KIND_PAIR, line->words, where));
 	pair = ts_sim_only(sim, TS_KIND_PAIR);
 	if (!pair || !ts_pair_style_of(pair)->chosen)
 		return TS_OK;
-	return ts_pair_style_of(pair)->chosen(sim, pair->state);
+	return ts_pair_style_of(pair)->chosen(pair, sim);
 }
 
 static const struct ts_arg args[] = {

@@ -84,12 +84,12 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	return ts_cohesion_bridges(&g->pair.model) ? ts_liquid_archive(sim, a, &g->pair.liquid) : TS_OK;
 }
 
-static enum ts_status chosen(struct tsim *sim, void *state)
+static enum ts_status chosen(struct ts_instance *self, struct tsim *sim)
 {
-	struct gran *g = state;
+	struct gran *g = self->state;
 	const struct ts_granular_model m = ts_granular_model_of(sim, &g->words);
 
-	return ts_cohesion_bridges(&m) ? ts_liquid_columns(sim, &g->pair.liquid) : TS_OK;
+	return ts_cohesion_bridges(&m) ? ts_liquid_columns(sim, self, &g->pair.liquid) : TS_OK;
 }
 
 static enum ts_status force(struct ts_instance *self, struct tsim *sim)
@@ -176,7 +176,8 @@ static const char gran_doc[] =
 	"`epsd`, `epsd2`, `epsd3`: a spring and dashpot of rolling, limited to mu_r |F_n| R*. "
 	"`cohesion "
 	"sjkr`: a pull k A, A the area in which the spheres cut each other; `sjkr2`: A = 4 pi "
-	"delta R*. `surface multicontact`: see fix multicontact/halfspace.\n\n"
+	"delta R*. `easo/...`, `washino/...`: bridges of liquid (doc/bridges.md). `surface multicontact`: see fix "
+	"multicontact/halfspace.\n\n"
 	"The constants come from fix property/global: youngsModulus, poissonsRatio (per type); "
 	"coefficientRestitution, coefficientFriction, coefficientRollingFriction, "
 	"coefficientRollingViscousDamping (epsd, epsd3), "
@@ -194,7 +195,7 @@ static const char gran_doc[] =
 	"at the time of the positions; see pair_style spring/dashpot. With spring, hooke, hertz and their "
 	"stiffness variants. The tangential dashpot and slip spring are corrected alike; where the law itself jumps - "
 	"`history` drops its dashpot where slip begins - first order stays. Walls that have the law of the pair style "
-	"follow it, walls with a model of their own have the same word. LIGGGHTS has nothing like it.\n\n"
+	"follow it, walls with a model of their own have the same word.\n\n"
 	"Formulae, order and defaults are those of LIGGGHTS 3.8, and results agree with it to "
 	"round-off as "
 	"long as a pair that parts has met a rebuild of neighbours before it meets again: LIGGGHTS "
@@ -212,7 +213,11 @@ const struct ts_pair_style ts_pair_gran = {
 			   "T. Tanaka, "
 			   "T. Ishida, Powder Technol. 71 (1992) 239; J. Ai, J.-F. Chen, J. M. "
 			   "Rotter, "
-			   "J. Y. Ooi, Powder Technol. 206 (2011) 269",
+			   "J. Y. Ooi, Powder Technol. 206 (2011) 269. Bridges of liquid: F. Soulie, F. Cherblanc, M. S. El "
+			   "Youssoufi, C. Saix, Int. J. Numer. Anal. Methods Geomech. 30 (2006) 213; Y. I. Rabinovich, M. S. "
+			   "Esayanur, B. M. Moudgil, Langmuir 21 (2005) 10992; G. Lian, C. Thornton, M. J. Adams, J. Colloid "
+			   "Interface Sci. 161 (1993) 138; D. Shi, J. J. McCarthy, Powder Technol. 184 (2008) 64; S. T. Nase, W. "
+			   "L. Vargas, A. A. Abatan, J. J. McCarthy, Powder Technol. 116 (2001) 214",
 		   .example = "pair_style gran model hertz tangential history\n"
 			      "pair_coeff * *",
 		   .args = args,
