@@ -26,7 +26,11 @@ extern const char *const ts_normal_names[],
 		TS_ENUM("rolling_friction", T, f.rolling, ts_rolling_names, .fallback = "off",     \
 			.help = "rolling law"),                                                    \
 		TS_ENUM("cohesion", T, f.cohesion, ts_cohesion_names, .fallback = "off",           \
-			.help = "law of cohesion"),                                                \
+			.help = "law of cohesion; easo/... and washino/... are bridges of liquid " \
+				"(doc/bridges.md), which take the properties surfaceTension, "      \
+				"fluidViscosity, contactAngle, minSeparationDistanceRatio, "        \
+				"maxSeparationDistanceRatio, surfaceLiquidContentInitial and "      \
+				"lbVolumeFraction"),                                                \
 		TS_ENUM("surface", T, f.surface, ts_surface_names, .fallback = "default",          \
 			.help = "surfaces of the spheres: `multicontact` lets contacts of one "            \
 				"grain act on each other"),                                 \
