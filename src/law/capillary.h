@@ -1,23 +1,24 @@
 /* Bridges of liquid between surfaces that are wet: a pull along n, and drag against their motion.
  *
- * l is the volume of liquid on a particle by the particle's own volume, V the volume of a bridge, d >= 0 the gap between
- * the surfaces (0 while they touch), R* = R_i R_j/(R_i + R_j), theta the contact angle, sigma the surface tension.
+ * l is the volume of liquid on a particle by the particle's own volume, V the volume of a bridge, d
+ * >= 0 the gap between the surfaces (0 while they touch), R* = R_i R_j/(R_i + R_j), theta the
+ * contact angle, sigma the surface tension.
  *
- * easo      V is what covers the caps that the partners turn to each other (D. Shi, J. J. McCarthy, Powder Technol. 184
- *           (2008) 64): of each 1/2 (1 - sqrt(1 - (R_other/(R_i + R_j))^2)) of its liquid; half of it at a plane.
- *           Pull (F. Soulie, F. Cherblanc, M. S. El Youssoufi, C. Saix, Int. J. Numer. Anal. Methods Geomech. 30 (2006)
- *           213), R the larger radius and v = V/R^3:
- *           pi sigma sqrt(R_i R_j) (exp(A d/R + B) + C), A = -1.1 v^-0.53,
- *           B = (-0.148 ln v - 0.96) theta^2 - 0.0082 ln v + 0.48, C = 0.0018 ln v + 0.078
- * washino   V is a share of the liquid of both. Pull (Y. I. Rabinovich, M. S. Esayanur, B. M. Moudgil, Langmuir 21
- *           (2005) 10992), p = sqrt(1 + 2 V/(pi R* d^2)) - 1 and alpha = sqrt(d p/R*):
- *           2 pi R* sigma (cos theta p/(1 + p) + sin alpha sin(alpha + theta)); while they touch LIGGGHTS'
- *           2 pi R* sigma cos theta (1 + delta/sqrt(2 V/(pi R*)))
+ * easo      V is what covers the caps that the partners turn to each other (D. Shi, J. J. McCarthy,
+ * Powder Technol. 184 (2008) 64): of each 1/2 (1 - sqrt(1 - (R_other/(R_i + R_j))^2)) of its
+ * liquid; half of it at a plane. Pull (F. Soulie, F. Cherblanc, M. S. El Youssoufi, C. Saix, Int.
+ * J. Numer. Anal. Methods Geomech. 30 (2006) 213), R the larger radius and v = V/R^3: pi sigma
+ * sqrt(R_i R_j) (exp(A d/R + B) + C), A = -1.1 v^-0.53, B = (-0.148 ln v - 0.96) theta^2 - 0.0082
+ * ln v + 0.48, C = 0.0018 ln v + 0.078 washino   V is a share of the liquid of both. Pull (Y. I.
+ * Rabinovich, M. S. Esayanur, B. M. Moudgil, Langmuir 21 (2005) 10992), p = sqrt(1 + 2 V/(pi R*
+ * d^2)) - 1 and alpha = sqrt(d p/R*): 2 pi R* sigma (cos theta p/(1 + p) + sin alpha sin(alpha +
+ * theta)); while they touch LIGGGHTS' 2 pi R* sigma cos theta (1 + delta/sqrt(2 V/(pi R*)))
  *
- * Both break at d = (1 + theta/2) V^(1/3) (G. Lian, C. Thornton, M. J. Adams, J. Colloid Interface Sci. 161 (1993) 138),
- * theta in radians, or where the distance of the centres is the sum of the radii times a ratio that the user gives.
- * Drag (S. T. Nase, W. L. Vargas, A. A. Abatan, J. J. McCarthy, Powder Technol. 116 (2001) 214), g = d/R* but not less
- * than the user's: 6 pi mu R* v_n/g and 6 pi mu R* v_t (8/15 ln(1/g) + 0.9588).
+ * Both break at d = (1 + theta/2) V^(1/3) (G. Lian, C. Thornton, M. J. Adams, J. Colloid Interface
+ * Sci. 161 (1993) 138), theta in radians, or where the distance of the centres is the sum of the
+ * radii times a ratio that the user gives. Drag (S. T. Nase, W. L. Vargas, A. A. Abatan, J. J.
+ * McCarthy, Powder Technol. 116 (2001) 214), g = d/R* but not less than the user's: 6 pi mu R*
+ * v_n/g and 6 pi mu R* v_t (8/15 ln(1/g) + 0.9588).
  *
  * At a wall the partner has the particle's own radius, as LIGGGHTS has it, and no liquid. */
 #ifndef TS_LAW_CAPILLARY_H
@@ -35,8 +36,8 @@ TS_INLINE double ts_sphere_volume(double radius)
 }
 
 /* What a particle with this liquid gives to a bridge to a partner of radius `other`. */
-TS_INLINE double ts_bridge_part(const struct ts_granular_model *m, const struct ts_granular_pair *c, double liquid,
-				double radius, double other)
+TS_INLINE double ts_bridge_part(const struct ts_granular_model *m, const struct ts_granular_pair *c,
+				double liquid, double radius, double other)
 {
 	double volume = ts_sphere_volume(radius) * liquid, s = other / (radius + other);
 
@@ -46,8 +47,9 @@ TS_INLINE double ts_bridge_part(const struct ts_granular_model *m, const struct 
 }
 
 /* V; at a plane the limit of a large partner, which has none. */
-TS_INLINE double ts_bridge_volume(const struct ts_granular_model *m, const struct ts_granular_pair *c,
-				  const double liquid[2], const double radius[2], bool wall)
+TS_INLINE double ts_bridge_volume(const struct ts_granular_model *m,
+				  const struct ts_granular_pair *c, const double liquid[2],
+				  const double radius[2], bool wall)
 {
 	if (wall)
 		return 0.5 * ts_sphere_volume(radius[0]) * liquid[0];
@@ -56,12 +58,14 @@ TS_INLINE double ts_bridge_volume(const struct ts_granular_model *m, const struc
 }
 
 /* The gap at which a bridge breaks; no bridges between dry surfaces. */
-TS_INLINE double ts_bridge_reach(const struct ts_granular_model *m, const struct ts_granular_pair *c,
-				 const double liquid[2], const double radius[2], bool wall)
+TS_INLINE double ts_bridge_reach(const struct ts_granular_model *m,
+				 const struct ts_granular_pair *c, const double liquid[2],
+				 const double radius[2], bool wall)
 {
 	double sum = radius[0] + radius[!wall]; /* a wall is as a particle of the same radius */
 
-	return fmin((1 + 0.5 * c->contact_angle) * cbrt(ts_bridge_volume(m, c, liquid, radius, wall)),
+	return fmin((1 + 0.5 * c->contact_angle) *
+			    cbrt(ts_bridge_volume(m, c, liquid, radius, wall)),
 		    (c->most_gap - 1) * sum);
 }
 
@@ -70,19 +74,24 @@ TS_INLINE double ts_bridge_gap(const struct ts_touch *t)
 	return fmax(-t->overlap, 0);
 }
 
-TS_INLINE double ts_easo_pull(const struct ts_granular_pair *c, const struct ts_touch *t, double volume)
+TS_INLINE double ts_easo_pull(const struct ts_granular_pair *c, const struct ts_touch *t,
+			      double volume)
 {
 	double larger = fmax(t->radius[0], t->radius[1]), theta = c->contact_angle;
 	double v = volume / (larger * larger * larger), l = log(v);
-	double a = -1.1 * pow(v, -0.53), b = (-0.148 * l - 0.96) * theta * theta - 0.0082 * l + 0.48;
+	double a = -1.1 * pow(v, -0.53),
+	       b = (-0.148 * l - 0.96) * theta * theta - 0.0082 * l + 0.48;
 
-	return TS_PI * c->surface_tension * sqrt(t->radius[0] * (t->wall ? t->radius[0] : t->radius[1])) *
+	return TS_PI * c->surface_tension *
+	       sqrt(t->radius[0] * (t->wall ? t->radius[0] : t->radius[1])) *
 	       (exp(a * ts_bridge_gap(t) / larger + b) + 0.0018 * l + 0.078);
 }
 
-TS_INLINE double ts_washino_pull(const struct ts_granular_pair *c, const struct ts_touch *t, double volume)
+TS_INLINE double ts_washino_pull(const struct ts_granular_pair *c, const struct ts_touch *t,
+				 double volume)
 {
-	double d = ts_bridge_gap(t), theta = c->contact_angle, most = 2 * TS_PI * t->r_eff * c->surface_tension;
+	double d = ts_bridge_gap(t), theta = c->contact_angle,
+	       most = 2 * TS_PI * t->r_eff * c->surface_tension;
 	double wide = 2 * volume / (TS_PI * t->r_eff); /* d p -> sqrt(wide) as d -> 0 */
 	double dp = wide / (sqrt(d * d + wide) + d), alpha = sqrt(dp / t->r_eff);
 
@@ -92,21 +101,24 @@ TS_INLINE double ts_washino_pull(const struct ts_granular_pair *c, const struct 
 }
 
 /* The pull of the bridge, > 0. */
-TS_INLINE double ts_capillary_pull(const struct ts_granular_model *m, const struct ts_granular_pair *c,
-				   const struct ts_touch *t)
+TS_INLINE double ts_capillary_pull(const struct ts_granular_model *m,
+				   const struct ts_granular_pair *c, const struct ts_touch *t)
 {
 	double volume = ts_bridge_volume(m, c, t->liquid, t->radius, t->wall);
 
-	return m->cohesion == TS_COHESION_WASHINO ? ts_washino_pull(c, t, volume) : ts_easo_pull(c, t, volume);
+	return m->cohesion == TS_COHESION_WASHINO ? ts_washino_pull(c, t, volume)
+						  : ts_easo_pull(c, t, volume);
 }
 
 /* Drag by speed, along n and across, at a gap of `relative` R*. */
-TS_INLINE double ts_bridge_normal_drag(const struct ts_granular_pair *c, double r_eff, double relative)
+TS_INLINE double ts_bridge_normal_drag(const struct ts_granular_pair *c, double r_eff,
+				       double relative)
 {
 	return 6 * TS_PI * c->liquid_viscosity * r_eff / fmax(c->least_gap, relative);
 }
 
-TS_INLINE double ts_bridge_tangential_drag(const struct ts_granular_pair *c, double r_eff, double relative)
+TS_INLINE double ts_bridge_tangential_drag(const struct ts_granular_pair *c, double r_eff,
+					   double relative)
 {
 	double shape = 0.9588 - 8.0 / 15.0 * log(fmax(c->least_gap, relative));
 
@@ -125,18 +137,20 @@ TS_INLINE bool ts_bridge_wet(const struct ts_touch *t)
 }
 
 /* What the bridge adds to F_n. */
-TS_INLINE double ts_bridge_force(const struct ts_granular_model *m, const struct ts_granular_pair *c,
-				 const struct ts_touch *t)
+TS_INLINE double ts_bridge_force(const struct ts_granular_model *m,
+				 const struct ts_granular_pair *c, const struct ts_touch *t)
 {
 	double r = ts_bridge_radius(t);
 
 	if (!ts_bridge_wet(t))
 		return 0;
-	return -ts_capillary_pull(m, c, t) - ts_bridge_normal_drag(c, r, ts_bridge_gap(t) / r) * t->vn;
+	return -ts_capillary_pull(m, c, t) -
+	       ts_bridge_normal_drag(c, r, ts_bridge_gap(t) / r) * t->vn;
 }
 
 /* Its drag against slip, added to `force`. */
-TS_INLINE void ts_bridge_slip(const struct ts_granular_pair *c, const struct ts_touch *t, double force[3])
+TS_INLINE void ts_bridge_slip(const struct ts_granular_pair *c, const struct ts_touch *t,
+			      double force[3])
 {
 	double r = ts_bridge_radius(t);
 

@@ -13,7 +13,8 @@
 
 /* ---- columns */
 
-static const char CONTENT[] = "surfaceLiquidContent", FLUX[] = "liquidFlux", SOURCE[] = "liquidSource";
+static const char CONTENT[] = "surfaceLiquidContent", FLUX[] = "liquidFlux",
+		  SOURCE[] = "liquidSource";
 
 static enum ts_status add(struct tsim *sim, struct ts_liquid *l, double initial)
 {
@@ -40,7 +41,8 @@ static enum ts_status initial_of(struct tsim *sim, const struct ts_place *where,
 }
 
 /* What is not known yet is NaN. */
-enum ts_status ts_liquid_columns(struct tsim *sim, const struct ts_instance *self, struct ts_liquid *l)
+enum ts_status ts_liquid_columns(struct tsim *sim, const struct ts_instance *self,
+				 struct ts_liquid *l)
 {
 	double initial = NAN;
 
@@ -75,7 +77,8 @@ enum ts_status ts_liquid_archive(struct tsim *sim, struct ts_archive *a, struct 
 void ts_liquid_advance(struct tsim *sim, const struct ts_liquid *l)
 {
 	const struct ts_particles *p = sim->particles;
-	double *content = p->column[l->content].data, *flux = p->column[l->flux].data, *source = p->column[l->source].data;
+	double *content = p->column[l->content].data, *flux = p->column[l->flux].data,
+	       *source = p->column[l->source].data;
 
 	for (size_t i = 0; i < p->n; i++) {
 		content[i] += sim->clock.dt * (flux[i] + source[i]);
@@ -124,8 +127,8 @@ static bool broken(const struct ts_rows *rows, const struct ts_pair *pair, size_
 	return *met_of(rows, pair, r) == TS_BRIDGE_BROKEN;
 }
 
-/* The row of the same pair on the other side of a periodic face, which may see the bridge break in another step, as it
- * rounds otherwise; rows->n: there is none. */
+/* The row of the same pair on the other side of a periodic face, which may see the bridge break in
+ * another step, as it rounds otherwise; rows->n: there is none. */
 static size_t mirror(const struct ts_rows *rows, const struct ts_particles *p, size_t r)
 {
 	for (size_t k = 0; rows->image[r] != TS_IMAGE_SELF && k < rows->n; k++)
@@ -136,38 +139,43 @@ static size_t mirror(const struct ts_rows *rows, const struct ts_particles *p, s
 	return rows->n;
 }
 
-static enum ts_status put(struct parts *list, const struct ts_particles *p, const struct ts_rows *rows, size_t r, int side,
-			  double amount)
+static enum ts_status put(struct parts *list, const struct ts_particles *p,
+			  const struct ts_rows *rows, size_t r, int side, double amount)
 {
 	size_t i = original(p, (size_t)(side ? rows->j[r] : rows->i[r]));
 
 	if (TS_GROW(list->part, list->capacity, list->n + 1) != TS_OK)
 		return TS_NOMEM;
-	list->part[list->n++] = (struct part){ rows->tag[side][r], rows->tag[!side][r], rows->winding[r], i, amount };
+	list->part[list->n++] = (struct part){ rows->tag[side][r], rows->tag[!side][r],
+					       rows->winding[r], i, amount };
 	return TS_OK;
 }
 
 /* Row r has broken: what both get, or where the row of the other side books its own i, i alone. */
-static enum ts_status book(struct parts *list, const struct ts_particles *p, const struct ts_rows *rows,
-			   const struct ts_pair *pair, size_t r, bool both)
+static enum ts_status book(struct parts *list, const struct ts_particles *p,
+			   const struct ts_rows *rows, const struct ts_pair *pair, size_t r,
+			   bool both)
 {
 	size_t i = (size_t)rows->i[r], j = original(p, (size_t)rows->j[r]);
 	const struct ts_granular_pair *law = ts_pair_law(pair, p->type[i], p->type[j]);
-	const double liquid[2] = { p->liquid[i], p->liquid[j] }, radius[2] = { p->radius[i], p->radius[j] };
+	const double liquid[2] = { p->liquid[i], p->liquid[j] },
+		     radius[2] = { p->radius[i], p->radius[j] };
 	double cube[2], volume = ts_bridge_volume(&pair->model, law, liquid, radius, false);
 
 	for (int k = 0; k < 2; k++)
 		cube[k] = ts_sphere_volume(radius[k]);
 	for (int k = 0; k < 1 + both; k++)
 		if (put(list, p, rows, r, k,
-			volume / (cube[0] + cube[1]) -
-				ts_bridge_part(&pair->model, law, liquid[k], radius[k], radius[!k]) / cube[k]) != TS_OK)
+			volume / (cube[0] + cube[1]) - ts_bridge_part(&pair->model, law, liquid[k],
+								      radius[k], radius[!k]) /
+							       cube[k]) != TS_OK)
 			return TS_NOMEM;
 	return TS_OK;
 }
 
 /* All that broke; bridges whose other side has not yet are forgotten there. */
-static enum ts_status collect(struct parts *list, struct tsim *sim, struct ts_rows *rows, const struct ts_pair *pair)
+static enum ts_status collect(struct parts *list, struct tsim *sim, struct ts_rows *rows,
+			      const struct ts_pair *pair)
 {
 	const struct ts_particles *p = sim->particles;
 
