@@ -110,6 +110,8 @@ const struct ts_known ts_known_table[] = {
 	{ .name = NULL },
 };
 
+#define BRIDGES "easo/capillary/viscous and washino/capillary/viscous are its successors"
+
 static const struct {
 	const char *keyword, *choice, *remark;
 } choices[] = {
@@ -119,7 +121,7 @@ static const struct {
 	{ "rolling_friction", "cdtnonlinear2", UNPUBLISHED "; cdt is the law of its kind here" },
 	{ "cohesion", "bond", BONDS },
 	{ "cohesion", "bond/nonlinear", BONDS },
-	{ "cohesion", "capillary", "easo/capillary/viscous and washino/capillary/viscous are its successors" },
+	{ "cohesion", "capillary", BRIDGES },
 	{ "surface", "superquadric", SHAPES },
 	{ .keyword = NULL },
 };
@@ -137,6 +139,8 @@ static const struct {
 } words[] = {
 	{ "pair gran", "createBondAlways", BONDS },
 	{ "pair gran", "stressBreak", BONDS },
+	{ "pair gran", "capillaryModel", BRIDGES },
+	{ "pair gran", "Willett", BRIDGES },
 	{ "fix wall/gran", "createBondAlways", BONDS },
 	{ "fix wall/gran", "stressBreak", BONDS },
 	{ "fix wall/gran", "general_plane",

@@ -512,6 +512,8 @@ bad 'compute ID GROUP bond/local dist force fx fy fz' 'compute n all pair/gran/l
 bad 'massflow/mesh mesh MESH vec_side' 'fix m all massflow/mesh/face mesh m'
 bad 'fix ID all move/mesh/free mesh M density D' 'fix m all mesh/surface/stress/6dof file x.stl type 1'
 bad 'ave/euler nevery N cell_size_relative C' 'fix m all ave/euler/region nevery 10 region left'
+bad 'grains are spheres' 'set group all shape 1 1 1'
+bad 'bonds are made by create_bonds' 'pair_style gran model hertz tangential history createBondAlways on'
 bad 'coupling of coarse and fine grains' 'fix m all forcecontrol/region ctrlPV stress'
 script <<'END'
 units si
