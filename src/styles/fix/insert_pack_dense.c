@@ -12,9 +12,11 @@
 
 /* Spheres are moved apart until they would not overlap were they larger by this part. */
 static const double MARGIN = 1e-3;
-/* FIRE: E. Bitzek, P. Koskinen, F. Gaehler, M. Moseler, P. Gumbsch, Structural relaxation made simple, Phys. Rev. Lett.
- * 97 (2006) 170201, with the numbers given there; times in units of the period of a pair. */
-static const double FIRST_STEP = 0.1, LONGEST_STEP = 0.6, FASTER = 1.1, SLOWER = 0.5, MIXED = 0.1, LESS_MIXED = 0.99;
+/* FIRE: E. Bitzek, P. Koskinen, F. Gaehler, M. Moseler, P. Gumbsch, Structural relaxation made
+ * simple, Phys. Rev. Lett. 97 (2006) 170201, with the numbers given there; times in units of the
+ * period of a pair. */
+static const double FIRST_STEP = 0.1, LONGEST_STEP = 0.6, FASTER = 1.1, SLOWER = 0.5, MIXED = 0.1,
+		    LESS_MIXED = 0.99;
 enum { PATIENCE = 5 };
 
 struct state {
@@ -42,11 +44,13 @@ static enum ts_status refuse_clumps(struct ts_instance *self, struct tsim *sim)
 	const struct ts_distribution *d = s->distribution->state;
 
 	for (int64_t k = 0; k < d->n; k++)
-		if (((const struct ts_template *)d->template[k]->state)->clump)
-			return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, s->distribution_id),
-				       "fix insert/pack/dense: fix %s makes clumps; spheres are packed, only. For clumps take "
+		if (((const struct ts_template *)d->template[k] -> state)->clump)
+			return ts_fail(&sim->error, TS_STATE,
+				       ts_instance_word(self, s->distribution_id),
+				       "fix insert/pack/dense: fix %s makes clumps; spheres are "
+				       "packed, only. For clumps take "
 				       "insert/pack and let them settle",
-				       d->template[k]->id);
+				       d->template[k] -> id);
 	return TS_OK;
 }
 
@@ -77,8 +81,11 @@ static enum ts_status gather(struct state *s, struct tsim *sim, struct packing *
 	struct ts_identities order;
 
 	TS_TRY(ts_identities(sim, true, &order));
-	*p = (struct packing){ .region = s->place.region, .n = order.n + s->base.list.n, .fixed = order.n,
-			       .step = FIRST_STEP, .mix = MIXED };
+	*p = (struct packing){ .region = s->place.region,
+			       .n = order.n + s->base.list.n,
+			       .fixed = order.n,
+			       .step = FIRST_STEP,
+			       .mix = MIXED };
 	p->x = ts_alloc(p->n + 1, sizeof *p->x);
 	p->v = ts_alloc(p->n + 1, sizeof *p->v);
 	p->f = ts_alloc(p->n + 1, sizeof *p->f);
@@ -86,7 +93,8 @@ static enum ts_status gather(struct state *s, struct tsim *sim, struct packing *
 	if (!p->x || !p->v || !p->f || !p->radius)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < p->n; k++) {
-		const struct ts_newcomer *one = k < p->fixed ? NULL : &s->base.list.item[k - p->fixed];
+		const struct ts_newcomer *one =
+			k < p->fixed ? NULL : &s->base.list.item[k - p->fixed];
 
 		ts_scale(1, one ? one->x : all->x[order.row[k]], p->x[k]);
 		p->radius[k] = one ? one->radius : all->radius[order.row[k]];
@@ -114,7 +122,8 @@ static void push(void *context, size_t i, size_t j, const double d[3])
 /* The surface of the region pushes, too, in the direction in which the depth grows. */
 static void push_in(struct packing *p, size_t i)
 {
-	double reach = (1 + MARGIN) * p->radius[i], miss = reach - ts_region_depth(p->region, p->x[i]);
+	double reach = (1 + MARGIN) * p->radius[i],
+	       miss = reach - ts_region_depth(p->region, p->x[i]);
 	double up[3], size;
 
 	if (!(miss > 0))
@@ -137,7 +146,8 @@ static enum ts_status find_forces(struct packing *p, const struct tsim *sim)
 	p->worst = 0;
 	for (size_t i = 0; i < p->n; i++)
 		ts_scale(0, p->f[i], p->f[i]);
-	TS_TRY(ts_pairs_visit(&sim->domain->box, (const double(*)[3])p->x, p->n, 2 * (1 + MARGIN) * p->largest, push, p));
+	TS_TRY(ts_pairs_visit(&sim->domain->box, (const double(*)[3])p->x, p->n,
+			      2 * (1 + MARGIN) * p->largest, push, p));
 	for (size_t i = p->fixed; i < p->n; i++)
 		push_in(p, i);
 	return TS_OK;
@@ -185,10 +195,13 @@ static enum ts_status move_apart(struct ts_instance *self, struct tsim *sim, str
 		move(p);
 	}
 	return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "volumefraction_region"),
-		       "fix insert/pack/dense: %zu particles that fill %g of region %s were not moved apart: after %lld rounds two "
-		       "overlap by %.3g %% of their radii. Ask for less (spheres at random fill at most 0.64, near walls less), or "
+		       "fix insert/pack/dense: %zu particles that fill %g of region %s were not "
+		       "moved apart: after %lld rounds two "
+		       "overlap by %.3g %% of their radii. Ask for less (spheres at random fill at "
+		       "most 0.64, near walls less), or "
 		       "raise max_rounds",
-		       s->base.list.n, s->fraction, s->place.region->id, (long long)s->most_rounds, 100 * p->worst);
+		       s->base.list.n, s->fraction, s->place.region->id, (long long)s->most_rounds,
+		       100 * p->worst);
 }
 
 static enum ts_status pack(struct ts_instance *self, struct tsim *sim)
@@ -211,6 +224,7 @@ static enum ts_status pre_exchange(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	struct ts_region_content now;
+	enum ts_status status;
 	double wanted;
 	size_t from;
 
@@ -218,55 +232,76 @@ static enum ts_status pre_exchange(struct ts_instance *self, struct tsim *sim)
 		return TS_OK;
 	ts_insertion_next(self);
 	TS_TRY(ts_insertion_region_content(self, sim, &now));
-	wanted = (s->fraction * now.room - now.volume) / ((const struct ts_distribution *)s->base.distribution->state)->volume;
+	wanted = (s->fraction * now.room - now.volume) /
+		 ((const struct ts_distribution *)s->base.distribution->state)->volume;
 	if (!(wanted >= 0.5))
 		return TS_OK;
 	TS_TRY(ts_insertion_region_scatter(self, sim, (int64_t)(wanted + 0.5)));
-	TS_TRY(pack(self, sim));
+	status = pack(self, sim);
+	if (status == TS_STOPPED) /* who goes on from here has it still before him */
+		s->base.wait = 1;
+	TS_TRY(status);
 	return ts_insertion_make(self, sim, &from);
 }
 
 static const struct ts_arg args[] = {
 	TS_INT("seed", struct state, base.seed, .range = TS_POSITIVE,
-	       .help = TS_SEED_HELP " - and another one than those of the distribution and its templates"),
+	       .help = TS_SEED_HELP
+	       " - and another one than those of the distribution and its templates"),
 	TS_WORD("distributiontemplate", struct state, base.distribution_id,
 		.help = "the fix particledistribution/discrete whose particles are inserted"),
 	TS_REGION("region", struct state, place.region, .help = "what is filled"),
-	TS_REAL("volumefraction_region", struct state, fraction, .range = TS_WITHIN, .lo = 0, .hi = 0.74, .unit = "",
-		.help = "part of its volume that particles fill"),
+	TS_REAL("volumefraction_region", struct state, fraction, .range = TS_WITHIN, .lo = 0,
+		.hi = 0.74, .unit = "", .help = "part of its volume that particles fill"),
 	TS_INT("max_rounds", struct state, most_rounds, .fallback = "5000", .range = TS_POSITIVE,
 	       .help = "how often particles are moved before that is given up"),
 	TS_INT("start", struct state, base.start, .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE,
 	       .help = "step of the event; without it the next one"),
-	TS_LIST_KEYWORD("vel", struct state, base.velocity_words, .flags = TS_TO_KEYWORD | TS_OPTIONAL,
-			.help = "constant vx vy vz | uniform vx vy vz dx dy dz | gaussian vx vy vz sx sy sz: velocity; 0 by "
+	TS_LIST_KEYWORD("vel", struct state, base.velocity_words,
+			.flags = TS_TO_KEYWORD | TS_OPTIONAL,
+			.help = "constant vx vy vz | uniform vx vy vz dx dy dz | gaussian vx vy vz "
+				"sx sy sz: velocity; 0 by "
 				"default"),
-	TS_LIST_KEYWORD("omega", struct state, base.omega_words, .flags = TS_TO_KEYWORD | TS_OPTIONAL,
+	TS_LIST_KEYWORD("omega", struct state, base.omega_words,
+			.flags = TS_TO_KEYWORD | TS_OPTIONAL,
 			.help = "constant wx wy wz: angular velocity, 0 by default"),
-	TS_BOOL("verbose", struct state, base.verbose, .fallback = "yes", .help = "the event is told in the log"),
+	TS_BOOL("verbose", struct state, base.verbose, .fallback = "yes",
+		.help = "the event is told in the log"),
 	TS_ARGS_END,
 };
 
-static const struct ts_saved saved[] = { TS_INSERTION_REGION_SAVED(struct state), TS_SAVED_ROWS_END };
+static const struct ts_saved saved[] = { TS_INSERTION_REGION_SAVED(struct state),
+					 TS_SAVED_ROWS_END };
 
 TS_STYLE(fix, ts_style, ts_fix_insert_pack_dense)
 const struct ts_style ts_fix_insert_pack_dense = {
 	.name = "insert/pack/dense",
 	.kind = TS_KIND_FIX,
 	.summary = "Fills a region densely with particles",
-	.doc = "In the step after the definition, or at the step start, the region is filled once, so that particles take\n"
-	       "volumefraction_region of its volume. Their number is what is missing, divided by the mean volume of the\n"
-	       "mixture and rounded. They come from a mixture, fix particledistribution/discrete, are placed at random and then\n"
-	       "moved apart: overlapping spheres push each other with a force that is the overlap, the surface of the region\n"
-	       "pushes them in, particles that are there already stay, and all follow these forces by the method FIRE\n"
-	       "(Bitzek et al., Phys. Rev. Lett. 97 (2006) 170201), until no two overlap and each lies wholly in the\n"
-	       "region. Between neighbours 1e-3 of their radii is kept free, about. The bed is random and isotropic,\n"
-	       "but for layers at the surface of the region. Nothing is in contact: under gravity it settles.\n\n"
-	       "Spheres of one size fill at most 0.64 at random; to 0.55 some hundred rounds are enough; beyond 0.57 it\n"
-	       "takes thousands, and a region that is narrow holds less. What is not found in max_rounds is an\n"
+	.doc = "In the step after the definition, or at the step start, the region is filled once, "
+	       "so that particles take\n"
+	       "volumefraction_region of its volume. Their number is what is missing, divided by "
+	       "the mean volume of the\n"
+	       "mixture and rounded. They come from a mixture, fix particledistribution/discrete, "
+	       "are placed at random and then\n"
+	       "moved apart: overlapping spheres push each other with a force that is the overlap, "
+	       "the surface of the region\n"
+	       "pushes them in, particles that are there already stay, and all follow these forces "
+	       "by the method FIRE\n"
+	       "(Bitzek et al., Phys. Rev. Lett. 97 (2006) 170201), until no two overlap and each "
+	       "lies wholly in the\n"
+	       "region. Between neighbours 1e-3 of their radii is kept free, about. The bed is "
+	       "random and isotropic,\n"
+	       "but for layers at the surface of the region. Nothing is in contact: under gravity "
+	       "it settles.\n\n"
+	       "Spheres of one size fill at most 0.64 at random; to 0.55 some hundred rounds are "
+	       "enough; beyond 0.57 it\n"
+	       "takes thousands, and a region that is narrow holds less. What is not found in "
+	       "max_rounds is an\n"
 	       "error. fix insert/pack, which tries places at random, reaches about 0.3.\n\n"
 	       "Another edition of LIGGGHTS (PFM) has this fix; its places are others.",
-	.example = "fix bed all insert/pack/dense seed 32452867 distributiontemplate mix region drum volumefraction_region 0.55",
+	.example = "fix bed all insert/pack/dense seed 32452867 distributiontemplate mix region "
+		   "drum volumefraction_region 0.55",
 	.args = args,
 	.state_size = sizeof(struct state),
 	.saved = saved,

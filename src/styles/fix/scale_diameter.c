@@ -9,7 +9,11 @@
 
 #include "base/banned.h"
 
-enum { RADIUS0, MASS0, WIDTH }; /* columns: what particles were like when the fix first saw them; 0: not yet */
+enum {
+	RADIUS0,
+	MASS0,
+	WIDTH
+}; /* columns: what particles were like when the fix first saw them; 0: not yet */
 
 struct state {
 	int64_t every;
@@ -35,7 +39,8 @@ static enum ts_status start(struct ts_instance *self, struct tsim *sim)
 
 	ts_str_addf(&name, "fix scale/diameter %s", self->id);
 	status = name.failed ? ts_nomem(&sim->error)
-			     : ts_particles_add_column(sim, ts_str_text(&name), WIDTH, TS_COL_RESULT, &s->column);
+			     : ts_particles_add_column(sim, ts_str_text(&name), WIDTH,
+						       TS_COL_RESULT, &s->column);
 	ts_str_release(&name);
 	TS_TRY(status);
 	for (size_t i = 0; i < sim->particles->n; i++) /* of a fix of this name that is gone */
@@ -52,7 +57,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_region_update(s->region, sim));
 	if (isnan(ts_region_radial(s->region, somewhere)))
 		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, s->region->id),
-			       "fix scale/diameter: region %s has no centre and radius, or is of `side out`; expected a "
+			       "fix scale/diameter: region %s has no centre and radius, or is of "
+			       "`side out`; expected a "
 			       "sphere or a cylinder",
 			       s->region->id);
 	if (!s->begun)
@@ -98,17 +104,19 @@ static enum ts_status change(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_number_now(sim, &s->scale, &self->where, &scale));
 	if (!(scale > 0) || !isfinite(scale))
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
-			       "fix scale/diameter: the factor v_%s is %g, expected a number > 0", s->scale.variable,
-			       scale);
+			       "fix scale/diameter: the factor v_%s is %g, expected a number > 0",
+			       s->scale.variable, scale);
 	TS_TRY(ts_region_update(s->region, sim));
 	for (size_t i = 0; i < p->n; i++) {
 		if (!ts_in_group(p, i, self->group))
 			continue;
 		if (ts_rigid_member(p, i))
-			return ts_fail(&sim->error, TS_STATE, &self->where,
-				       "fix scale/diameter: particle %d belongs to a rigid body, whose mass and inertia "
-				       "would not follow; give the fix a group without such particles",
-				       p->tag[i]);
+			return ts_fail(
+				&sim->error, TS_STATE, &self->where,
+				"fix scale/diameter: particle %d belongs to a rigid body, whose "
+				"mass and inertia "
+				"would not follow; give the fix a group without such particles",
+				p->tag[i]);
 		resize(s, sim, i, factor(s, p->x[i], scale));
 	}
 	s->applied = 1;
@@ -136,10 +144,12 @@ static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
 
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
-	return ts_particles_archive_column(a, sim, "particles", ((struct state *)self->state)->column);
+	return ts_particles_archive_column(a, sim, "particles",
+					   ((struct state *)self->state)->column);
 }
 
-static void fingerprint(const struct ts_instance *self, const struct tsim *sim, struct ts_hash *hash)
+static void fingerprint(const struct ts_instance *self, const struct tsim *sim,
+			struct ts_hash *hash)
 {
 	const struct state *s = self->state;
 
@@ -148,13 +158,15 @@ static void fingerprint(const struct ts_instance *self, const struct tsim *sim, 
 }
 
 static const struct ts_arg args[] = {
-	TS_INT("N", struct state, every, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 0, .hi = 1e15,
-	       .help = "steps between changes; 0: once, when the first run begins"),
+	TS_INT("N", struct state, every, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 0,
+	       .hi = 1e15, .help = "steps between changes; 0: once, when the first run begins"),
 	TS_REGION("region", struct state, region, .help = "a sphere or a cylinder"),
 	TS_NUMBER("scale", struct state, scale, .fallback = "1.0", .unit = "", .range = TS_POSITIVE,
 		  .help = "factor of the diameter in the middle"),
-	TS_REAL("scale_width", struct state, width, .fallback = "1.0", .range = TS_FRACTION, .unit = "",
-		.help = "part of the radius of the region, from its surface on, over which the factor changes"),
+	TS_REAL("scale_width", struct state, width, .fallback = "1.0", .range = TS_FRACTION,
+		.unit = "",
+		.help = "part of the radius of the region, from its surface on, over which the "
+			"factor changes"),
 	TS_ARGS_END,
 };
 
@@ -169,14 +181,19 @@ const struct ts_style ts_fix_scale_diameter = {
 	.name = "scale/diameter",
 	.kind = TS_KIND_FIX,
 	.summary = "Changes diameters by the distance from the centre of a region",
-	.doc = "At the start of the first run and in each step that is a multiple of N the diameter of each particle of\n"
-	       "the group is set to f times what it was when the fix first saw it. With r the distance of its centre\n"
-	       "from the centre of the sphere, or from the axis of the cylinder, of radius R, and w = scale_width:\n\n"
+	.doc = "At the start of the first run and in each step that is a multiple of N the "
+	       "diameter of each particle of\n"
+	       "the group is set to f times what it was when the fix first saw it. With r the "
+	       "distance of its centre\n"
+	       "from the centre of the sphere, or from the axis of the cylinder, of radius R, and "
+	       "w = scale_width:\n\n"
 	       "    f = 1                              outside the region\n"
 	       "    f = 1 + (scale - 1) (1 - r/R)/w    for 1 - r/R < w\n"
 	       "    f = scale                          further in\n\n"
-	       "The mass changes with the volume: the density stays. The region may move. Particles that are inserted\n"
-	       "later are seen in the next step in which diameters change. Particles of rigid bodies are refused.\n"
+	       "The mass changes with the volume: the density stays. The region may move. "
+	       "Particles that are inserted\n"
+	       "later are seen in the next step in which diameters change. Particles of rigid "
+	       "bodies are refused.\n"
 	       "Another edition of LIGGGHTS (PFM) has this fix.",
 	.example = "region core sphere 0 0 0 0.5 units box\n"
 		   "fix fine all scale/diameter 10 region core scale 0.5 scale_width 0.2",
