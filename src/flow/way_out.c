@@ -363,21 +363,18 @@ static enum ts_status judge(const struct ts_way_out *s, struct tsim *sim,
 	name_of(&s->body[pocket->body - 1], name, sizeof name);
 	if (pocket->gross > UNEVEN * gross)
 		return ts_fail(&sim->error, TS_PHYSICS, &self->where,
-			       "%s: the body closes off the fluid beside flow_boundary %s about "
-			       "(%.4g %.4g %.4g): through the faces of the grid it flows %s there "
-			       "at %g per time, and "
-			       "there is no way to an outlet; leave a gap of a cell or more, or "
-			       "make the velocities "
-			       "given there balance",
+			       "%s: the body closes off the fluid beside flow_boundary %s about (%.4g %.4g %.4g): "
+			       "through the faces of the grid it flows %s there at %g per time, and there is no "
+			       "way to an outlet; leave a gap of a cell or more, or make the velocities given "
+			       "there balance",
 			       name, ts_flow_side_names[pocket->face],
 			       x[0], x[1], x[2], pocket->net < 0 ? "out" : "in", fabs(pocket->net));
 	if (!is_wide(s, pocket))
 		return TS_OK;
 	return ts_fail(&sim->error, TS_PHYSICS, &self->where,
-		       "%s: the body %s fluid at %g per time that it closes off about (%.4g %.4g "
-		       "%.4g), and which has no way to an outlet; leave a gap of a cell or more, "
-		       "or give that part an "
-		       "outlet (flow_boundary)",
+		       "%s: the body %s fluid at %g per time that it closes off about (%.4g %.4g %.4g), and which "
+		       "has no way to an outlet; leave a gap of a cell or more, or give that part an outlet "
+		       "(flow_boundary)",
 		       name, net > 0 ? "pushes" : "draws", fabs(net), x[0], x[1], x[2]);
 }
 
@@ -418,12 +415,9 @@ static enum ts_status look_at_inlet(struct ts_way_out *s, struct tsim *sim, cons
 				continue;
 			name_of(body, name, sizeof name);
 			return ts_fail(&sim->error, TS_PHYSICS, &body->self->where,
-				       "%s: the body stands on flow_boundary %s, at (%.4g %.4g "
-				       "%.4g), where fluid is to cross the face with velocity %g "
-				       "and the body has "
-				       "%g: move it off, or give there the velocity of the body, "
-				       "by a formula with "
-				       "`set`",
+				       "%s: the body stands on flow_boundary %s, at (%.4g %.4g %.4g), where fluid "
+				       "is to cross the face with velocity %g and the body has %g: move it off, or "
+				       "give there the velocity of the body, by a formula with `set`",
 				       name, ts_flow_side_names[2 * d + side], x[0], x[1], x[2], given,
 				       v[d]);
 		}

@@ -35,20 +35,16 @@ enum ts_status ts_review_units(struct tsim *sim)
 	g = earth(sim, &by);
 	if (g != 0)
 		return ts_review_find(sim, "units", &by->where,
-				      "gravity is %g, as on the earth in SI units, but the script "
-				      "has no `units` and "
-				      "runs in units lj (time step %g unless `timestep` says "
-				      "otherwise); begin it with "
-				      "`units si`, or `units lj` if that is meant",
+				      "gravity is %g, as on the earth in SI units, but the script has no `units` "
+				      "and runs in units lj (time step %g unless `timestep` says otherwise); begin "
+				      "it with `units si`, or `units lj` if that is meant",
 				      g, sim->clock.dt);
 	young = ts_property_find(sim, "youngsModulus", &by);
 	if (young && young->n && young->value[0] >= 1e5)
 		return ts_review_find(sim, "units", &by->where,
-				      "youngsModulus is %g, as in SI units, but the script has no "
-				      "`units` and runs in "
-				      "units lj (time step %g unless `timestep` says otherwise); "
-				      "begin it with `units "
-				      "si`, or `units lj` if that is meant",
+				      "youngsModulus is %g, as in SI units, but the script has no `units` and runs "
+				      "in units lj (time step %g unless `timestep` says otherwise); begin it with "
+				      "`units si`, or `units lj` if that is meant",
 				      young->value[0], sim->clock.dt);
 	return TS_OK;
 }
@@ -78,10 +74,9 @@ enum ts_status ts_review_diameter(struct tsim *sim)
 	if (!n)
 		return TS_OK;
 	return ts_review_find(sim, "diameter", NULL,
-			      "%zu of %zu particles have the diameter 1 and the density 1 that "
-			      "create_atoms gives, the "
-			      "first is particle %d (type %d); say `set type %d diameter D density "
-			      "RHO` before the run",
+			      "%zu of %zu particles have the diameter 1 and the density 1 that create_atoms gives, "
+			      "the first is particle %d (type %d); say `set type %d diameter D density RHO` before "
+			      "the run",
 			      n, p->n, p->tag[first], p->type[first], p->type[first]);
 }
 
@@ -118,9 +113,8 @@ enum ts_status ts_review_density(struct tsim *sim)
 		return TS_OK;
 	return ts_review_find(
 		sim, "density", NULL,
-		"%zu of %zu particles have densities that no grain has, the first is particle %d "
-		"(type %d) with "
-		"%g kg/m3; water has 1000, sand 2650, steel 7850 kg/m3: `set type %d density RHO`",
+		"%zu of %zu particles have densities that no grain has, the first is particle %d (type %d) with %g "
+		"kg/m3; water has 1000, sand 2650, steel 7850 kg/m3: `set type %d density RHO`",
 		n, p->n, p->tag[first], p->type[first],
 		p->mass[first] / ts_body_volume(sim, p->radius[first]), p->type[first]);
 }

@@ -74,11 +74,9 @@ static enum ts_status look_at_primitives(struct tsim *sim, const struct ts_insta
 
 		if (gap > radius && stands_in_fixed_box(box, &w->primitive[k]))
 			return ts_review_find(sim, "reach", &by->where,
-					      "this wall is %g away from the box (%g %g %g) to (%g "
-					      "%g %g), so that no particle "
-					      "can touch it: particles are lost at the fixed faces "
-					      "of the box; check the units of "
-					      "its numbers, or take a larger box",
+					      "this wall is %g away from the box (%g %g %g) to (%g %g %g), so that "
+					      "no particle can touch it: particles are lost at the fixed faces of "
+					      "the box; check the units of its numbers, or take a larger box",
 					      gap, box->lo[0], box->lo[1], box->lo[2], box->hi[0],
 					      box->hi[1], box->hi[2]);
 	}
@@ -222,11 +220,10 @@ static enum ts_status look_below(struct tsim *sim, const struct ts_instance *by,
 	if (!fall.n || something_stops(sim, dim, &fall))
 		return TS_OK;
 	return ts_review_find(sim, "floor", &by->where,
-			      "gravity pulls particles to the fixed face %c%s, and there is no "
-			      "wall, mesh or held particle below them: in "
-			      "the time %g of this run %zu of %zu particles fall out of the box; "
-			      "add `fix ID all wall/gran "
-			      "primitive type 1 %cplane %g`, or say `thermo_modify lost ignore`",
+			      "gravity pulls particles to the fixed face %c%s, and there is no wall, mesh or held "
+			      "particle below them: in the time %g of this run %zu of %zu particles fall out of "
+			      "the box; add `fix ID all wall/gran primitive type 1 %cplane %g`, or say "
+			      "`thermo_modify lost ignore`",
 			      'x' + dim, g[dim] < 0 ? "lo" : "hi", fall.time, fall.n, p->n, 'x' + dim,
 			      g[dim] < 0 ? box->lo[dim] : box->hi[dim]);
 }
@@ -274,9 +271,8 @@ enum ts_status ts_review_mesh_size(struct tsim *sim)
 			size = fmax(size, hi[dim] - lo[dim]);
 		if (size < 0.2 * least)
 			TS_TRY(ts_review_find(sim, "mesh_size", &by->where,
-					      "mesh %s is %g long, less than a tenth of the "
-					      "diameter %g of the smallest "
-					      "particle; check the units of its file, and `scale`",
+					      "mesh %s is %g long, less than a tenth of the diameter %g of the "
+					      "smallest particle; check the units of its file, and `scale`",
 					      by->id, size, 2 * least));
 	}
 	return TS_OK;

@@ -118,20 +118,22 @@ syn keyword tsimKeyword  atomtype integrated_error scale_width tether couple met
 syn keyword tsimKeyword  kernel reach least model hooke hertz hooke/stiffness
 syn keyword tsimKeyword  hertz/stiffness hooke/hysteresis jkr tangential history no_history
 syn keyword tsimKeyword  incremental_history jkr_tan rolling_friction cdt epsd epsd2 epsd3
-syn keyword tsimKeyword  cohesion sjkr sjkr2 surface multicontact limitForce
+syn keyword tsimKeyword  cohesion sjkr sjkr2 easo/capillary/viscous
+syn keyword tsimKeyword  washino/capillary/viscous surface multicontact limitForce
 syn keyword tsimKeyword  tangential_damping absolute_damping ktToKnUser viscous
-syn keyword tsimKeyword  tangential_reduce torsionTorque heating_normal_hertz
-syn keyword tsimKeyword  heating_tangential_history computeElasticPotential
-syn keyword tsimKeyword  computeDissipatedEnergy disableNormalWhenBonded located
-syn keyword tsimKeyword  hooke/history hertz/history granular limit_damping primitive
-syn keyword tsimKeyword  n_meshes meshes xplane yplane zplane xcylinder ycylinder zcylinder
-syn keyword tsimKeyword  shear store_force contacts store_force_contact
-syn keyword tsimKeyword  store_force_contact_stress viscosity ab2 rk2 rk3 backward substeps
-syn keyword tsimKeyword  courant quick cubista gamma form fv fd conservative quadratic
-syn keyword tsimKeyword  body_force pressure_level generic hertz/material dmt mass_velocity
-syn keyword tsimKeyword  viscoelastic tsuji coeff_restitution rolling twisting heat
-syn keyword tsimKeyword  restitution unfinished preconditioner diagonal direct multigrid
-syn keyword tsimKeyword  relaxation side in out open center bounds angle0
+syn keyword tsimKeyword  tangential_reduce modifyLbVolume limitLiquidContent torsionTorque
+syn keyword tsimKeyword  heating_normal_hertz heating_tangential_history
+syn keyword tsimKeyword  computeElasticPotential computeDissipatedEnergy
+syn keyword tsimKeyword  disableNormalWhenBonded located hooke/history hertz/history
+syn keyword tsimKeyword  granular limit_damping primitive n_meshes meshes xplane yplane
+syn keyword tsimKeyword  zplane xcylinder ycylinder zcylinder shear store_force contacts
+syn keyword tsimKeyword  store_force_contact store_force_contact_stress viscosity ab2 rk2
+syn keyword tsimKeyword  rk3 backward substeps courant quick cubista gamma form fv fd
+syn keyword tsimKeyword  conservative quadratic body_force pressure_level generic
+syn keyword tsimKeyword  hertz/material dmt mass_velocity viscoelastic tsuji
+syn keyword tsimKeyword  coeff_restitution rolling twisting heat restitution unfinished
+syn keyword tsimKeyword  preconditioner diagonal direct multigrid relaxation side in out
+syn keyword tsimKeyword  open center bounds angle0
 
 " numbers of the simulation and of particles
 syn keyword tsimName  id type radius diameter

@@ -293,19 +293,13 @@ const struct ts_style ts_fix_drill_bit = {
 	.summary =
 		"a drag bit: four cutter particles that revolve and are pressed down, and a body",
 	.doc = "The group holds the four cutters. Their x and y are prescribed, a quarter turn "
-	       "apart on "
-	       "a circle: x = x_bit + D/2 cos(angle + k pi/2), y with the sine; the angle starts "
-	       "at 0 "
-	       "and grows with omega. Each moves freely in z under a quarter of the weight on bit, "
-	       "the contact forces, and a spring towards the mean z of the four, which is the bit "
-	       "height. The `body` particle rides `clearance` above that mean on the axis and "
-	       "keeps "
-	       "cuttings out of the space of the bit.\n\n"
-	       "The fix moves its particles itself by velocity Verlet: leave them out of fix nve, "
-	       "and "
-	       "define it after the fixes that act on the cutters. Outputs are f_ID = bit height "
-	       "and "
-	       "f_ID[1..7]; forces are those of contacts with the rock, without weight and spring.",
+	       "apart on a circle: x = x_bit + D/2 cos(angle + k pi/2), y with the sine; the angle starts at 0 and "
+	       "grows with omega. Each moves freely in z under a quarter of the weight on bit, the contact forces, "
+	       "and a spring towards the mean z of the four, which is the bit height. The `body` particle rides "
+	       "`clearance` above that mean on the axis and keeps cuttings out of the space of the bit.\n\n"
+	       "The fix moves its particles itself by velocity Verlet: leave them out of fix nve, and define it "
+	       "after the fixes that act on the cutters. Outputs are f_ID = bit height and f_ID[1..7]; forces are "
+	       "those of contacts with the rock, without weight and spring.",
 	.example = "fix bit cutters drill/bit 5.0 5.0 diameter 5.0 omega 0.1 wob 0.2 spring 100 &\n"
 		   "    body nose clearance 1.0",
 	.args = args,
