@@ -1,24 +1,30 @@
 /* Bridges of liquid between surfaces that are wet: a pull along n, and drag against their motion.
  *
- * l is the volume of liquid on a particle by the particle's own volume, V the volume of a bridge, d
- * >= 0 the gap between the surfaces (0 while they touch), R* = R_i R_j/(R_i + R_j), theta the
+ * l is the volume of liquid on a particle by the particle's own volume, V the volume of a bridge,
+ * d >= 0 the gap between the surfaces (0 while they touch), R* = R_i R_j/(R_i + R_j), theta the
  * contact angle, sigma the surface tension.
  *
- * easo      V is what covers the caps that the partners turn to each other (D. Shi, J. J. McCarthy,
- * Powder Technol. 184 (2008) 64): of each 1/2 (1 - sqrt(1 - (R_other/(R_i + R_j))^2)) of its
- * liquid; half of it at a plane. Pull (F. Soulie, F. Cherblanc, M. S. El Youssoufi, C. Saix, Int.
- * J. Numer. Anal. Methods Geomech. 30 (2006) 213), R the larger radius and v = V/R^3: pi sigma
- * sqrt(R_i R_j) (exp(A d/R + B) + C), A = -1.1 v^-0.53, B = (-0.148 ln v - 0.96) theta^2 - 0.0082
- * ln v + 0.48, C = 0.0018 ln v + 0.078 washino   V is a share of the liquid of both. Pull (Y. I.
- * Rabinovich, M. S. Esayanur, B. M. Moudgil, Langmuir 21 (2005) 10992), p = sqrt(1 + 2 V/(pi R*
- * d^2)) - 1 and alpha = sqrt(d p/R*): 2 pi R* sigma (cos theta p/(1 + p) + sin alpha sin(alpha +
- * theta)); while they touch LIGGGHTS' 2 pi R* sigma cos theta (1 + delta/sqrt(2 V/(pi R*)))
+ * easo: V is what covers the caps that the partners turn to each other (D. Shi, J. J. McCarthy,
+ * Powder Technol. 184 (2008) 64), 1/2 (1 - sqrt(1 - (R_other/(R_i + R_j))^2)) of the liquid of
+ * each; at a plane half of it. The pull is (F. Soulie, F. Cherblanc, M. S. El Youssoufi, C. Saix,
+ * Int. J. Numer. Anal. Methods Geomech. 30 (2006) 213), with the larger radius R and v = V/R^3,
+ *
+ *   pi sigma sqrt(R_i R_j) (exp(A d/R + B) + C),
+ *   A = -1.1 v^-0.53, B = (-0.148 ln v - 0.96) theta^2 - 0.0082 ln v + 0.48, C = 0.0018 ln v + 0.078.
+ *
+ * washino: V is a share of the liquid of both. The pull is (Y. I. Rabinovich, M. S. Esayanur, B. M.
+ * Moudgil, Langmuir 21 (2005) 10992), with p = sqrt(1 + 2 V/(pi R* d^2)) - 1 and alpha = sqrt(d p/R*),
+ *
+ *   2 pi R* sigma (cos theta p/(1 + p) + sin alpha sin(alpha + theta)),
+ *
+ * and while they touch, as LIGGGHTS has it, 2 pi R* sigma cos theta (1 + delta/sqrt(2 V/(pi R*))).
  *
  * Both break at d = (1 + theta/2) V^(1/3) (G. Lian, C. Thornton, M. J. Adams, J. Colloid Interface
  * Sci. 161 (1993) 138), theta in radians, or where the distance of the centres is the sum of the
- * radii times a ratio that the user gives. Drag (S. T. Nase, W. L. Vargas, A. A. Abatan, J. J.
- * McCarthy, Powder Technol. 116 (2001) 214), g = d/R* but not less than the user's: 6 pi mu R*
- * v_n/g and 6 pi mu R* v_t (8/15 ln(1/g) + 0.9588).
+ * radii times a ratio that the user gives. The drag is (S. T. Nase, W. L. Vargas, A. A. Abatan, J. J.
+ * McCarthy, Powder Technol. 116 (2001) 214), with g = d/R* but not less than the user's,
+ *
+ *   6 pi mu R* v_n/g and 6 pi mu R* v_t (8/15 ln(1/g) + 0.9588).
  *
  * At a wall the partner has the particle's own radius, as LIGGGHTS has it, and no liquid. */
 #ifndef TS_LAW_CAPILLARY_H
