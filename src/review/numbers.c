@@ -49,6 +49,20 @@ enum ts_status ts_review_units(struct tsim *sim)
 	return TS_OK;
 }
 
+/* How many particles are so, and the first of them. */
+static size_t count(const struct tsim *sim, bool (*is_so)(const struct tsim *sim, size_t i), size_t *first)
+{
+	size_t n = 0;
+
+	for (size_t i = sim->particles->n; i-- > 0;) {
+		if (!is_so(sim, i))
+			continue;
+		*first = i;
+		n++;
+	}
+	return n;
+}
+
 /* As ts_particles_add makes them. */
 static bool untouched(const struct tsim *sim, size_t i)
 {
@@ -65,12 +79,7 @@ enum ts_status ts_review_diameter(struct tsim *sim)
 
 	if (sim->units == TS_UNITS_LJ)
 		return TS_OK;
-	for (size_t i = p->n; i-- > 0;) {
-		if (!untouched(sim, i))
-			continue;
-		first = i;
-		n++;
-	}
+	n = count(sim, untouched, &first);
 	if (!n)
 		return TS_OK;
 	return ts_review_find(sim, "diameter", NULL,
@@ -103,12 +112,7 @@ enum ts_status ts_review_density(struct tsim *sim)
 
 	if (sim->units != TS_UNITS_SI || sim->dimension != 3 || !(fabs(earth(sim, &by)) > 0))
 		return TS_OK;
-	for (size_t i = p->n; i-- > 0;) {
-		if (!unlikely(sim, i))
-			continue;
-		first = i;
-		n++;
-	}
+	n = count(sim, unlikely, &first);
 	if (!n)
 		return TS_OK;
 	return ts_review_find(

@@ -505,7 +505,7 @@ bad 'is followed by a number > 0' 'fix v all viscous 0.2 scale 2'
 bad 'expected a number, INIT or NULL' 'fix r all recenter INIT NUL 0'
 # what another program has and tsim lacks: the line to write instead; such lines are taken
 bad 'region W plane PX PY PZ NX NY NZ' 'fix w all wall/gran model hertz primitive type 1 general_plane 0 0 0 0 0 1'
-bad 'one at another angle is a mesh' 'fix w all wall/gran model hertz primitive type 1 general_cylinder 1 0 0 0 0 0 1'
+bad 'one at another angle is a region' 'fix w all wall/gran model hertz primitive type 1 general_cylinder 1 0 0 0 0 0 1'
 bad 'fix ID GROUP pour N TYPE SEED' 'fix p all pour/legacy 100 1 29494 region left'
 bad 'compute ID GROUP bonds' 'compute n all bond/counter'
 bad 'compute ID GROUP bond/local dist force fx fy fz' 'compute n all pair/gran/local/bond'
