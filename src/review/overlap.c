@@ -27,6 +27,7 @@ void ts_review_add(struct ts_review_overlaps *o, const struct ts_granular_model 
 	energy = ts_granular_has_energy(&dry) ? ts_granular_energy(&dry, law, t, nothing) : 0;
 
 	o->n++;
+	energy = isfinite(energy) ? energy : 0; /* -check goes on with a law that is refused */
 	o->energy += energy;
 	o->newest = depth > o->depth;
 	if (!o->newest)
