@@ -208,12 +208,10 @@ static enum ts_status tell_wiggle(const struct ts_instance *self, struct tsim *s
 		snprintf(remedy, sizeof remedy, "use `convection %s`, or smaller cells",
 			 p->convection == TS_CONVECTION_QUICK ? "cubista" : "quick");
 	return ts_review_find(sim, "flow_resolution", &self->where,
-			      "the cells are too wide for the flow: at time %.4g the velocity "
-			      "alternates from cell to cell along %c "
-			      "by %.2g %% of the largest speed %.4g at (%.4g %.4g %.4g), where the "
-			      "cell Reynolds number |u| h/nu is "
-			      "%.3g (convection %s oscillates above 2 where the flow changes "
-			      "within a cell); %s there (flow_grid)",
+			      "the cells are too wide for the flow: at time %.4g the velocity alternates from cell "
+			      "to cell along %c by %.2g %% of the largest speed %.4g at (%.4g %.4g %.4g), where "
+			      "the cell Reynolds number |u| h/nu is %.3g (convection %s oscillates above 2 where "
+			      "the flow changes within a cell); %s there (flow_grid)",
 			      fluid->time, "xyz"[w.axis], 100 * w.size / fastest, fastest, w.x[0],
 			      w.x[1], w.x[2], w.reynolds, ts_convection_names[p->convection],
 			      remedy);
@@ -230,13 +228,11 @@ static enum ts_status tell_wall(const struct ts_instance *self, struct tsim *sim
 	    !is_grown(fluid, layer.width, fastest))
 		return TS_OK;
 	return ts_review_find(sim, "flow_resolution", &self->where,
-			      "the cells are too wide for the flow beside the wall %c%s: at time "
-			      "%.4g the velocity changes by %.2g %% of "
-			      "the largest speed %.4g from the wall to the first centres, and is "
-			      "there %.2g %% off the parabola through the "
-			      "wall and the next two (y+ is %.3g); shear and flow are wrong by "
-			      "several per cent: take more cells "
-			      "along %c, or finer ones at the wall (`flow_grid %c tanh 1.5`)",
+			      "the cells are too wide for the flow beside the wall %c%s: at time %.4g the velocity "
+			      "changes by %.2g %% of the largest speed %.4g from the wall to the first centres, "
+			      "and is there %.2g %% off the parabola through the wall and the next two (y+ is "
+			      "%.3g); shear and flow are wrong by several per cent: take more cells along %c, or "
+			      "finer ones at the wall (`flow_grid %c tanh 1.5`)",
 			      axis, wall->side == TS_LOW ? "lo" : "hi", fluid->time,
 			      100 * layer.share, fastest, 100 * layer.miss, layer.plus, axis, axis);
 }

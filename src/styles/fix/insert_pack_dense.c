@@ -47,9 +47,8 @@ static enum ts_status refuse_clumps(struct ts_instance *self, struct tsim *sim)
 		if (((const struct ts_template *)d->template[k] -> state)->clump)
 			return ts_fail(&sim->error, TS_STATE,
 				       ts_instance_word(self, s->distribution_id),
-				       "fix insert/pack/dense: fix %s makes clumps; spheres are "
-				       "packed, only. For clumps take "
-				       "insert/pack and let them settle",
+				       "fix insert/pack/dense: fix %s makes clumps; spheres are packed, only. For "
+				       "clumps take insert/pack and let them settle",
 				       d->template[k] -> id);
 	return TS_OK;
 }
@@ -195,11 +194,9 @@ static enum ts_status move_apart(struct ts_instance *self, struct tsim *sim, str
 		move(p);
 	}
 	return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "volumefraction_region"),
-		       "fix insert/pack/dense: %zu particles that fill %g of region %s were not "
-		       "moved apart: after %lld rounds two "
-		       "overlap by %.3g %% of their radii. Ask for less (spheres at random fill at "
-		       "most 0.64, near walls less), or "
-		       "raise max_rounds",
+		       "fix insert/pack/dense: %zu particles that fill %g of region %s were not moved apart: after "
+		       "%lld rounds two overlap by %.3g %% of their radii. Ask for less (spheres at random fill at "
+		       "most 0.64, near walls less), or raise max_rounds",
 		       s->base.list.n, s->fraction, s->place.region->id, (long long)s->most_rounds,
 		       100 * p->worst);
 }
@@ -260,8 +257,7 @@ static const struct ts_arg args[] = {
 	TS_LIST_KEYWORD("vel", struct state, base.velocity_words,
 			.flags = TS_TO_KEYWORD | TS_OPTIONAL,
 			.help = "constant vx vy vz | uniform vx vy vz dx dy dz | gaussian vx vy vz "
-				"sx sy sz: velocity; 0 by "
-				"default"),
+				"sx sy sz: velocity; 0 by default"),
 	TS_LIST_KEYWORD("omega", struct state, base.omega_words,
 			.flags = TS_TO_KEYWORD | TS_OPTIONAL,
 			.help = "constant wx wy wz: angular velocity, 0 by default"),

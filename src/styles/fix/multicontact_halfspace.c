@@ -37,9 +37,8 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 	if (any)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, &self->where,
-		       "fix multicontact/halfspace: no contacts know of each other; they do with "
-		       "`surface multicontact` of "
-		       "pair_style gran and fix wall/gran");
+		       "fix multicontact/halfspace: no contacts know of each other; they do with `surface "
+		       "multicontact` of pair_style gran and fix wall/gran");
 }
 
 static void fini(struct ts_instance *self)

@@ -32,8 +32,8 @@ struct state {
 	size_t gone_capacity;
 	bool due, begun;
 	/* saved */
-	double since, owed,
-		mass; /* the time of the last event; mass still to be removed, removed */
+	double since;	   /* time of the last event */
+	double owed, mass; /* still to be removed; removed */
 	int64_t number;
 };
 
@@ -67,8 +67,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 			       has_rate ? "both" : "none");
 	if (s->mode == SHRINK && isnan(s->least))
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "shrink"),
-			       "fix remove: style shrink needs delete_below, the radius below "
-			       "which particles are "
+			       "fix remove: style shrink needs delete_below, the radius below which particles are "
 			       "deleted");
 	if (s->mode == DELETE && !isnan(s->least))
 		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "delete_below"),
@@ -116,8 +115,7 @@ static enum ts_status find_candidates(struct ts_instance *self, struct tsim *sim
 			continue;
 		if (ts_rigid_member(p, i))
 			return ts_fail(&sim->error, TS_STATE, &self->where,
-				       "fix remove: particle %d belongs to a rigid body, of which "
-				       "no part can be "
+				       "fix remove: particle %d belongs to a rigid body, of which no part can be "
 				       "taken; give the fix a group without such particles",
 				       p->tag[i]);
 		rng.counter = (uint64_t)sim->clock.step;

@@ -57,9 +57,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_region_update(s->region, sim));
 	if (isnan(ts_region_radial(s->region, somewhere)))
 		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, s->region->id),
-			       "fix scale/diameter: region %s has no centre and radius, or is of "
-			       "`side out`; expected a "
-			       "sphere or a cylinder",
+			       "fix scale/diameter: region %s has no centre and radius, or is of `side out`; "
+			       "expected a sphere or a cylinder",
 			       s->region->id);
 	if (!s->begun)
 		TS_TRY(start(self, sim));
@@ -113,8 +112,7 @@ static enum ts_status change(struct ts_instance *self, struct tsim *sim)
 		if (ts_rigid_member(p, i))
 			return ts_fail(
 				&sim->error, TS_STATE, &self->where,
-				"fix scale/diameter: particle %d belongs to a rigid body, whose "
-				"mass and inertia "
+				"fix scale/diameter: particle %d belongs to a rigid body, whose mass and inertia "
 				"would not follow; give the fix a group without such particles",
 				p->tag[i]);
 		resize(s, sim, i, factor(s, p->x[i], scale));
