@@ -412,7 +412,7 @@ variable z index 4@if "$z > 3" then "print 'R a $z'" else "print 'R b $z'"
 END
 verdict() { # PROGRAM
 	if timeout 60 "$1" -log none -in in.case >screen 2>&1 </dev/null; then echo accepted; else echo refused; fi
-	grep '^R' screen
+	grep -a '^R' screen | grep -v ' (\./src/' # LIGGGHTS' errors begin with chance letters at times
 }
 if has liggghts; then
 	while IFS= read -r line; do
