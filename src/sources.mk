@@ -505,6 +505,8 @@ library_sources = \
 	src/particles/euler.h \
 	src/particles/exchange.c \
 	src/particles/exchange.h \
+	src/particles/first_size.c \
+	src/particles/first_size.h \
 	src/particles/force_filter.c \
 	src/particles/force_filter.h \
 	src/particles/gravity.h \

@@ -129,7 +129,7 @@ enum ts_status ts_arg_read_enum(struct ts_parse *p, const struct ts_arg *row, in
 		}
 	for (int k = 0; word && row->choices[k]; k++)
 		ts_suggest_try(&suggest, row->choices[k]);
-	remark = word ? ts_known_choice_remark(row->name, word->text) : NULL;
+	remark = word ? ts_known_word_remark(row->name, word->text) : NULL;
 	ts_str_add(&expected, "one of ");
 	list_choices(row->choices, &expected);
 	if (remark)

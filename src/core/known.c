@@ -113,8 +113,8 @@ const struct ts_known ts_known_table[] = {
 #define BRIDGES "easo/capillary/viscous and washino/capillary/viscous are its successors"
 
 static const struct {
-	const char *keyword, *choice, *remark;
-} choices[] = {
+	const char *of, *word, *remark;
+} words[] = {
 	{ "model", "hertz/break", FRAGMENTS },
 	{ "model", "hysteretic/nonlinear2", UNPUBLISHED "; hooke/hysteresis is the law of its kind here" },
 	{ "model", "luding", "hooke/hysteresis is the law of its kind here" },
@@ -123,20 +123,6 @@ static const struct {
 	{ "cohesion", "bond/nonlinear", BONDS },
 	{ "cohesion", "capillary", BRIDGES },
 	{ "surface", "superquadric", SHAPES },
-	{ .keyword = NULL },
-};
-
-const char *ts_known_choice_remark(const char *keyword, const char *choice)
-{
-	for (size_t k = 0; choices[k].keyword; k++)
-		if (ts_streq(choices[k].keyword, keyword) && ts_streq(choices[k].choice, choice))
-			return choices[k].remark;
-	return NULL;
-}
-
-static const struct {
-	const char *of, *word, *remark;
-} words[] = {
 	{ "pair gran", "createBondAlways", BONDS },
 	{ "pair gran", "stressBreak", BONDS },
 	{ "pair gran", "capillaryModel", BRIDGES },

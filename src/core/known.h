@@ -16,10 +16,8 @@ extern const struct ts_known ts_known_table[]; /* closed by .name NULL */
 /* NULL: not known either. */
 const struct ts_known *ts_known_find(enum ts_kind kind, const char *name);
 
-/* The same for the choices of a keyword, `model jkr` of contact laws: the remark, or NULL. */
-const char *ts_known_choice_remark(const char *keyword, const char *choice);
-/* And for keywords - `of` is the line they stand in, "set" or "fix wall/gran" - and for quantities of particles, `of`
- * TS_KNOWN_QUANTITY. */
+/* The same for words in lines, the remark or NULL. `of` is the keyword whose choice it is (`model` of contact laws), the
+ * line it is a keyword of ("set", "fix wall/gran"), or, for quantities of particles, TS_KNOWN_QUANTITY. */
 #define TS_KNOWN_QUANTITY "quantity"
 const char *ts_known_word_remark(const char *of, const char *word);
 

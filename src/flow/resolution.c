@@ -17,6 +17,7 @@
 #include <stdio.h>
 
 #include "core/review.h"
+#include "flow/measure.h"
 
 #include "base/banned.h"
 
@@ -228,12 +229,12 @@ static enum ts_status tell_wall(const struct ts_instance *self, struct tsim *sim
 	    !is_grown(fluid, layer.width, fastest))
 		return TS_OK;
 	return ts_review_find(sim, "flow_resolution", &self->where,
-			      "the cells are too wide for the flow beside the wall %c%s: at time %.4g the velocity "
+			      "the cells are too wide for the flow beside the wall %s: at time %.4g the velocity "
 			      "changes by %.2g %% of the largest speed %.4g from the wall to the first centres, "
 			      "and is there %.2g %% off the parabola through the wall and the next two (y+ is "
 			      "%.3g); shear and flow are wrong by several per cent: take more cells along %c, or "
 			      "finer ones at the wall (`flow_grid %c tanh 1.5`)",
-			      axis, wall->side == TS_LOW ? "lo" : "hi", fluid->time,
+			      ts_flow_side_names[2 * wall->d + (wall->side != TS_LOW)], fluid->time,
 			      100 * layer.share, fastest, 100 * layer.miss, layer.plus, axis, axis);
 }
 

@@ -15,9 +15,8 @@
 
 #include <math.h>
 
+#include "law/lens.h"
 #include "math/vec3.h"
-
-#define TS_HALFSPACE_PI 3.14159265358979323846
 
 /* Surfaces that stand out by more than this part of their radius are beyond the theory, and beyond
  * what is listed. */
@@ -33,7 +32,7 @@ struct ts_halfspace_load {
 /* gamma (1 + nu)/(2 pi Y) */
 static inline double ts_halfspace_compliance(double young, double poisson, double prefactor)
 {
-	return prefactor * (1 + poisson) / (2 * TS_HALFSPACE_PI * young);
+	return prefactor * (1 + poisson) / (2 * TS_PI * young);
 }
 
 /* By how much the surface stands out at a place where `e` points into the grain. */

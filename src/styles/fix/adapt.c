@@ -6,13 +6,13 @@
 #include "core/each.h"
 #include "neigh/pair.h"
 #include "particles/body.h"
+#include "particles/first_size.h"
 #include "particles/particles.h"
 
 #include "base/banned.h"
 
 enum { DIAMETER, DENSITY, MASS, PAIR };
 enum { MOST = 8 };			       /* changes in a line */
-enum { RADIUS0, MASS0, KNOWN, WIDTH };	       /* columns: what particles were like at first */
 
 struct change {
 	int what;
@@ -156,41 +156,18 @@ static enum ts_status keep_first(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static double *first_of(const struct state *s, const struct tsim *sim, size_t i)
-{
-	return (double *)sim->particles->column[s->column].data + WIDTH * i;
-}
-
 static void see_new(const struct state *s, const struct tsim *sim)
 {
-	const struct ts_particles *p = sim->particles;
-
-	for (size_t i = 0; i < p->n; i++) {
-		double *first = first_of(s, sim, i);
-
-		if (first[KNOWN] > 0)
-			continue;
-		first[RADIUS0] = p->radius[i];
-		first[MASS0] = p->mass[i];
-		first[KNOWN] = 1;
-	}
+	for (size_t i = 0; i < sim->particles->n; i++)
+		ts_first_size_note(sim, s->column, i);
 }
 
 static enum ts_status start(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
-	struct ts_str name = { 0 };
-	enum ts_status status;
 
 	TS_TRY(read_changes(self, sim));
-	ts_str_addf(&name, "fix adapt %s", self->id);
-	status = name.failed ? ts_nomem(&sim->error)
-			     : ts_particles_add_column(sim, ts_str_text(&name), WIDTH,
-						       TS_COL_RESULT, &s->column);
-	ts_str_release(&name);
-	TS_TRY(status);
-	for (size_t i = 0; i < sim->particles->n; i++) /* of a fix of this name that is gone */
-		first_of(s, sim, i)[KNOWN] = 0;
+	TS_TRY(ts_first_size_start(sim, self, &s->column));
 	see_new(s, sim);
 	return TS_OK;
 }
@@ -209,17 +186,17 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 static void set_particle(const struct state *s, struct tsim *sim, size_t i, int what, double value)
 {
 	struct ts_particles *p = sim->particles;
-	const double *first = first_of(s, sim, i);
+	const double *first = ts_first_size(sim, s->column, i);
 	double volume = ts_body_volume(sim, p->radius[i]);
 
 	if (what == DIAMETER) {
-		p->radius[i] = s->scale ? value * first[RADIUS0] : 0.5 * value;
+		p->radius[i] = s->scale ? value * first[TS_FIRST_RADIUS] : 0.5 * value;
 		if (s->mass)
 			p->mass[i] *= ts_body_volume(sim, p->radius[i]) / volume;
 	} else if (what == MASS) {
-		p->mass[i] = s->scale ? value * first[MASS0] : value;
+		p->mass[i] = s->scale ? value * first[TS_FIRST_MASS] : value;
 	} else {
-		p->mass[i] = s->scale ? value * first[MASS0] / ts_body_volume(sim, first[RADIUS0]) *
+		p->mass[i] = s->scale ? value * first[TS_FIRST_MASS] / ts_body_volume(sim, first[TS_FIRST_RADIUS]) *
 						volume
 				      : value * volume;
 	}
@@ -305,10 +282,10 @@ static enum ts_status finish(struct ts_instance *self, struct tsim *sim)
 	if (!s->reset)
 		return TS_OK;
 	for (size_t i = 0; i < p->n; i++) {
-		if (!ts_in_group(p, i, self->group) || !(first_of(s, sim, i)[KNOWN] > 0))
+		if (!ts_in_group(p, i, self->group) || !(ts_first_size(sim, s->column, i)[TS_FIRST_KNOWN] > 0))
 			continue;
-		p->radius[i] = first_of(s, sim, i)[RADIUS0];
-		p->mass[i] = first_of(s, sim, i)[MASS0];
+		p->radius[i] = ts_first_size(sim, s->column, i)[TS_FIRST_RADIUS];
+		p->mass[i] = ts_first_size(sim, s->column, i)[TS_FIRST_MASS];
 	}
 	for (size_t k = 0; k < s->n; k++) {
 		const struct change *c = &s->change[k];

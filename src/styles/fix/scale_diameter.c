@@ -3,51 +3,23 @@
 
 #include "core/sim.h"
 #include "particles/body.h"
+#include "particles/first_size.h"
 #include "particles/particles.h"
 #include "particles/region.h"
 #include "particles/rigid.h"
 
 #include "base/banned.h"
 
-enum {
-	RADIUS0,
-	MASS0,
-	WIDTH
-}; /* columns: what particles were like when the fix first saw them; 0: not yet */
-
 struct state {
 	int64_t every;
 	struct ts_instance *region;
 	struct ts_number scale;
 	double width;
-	size_t column;
+	size_t column; /* of first sizes */
 	bool begun;
 	/* saved; the epoch makes forces be computed anew */
 	int64_t applied, epoch;
 };
-
-static double *first_of(const struct state *s, const struct tsim *sim, size_t i)
-{
-	return (double *)sim->particles->column[s->column].data + WIDTH * i;
-}
-
-static enum ts_status start(struct ts_instance *self, struct tsim *sim)
-{
-	struct state *s = self->state;
-	struct ts_str name = { 0 };
-	enum ts_status status;
-
-	ts_str_addf(&name, "fix scale/diameter %s", self->id);
-	status = name.failed ? ts_nomem(&sim->error)
-			     : ts_particles_add_column(sim, ts_str_text(&name), WIDTH,
-						       TS_COL_RESULT, &s->column);
-	ts_str_release(&name);
-	TS_TRY(status);
-	for (size_t i = 0; i < sim->particles->n; i++) /* of a fix of this name that is gone */
-		first_of(s, sim, i)[RADIUS0] = 0;
-	s->begun = true;
-	return TS_OK;
-}
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
@@ -61,7 +33,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 			       "expected a sphere or a cylinder",
 			       s->region->id);
 	if (!s->begun)
-		TS_TRY(start(self, sim));
+		TS_TRY(ts_first_size_start(sim, self, &s->column));
+	s->begun = true;
 	if (!s->applied)
 		s->epoch++;
 	return TS_OK;
@@ -81,15 +54,13 @@ static double factor(const struct state *s, const double x[3], double scale)
 static void resize(const struct state *s, struct tsim *sim, size_t i, double f)
 {
 	struct ts_particles *p = sim->particles;
-	double *first = first_of(s, sim, i), volume;
+	const double *first = ts_first_size(sim, s->column, i);
+	double volume;
 
-	if (!(first[RADIUS0] > 0)) {
-		first[RADIUS0] = p->radius[i];
-		first[MASS0] = p->mass[i];
-	}
-	volume = ts_body_volume(sim, f * first[RADIUS0]) / ts_body_volume(sim, first[RADIUS0]);
-	p->radius[i] = f * first[RADIUS0];
-	p->mass[i] = f < 1 || f > 1 ? volume * first[MASS0] : first[MASS0];
+	ts_first_size_note(sim, s->column, i);
+	volume = ts_body_volume(sim, f * first[TS_FIRST_RADIUS]) / ts_body_volume(sim, first[TS_FIRST_RADIUS]);
+	p->radius[i] = f * first[TS_FIRST_RADIUS];
+	p->mass[i] = f < 1 || f > 1 ? volume * first[TS_FIRST_MASS] : first[TS_FIRST_MASS];
 	if (p->imass[i] > 0)
 		p->imass[i] = 1 / p->mass[i];
 }
