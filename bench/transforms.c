@@ -1,4 +1,4 @@
-/* Fourier and cosine transforms of many lines, there and back: flow/transform.h beside FFTW (plans by estimate, lines
+/* Fourier and cosine transforms of many lines, there and back: poisson/transform.h beside FFTW (plans by estimate, lines
  * one after the other or interleaved, whichever is faster) and GSL (real transforms, Fourier only). Nanoseconds
  * of processor time for each value, the least of several passes:
  *
@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <time.h>
 
-#include "flow/direct.h"
+#include "poisson/direct.h"
 
 enum { LINES = 64 * TS_LINES, PASSES = 9 };
 

@@ -2,10 +2,57 @@
 library_sources = \
 	src/advise/advise.c \
 	src/advise/advise.h \
-	src/advise/settings.c \
+	src/advise/candidates.c \
 	src/advise/trial.c \
 	src/advise/trial.h \
 	src/advise/verdict.c \
+	src/average/average.c \
+	src/average/average.h \
+	src/average/average_file.c \
+	src/average/average_file.h \
+	src/average/chunk.c \
+	src/average/chunk.h \
+	src/average/chunk_average.c \
+	src/average/chunk_average.h \
+	src/average/chunk_bins.c \
+	src/average/chunk_bins.h \
+	src/average/chunk_read.c \
+	src/average/chunk_user.c \
+	src/average/chunk_user.h \
+	src/average/compute_angmom_chunk.c \
+	src/average/compute_chunk_atom.c \
+	src/average/compute_chunk_spread_atom.c \
+	src/average/compute_com_chunk.c \
+	src/average/compute_gyration_chunk.c \
+	src/average/compute_inertia_chunk.c \
+	src/average/compute_msd_chunk.c \
+	src/average/compute_omega_chunk.c \
+	src/average/compute_property_chunk.c \
+	src/average/compute_reduce.c \
+	src/average/compute_reduce_chunk.c \
+	src/average/compute_reduce_region.c \
+	src/average/compute_slice.c \
+	src/average/compute_temp_chunk.c \
+	src/average/compute_torque_chunk.c \
+	src/average/compute_vcm_chunk.c \
+	src/average/dump_euler_vtk.c \
+	src/average/euler.h \
+	src/average/fix_ave_atom.c \
+	src/average/fix_ave_chunk.c \
+	src/average/fix_ave_correlate.c \
+	src/average/fix_ave_euler.c \
+	src/average/fix_ave_histo.c \
+	src/average/fix_ave_histo_weight.c \
+	src/average/fix_ave_period.c \
+	src/average/fix_ave_spatial.c \
+	src/average/fix_ave_time.c \
+	src/average/fix_vector.c \
+	src/average/histogram.c \
+	src/average/histogram.h \
+	src/average/particle_tally.c \
+	src/average/particle_tally.h \
+	src/average/reduce.c \
+	src/average/reduce.h \
 	src/base/alloc.c \
 	src/base/alloc.h \
 	src/base/banned.h \
@@ -42,6 +89,107 @@ library_sources = \
 	src/base/str.h \
 	src/base/words.c \
 	src/base/words.h \
+	src/bond/bond_contact.c \
+	src/bond/bond_force.c \
+	src/bond/bond_loop.h \
+	src/bond/bond_slices.c \
+	src/bond/bond_slices.h \
+	src/bond/bonds.c \
+	src/bond/bonds.h \
+	src/bond/clusters.c \
+	src/bond/clusters.h \
+	src/bond/command_bond_coeff.c \
+	src/bond/command_bond_style.c \
+	src/bond/command_create_bonds.c \
+	src/bond/command_delete_bonds.c \
+	src/bond/command_special_bonds.c \
+	src/bond/compute_bond_local.c \
+	src/bond/compute_bonds.c \
+	src/bond/compute_cluster_atom.c \
+	src/bond/compute_fragment_atom.c \
+	src/bond/compute_nbond_atom.c \
+	src/bond/fix_bond_breakage.c \
+	src/box/comm.c \
+	src/box/comm.h \
+	src/box/command_balance.c \
+	src/box/command_boundary.c \
+	src/box/command_box.c \
+	src/box/command_change_box.c \
+	src/box/command_comm_modify.c \
+	src/box/command_comm_style.c \
+	src/box/command_communicate.c \
+	src/box/command_create_box.c \
+	src/box/command_dimension.c \
+	src/box/command_lattice.c \
+	src/box/command_newton.c \
+	src/box/command_package.c \
+	src/box/command_partitioner_style.c \
+	src/box/command_processors.c \
+	src/box/command_replicate.c \
+	src/box/command_units.c \
+	src/box/domain.c \
+	src/box/domain.h \
+	src/box/fix_balance.c \
+	src/box/fix_deform.c \
+	src/box/lattice.c \
+	src/box/lattice.h \
+	src/contact/command_hard_particles.c \
+	src/contact/command_pair_coeff.c \
+	src/contact/command_pair_modify.c \
+	src/contact/command_pair_style.c \
+	src/contact/command_soft_particles.c \
+	src/contact/compute_contact_atom.c \
+	src/contact/compute_contacts.c \
+	src/contact/compute_group_group.c \
+	src/contact/compute_pair_gran_local.c \
+	src/contact/compute_pair_local.c \
+	src/contact/compute_pressure.c \
+	src/contact/compute_property_local.c \
+	src/contact/compute_stress_atom.c \
+	src/contact/contact_columns.c \
+	src/contact/contact_columns.h \
+	src/contact/contact_list.c \
+	src/contact/contact_list.h \
+	src/contact/contact_pressure.c \
+	src/contact/fix_multicontact_halfspace.c \
+	src/contact/gran_coeff.c \
+	src/contact/gran_coeff.h \
+	src/contact/gran_numbers.c \
+	src/contact/gran_numbers.h \
+	src/contact/granular_models.h \
+	src/contact/law_stages.c \
+	src/contact/law_stages.h \
+	src/contact/limits.c \
+	src/contact/limits.h \
+	src/contact/liquid.c \
+	src/contact/liquid.h \
+	src/contact/material_words.c \
+	src/contact/materials.c \
+	src/contact/materials.h \
+	src/contact/multicontact.c \
+	src/contact/multicontact.h \
+	src/contact/pair.c \
+	src/contact/pair.h \
+	src/contact/pair_columns.c \
+	src/contact/pair_columns.h \
+	src/contact/pair_gran.c \
+	src/contact/pair_gran_hertz_history.c \
+	src/contact/pair_gran_hooke.c \
+	src/contact/pair_gran_hooke_history.c \
+	src/contact/pair_granular.c \
+	src/contact/pair_spring_dashpot.c \
+	src/contact/row_batch.h \
+	src/contact/row_gather.c \
+	src/contact/row_loop.c \
+	src/contact/row_loop.h \
+	src/contact/row_models.c \
+	src/contact/row_models.h \
+	src/contact/row_stages.c \
+	src/contact/row_stages.h \
+	src/contact/row_walk.c \
+	src/contact/row_walk.h \
+	src/contact/substep_contacts.c \
+	src/contact/substep_contacts.h \
 	src/core/archive.c \
 	src/core/archive.h \
 	src/core/arg.h \
@@ -51,19 +199,21 @@ library_sources = \
 	src/core/arg_read.c \
 	src/core/arg_read.h \
 	src/core/arg_record.c \
-	src/core/average.c \
-	src/core/average.h \
 	src/core/coeff.c \
 	src/core/coeff.h \
+	src/core/command_compute.c \
+	src/core/command_compute_modify.c \
+	src/core/command_fix.c \
+	src/core/command_fix_modify.c \
+	src/core/command_legacy.c \
+	src/core/command_modify_timing.c \
+	src/core/command_uncompute.c \
+	src/core/command_unfix.c \
 	src/core/definition.c \
 	src/core/definition.h \
 	src/core/each.c \
 	src/core/each.h \
-	src/core/energy.c \
-	src/core/energy.h \
 	src/core/group.h \
-	src/core/guard.c \
-	src/core/guard.h \
 	src/core/help.c \
 	src/core/help.h \
 	src/core/host.h \
@@ -75,9 +225,6 @@ library_sources = \
 	src/core/pending.h \
 	src/core/plan.c \
 	src/core/plan.h \
-	src/core/plan_report.c \
-	src/core/price.c \
-	src/core/price.h \
 	src/core/ref_list.c \
 	src/core/ref_list.h \
 	src/core/registry.c \
@@ -101,6 +248,36 @@ library_sources = \
 	src/core/uses.h \
 	src/core/value.c \
 	src/core/value.h \
+	src/coupling/added_mass.c \
+	src/coupling/added_mass.h \
+	src/coupling/cell_order.c \
+	src/coupling/cell_order.h \
+	src/coupling/drag_exchange.c \
+	src/coupling/drag_force.c \
+	src/coupling/drag_force.h \
+	src/coupling/drag_plan.c \
+	src/coupling/fix_added_mass.c \
+	src/coupling/fix_buoyancy.c \
+	src/coupling/fix_couple_cfd.c \
+	src/coupling/fix_drag_beetstra.c \
+	src/coupling/fix_drag_di_felice.c \
+	src/coupling/fix_drag_ergun.c \
+	src/coupling/fix_drag_gidaspow.c \
+	src/coupling/fix_drag_koch_hill.c \
+	src/coupling/fix_drag_schiller_naumann.c \
+	src/coupling/fix_drag_stokes.c \
+	src/coupling/fix_drag_wen_yu.c \
+	src/coupling/fix_lift_magnus.c \
+	src/coupling/fix_lift_saffman.c \
+	src/coupling/fix_void_fraction.c \
+	src/coupling/flow_force.c \
+	src/coupling/flow_force.h \
+	src/coupling/outside.c \
+	src/coupling/outside.h \
+	src/coupling/share.c \
+	src/coupling/share.h \
+	src/coupling/volume_spread.c \
+	src/coupling/volume_spread.h \
 	src/crosscheck/compare.c \
 	src/crosscheck/compare.h \
 	src/crosscheck/crosscheck.c \
@@ -118,118 +295,126 @@ library_sources = \
 	src/crosscheck/reader.h \
 	src/crosscheck/reader_vtk.c \
 	src/crosscheck/report.c \
-	src/flow/added_mass.c \
-	src/flow/added_mass.h \
+	src/dump/command_dump.c \
+	src/dump/command_dump_modify.c \
+	src/dump/command_undump.c \
+	src/dump/command_write_dump.c \
+	src/dump/dump.c \
+	src/dump/dump.h \
+	src/dump/dump_atom.c \
+	src/dump/dump_columns.c \
+	src/dump/dump_custom.c \
+	src/dump/dump_custom_vtk.c \
+	src/dump/dump_local.c \
+	src/dump/dump_local_gran_vtk.c \
+	src/dump/dump_local_vtk.c \
+	src/dump/dump_mesh.c \
+	src/dump/dump_mesh.h \
+	src/dump/dump_modify.c \
+	src/dump/dump_modify.h \
+	src/dump/dump_price.c \
+	src/dump/dump_restart.c \
+	src/dump/dump_select.c \
+	src/dump/dump_vtk.c \
+	src/dump/dump_vtk.h \
+	src/dump/dump_xyz.c \
+	src/energy/compute_pe.c \
+	src/energy/compute_pe_atom.c \
+	src/energy/contact_energy.c \
+	src/energy/contact_energy.h \
+	src/energy/fix_energy_ledger.c \
+	src/energy/ledger.c \
+	src/energy/ledger.h \
+	src/energy/ledger_heat.c \
+	src/energy/ledger_kick.c \
+	src/energy/ledger_parts.c \
+	src/energy/ledger_values.c \
+	src/energy/potential_energy.c \
+	src/energy/potential_energy.h \
+	src/explain/command_info.c \
+	src/explain/guard.c \
+	src/explain/guard.h \
+	src/explain/plan_report.c \
+	src/explain/price.c \
+	src/explain/price.h \
 	src/flow/advance.c \
 	src/flow/boundary.c \
 	src/flow/carried.c \
 	src/flow/carried.h \
-	src/flow/cell_order.c \
-	src/flow/cell_order.h \
-	src/flow/conjugate.c \
-	src/flow/conjugate.h \
+	src/flow/command_flow_boundary.c \
+	src/flow/command_flow_set.c \
+	src/flow/command_flow_style.c \
+	src/flow/compute_flow_flux.c \
+	src/flow/compute_flow_line.c \
+	src/flow/compute_flow_plane.c \
+	src/flow/compute_flow_probe.c \
 	src/flow/convection.c \
 	src/flow/convection.h \
-	src/flow/direct.c \
-	src/flow/direct.h \
-	src/flow/drag.c \
-	src/flow/drag.h \
-	src/flow/drag_exchange.c \
-	src/flow/drag_plan.c \
+	src/flow/dump_flow_vtk.c \
 	src/flow/face_pressure.c \
+	src/flow/fix_flow_pressure_gradient.c \
+	src/flow/fix_flow_scalar.c \
 	src/flow/flow.h \
-	src/flow/flow_force.c \
-	src/flow/flow_force.h \
+	src/flow/flow_limits.c \
+	src/flow/flow_limits.h \
+	src/flow/flow_projection.c \
+	src/flow/flow_uniform.c \
+	src/flow/flow_words.c \
 	src/flow/fluid.c \
 	src/flow/fluid.h \
-	src/flow/fourier.c \
-	src/flow/fourier.h \
 	src/flow/ghosts.c \
-	src/flow/grid.c \
-	src/flow/grid.h \
-	src/flow/hypre.c \
-	src/flow/hypre.h \
-	src/flow/immersed.c \
-	src/flow/immersed.h \
-	src/flow/immersed_place.c \
-	src/flow/immersed_size.c \
 	src/flow/implicit.c \
 	src/flow/implicit.h \
 	src/flow/keywords.c \
-	src/flow/limits.c \
-	src/flow/limits.h \
 	src/flow/measure.c \
 	src/flow/measure.h \
-	src/flow/multigrid.c \
-	src/flow/multigrid.h \
 	src/flow/operators.c \
 	src/flow/operators.h \
-	src/flow/outside.c \
-	src/flow/outside.h \
 	src/flow/packed.c \
-	src/flow/poisson.c \
-	src/flow/poisson.h \
-	src/flow/preconditioned.c \
-	src/flow/preconditioned.h \
 	src/flow/predict.c \
 	src/flow/prepare.c \
-	src/flow/pressure.c \
-	src/flow/pressure.h \
-	src/flow/pressure_choose.c \
 	src/flow/probe.c \
 	src/flow/probe.h \
 	src/flow/project.c \
 	src/flow/projection.h \
-	src/flow/relaxation.c \
-	src/flow/relaxation.h \
 	src/flow/resolution.c \
 	src/flow/resolution.h \
 	src/flow/room.c \
 	src/flow/sample.c \
 	src/flow/schemes.c \
 	src/flow/schemes.h \
-	src/flow/share.c \
-	src/flow/share.h \
-	src/flow/solid.c \
-	src/flow/solid.h \
-	src/flow/solid_mesh.c \
-	src/flow/solid_region.c \
-	src/flow/solid_spheres.c \
-	src/flow/spread.c \
-	src/flow/spread.h \
-	src/flow/stencil.c \
-	src/flow/stencil.h \
-	src/flow/transform.c \
-	src/flow/transform.h \
 	src/flow/transport.c \
 	src/flow/transport.h \
-	src/flow/virtual_mass.c \
-	src/flow/virtual_mass.h \
 	src/flow/watch.c \
 	src/flow/way_out.c \
 	src/flow/way_out.h \
-	src/flow/words.c \
+	src/force/fix_addforce.c \
+	src/force/fix_aveforce.c \
+	src/force/fix_controller.c \
+	src/force/fix_drag.c \
+	src/force/fix_enforce2d.c \
+	src/force/fix_freeze.c \
+	src/force/fix_gravity.c \
+	src/force/fix_langevin.c \
+	src/force/fix_lineforce.c \
+	src/force/fix_move.c \
+	src/force/fix_planeforce.c \
+	src/force/fix_setforce.c \
+	src/force/fix_spring.c \
+	src/force/fix_spring_self.c \
+	src/force/fix_store_force.c \
+	src/force/fix_viscous.c \
+	src/force/fix_viscous_sphere.c \
+	src/force/force_filter.c \
+	src/force/force_filter.h \
+	src/force/gravity.h \
+	src/force/restraint.c \
+	src/force/restraint.h \
 	src/geom/ball_corner.c \
 	src/geom/ball_corner.h \
 	src/geom/box.h \
 	src/geom/frustum.c \
 	src/geom/frustum.h \
-	src/geom/mesh.c \
-	src/geom/mesh.h \
-	src/geom/mesh_cracks.c \
-	src/geom/mesh_cracks.h \
-	src/geom/mesh_distance.c \
-	src/geom/mesh_distance.h \
-	src/geom/mesh_doctor.c \
-	src/geom/mesh_doctor.h \
-	src/geom/mesh_links.c \
-	src/geom/mesh_links.h \
-	src/geom/mesh_touch.c \
-	src/geom/mesh_touch.h \
-	src/geom/mesh_tree.c \
-	src/geom/mesh_tree.h \
-	src/geom/mesh_volume.c \
-	src/geom/mesh_volume.h \
 	src/geom/motion.h \
 	src/geom/pairs.c \
 	src/geom/pairs.h \
@@ -239,67 +424,104 @@ library_sources = \
 	src/geom/primitive.h \
 	src/geom/spherehash.c \
 	src/geom/spherehash.h \
-	src/geom/triangles.c \
-	src/geom/triangles.h \
-	src/io/average_file.c \
-	src/io/average_file.h \
-	src/io/cell_region.c \
-	src/io/cell_region.h \
-	src/io/chunk_average.c \
-	src/io/chunk_average.h \
-	src/io/clump_template.c \
-	src/io/clump_template.h \
-	src/io/data.h \
-	src/io/data_apply.c \
-	src/io/data_layout.c \
-	src/io/data_read.c \
-	src/io/data_write.c \
+	src/grid/command_flow_grid.c \
+	src/grid/grid.c \
+	src/grid/grid.h \
+	src/group/chosen.h \
+	src/group/command_group.c \
+	src/group/compute_com.c \
+	src/group/compute_erotate_sphere.c \
+	src/group/compute_gyration.c \
+	src/group/compute_ke.c \
+	src/group/compute_temp.c \
+	src/group/compute_temp_com.c \
+	src/group/group.c \
+	src/group/group_dynamic.c \
+	src/group/group_dynamic.h \
+	src/group/group_function.c \
+	src/group/group_spin.c \
+	src/group/group_spin.h \
+	src/group/kinetic_energy.c \
+	src/group/kinetic_energy.h \
+	src/group/temperature.c \
+	src/group/temperature.h \
+	src/heat/fix_heat_gran.c \
+	src/heat/heat.c \
+	src/heat/heat.h \
+	src/heat/heat_block.h \
+	src/heat/heat_contacts.c \
+	src/heat/heat_flow.c \
+	src/heat/heat_step.c \
+	src/immersed/compute_flow_force.c \
+	src/immersed/fix_immersed_boundary.c \
+	src/immersed/immersed.c \
+	src/immersed/immersed.h \
+	src/immersed/immersed_place.c \
+	src/immersed/immersed_size.c \
+	src/immersed/solid.c \
+	src/immersed/solid.h \
+	src/immersed/solid_mesh.c \
+	src/immersed/solid_region.c \
+	src/immersed/solid_spheres.c \
+	src/immersed/virtual_mass.c \
+	src/immersed/virtual_mass.h \
+	src/insert/clump_template.c \
+	src/insert/clump_template.h \
+	src/insert/command_create_atoms.c \
+	src/insert/compute_leave.c \
+	src/insert/compute_nparticles_tracer_region.c \
+	src/insert/distribution.c \
+	src/insert/distribution.h \
+	src/insert/fix_evaporate.c \
+	src/insert/fix_insert_pack.c \
+	src/insert/fix_insert_pack_dense.c \
+	src/insert/fix_insert_rate_region.c \
+	src/insert/fix_insert_stream.c \
+	src/insert/fix_particledistribution_discrete.c \
+	src/insert/fix_particletemplate_multiplespheres.c \
+	src/insert/fix_particletemplate_multisphere.c \
+	src/insert/fix_particletemplate_sphere.c \
+	src/insert/fix_pour.c \
+	src/insert/fix_property_atom_regiontracer_time.c \
+	src/insert/fix_property_atom_tracer.c \
+	src/insert/fix_property_atom_tracer_stream.c \
+	src/insert/insertion.c \
+	src/insert/insertion.h \
+	src/insert/insertion_make.c \
+	src/insert/insertion_rate.c \
+	src/insert/insertion_rate.h \
+	src/insert/insertion_region.c \
+	src/insert/insertion_region.h \
+	src/insert/sites.c \
+	src/insert/sites.h \
+	src/insert/stream.c \
+	src/insert/stream.h \
+	src/insert/template.c \
+	src/insert/template.h \
+	src/insert/tracer.c \
+	src/insert/tracer.h \
+	src/integrate/fix_nve.c \
+	src/integrate/fix_nve_euler.c \
+	src/integrate/fix_nve_limit.c \
+	src/integrate/fix_nve_noforce.c \
+	src/integrate/fix_nve_sphere.c \
+	src/integrate/fix_nve_symplectic.c \
+	src/integrate/integrate.c \
+	src/integrate/integrate.h \
+	src/integrate/integrators.c \
+	src/integrate/integrators.h \
 	src/io/decimal.c \
 	src/io/decimal.h \
-	src/io/dump.c \
-	src/io/dump.h \
-	src/io/dump_columns.c \
-	src/io/dump_mesh.c \
-	src/io/dump_mesh.h \
-	src/io/dump_modify.c \
-	src/io/dump_modify.h \
-	src/io/dump_price.c \
-	src/io/dump_select.c \
-	src/io/dump_vtk.c \
-	src/io/dump_vtk.h \
 	src/io/format.c \
 	src/io/format.h \
-	src/io/frame_apply.c \
-	src/io/frames.c \
-	src/io/frames.h \
-	src/io/histogram.c \
-	src/io/histogram.h \
 	src/io/lines.c \
 	src/io/lines.h \
-	src/io/mesh_admit.c \
-	src/io/mesh_admit.h \
-	src/io/mesh_load.c \
-	src/io/mesh_load.h \
-	src/io/mesh_obj.c \
-	src/io/mesh_read.c \
-	src/io/mesh_read.h \
-	src/io/mesh_scan.c \
-	src/io/mesh_scan.h \
-	src/io/mesh_soup.c \
-	src/io/mesh_soup.h \
-	src/io/mesh_stl.c \
-	src/io/mesh_vtk.c \
 	src/io/replace.c \
 	src/io/replace.h \
-	src/io/restart.c \
-	src/io/restart.h \
 	src/io/series.c \
 	src/io/series.h \
 	src/io/textfile.c \
 	src/io/textfile.h \
-	src/io/thermo.c \
-	src/io/thermo.h \
-	src/io/thermo_keywords.c \
 	src/io/vtk.c \
 	src/io/vtk.h \
 	src/io/vtk_grid.c \
@@ -310,36 +532,49 @@ library_sources = \
 	src/law/buoyancy.h \
 	src/law/capillary.h \
 	src/law/cohesion.h \
+	src/law/conduction.h \
 	src/law/contact_parts.h \
 	src/law/drag.h \
-	src/law/energy.h \
+	src/law/elastic_energy.h \
 	src/law/granular.h \
 	src/law/granular_force.h \
 	src/law/granular_limit.h \
 	src/law/halfspace.h \
-	src/law/heat.h \
 	src/law/impact.h \
 	src/law/lens.h \
 	src/law/lift.h \
-	src/law/located.h \
 	src/law/normal.h \
 	src/law/normal_area.h \
 	src/law/rolling.h \
 	src/law/servo.h \
 	src/law/spring_dashpot.h \
+	src/law/substep.h \
 	src/law/tangential.h \
 	src/law/tangential_turning.h \
 	src/law/touch.h \
 	src/law/twisting.h \
 	src/law/wear.h \
-	src/library/columns.c \
 	src/library/library.h \
-	src/library/life.c \
-	src/library/manual.c \
-	src/library/particles.c \
-	src/library/run.c \
-	src/library/state.c \
-	src/library/value.c \
+	src/library/library_columns.c \
+	src/library/library_life.c \
+	src/library/library_manual.c \
+	src/library/library_particles.c \
+	src/library/library_run.c \
+	src/library/library_state.c \
+	src/library/library_value.c \
+	src/limits/fix_check_timestep_gran.c \
+	src/limits/linkage.c \
+	src/limits/linkage.h \
+	src/limits/network.c \
+	src/limits/network.h \
+	src/limits/pace.c \
+	src/limits/pace.h \
+	src/material/command_material.c \
+	src/material/fix_property_global.c \
+	src/material/material.c \
+	src/material/material.h \
+	src/material/property.c \
+	src/material/property.h \
 	src/math/exactsum.c \
 	src/math/exactsum.h \
 	src/math/fit.c \
@@ -349,236 +584,206 @@ library_sources = \
 	src/math/minstd.c \
 	src/math/minstd.h \
 	src/math/quaternion.h \
+	src/math/reduction.c \
+	src/math/reduction.h \
 	src/math/rigid_turn.h \
 	src/math/rng.c \
 	src/math/rng.h \
-	src/math/spread.c \
-	src/math/spread.h \
+	src/math/size_spread.c \
+	src/math/size_spread.h \
 	src/math/symmetric3.c \
 	src/math/symmetric3.h \
-	src/math/tally.c \
-	src/math/tally.h \
 	src/math/unionfind.h \
 	src/math/vec3.h \
-	src/neigh/bond_force.c \
-	src/neigh/bond_loop.h \
-	src/neigh/bond_slices.c \
-	src/neigh/bond_slices.h \
-	src/neigh/bonds.c \
-	src/neigh/bonds.h \
+	src/mesh/cell_region.c \
+	src/mesh/cell_region.h \
+	src/mesh/dump_mesh_stl.c \
+	src/mesh/dump_mesh_vtk.c \
+	src/mesh/fix_massflow_mesh.c \
+	src/mesh/fix_mesh_surface.c \
+	src/mesh/fix_mesh_surface_planar.c \
+	src/mesh/fix_move_mesh.c \
+	src/mesh/fix_move_mesh_free.c \
+	src/mesh/mesh.c \
+	src/mesh/mesh.h \
+	src/mesh/mesh_admit.c \
+	src/mesh/mesh_admit.h \
+	src/mesh/mesh_cracks.c \
+	src/mesh/mesh_cracks.h \
+	src/mesh/mesh_distance.c \
+	src/mesh/mesh_distance.h \
+	src/mesh/mesh_doctor.c \
+	src/mesh/mesh_doctor.h \
+	src/mesh/mesh_links.c \
+	src/mesh/mesh_links.h \
+	src/mesh/mesh_load.c \
+	src/mesh/mesh_load.h \
+	src/mesh/mesh_motion.c \
+	src/mesh/mesh_motion.h \
+	src/mesh/mesh_obj.c \
+	src/mesh/mesh_read.c \
+	src/mesh/mesh_read.h \
+	src/mesh/mesh_scan.c \
+	src/mesh/mesh_scan.h \
+	src/mesh/mesh_soup.c \
+	src/mesh/mesh_soup.h \
+	src/mesh/mesh_stl.c \
+	src/mesh/mesh_surface.c \
+	src/mesh/mesh_surface.h \
+	src/mesh/mesh_touch.c \
+	src/mesh/mesh_touch.h \
+	src/mesh/mesh_tree.c \
+	src/mesh/mesh_tree.h \
+	src/mesh/mesh_volume.c \
+	src/mesh/mesh_volume.h \
+	src/mesh/mesh_vtk.c \
+	src/mesh/region_mesh_hex.c \
+	src/mesh/region_mesh_tet.c \
+	src/mesh/triangles.c \
+	src/mesh/triangles.h \
 	src/neigh/cells.c \
 	src/neigh/cells.h \
-	src/neigh/clusters.c \
-	src/neigh/clusters.h \
 	src/neigh/coincide.c \
 	src/neigh/coincide.h \
-	src/neigh/contact_columns.c \
-	src/neigh/contact_columns.h \
-	src/neigh/contact_list.c \
-	src/neigh/contact_list.h \
-	src/neigh/energy.c \
-	src/neigh/energy.h \
+	src/neigh/command_neigh_modify.c \
+	src/neigh/command_neighbor.c \
+	src/neigh/compute_coord_atom.c \
+	src/neigh/compute_neighbor_atom.c \
+	src/neigh/compute_rdf.c \
 	src/neigh/gather.c \
 	src/neigh/gather.h \
-	src/neigh/gran_coeff.c \
-	src/neigh/gran_coeff.h \
-	src/neigh/gran_numbers.c \
-	src/neigh/gran_numbers.h \
-	src/neigh/granular_models.h \
-	src/neigh/heat.c \
-	src/neigh/heat.h \
-	src/neigh/heat_block.h \
-	src/neigh/heat_contacts.c \
-	src/neigh/heat_flow.c \
-	src/neigh/heat_step.c \
-	src/neigh/law_stages.c \
-	src/neigh/law_stages.h \
 	src/neigh/leaving.c \
 	src/neigh/leaving.h \
-	src/neigh/ledger.c \
-	src/neigh/ledger.h \
-	src/neigh/ledger_heat.c \
-	src/neigh/ledger_kick.c \
-	src/neigh/ledger_parts.c \
-	src/neigh/ledger_values.c \
-	src/neigh/limits.c \
-	src/neigh/limits.h \
-	src/neigh/linkage.c \
-	src/neigh/linkage.h \
-	src/neigh/liquid.c \
-	src/neigh/liquid.h \
-	src/neigh/located.c \
-	src/neigh/located.h \
-	src/neigh/loss.c \
-	src/neigh/loss.h \
-	src/neigh/material_words.c \
-	src/neigh/materials.c \
-	src/neigh/materials.h \
-	src/neigh/mesh_stick.c \
-	src/neigh/mesh_stick.h \
-	src/neigh/mesh_stress.c \
-	src/neigh/mesh_stress.h \
-	src/neigh/mesh_wall.c \
-	src/neigh/mesh_wall.h \
-	src/neigh/multicontact.c \
-	src/neigh/multicontact.h \
 	src/neigh/neigh.c \
 	src/neigh/neigh.h \
-	src/neigh/network.c \
-	src/neigh/network.h \
 	src/neigh/order.c \
 	src/neigh/order.h \
-	src/neigh/pace.c \
-	src/neigh/pace.h \
-	src/neigh/pair.c \
-	src/neigh/pair.h \
-	src/neigh/pair_columns.c \
-	src/neigh/pair_columns.h \
-	src/neigh/pressure.c \
-	src/neigh/primitive_wall.c \
-	src/neigh/primitive_wall.h \
-	src/neigh/region_wall.c \
-	src/neigh/region_wall.h \
-	src/neigh/row_batch.h \
-	src/neigh/row_gather.c \
 	src/neigh/row_history.c \
 	src/neigh/row_history.h \
-	src/neigh/row_loop.c \
-	src/neigh/row_loop.h \
 	src/neigh/row_memory.c \
 	src/neigh/row_memory.h \
-	src/neigh/row_models.c \
-	src/neigh/row_models.h \
 	src/neigh/row_near.c \
 	src/neigh/row_near.h \
 	src/neigh/row_search.c \
 	src/neigh/row_search.h \
 	src/neigh/row_slots.c \
 	src/neigh/row_slots.h \
-	src/neigh/row_stages.c \
-	src/neigh/row_stages.h \
-	src/neigh/row_walk.c \
-	src/neigh/row_walk.h \
 	src/neigh/rows.c \
 	src/neigh/rows.h \
-	src/neigh/servo.c \
-	src/neigh/servo.h \
 	src/neigh/skin.c \
-	src/neigh/wall.c \
-	src/neigh/wall.h \
-	src/neigh/wall_batch.h \
-	src/neigh/wall_contacts.c \
-	src/neigh/wall_contacts.h \
-	src/neigh/wall_law.c \
-	src/neigh/wall_law.h \
-	src/neigh/wall_models.c \
-	src/neigh/wall_push.c \
-	src/neigh/wall_push.h \
-	src/neigh/wall_stages.c \
-	src/neigh/wall_stages.h \
-	src/particles/assign.c \
-	src/particles/assign_words.c \
-	src/particles/assign_words.h \
-	src/particles/body.h \
-	src/particles/chosen.h \
-	src/particles/chunk.c \
-	src/particles/chunk.h \
-	src/particles/chunk_bins.c \
-	src/particles/chunk_bins.h \
-	src/particles/chunk_read.c \
-	src/particles/chunk_user.c \
-	src/particles/chunk_user.h \
-	src/particles/clump.c \
-	src/particles/clump.h \
-	src/particles/columns.c \
-	src/particles/comm.c \
-	src/particles/comm.h \
-	src/particles/crowd.c \
-	src/particles/distribution.c \
-	src/particles/distribution.h \
-	src/particles/domain.c \
-	src/particles/domain.h \
-	src/particles/draw.c \
-	src/particles/draw.h \
-	src/particles/energy.c \
-	src/particles/energy.h \
-	src/particles/euler.h \
-	src/particles/exchange.c \
-	src/particles/exchange.h \
-	src/particles/first_size.c \
-	src/particles/first_size.h \
-	src/particles/force_filter.c \
-	src/particles/force_filter.h \
-	src/particles/gravity.h \
-	src/particles/group.c \
-	src/particles/group_dynamic.c \
-	src/particles/group_dynamic.h \
-	src/particles/group_function.c \
-	src/particles/group_spin.c \
-	src/particles/group_spin.h \
-	src/particles/identity.c \
-	src/particles/identity.h \
-	src/particles/insertion.c \
-	src/particles/insertion.h \
-	src/particles/insertion_make.c \
-	src/particles/insertion_rate.c \
-	src/particles/insertion_rate.h \
-	src/particles/insertion_region.c \
-	src/particles/insertion_region.h \
-	src/particles/integrate.c \
-	src/particles/integrate.h \
-	src/particles/integrators.c \
-	src/particles/integrators.h \
-	src/particles/lattice.c \
-	src/particles/lattice.h \
-	src/particles/material.c \
-	src/particles/material.h \
-	src/particles/mesh_motion.c \
-	src/particles/mesh_motion.h \
-	src/particles/mesh_surface.c \
-	src/particles/mesh_surface.h \
-	src/particles/molecule.c \
-	src/particles/moments.c \
-	src/particles/moments.h \
-	src/particles/particles.c \
-	src/particles/particles.h \
-	src/particles/property.c \
-	src/particles/property.h \
-	src/particles/quantity.c \
-	src/particles/reduce.c \
-	src/particles/reduce.h \
-	src/particles/reference.c \
-	src/particles/reference.h \
-	src/particles/region.c \
-	src/particles/region.h \
-	src/particles/region_frustum.c \
-	src/particles/region_frustum.h \
-	src/particles/restraint.c \
-	src/particles/restraint.h \
-	src/particles/rigid.c \
-	src/particles/rigid.h \
-	src/particles/rigid_motion.c \
-	src/particles/rigid_motion.h \
-	src/particles/sites.c \
-	src/particles/sites.h \
-	src/particles/stream.c \
-	src/particles/stream.h \
-	src/particles/style_column.c \
-	src/particles/style_column.h \
-	src/particles/tally.c \
-	src/particles/tally.h \
-	src/particles/temperature.c \
-	src/particles/temperature.h \
-	src/particles/template.c \
-	src/particles/template.h \
-	src/particles/tracer.c \
-	src/particles/tracer.h \
-	src/particles/type_factors.c \
-	src/particles/type_factors.h \
-	src/particles/user_columns.c \
-	src/particles/user_columns.h \
-	src/review/bonds.c \
+	src/particle/assign.c \
+	src/particle/assign_words.c \
+	src/particle/assign_words.h \
+	src/particle/body.h \
+	src/particle/columns.c \
+	src/particle/command_atom_modify.c \
+	src/particle/command_atom_style.c \
+	src/particle/command_delete_atoms.c \
+	src/particle/command_displace_atoms.c \
+	src/particle/command_mass.c \
+	src/particle/command_set.c \
+	src/particle/command_velocity.c \
+	src/particle/compute_count_type.c \
+	src/particle/compute_displace_atom.c \
+	src/particle/compute_erotate_sphere_atom.c \
+	src/particle/compute_ke_atom.c \
+	src/particle/compute_msd.c \
+	src/particle/compute_property_atom.c \
+	src/particle/compute_vacf.c \
+	src/particle/crowd.c \
+	src/particle/draw.c \
+	src/particle/draw.h \
+	src/particle/exchange.c \
+	src/particle/exchange.h \
+	src/particle/first_size.c \
+	src/particle/first_size.h \
+	src/particle/fix_adapt.c \
+	src/particle/fix_momentum.c \
+	src/particle/fix_property_atom.c \
+	src/particle/fix_recenter.c \
+	src/particle/fix_remove.c \
+	src/particle/fix_scale_diameter.c \
+	src/particle/fix_store_state.c \
+	src/particle/identity.c \
+	src/particle/identity.h \
+	src/particle/molecule.c \
+	src/particle/moments.c \
+	src/particle/moments.h \
+	src/particle/particles.c \
+	src/particle/particles.h \
+	src/particle/quantity.c \
+	src/particle/reference.c \
+	src/particle/reference.h \
+	src/particle/style_column.c \
+	src/particle/style_column.h \
+	src/particle/type_factors.c \
+	src/particle/type_factors.h \
+	src/particle/user_columns.c \
+	src/particle/user_columns.h \
+	src/poisson/command_pressure_style.c \
+	src/poisson/conjugate.c \
+	src/poisson/conjugate.h \
+	src/poisson/direct.c \
+	src/poisson/direct.h \
+	src/poisson/fourier.c \
+	src/poisson/fourier.h \
+	src/poisson/hypre.c \
+	src/poisson/hypre.h \
+	src/poisson/multigrid.c \
+	src/poisson/multigrid.h \
+	src/poisson/poisson.c \
+	src/poisson/poisson.h \
+	src/poisson/preconditioned.c \
+	src/poisson/preconditioned.h \
+	src/poisson/pressure_cg.c \
+	src/poisson/pressure_choice.c \
+	src/poisson/pressure_direct.c \
+	src/poisson/pressure_hypre.c \
+	src/poisson/pressure_multigrid.c \
+	src/poisson/pressure_sor.c \
+	src/poisson/pressure_style.c \
+	src/poisson/pressure_style.h \
+	src/poisson/relaxation.c \
+	src/poisson/relaxation.h \
+	src/poisson/stencil.c \
+	src/poisson/stencil.h \
+	src/poisson/transform.c \
+	src/poisson/transform.h \
+	src/region/command_region.c \
+	src/region/region.c \
+	src/region/region.h \
+	src/region/region_block.c \
+	src/region/region_cone.c \
+	src/region/region_cylinder.c \
+	src/region/region_ellipsoid.c \
+	src/region/region_frustum.c \
+	src/region/region_frustum.h \
+	src/region/region_plane.c \
+	src/region/region_prism.c \
+	src/region/region_sphere.c \
+	src/region/region_union_intersect.c \
+	src/region/region_wedge.c \
+	src/restart/command_read_data.c \
+	src/restart/command_read_dump.c \
+	src/restart/command_read_restart.c \
+	src/restart/command_rerun.c \
+	src/restart/command_restart.c \
+	src/restart/command_write_data.c \
+	src/restart/command_write_restart.c \
+	src/restart/command_write_restart_on_signal.c \
+	src/restart/data.h \
+	src/restart/data_apply.c \
+	src/restart/data_layout.c \
+	src/restart/data_read.c \
+	src/restart/data_write.c \
+	src/restart/frame_apply.c \
+	src/restart/frames.c \
+	src/restart/frames.h \
+	src/restart/restart.c \
+	src/restart/restart.h \
 	src/review/checks.h \
+	src/review/command_review.c \
+	src/review/loose_bonds.c \
 	src/review/motion.c \
 	src/review/numbers.c \
 	src/review/overlap.c \
@@ -586,6 +791,21 @@ library_sources = \
 	src/review/table.c \
 	src/review/touching.h \
 	src/review/walls.c \
+	src/rigid/clump.c \
+	src/rigid/clump.h \
+	src/rigid/compute_ke_multisphere.c \
+	src/rigid/compute_multisphere.c \
+	src/rigid/fix_multisphere.c \
+	src/rigid/fix_rigid.c \
+	src/rigid/rigid.c \
+	src/rigid/rigid.h \
+	src/rigid/rigid_motion.c \
+	src/rigid/rigid_motion.h \
+	src/run/command_reset_timestep.c \
+	src/run/command_run.c \
+	src/run/command_timer.c \
+	src/run/command_timestep.c \
+	src/run/fix_halt.c \
 	src/script/check.c \
 	src/script/check.h \
 	src/script/check_branch.c \
@@ -635,266 +855,46 @@ library_sources = \
 	src/script/variable_list.c \
 	src/script/variable_state.c \
 	src/script/variable_text.c \
-	src/styles/bond/contact.c \
-	src/styles/command/atom_modify.c \
-	src/styles/command/atom_style.c \
-	src/styles/command/balance.c \
-	src/styles/command/bond_coeff.c \
-	src/styles/command/bond_style.c \
-	src/styles/command/boundary.c \
-	src/styles/command/box.c \
-	src/styles/command/change_box.c \
-	src/styles/command/comm_modify.c \
-	src/styles/command/comm_style.c \
-	src/styles/command/communicate.c \
-	src/styles/command/compute.c \
-	src/styles/command/compute_modify.c \
-	src/styles/command/create_atoms.c \
-	src/styles/command/create_bonds.c \
-	src/styles/command/create_box.c \
-	src/styles/command/delete_atoms.c \
-	src/styles/command/delete_bonds.c \
-	src/styles/command/dimension.c \
-	src/styles/command/displace_atoms.c \
-	src/styles/command/dump.c \
-	src/styles/command/dump_modify.c \
-	src/styles/command/fix.c \
-	src/styles/command/fix_modify.c \
-	src/styles/command/flow_boundary.c \
-	src/styles/command/flow_grid.c \
-	src/styles/command/flow_set.c \
-	src/styles/command/flow_style.c \
-	src/styles/command/group.c \
-	src/styles/command/hard_particles.c \
-	src/styles/command/info.c \
-	src/styles/command/lattice.c \
-	src/styles/command/legacy.c \
-	src/styles/command/mass.c \
-	src/styles/command/material.c \
-	src/styles/command/modify_timing.c \
-	src/styles/command/neigh_modify.c \
-	src/styles/command/neighbor.c \
-	src/styles/command/newton.c \
-	src/styles/command/package.c \
-	src/styles/command/pair_coeff.c \
-	src/styles/command/pair_modify.c \
-	src/styles/command/pair_style.c \
-	src/styles/command/partitioner_style.c \
-	src/styles/command/pressure_style.c \
-	src/styles/command/processors.c \
-	src/styles/command/read_data.c \
-	src/styles/command/read_dump.c \
-	src/styles/command/read_restart.c \
-	src/styles/command/region.c \
-	src/styles/command/replicate.c \
-	src/styles/command/rerun.c \
-	src/styles/command/reset_timestep.c \
-	src/styles/command/restart.c \
-	src/styles/command/review.c \
-	src/styles/command/run.c \
-	src/styles/command/set.c \
-	src/styles/command/soft_particles.c \
-	src/styles/command/special_bonds.c \
-	src/styles/command/thermo.c \
-	src/styles/command/thermo_log.c \
-	src/styles/command/thermo_modify.c \
-	src/styles/command/thermo_style.c \
-	src/styles/command/timer.c \
-	src/styles/command/timestep.c \
-	src/styles/command/uncompute.c \
-	src/styles/command/undump.c \
-	src/styles/command/unfix.c \
-	src/styles/command/units.c \
-	src/styles/command/velocity.c \
-	src/styles/command/write_data.c \
-	src/styles/command/write_dump.c \
-	src/styles/command/write_restart.c \
-	src/styles/command/write_restart_on_signal.c \
-	src/styles/compute/angmom_chunk.c \
-	src/styles/compute/bond_local.c \
-	src/styles/compute/bonds.c \
-	src/styles/compute/chunk_atom.c \
-	src/styles/compute/chunk_spread_atom.c \
-	src/styles/compute/cluster_atom.c \
-	src/styles/compute/com.c \
-	src/styles/compute/com_chunk.c \
-	src/styles/compute/contact_atom.c \
-	src/styles/compute/contacts.c \
-	src/styles/compute/coord_atom.c \
-	src/styles/compute/count_type.c \
-	src/styles/compute/displace_atom.c \
-	src/styles/compute/erotate_sphere.c \
-	src/styles/compute/erotate_sphere_atom.c \
-	src/styles/compute/flow_flux.c \
-	src/styles/compute/flow_force.c \
-	src/styles/compute/flow_line.c \
-	src/styles/compute/flow_plane.c \
-	src/styles/compute/flow_probe.c \
-	src/styles/compute/fragment_atom.c \
-	src/styles/compute/group_group.c \
-	src/styles/compute/gyration.c \
-	src/styles/compute/gyration_chunk.c \
-	src/styles/compute/inertia_chunk.c \
-	src/styles/compute/ke.c \
-	src/styles/compute/ke_atom.c \
-	src/styles/compute/ke_multisphere.c \
-	src/styles/compute/leave.c \
-	src/styles/compute/msd.c \
-	src/styles/compute/msd_chunk.c \
-	src/styles/compute/multisphere.c \
-	src/styles/compute/nbond_atom.c \
-	src/styles/compute/neighbor_atom.c \
-	src/styles/compute/nparticles_tracer_region.c \
-	src/styles/compute/omega_chunk.c \
-	src/styles/compute/pair_gran_local.c \
-	src/styles/compute/pair_local.c \
-	src/styles/compute/pe.c \
-	src/styles/compute/pe_atom.c \
-	src/styles/compute/pressure.c \
-	src/styles/compute/property_atom.c \
-	src/styles/compute/property_chunk.c \
-	src/styles/compute/property_local.c \
-	src/styles/compute/rdf.c \
-	src/styles/compute/reduce.c \
-	src/styles/compute/reduce_chunk.c \
-	src/styles/compute/reduce_region.c \
-	src/styles/compute/slice.c \
-	src/styles/compute/stress_atom.c \
-	src/styles/compute/temp.c \
-	src/styles/compute/temp_chunk.c \
-	src/styles/compute/temp_com.c \
-	src/styles/compute/torque_chunk.c \
-	src/styles/compute/vacf.c \
-	src/styles/compute/vcm_chunk.c \
-	src/styles/compute/wall_gran_local.c \
-	src/styles/dump/atom.c \
-	src/styles/dump/custom.c \
-	src/styles/dump/custom_vtk.c \
-	src/styles/dump/euler_vtk.c \
-	src/styles/dump/flow_vtk.c \
-	src/styles/dump/local.c \
-	src/styles/dump/local_gran_vtk.c \
-	src/styles/dump/local_vtk.c \
-	src/styles/dump/mesh_stl.c \
-	src/styles/dump/mesh_vtk.c \
-	src/styles/dump/restart.c \
-	src/styles/dump/xyz.c \
-	src/styles/fix/adapt.c \
-	src/styles/fix/added_mass.c \
-	src/styles/fix/addforce.c \
-	src/styles/fix/ave_atom.c \
-	src/styles/fix/ave_chunk.c \
-	src/styles/fix/ave_correlate.c \
-	src/styles/fix/ave_euler.c \
-	src/styles/fix/ave_histo.c \
-	src/styles/fix/ave_histo_weight.c \
-	src/styles/fix/ave_period.c \
-	src/styles/fix/ave_spatial.c \
-	src/styles/fix/ave_time.c \
-	src/styles/fix/aveforce.c \
-	src/styles/fix/balance.c \
-	src/styles/fix/bond_breakage.c \
-	src/styles/fix/buoyancy.c \
-	src/styles/fix/check_timestep_gran.c \
-	src/styles/fix/controller.c \
-	src/styles/fix/couple_cfd.c \
-	src/styles/fix/deform.c \
-	src/styles/fix/drag.c \
-	src/styles/fix/drag_beetstra.c \
-	src/styles/fix/drag_di_felice.c \
-	src/styles/fix/drag_ergun.c \
-	src/styles/fix/drag_gidaspow.c \
-	src/styles/fix/drag_koch_hill.c \
-	src/styles/fix/drag_schiller_naumann.c \
-	src/styles/fix/drag_stokes.c \
-	src/styles/fix/drag_wen_yu.c \
-	src/styles/fix/drill_bit.c \
-	src/styles/fix/energy_ledger.c \
-	src/styles/fix/enforce2d.c \
-	src/styles/fix/evaporate.c \
-	src/styles/fix/flow_pressure_gradient.c \
-	src/styles/fix/flow_scalar.c \
-	src/styles/fix/freeze.c \
-	src/styles/fix/gravity.c \
-	src/styles/fix/halt.c \
-	src/styles/fix/heat_gran.c \
-	src/styles/fix/immersed_boundary.c \
-	src/styles/fix/insert_pack.c \
-	src/styles/fix/insert_pack_dense.c \
-	src/styles/fix/insert_rate_region.c \
-	src/styles/fix/insert_stream.c \
-	src/styles/fix/langevin.c \
-	src/styles/fix/lift_magnus.c \
-	src/styles/fix/lift_saffman.c \
-	src/styles/fix/lineforce.c \
-	src/styles/fix/massflow_mesh.c \
-	src/styles/fix/mesh_surface.c \
-	src/styles/fix/mesh_surface_planar.c \
-	src/styles/fix/mesh_surface_stress.c \
-	src/styles/fix/mesh_surface_stress_servo.c \
-	src/styles/fix/momentum.c \
-	src/styles/fix/move.c \
-	src/styles/fix/move_mesh.c \
-	src/styles/fix/move_mesh_free.c \
-	src/styles/fix/multicontact_halfspace.c \
-	src/styles/fix/multisphere.c \
-	src/styles/fix/nve.c \
-	src/styles/fix/nve_euler.c \
-	src/styles/fix/nve_limit.c \
-	src/styles/fix/nve_noforce.c \
-	src/styles/fix/nve_sphere.c \
-	src/styles/fix/nve_symplectic.c \
-	src/styles/fix/particledistribution_discrete.c \
-	src/styles/fix/particletemplate_multiplespheres.c \
-	src/styles/fix/particletemplate_multisphere.c \
-	src/styles/fix/particletemplate_sphere.c \
-	src/styles/fix/planeforce.c \
-	src/styles/fix/pour.c \
-	src/styles/fix/print.c \
-	src/styles/fix/property_atom.c \
-	src/styles/fix/property_atom_regiontracer_time.c \
-	src/styles/fix/property_atom_tracer.c \
-	src/styles/fix/property_atom_tracer_stream.c \
-	src/styles/fix/property_global.c \
-	src/styles/fix/recenter.c \
-	src/styles/fix/remove.c \
-	src/styles/fix/rigid.c \
-	src/styles/fix/scale_diameter.c \
-	src/styles/fix/setforce.c \
-	src/styles/fix/spring.c \
-	src/styles/fix/spring_self.c \
-	src/styles/fix/store_force.c \
-	src/styles/fix/store_state.c \
-	src/styles/fix/vector.c \
-	src/styles/fix/viscous.c \
-	src/styles/fix/viscous_sphere.c \
-	src/styles/fix/void_fraction.c \
-	src/styles/fix/wall_gran.c \
-	src/styles/fix/wall_gran_region.c \
-	src/styles/fix/wall_reflect.c \
-	src/styles/flow/projection.c \
-	src/styles/flow/uniform.c \
-	src/styles/pair/gran.c \
-	src/styles/pair/gran_hertz_history.c \
-	src/styles/pair/gran_hooke.c \
-	src/styles/pair/gran_hooke_history.c \
-	src/styles/pair/granular.c \
-	src/styles/pair/spring_dashpot.c \
-	src/styles/pressure/cg.c \
-	src/styles/pressure/direct.c \
-	src/styles/pressure/hypre.c \
-	src/styles/pressure/multigrid.c \
-	src/styles/pressure/sor.c \
-	src/styles/region/block.c \
-	src/styles/region/cone.c \
-	src/styles/region/cylinder.c \
-	src/styles/region/ellipsoid.c \
-	src/styles/region/mesh_hex.c \
-	src/styles/region/mesh_tet.c \
-	src/styles/region/plane.c \
-	src/styles/region/prism.c \
-	src/styles/region/sphere.c \
-	src/styles/region/union_intersect.c \
-	src/styles/region/wedge.c \
-	src/styles/style_table.c \
-	src/systems.c
+	src/style_table.c \
+	src/systems.c \
+	src/thermo/command_thermo.c \
+	src/thermo/command_thermo_log.c \
+	src/thermo/command_thermo_modify.c \
+	src/thermo/command_thermo_style.c \
+	src/thermo/fix_print.c \
+	src/thermo/thermo.c \
+	src/thermo/thermo.h \
+	src/thermo/thermo_keywords.c \
+	src/wall/compute_wall_gran_local.c \
+	src/wall/fix_drill_bit.c \
+	src/wall/fix_mesh_surface_stress.c \
+	src/wall/fix_mesh_surface_stress_servo.c \
+	src/wall/fix_wall_gran.c \
+	src/wall/fix_wall_gran_region.c \
+	src/wall/fix_wall_reflect.c \
+	src/wall/loss.c \
+	src/wall/loss.h \
+	src/wall/mesh_stick.c \
+	src/wall/mesh_stick.h \
+	src/wall/mesh_stress.c \
+	src/wall/mesh_stress.h \
+	src/wall/mesh_wall.c \
+	src/wall/mesh_wall.h \
+	src/wall/primitive_wall.c \
+	src/wall/primitive_wall.h \
+	src/wall/region_wall.c \
+	src/wall/region_wall.h \
+	src/wall/servo_response.c \
+	src/wall/servo_response.h \
+	src/wall/wall.c \
+	src/wall/wall.h \
+	src/wall/wall_batch.h \
+	src/wall/wall_contacts.c \
+	src/wall/wall_contacts.h \
+	src/wall/wall_law.c \
+	src/wall/wall_law.h \
+	src/wall/wall_models.c \
+	src/wall/wall_push.c \
+	src/wall/wall_push.h \
+	src/wall/wall_stages.c \
+	src/wall/wall_stages.h

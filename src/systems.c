@@ -1,13 +1,13 @@
 /* The systems of a simulation, in the order in which they act within a stage. */
-#include "core/guard.h"
+#include "bond/bonds.h"
+#include "box/domain.h"
 #include "core/style.h"
+#include "explain/guard.h"
 #include "flow/flow.h"
-#include "io/thermo.h"
-#include "neigh/bonds.h"
 #include "neigh/neigh.h"
-#include "particles/domain.h"
-#include "particles/particles.h"
-#include "particles/rigid.h"
+#include "particle/particles.h"
+#include "rigid/rigid.h"
+#include "thermo/thermo.h"
 
 #include "base/banned.h"
 

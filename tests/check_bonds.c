@@ -5,9 +5,9 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "bond/bonds.h"
 #include "core/sim.h"
-#include "neigh/bonds.h"
-#include "particles/particles.h"
+#include "particle/particles.h"
 
 enum { TYPES = 3 };
 static const double STIFFNESS = 400, ULTIMATE = 12, DAMPING = 0.7;

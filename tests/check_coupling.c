@@ -2,12 +2,12 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "coupling/share.h"
+#include "coupling/volume_spread.h"
 #include "deck.h"
 #include "flow/flow.h"
-#include "flow/share.h"
-#include "flow/spread.h"
 #include "geom/ball_corner.h"
-#include "particles/particles.h"
+#include "particle/particles.h"
 
 static const double PI = 3.14159265358979323846;
 

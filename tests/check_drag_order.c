@@ -4,7 +4,7 @@
 #include "deck.h"
 #include "flow/flow.h"
 #include "flow/fluid.h"
-#include "particles/particles.h"
+#include "particle/particles.h"
 
 static const double PI = 3.14159265358979323846;
 

@@ -6,9 +6,9 @@
 #include "geom/spherehash.h"
 #include "math/minstd.h"
 #include "math/rng.h"
-#include "math/spread.h"
+#include "math/size_spread.h"
 #include "math/vec3.h"
-#include "particles/clump.h"
+#include "rigid/clump.h"
 
 /* Park and Miller give the 10000th number after the seed 1. */
 START_TEST(minstd_is_that_of_park_and_miller)

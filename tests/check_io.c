@@ -11,11 +11,11 @@
 
 #include "core/pending.h"
 #include "core/sim.h"
-#include "particles/domain.h"
+#include "box/domain.h"
 #include "io/decimal.h"
 #include "io/format.h"
 #include "io/replace.h"
-#include "io/restart.h"
+#include "restart/restart.h"
 #include "io/textfile.h"
 #include "io/vtk.h"
 

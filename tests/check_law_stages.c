@@ -5,9 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "neigh/law_stages.h"
-#include "neigh/row_loop.h"
-#include "neigh/wall_stages.h"
+#include "contact/law_stages.h"
+#include "contact/row_loop.h"
+#include "wall/wall_stages.h"
 
 enum { N = 24 };
 static const double DT = 1e-3;

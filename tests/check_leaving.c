@@ -3,7 +3,7 @@
 
 #include "core/sim.h"
 #include "neigh/neigh.h"
-#include "particles/particles.h"
+#include "particle/particles.h"
 
 enum { STEPS = 400 };
 

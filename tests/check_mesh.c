@@ -4,10 +4,10 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "geom/mesh_distance.h"
-#include "geom/mesh_touch.h"
-#include "geom/mesh_tree.h"
 #include "math/vec3.h"
+#include "mesh/mesh_distance.h"
+#include "mesh/mesh_touch.h"
+#include "mesh/mesh_tree.h"
 
 /* A cuboid of 12 triangles, as corner numbers: bit 0 x, bit 1 y, bit 2 z. */
 static const int cuboid[12][3] = {

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "geom/mesh_doctor.h"
+#include "mesh/mesh_doctor.h"
 
 #define CURVATURE 0.256235
 

@@ -9,7 +9,7 @@
 
 #include "base/status.h"
 #include "base/str.h"
-#include "io/mesh_read.h"
+#include "mesh/mesh_read.h"
 
 static struct ts_error err;
 static struct ts_pool *pool;

@@ -5,11 +5,11 @@
 
 #include "deck.h"
 
+#include "box/domain.h"
 #include "math/rng.h"
 #include "neigh/neigh.h"
-#include "particles/domain.h"
-#include "particles/exchange.h"
-#include "particles/particles.h"
+#include "particle/exchange.h"
+#include "particle/particles.h"
 
 enum { N = 140 };
 static const double stiffness = 2385.0;

@@ -7,7 +7,7 @@
 #include "core/sim.h"
 #include "neigh/neigh.h"
 #include "neigh/order.h"
-#include "particles/particles.h"
+#include "particle/particles.h"
 
 enum { N = TS_ORDER_LEAST - 1 };
 

@@ -5,9 +5,9 @@
 
 #include "deck.h"
 
+#include "box/domain.h"
 #include "core/sim.h"
-#include "particles/domain.h"
-#include "particles/particles.h"
+#include "particle/particles.h"
 
 static const double pi = 3.14159265358979323846;
 

@@ -6,9 +6,9 @@
 #include <string.h>
 
 #include "core/sim.h"
-#include "flow/fourier.h"
-#include "flow/poisson.h"
 #include "math/rng.h"
+#include "poisson/fourier.h"
+#include "poisson/poisson.h"
 
 enum { MOST = 600 }; /* cells along an axis */
 

@@ -3,8 +3,8 @@
 
 #include "deck.h"
 
-#include "core/price.h"
 #include "core/sim.h"
+#include "explain/price.h"
 
 static const char scene[] = "units si\n"
 			    "boundary p p p\n"

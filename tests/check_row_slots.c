@@ -6,7 +6,7 @@
 #include "neigh/neigh.h"
 #include "neigh/row_near.h"
 #include "neigh/row_slots.h"
-#include "particles/particles.h"
+#include "particle/particles.h"
 
 enum { N = 6000 };
 

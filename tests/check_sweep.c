@@ -3,7 +3,7 @@
 #include "deck.h"
 
 #include "core/sim.h"
-#include "particles/particles.h"
+#include "particle/particles.h"
 
 enum { N = 3000 };
 

@@ -7,7 +7,7 @@
 
 #include "core/sim.h"
 #include "math/fit.h"
-#include "particles/particles.h"
+#include "particle/particles.h"
 
 enum { LONGEST = 1 << 16, MOST = 4096 };
 

@@ -13,12 +13,16 @@ forbid() {
 	fi
 }
 
+styles() {
+	grep -l '^TS_STYLE(' src/*/*.c | grep -v '^src/script/'
+}
+
 sources() {
 	find src tests -name '*.[ch]'
 }
 
 forbid '\<(strcmp|atoi|atof|strtod|strtol)\(' 'styles declare arguments, they do not read them' <<LIST
-$(find src/styles -name '*.[ch]')
+$(styles)
 LIST
 forbid '\<(exit|abort)\(' 'only main.c ends the program' <<LIST
 $(find src -name '*.[ch]' ! -path src/main.c)
@@ -32,7 +36,7 @@ LIST
 
 # A moving region is where it was when it was last asked, so who asks brings it up to date.
 for file in $(grep -lE '\<ts_(region_contains|region_bounds|chosen)\(' src/*/*.c src/*/*/*.c); do
-	case $file in src/particles/region.c | src/particles/sites.c | src/styles/region/*) continue ;; esac
+	case $file in src/region/region.c | src/insert/sites.c | src/*/region_*) continue ;; esac
 	if ! grep -q 'ts_region_update(' "$file"; then
 		echo "$file: asks a region about points without ts_region_update"
 		status=1
@@ -64,13 +68,14 @@ if [ -n "$long" ]; then
 fi
 
 # Every header says what it is for; so does a source without a header, unless it is a style.
-for file in $(find src tests -name '*.[ch]' ! -path 'src/styles/*'); do
+for file in $(find src tests -name '*.[ch]'); do
 	case $(head -n 1 "$file") in
 	'/*'*) continue ;;
 	esac
 	case $file in
 	*.c) [ -f "${file%c}h" ] && continue ;;
 	esac
+	grep -q '^TS_STYLE(' "$file" && continue
 	echo "$file: begins without a comment that says what it is for"
 	status=1
 done

@@ -92,10 +92,11 @@ for deck in "$top_srcdir"/tests/decks/in.* "$top_srcdir"/tests/data/in.*; do
 done
 
 # each style that remembers something is in one of the decks
-for file in $(grep -lE '\.(saved|archive) = ' "$top_srcdir"/src/styles/{fix,compute,dump}/*.c); do
+for file in $(grep -lE '\.(saved|archive) = ' "$top_srcdir"/src/*/{fix,compute,dump}_*.c); do
 	style=$(sed -n '/^TS_STYLE/,$s/.*\.name = "\([^"]*\)",.*/\1/p' "$file" | head -n 1)
 	[ "$style" = restart ] && continue
-	kind=$(basename "$(dirname "$file")")
+	kind=$(basename "$file")
+	kind=${kind%%_*}
 	grep -hE "^$kind[[:space:]]" "$top_srcdir"/tests/decks/in.* | awk '{ print $4, $3 }' | grep -qw "$style"
 	report "$kind $style is in a deck of tests/decks" $?
 done

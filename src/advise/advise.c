@@ -17,7 +17,7 @@
 #include "crosscheck/folder.h"
 #include "crosscheck/inputs.h"
 #include "neigh/neigh.h"
-#include "particles/particles.h"
+#include "particle/particles.h"
 #include "script/script.h"
 
 #include "base/banned.h"

@@ -1,4 +1,4 @@
-/* A trial runs in a copy of the process (fork), as core/price.c does it: nothing it does can touch the scene,
+/* A trial runs in a copy of the process (fork), as explain/price.c does it: nothing it does can touch the scene,
  * and all trials start from the same bits. The copy works in a new thread, since OpenMP's do not survive a
  * fork. */
 #include "advise/trial.h"
@@ -15,10 +15,10 @@
 
 #include "base/clock.h"
 #include "core/plan.h"
-#include "io/thermo.h"
 #include "math/rng.h"
-#include "neigh/wall.h"
-#include "particles/particles.h"
+#include "particle/particles.h"
+#include "thermo/thermo.h"
+#include "wall/wall.h"
 
 #include "base/banned.h"
 

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "advise/trial.h"
-#include "core/price.h"
+#include "explain/price.h"
 
 #include "base/banned.h"
 

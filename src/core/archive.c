@@ -1,6 +1,6 @@
 /* One block of bytes: a magic word, the fields one after another, the checksum of all before it.
  * A field: length of the name with its final 0 (u32), type (u32), number of elements (u64), name,
- * elements. Numbers are in the byte order of the machine; io/restart.c checks that order. */
+ * elements. Numbers are in the byte order of the machine; restart/restart.c checks that order. */
 #include "core/archive.h"
 
 #include <string.h>

@@ -1,7 +1,7 @@
 /* Saved state: one description serves writing and reading, so a restart is exact by construction.
  *
  * A style lists plain fields of its state in rows. State of changing length goes through
- * ts_archive_array in the style's archive function. io/restart.c moves the bytes. */
+ * ts_archive_array in the style's archive function. restart/restart.c moves the bytes. */
 #ifndef TS_CORE_ARCHIVE_H
 #define TS_CORE_ARCHIVE_H
 
@@ -81,7 +81,7 @@ bool ts_archive_has(const struct ts_archive *archive, const char *name);
 enum ts_status ts_archive_instance(struct ts_archive *archive, struct ts_instance *inst,
 				   struct tsim *sim);
 
-/* In memory: for io/restart.c and for pending state of styles not yet defined again. */
+/* In memory: for restart/restart.c and for pending state of styles not yet defined again. */
 struct ts_archive *ts_archive_new(struct tsim *sim, bool writing); /* NULL: out of memory */
 void ts_archive_free(struct ts_archive *archive);
 /* All fields as one block of bytes, owned by the archive. */

@@ -27,7 +27,7 @@ struct ts_guard;
 
 enum ts_units { TS_UNITS_LJ, TS_UNITS_SI, TS_UNITS_CGS, TS_UNITS_MICRO };
 
-/* What a run will cost, for -explain: core/price.h. */
+/* What a run will cost, for -explain: explain/price.h. */
 struct ts_price {
 	double seconds; /* a step from the state here; NaN: not known */
 	double crowded; /* a step when the particles have come together, if that is dearer; else the same */

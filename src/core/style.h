@@ -96,14 +96,14 @@ struct ts_style {
 	 * NULL: all. */
 	bool (*gives)(const struct ts_instance *self, const struct ts_value *value);
 	bool boxless; /* a fix that may be made before the box */
-	unsigned columns; /* particle columns it needs: bits of particles/particles.h */
+	unsigned columns; /* particle columns it needs: bits of particle/particles.h */
 	ts_hook_fn *init;
 	ts_hook_fn *hook[TS_NSTAGE];
 	/* In POST_FORCE once more, after all hooks of it and functions of the outside program, in script order: what
 	 * they have added up to decides what these add. */
 	ts_hook_fn *late[TS_NLATE];
 	bool (*is_late)(const struct ts_instance *self); /* asked after init; NULL: always */
-	/* Fixes: which part of a force on a particle takes effect. See particles/restraint.h. */
+	/* Fixes: which part of a force on a particle takes effect. See force/restraint.h. */
 	const struct ts_restraint *restraint;
 	unsigned waits; /* TS_WAITS of stages in whose hooks passes over particles may wait: core/sweep.h */
 	/* Fixes: looks on, from INITIAL_INTEGRATE to END_OF_STEP, as each stage begins and after each action of
@@ -173,7 +173,7 @@ struct ts_system_style {
 	bool (*has_property)(const struct tsim *sim, const char *name);
 };
 
-/* The table of all styles, generated (src/styles/style_table.c): sorted by kind, then name; closed
+/* The table of all styles, generated (src/style_table.c): sorted by kind, then name; closed
  * by NULL. The systems are listed by hand in order of their actions (src/systems.c). */
 extern const struct ts_style *const ts_style_table[];
 extern const struct ts_system_style *const ts_system_table[];

@@ -5,10 +5,10 @@
 
 #include "base/process.h"
 #include "core/arg.h"
-#include "core/price.h"
 #include "crosscheck/folder.h"
 #include "crosscheck/inputs.h"
 #include "crosscheck/meaning.h"
+#include "explain/price.h"
 
 #include "base/banned.h"
 

@@ -1,8 +1,8 @@
 /* Time steps of the fluid. */
 #include <math.h>
 
+#include "flow/flow_limits.h"
 #include "flow/implicit.h"
-#include "flow/limits.h"
 #include "flow/way_out.h"
 
 #include "base/banned.h"

@@ -14,7 +14,7 @@
 #define TS_FLOW_FLUID_H
 
 #include "core/sim.h"
-#include "flow/grid.h"
+#include "grid/grid.h"
 
 enum ts_side { TS_LOW, TS_HIGH };
 
@@ -158,7 +158,7 @@ struct ts_flow_part {
 	/* What it carries along, at centres, ghosts written: f_ID in dumps and probes (flow/carried.h). */
 	const double *(*scalar)(struct ts_instance *self);
 	/* Adds the force of the last step on the mesh, and the torque about the mesh's anchor; says how much of the
-	 * fluid counts as virtual mass by volume of a body that moves freely (flow/virtual_mass.h). */
+	 * fluid counts as virtual mass by volume of a body that moves freely (immersed/virtual_mass.h). */
 	void (*load)(const struct ts_instance *self, const struct ts_mesh_surface *mesh,
 		     double load[2][3], double *virtual_density);
 	/* Whether bodies that move freely have come to a speed that may be what went wrong in a step of dt; the

@@ -1,6 +1,6 @@
 #include "flow/measure.h"
 
-#include "particles/region.h"
+#include "region/region.h"
 
 #include "base/banned.h"
 

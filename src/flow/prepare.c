@@ -2,9 +2,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "box/domain.h"
 #include "flow/projection.h"
-#include "particles/domain.h"
-#include "particles/region.h"
+#include "region/region.h"
 
 #include "base/banned.h"
 

@@ -9,8 +9,8 @@
 #include "flow/flow.h"
 #include "flow/fluid.h"
 #include "flow/operators.h"
-#include "flow/poisson.h"
 #include "flow/schemes.h"
+#include "poisson/poisson.h"
 
 #define TS_FAMILY_PROJECTION "projection"
 

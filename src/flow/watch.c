@@ -3,7 +3,7 @@
 #include <stdio.h>
 
 #include "base/clones.h"
-#include "flow/limits.h"
+#include "flow/flow_limits.h"
 
 #include "base/banned.h"
 

@@ -8,7 +8,7 @@
 #ifndef TS_FLOW_WAY_OUT_H
 #define TS_FLOW_WAY_OUT_H
 
-#include "flow/immersed.h"
+#include "immersed/immersed.h"
 
 struct ts_way_out;
 

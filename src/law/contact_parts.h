@@ -13,7 +13,7 @@
 #ifndef TS_LAW_CONTACT_PARTS_H
 #define TS_LAW_CONTACT_PARTS_H
 
-#include "law/energy.h"
+#include "law/elastic_energy.h"
 
 enum ts_contact_part {
 	TS_PART_NORMAL,

@@ -74,7 +74,7 @@ struct ts_granular_model {
 	bool plane;   /* two dimensions: discs roll */
 	bool full_arms; /* the arms of torque are the radii, not those less delta/2 */
 	bool full_slip; /* the arms of slip alone are */
-	bool located; /* begin and end of contacts are found within the step: law/located.h */
+	bool located; /* begin and end of contacts are found within the step: law/substep.h */
 	bool solved; /* touch.solved has what takes a root or an iteration: k_n of hooke, the area of jkr */
 	bool multi; /* contacts of one grain act on each other: law/halfspace.h */
 	bool wide; /* memory has room for all laws, as contacts of other types may have others */

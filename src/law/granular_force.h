@@ -4,8 +4,8 @@
 #define TS_LAW_GRANULAR_FORCE_H
 
 #include "law/cohesion.h"
-#include "law/located.h"
 #include "law/rolling.h"
+#include "law/substep.h"
 #include "law/tangential.h"
 #include "law/twisting.h"
 
@@ -92,7 +92,7 @@ TS_INLINE int ts_granular_met_at(const struct ts_granular_model *m)
 	return ts_granular_area_at(m) + (m->wide || ts_tangential_rescales(m));
 }
 
-/* What contacts that are located remember: law/located.h. */
+/* What contacts that are located remember: law/substep.h. */
 static inline int ts_granular_located_at(const struct ts_granular_model *m)
 {
 	return ts_granular_met_at(m) + (m->wide || ts_granular_reaches(m));

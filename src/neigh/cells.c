@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "particles/particles.h"
+#include "particle/particles.h"
 
 #include "base/banned.h"
 

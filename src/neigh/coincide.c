@@ -3,9 +3,9 @@
 #include <inttypes.h>
 #include <math.h>
 
-#include "neigh/limits.h"
-#include "neigh/mesh_wall.h"
-#include "neigh/pair.h"
+#include "contact/limits.h"
+#include "contact/pair.h"
+#include "wall/mesh_wall.h"
 
 #include "base/banned.h"
 

@@ -6,7 +6,7 @@
 #define TS_NEIGH_COINCIDE_H
 
 #include "neigh/rows.h"
-#include "neigh/wall.h"
+#include "wall/wall.h"
 
 /* Centres nearer to each other, or to a surface, than this part of a radius are told apart by
  * rounding only. */

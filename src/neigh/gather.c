@@ -2,7 +2,7 @@
 
 #include "base/parallel.h"
 #include "base/sort.h"
-#include "particles/particles.h"
+#include "particle/particles.h"
 
 #include "base/banned.h"
 

@@ -4,11 +4,11 @@
 #include <string.h>
 
 #include "base/clones.h"
+#include "box/domain.h"
 #include "math/vec3.h"
 #include "neigh/neigh.h"
-#include "particles/domain.h"
-#include "particles/exchange.h"
-#include "particles/particles.h"
+#include "particle/exchange.h"
+#include "particle/particles.h"
 
 #include "base/banned.h"
 

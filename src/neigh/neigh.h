@@ -59,7 +59,7 @@ bool ts_neigh_uses_group(const struct ts_neigh *neigh, int bit);
 /* The pairs that neigh_modify exclude and special_bonds leave out; NULL: none. */
 ts_excluded_fn *ts_neigh_excluded(const struct tsim *sim);
 
-/* Pressure and counts of searches for the table of the log: neigh/pressure.c. */
+/* Pressure and counts of searches for the table of the log: contact/contact_pressure.c. */
 extern const struct ts_keyword ts_neigh_keywords[];
 extern const struct ts_system_style ts_neigh_system;
 

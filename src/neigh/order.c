@@ -3,8 +3,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "particles/identity.h"
-#include "particles/particles.h"
+#include "particle/identity.h"
+#include "particle/particles.h"
 
 #include "base/banned.h"
 

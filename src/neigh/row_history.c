@@ -2,10 +2,10 @@
 
 #include <string.h>
 
-#include "neigh/row_loop.h"
+#include "contact/row_loop.h"
 #include "neigh/row_memory.h"
 #include "neigh/row_slots.h"
-#include "particles/identity.h"
+#include "particle/identity.h"
 
 #include "base/banned.h"
 

@@ -7,7 +7,7 @@
 #include "base/four.h"
 #include "base/parallel.h"
 #include "core/sweep.h"
-#include "particles/particles.h"
+#include "particle/particles.h"
 
 #include "base/banned.h"
 

@@ -4,7 +4,7 @@
 
 #include "neigh/cells.h"
 #include "neigh/rows.h"
-#include "particles/particles.h"
+#include "particle/particles.h"
 
 /* What one share of the particles has found. */
 struct ts_row_found {

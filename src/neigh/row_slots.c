@@ -5,7 +5,7 @@
 #include "base/parallel.h"
 #include "neigh/row_memory.h"
 #include "neigh/row_near.h"
-#include "particles/particles.h"
+#include "particle/particles.h"
 
 #include "base/banned.h"
 

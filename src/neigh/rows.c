@@ -7,7 +7,7 @@
 #include "neigh/row_history.h"
 #include "neigh/row_search.h"
 #include "neigh/row_slots.h"
-#include "particles/particles.h"
+#include "particle/particles.h"
 
 #include "base/banned.h"
 

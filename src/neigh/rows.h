@@ -15,7 +15,7 @@
 
 #include "core/sim.h"
 #include "neigh/gather.h"
-#include "particles/particles.h"
+#include "particle/particles.h"
 
 /* What rows need of a particle, together: a copy that is made in each step, and that the loops read in whole vectors. */
 struct ts_row_sphere {
@@ -73,7 +73,7 @@ struct ts_rows {
 	uint8_t *image;	    /* which image of j: 13 = itself; see ts_image_code */
 	int32_t *winding;   /* which image, in a way that wrapping does not change; ts_winding */
 	enum ts_row_results results;
-	bool broken; /* in this step bridges of liquid have: neigh/liquid.h */
+	bool broken; /* in this step bridges of liquid have: contact/liquid.h */
 	bool sets; /* the next sums are the first forces of their step: nobody has set these to zero */
 	/* Forces, see ts_row_force, and behind each, as far as contacts make torques (parts 2, 3), turn and roll */
 	double (*result)[4];

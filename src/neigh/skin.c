@@ -1,14 +1,14 @@
 /* How far beyond contact neighbours are looked for: it decides the cost, and nothing else. */
 #include <math.h>
 
+#include "box/domain.h"
+#include "contact/limits.h"
 #include "core/settings.h"
+#include "mesh/mesh_surface.h"
 #include "neigh/leaving.h"
-#include "neigh/limits.h"
 #include "neigh/neigh.h"
-#include "neigh/wall.h"
-#include "particles/domain.h"
-#include "particles/mesh_surface.h"
-#include "particles/particles.h"
+#include "particle/particles.h"
+#include "wall/wall.h"
 
 #include "base/banned.h"
 

@@ -3,10 +3,10 @@
 
 #include <stdio.h>
 
-#include "neigh/heat.h"
-#include "neigh/wall.h"
-#include "particles/integrators.h"
-#include "particles/rigid.h"
+#include "heat/heat.h"
+#include "integrate/integrators.h"
+#include "rigid/rigid.h"
+#include "wall/wall.h"
 
 #include "base/banned.h"
 

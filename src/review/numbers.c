@@ -4,11 +4,11 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "neigh/wall.h"
-#include "particles/body.h"
-#include "particles/gravity.h"
-#include "particles/property.h"
-#include "particles/rigid.h"
+#include "force/gravity.h"
+#include "material/property.h"
+#include "particle/body.h"
+#include "rigid/rigid.h"
+#include "wall/wall.h"
 
 #include "base/banned.h"
 

@@ -3,11 +3,11 @@
 
 #include <math.h>
 
-#include "law/energy.h"
-#include "neigh/bonds.h"
-#include "neigh/contact_list.h"
-#include "neigh/pair.h"
-#include "neigh/row_loop.h"
+#include "bond/bonds.h"
+#include "contact/contact_list.h"
+#include "contact/pair.h"
+#include "contact/row_loop.h"
+#include "law/elastic_energy.h"
 #include "review/touching.h"
 
 #include "base/banned.h"

@@ -3,14 +3,14 @@
 
 #include <math.h>
 
-#include "neigh/bonds.h"
-#include "neigh/mesh_wall.h"
-#include "neigh/primitive_wall.h"
-#include "particles/domain.h"
-#include "particles/gravity.h"
-#include "particles/integrators.h"
-#include "particles/mesh_motion.h"
-#include "particles/mesh_surface.h"
+#include "bond/bonds.h"
+#include "box/domain.h"
+#include "force/gravity.h"
+#include "integrate/integrators.h"
+#include "mesh/mesh_motion.h"
+#include "mesh/mesh_surface.h"
+#include "wall/mesh_wall.h"
+#include "wall/primitive_wall.h"
 
 #include "base/banned.h"
 

@@ -2,9 +2,9 @@
 #ifndef TS_REVIEW_TOUCHING_H
 #define TS_REVIEW_TOUCHING_H
 
+#include "integrate/integrators.h"
 #include "law/granular_force.h"
-#include "particles/integrators.h"
-#include "particles/rigid.h"
+#include "rigid/rigid.h"
 
 struct ts_review_overlaps {
 	size_t n;

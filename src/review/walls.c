@@ -3,8 +3,8 @@
 
 #include <math.h>
 
-#include "neigh/wall.h"
 #include "review/touching.h"
+#include "wall/wall.h"
 
 #include "base/banned.h"
 

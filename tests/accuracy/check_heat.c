@@ -10,7 +10,7 @@
 #include <gsl/gsl_eigen.h>
 #include <gsl/gsl_linalg.h>
 
-#include "law/heat.h"
+#include "law/conduction.h"
 
 static const double RADIUS = 0.5e-3, DISTANCE = 0.9e-3, DENSITY = 7850, CONDUCTIVITY = 43;
 static const double HOT = 773.15, COLD = 273.15;

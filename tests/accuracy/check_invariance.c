@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "core/sim.h"
-#include "particles/particles.h"
+#include "particle/particles.h"
 
 enum { STEPS = 1200 };
 

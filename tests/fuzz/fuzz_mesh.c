@@ -5,7 +5,7 @@
 #include "sandbox.h"
 
 #include "base/str.h"
-#include "io/mesh_read.h"
+#include "mesh/mesh_read.h"
 
 int LLVMFuzzerInitialize(int *argc, char ***argv)
 {

@@ -10,7 +10,7 @@
 #include "core/sim.h"
 #include "flow/fluid.h"
 #include "flow/flow.h"
-#include "particles/particles.h"
+#include "particle/particles.h"
 
 enum { N = 4, PER_CELL = 9, STEPS = 60 };
 static const double PI = 3.14159265358979323846, WIDTH = 1, DIAMETER = 0.5, VISCOSITY = 0.1, DENSITY = 1.385;

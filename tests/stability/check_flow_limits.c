@@ -7,7 +7,7 @@
 #include "../deck.h"
 
 #include "core/sim.h"
-#include "flow/limits.h"
+#include "flow/flow_limits.h"
 
 enum { N = 12, STEPS = 300 };
 

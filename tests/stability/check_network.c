@@ -1,5 +1,5 @@
 /* Many contacts and bonds at once: the largest stable step, found by bisection, beside theory where it is known in closed
- * form, and beside what the plan of a run reports (neigh/network.c), both sides: measured must not be below what is
+ * form, and beside what the plan of a run reports (limits/network.c), both sides: measured must not be below what is
  * reported by more than a few per cent, nor above it.
  *
  * All but the grain on a wall have unit springs and masses: h is in units of sqrt(m/k).

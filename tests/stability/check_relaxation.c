@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "flow/relaxation.h"
 #include "math/rng.h"
+#include "poisson/relaxation.h"
 
 enum { N = 17, M = 12 };
 static const double PI = 3.14159265358979323846;

@@ -1,0 +1,64 @@
+#include "average/average_file.h"
+
+#include "base/banned.h"
+
+enum ts_status ts_average_file_init(struct ts_instance *self, struct tsim *sim,
+				    struct ts_average_file *f)
+{
+	if (f->file && f->append)
+		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+			       "fix %s: expected either file or append, found both",
+			       self->style->name);
+	if (f->overwrite && f->append)
+		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+			       "fix %s: overwrite goes with file, not with append", self->style->name);
+	if (!ts_format_check(f->format, false, f->checked))
+		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+			       "fix %s: format '%s' is not one for a number, like %%g or %%12.5f",
+			       self->style->name, f->format);
+	return TS_OK;
+}
+
+bool ts_average_file_wanted(const struct ts_average_file *f)
+{
+	return f->file || f->append;
+}
+
+enum ts_status ts_average_file_begin(struct ts_instance *self, struct tsim *sim,
+				     struct ts_average_file *f, bool *titles)
+{
+	const char *path = f->file ? f->file : f->append;
+
+	ts_str_clear(&f->text);
+	if (f->overwrite)
+		TS_TRY(ts_textfile_close(&f->out));
+	*titles = !ts_textfile_is_open(&f->out);
+	return *titles ? ts_textfile_open(&f->out, sim, ts_instance_word(self, path), path,
+					  f->append != NULL)
+		       : TS_OK;
+}
+
+void ts_average_file_title(struct ts_average_file *f, int k, const char *usual)
+{
+	ts_str_addf(&f->text, "%s\n", f->title[k] ? f->title[k] : usual);
+}
+
+void ts_average_file_number(struct ts_average_file *f, double value)
+{
+	ts_str_add(&f->text, " ");
+	ts_format_add(&f->text, f->checked, false, value);
+}
+
+enum ts_status ts_average_file_end(struct tsim *sim, struct ts_average_file *f)
+{
+	if (f->text.failed)
+		return ts_nomem(&sim->error);
+	TS_TRY(ts_textfile_write(&f->out, ts_str_text(&f->text), f->text.length));
+	return ts_textfile_flush(&f->out);
+}
+
+void ts_average_file_release(struct ts_average_file *f)
+{
+	ts_textfile_close(&f->out);
+	ts_str_release(&f->text);
+}

@@ -1,0 +1,69 @@
+#include "average/chunk_user.h"
+
+#include "math/vec3.h"
+#include "particle/moments.h"
+
+#include "base/banned.h"
+
+enum ts_status ts_chunk_user_init(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_chunk_user *user = self->state;
+	struct ts_instance *owner;
+	struct ts_chunks *chunks;
+
+	user->sim = sim;
+	return ts_chunks_find(sim, self, user->id, &owner, &chunks);
+}
+
+void ts_chunk_user_fini(struct ts_instance *self)
+{
+	ts_table_release(&((struct ts_chunk_user *)self->state)->centre);
+}
+
+enum ts_status ts_chunk_user_now(const struct ts_instance *self, struct ts_chunks **chunks)
+{
+	const struct ts_chunk_user *user = self->state;
+	struct ts_instance *owner;
+
+	TS_TRY(ts_chunks_find(user->sim, self, user->id, &owner, chunks));
+	return ts_chunks_assign(owner, *chunks, TS_CHUNK_LOOK);
+}
+
+static void mass_x(const struct tsim *sim, size_t i, size_t chunk, const void *context, double *term)
+{
+	(void)chunk, (void)context;
+	ts_unwrapped(sim, i, term);
+	ts_scale(sim->particles->mass[i], term, term);
+	term[3] = sim->particles->mass[i];
+}
+
+enum ts_status ts_chunk_centres(const struct ts_instance *self, const struct ts_chunks *chunks,
+				struct ts_table *out)
+{
+	TS_TRY(ts_chunk_sum(chunks, self->group, 4, mass_x, NULL, out));
+	for (size_t k = 0; k < out->rows; k++) {
+		double *row = out->data + 4 * k;
+
+		for (int d = 0; d < 3; d++)
+			row[d] = row[3] > 0 ? row[d] / row[3] : 0;
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_chunk_moments(const struct ts_instance *self, size_t width, ts_chunk_term *term,
+				struct ts_chunks **chunks, struct ts_table *out)
+{
+	struct ts_chunk_user *user = self->state;
+
+	TS_TRY(ts_chunk_user_now(self, chunks));
+	TS_TRY(ts_chunk_centres(self, *chunks, &user->centre));
+	return ts_chunk_sum(*chunks, self->group, width, term, &user->centre, out);
+}
+
+void ts_chunk_arm(const struct tsim *sim, size_t i, size_t chunk, const void *context, double d[3])
+{
+	const struct ts_table *centre = context;
+
+	ts_unwrapped(sim, i, d);
+	ts_sub(d, centre->data + 4 * (chunk - 1), d);
+}

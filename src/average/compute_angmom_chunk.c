@@ -1,0 +1,58 @@
+/* Compute: angular momentum of each chunk. */
+#include "average/chunk_user.h"
+
+#include "math/vec3.h"
+#include "particle/particles.h"
+
+#include "base/banned.h"
+
+struct state {
+	struct ts_chunk_user user;
+};
+
+/* sum m d x v; the velocity of the centre adds nothing. */
+static void momentum(const struct tsim *sim, size_t i, size_t chunk, const void *context, double *term)
+{
+	double d[3];
+
+	ts_chunk_arm(sim, i, chunk, context, d);
+	ts_cross(d, sim->particles->v[i], term);
+	ts_scale(sim->particles->mass[i], term, term);
+}
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	struct ts_chunks *chunks;
+
+	(void)sim;
+	return ts_chunk_moments(self, 3, momentum, &chunks, out);
+}
+
+static const char *const names[] = { "x", "y", "z", NULL };
+
+static const struct ts_value values[] = {
+	{ "momenta", "mass*length*velocity", "angular momentum of each chunk", TS_ARRAY, 3, names,
+	  eval },
+	{ .name = NULL },
+};
+
+static const struct ts_arg args[] = {
+	TS_CHUNK_USER_ARG(struct state),
+	TS_ARGS_END,
+};
+
+TS_STYLE(compute, ts_style, ts_compute_angmom_chunk)
+const struct ts_style ts_compute_angmom_chunk = {
+	.name = "angmom/chunk",
+	.kind = TS_KIND_COMPUTE,
+	.summary = "Angular momentum of each chunk",
+	.doc = "sum m d x v over the particles of the group in each chunk of compute chunk/atom, d from the centre of mass "
+	       "of the\nchunk, positions without periodic wrapping: the spin of the particles themselves is not in "
+	       "it. c_ID[i][1],\nc_ID[i][2], c_ID[i][3] belong to chunk i.",
+	.example = "compute l all angmom/chunk pieces",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.values = values,
+	.init = ts_chunk_user_init,
+	.fini = ts_chunk_user_fini,
+};

@@ -1,0 +1,100 @@
+/* Compute: gives each particle the numbers of its chunk. */
+#include "average/chunk_user.h"
+#include "core/ref_list.h"
+#include "particle/particles.h"
+
+#include "base/banned.h"
+
+struct state {
+	struct ts_chunk_user user;
+	struct ts_words words;
+	struct ts_ref_list input;
+	struct ts_table each;
+};
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	TS_TRY(ts_chunk_user_init(self, sim));
+	return ts_ref_list_init(sim, "compute chunk/spread/atom", &self->arena, s->words,
+				TS_WANT(VECTOR), &s->input);
+}
+
+static enum ts_status spread(struct ts_instance *self, const struct ts_chunks *chunks, size_t k,
+			     struct ts_table *out)
+{
+	struct state *s = self->state;
+	const struct ts_ref_input *input = &s->input.item[k];
+	const struct ts_particles *p = s->user.sim->particles;
+
+	TS_TRY(ts_ref_input_eval(s->user.sim, input, &s->each));
+	if (s->each.rows != chunks->n)
+		return ts_fail(&s->user.sim->error, TS_STATE, &input->where,
+			       "compute chunk/spread/atom: '%s' has %zu numbers, but there are %zu "
+			       "chunks in '%s'",
+			       input->name, s->each.rows, chunks->n, s->user.id);
+	for (size_t i = 0; i < p->n; i++) {
+		bool has = chunks->id[i] > 0 && ts_in_group(p, i, self->group);
+
+		out->data[i * s->input.n + k] = has ? s->each.data[chunks->id[i] - 1] : 0;
+	}
+	return TS_OK;
+}
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	struct state *s = self->state;
+	struct ts_chunks *chunks;
+
+	TS_TRY(ts_table_resize(out, sim->particles->n, s->input.n));
+	for (size_t k = 0; k < s->input.n; k++) {
+		/* who is evaluated may sort the particles for other chunks */
+		TS_TRY(ts_chunk_user_now(self, &chunks));
+		TS_TRY(spread(self, chunks, k, out));
+	}
+	return TS_OK;
+}
+
+static void fini(struct ts_instance *self)
+{
+	struct state *s = self->state;
+
+	ts_chunk_user_fini(self);
+	ts_ref_list_release(&s->input);
+	ts_table_release(&s->each);
+}
+
+static const struct ts_value values[] = {
+	{ "values", "", "those of its chunk, one for each input; 0 outside chunks and group", TS_PERATOM,
+	  0, NULL, eval },
+	{ .name = NULL },
+};
+
+static const struct ts_arg args[] = {
+	TS_CHUNK_USER_ARG(struct state),
+	TS_LIST("values", struct state, words,
+		.help = "lists with a number for each chunk: c_ID, f_ID, columns of tables c_ID[k], f_ID[k], "
+			"or v_name of style vector"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(compute, ts_style, ts_compute_chunk_spread_atom)
+const struct ts_style ts_compute_chunk_spread_atom = {
+	.name = "chunk/spread/atom",
+	.kind = TS_KIND_COMPUTE,
+	.summary = "Gives each particle the numbers of its chunk",
+	.doc = "Each particle of the group has as its numbers those that the chunk has in which compute chunk/atom "
+	       "puts it; particles in no chunk have 0. So the size of a cluster, or the mean velocity of a layer, "
+	       "can colour its particles in a dump, or be used by an atom-style variable.",
+	.example = "compute heap all cluster/atom 0.01\n"
+		   "compute heaps all chunk/atom c_heap compress yes\n"
+		   "compute mass all reduce/chunk heaps sum mass\n"
+		   "compute mine all chunk/spread/atom heaps c_mass\n"
+		   "dump d all custom 1000 post/*.dump id x y z c_mine",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.values = values,
+	.init = init,
+	.fini = fini,
+};

@@ -1,0 +1,51 @@
+/* Compute: centre of mass of each chunk. */
+#include "average/chunk_user.h"
+
+#include "base/banned.h"
+
+struct state {
+	struct ts_chunk_user user;
+};
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	struct ts_chunk_user *user = self->state;
+	struct ts_chunks *chunks;
+
+	(void)sim;
+	TS_TRY(ts_chunk_user_now(self, &chunks));
+	TS_TRY(ts_chunk_centres(self, chunks, &user->centre));
+	TS_TRY(ts_table_resize(out, chunks->n, 3));
+	for (size_t k = 0; k < chunks->n; k++)
+		for (size_t d = 0; d < 3; d++)
+			out->data[3 * k + d] = user->centre.data[4 * k + d];
+	return TS_OK;
+}
+
+static const char *const names[] = { "x", "y", "z", NULL };
+
+static const struct ts_value values[] = {
+	{ "centers", "length", "centre of mass of each chunk", TS_ARRAY, 3, names,
+	  eval },
+	{ .name = NULL },
+};
+
+static const struct ts_arg args[] = {
+	TS_CHUNK_USER_ARG(struct state),
+	TS_ARGS_END,
+};
+
+TS_STYLE(compute, ts_style, ts_compute_com_chunk)
+const struct ts_style ts_compute_com_chunk = {
+	.name = "com/chunk",
+	.kind = TS_KIND_COMPUTE,
+	.summary = "Center of mass of each chunk",
+	.doc = "Of the particles of the group in each chunk of compute chunk/atom, with positions without periodic\n"
+	       "wrapping. c_ID[i][1], c_ID[i][2], c_ID[i][3] belong to chunk i; a chunk without particles has 0.",
+	.example = "compute c all com/chunk pieces",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.values = values,
+	.init = ts_chunk_user_init,
+	.fini = ts_chunk_user_fini,
+};

@@ -1,0 +1,86 @@
+/* Compute: radius of gyration of each chunk. */
+#include "average/chunk_user.h"
+
+#include <math.h>
+
+#include "particle/moments.h"
+#include "particle/particles.h"
+
+#include "base/banned.h"
+
+struct state {
+	struct ts_chunk_user user;
+	bool tensor;
+};
+
+static void second_moment(const struct tsim *sim, size_t i, size_t chunk, const void *context,
+			  double *term)
+{
+	double d[3];
+
+	ts_chunk_arm(sim, i, chunk, context, d);
+	for (int k = 0; k < 6; k++)
+		term[k] = sim->particles->mass[i] * d[ts_tensor_row[k]] * d[ts_tensor_column[k]];
+}
+
+static enum ts_status eval_tensor(struct ts_instance *self, const struct tsim *sim,
+				  struct ts_table *out)
+{
+	const struct state *s = self->state;
+	struct ts_chunks *chunks;
+
+	(void)sim;
+	TS_TRY(ts_chunk_moments(self, 6, second_moment, &chunks, out));
+	for (size_t k = 0; k < 6 * chunks->n; k++) {
+		double mass = s->user.centre.data[4 * (k / 6) + 3];
+
+		out->data[k] = mass > 0 ? out->data[k] / mass : 0;
+	}
+	return TS_OK;
+}
+
+static enum ts_status eval_radius(struct ts_instance *self, const struct tsim *sim,
+				  struct ts_table *out)
+{
+	TS_TRY(eval_tensor(self, sim, out));
+	for (size_t k = 0; k < out->rows; k++)
+		out->data[k] = sqrt(out->data[6 * k] + out->data[6 * k + 1] + out->data[6 * k + 2]);
+	return ts_table_resize(out, 1, out->rows);
+}
+
+static bool gives(const struct ts_instance *self, const struct ts_value *value)
+{
+	return (value->shape == TS_ARRAY) == ((const struct state *)self->state)->tensor;
+}
+
+
+static const struct ts_value values[] = {
+	{ "radii", "length", "radius of gyration of each chunk", TS_VECTOR, 0, NULL,
+	  eval_radius },
+	{ "tensors", "length^2", "with `tensor`: the tensor of each chunk", TS_ARRAY, 6, ts_tensor_names,
+	  eval_tensor },
+	{ .name = NULL },
+};
+
+static const struct ts_arg args[] = {
+	TS_CHUNK_USER_ARG(struct state),
+	TS_FLAG("tensor", struct state, tensor, .help = "the whole tensor instead of the radius"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(compute, ts_style, ts_compute_gyration_chunk)
+const struct ts_style ts_compute_gyration_chunk = {
+	.name = "gyration/chunk",
+	.kind = TS_KIND_COMPUTE,
+	.summary = "Radius of gyration of each chunk",
+	.doc = "As compute gyration, of the particles of the group in each chunk of compute chunk/atom: c_ID[i] is the "
+	       "radius of\nchunk i, or with `tensor` c_ID[i][1] ... c_ID[i][6] are xx, yy, zz, xy, xz, yz. A chunk "
+	       "without particles has 0.",
+	.example = "compute size all gyration/chunk pieces\ncompute shape all gyration/chunk pieces tensor",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.values = values,
+	.init = ts_chunk_user_init,
+	.gives = gives,
+	.fini = ts_chunk_user_fini,
+};

@@ -1,0 +1,63 @@
+/* Compute: tensor of inertia of each chunk. */
+#include "average/chunk_user.h"
+
+#include "math/vec3.h"
+#include "particle/particles.h"
+
+#include "base/banned.h"
+
+struct state {
+	struct ts_chunk_user user;
+};
+
+/* LAMMPS has yz before xz here. */
+static const int first[6] = { 0, 1, 2, 0, 1, 0 }, second[6] = { 0, 1, 2, 1, 2, 2 };
+static const char *const names[] = { "xx", "yy", "zz", "xy", "yz", "xz", NULL };
+
+/* sum m (d^2 delta_ab - d_a d_b) */
+static void inertia(const struct tsim *sim, size_t i, size_t chunk, const void *context, double *term)
+{
+	double d[3], m = sim->particles->mass[i];
+
+	ts_chunk_arm(sim, i, chunk, context, d);
+	for (int k = 0; k < 6; k++) {
+		int a = first[k], b = second[k];
+
+		term[k] = m * ((a == b ? ts_dot(d, d) : 0) - d[a] * d[b]);
+	}
+}
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	struct ts_chunks *chunks;
+
+	(void)sim;
+	return ts_chunk_moments(self, 6, inertia, &chunks, out);
+}
+
+static const struct ts_value values[] = {
+	{ "inertia", "mass*length^2", "tensor of inertia of each chunk", TS_ARRAY, 6, names,
+	  eval },
+	{ .name = NULL },
+};
+
+static const struct ts_arg args[] = {
+	TS_CHUNK_USER_ARG(struct state),
+	TS_ARGS_END,
+};
+
+TS_STYLE(compute, ts_style, ts_compute_inertia_chunk)
+const struct ts_style ts_compute_inertia_chunk = {
+	.name = "inertia/chunk",
+	.kind = TS_KIND_COMPUTE,
+	.summary = "Tensor of inertia of each chunk",
+	.doc = "I_ab = sum m (d^2 delta_ab - d_a d_b) over the particles of the group in each chunk of compute "
+	       "chunk/atom, d from\nthe centre of mass of the chunk, positions without periodic wrapping: particles "
+	       "count as points. c_ID[i][1] ...\nc_ID[i][6] are xx, yy, zz, xy, yz, xz of chunk i.",
+	.example = "compute i all inertia/chunk pieces",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.values = values,
+	.init = ts_chunk_user_init,
+	.fini = ts_chunk_user_fini,
+};

@@ -1,0 +1,86 @@
+/* Compute: angular velocity of each chunk. */
+#include "average/chunk_user.h"
+
+#include "math/symmetric3.h"
+#include "math/vec3.h"
+#include "particle/moments.h"
+
+#include "base/banned.h"
+
+struct state {
+	struct ts_chunk_user user;
+	struct ts_table sums;
+};
+
+/* sum m (d^2 delta_ab - d_a d_b) */
+static void inertia(const struct tsim *sim, size_t i, size_t chunk, const void *context, double *term)
+{
+	double d[3], m = sim->particles->mass[i];
+
+	ts_chunk_arm(sim, i, chunk, context, d);
+	for (int k = 0; k < 6; k++) {
+		int a = ts_tensor_row[k], b = ts_tensor_column[k];
+
+		term[k] = m * ((a == b ? ts_dot(d, d) : 0) - d[a] * d[b]);
+	}
+}
+
+/* The tensor of inertia and, behind it, the angular momentum. */
+static void both(const struct tsim *sim, size_t i, size_t chunk, const void *context, double *term)
+{
+	double d[3];
+
+	inertia(sim, i, chunk, context, term);
+	ts_chunk_arm(sim, i, chunk, context, d);
+	ts_cross(d, sim->particles->v[i], term + 6);
+	ts_scale(sim->particles->mass[i], term + 6, term + 6);
+}
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	struct state *s = self->state;
+	struct ts_chunks *chunks;
+
+	(void)sim;
+	TS_TRY(ts_chunk_moments(self, 9, both, &chunks, &s->sums));
+	TS_TRY(ts_table_resize(out, chunks->n, 3));
+	for (size_t k = 0; k < chunks->n; k++)
+		ts_symmetric3_solve(s->sums.data + 9 * k, s->sums.data + 9 * k + 6,
+				    out->data + 3 * k);
+	return TS_OK;
+}
+
+static void fini(struct ts_instance *self)
+{
+	ts_table_release(&((struct state *)self->state)->sums);
+	ts_chunk_user_fini(self);
+}
+
+static const char *const names[] = { "x", "y", "z", NULL };
+
+static const struct ts_value values[] = {
+	{ "omega", "1/time", "angular velocity of each chunk", TS_ARRAY, 3, names,
+	  eval },
+	{ .name = NULL },
+};
+
+static const struct ts_arg args[] = {
+	TS_CHUNK_USER_ARG(struct state),
+	TS_ARGS_END,
+};
+
+TS_STYLE(compute, ts_style, ts_compute_omega_chunk)
+const struct ts_style ts_compute_omega_chunk = {
+	.name = "omega/chunk",
+	.kind = TS_KIND_COMPUTE,
+	.summary = "Angular velocity of each chunk",
+	.doc = "omega = I^-1 L with the tensor of inertia of compute inertia/chunk and the angular momentum of compute\n"
+	       "angmom/chunk. About an axis without inertia, as that of two particles, it is 0. c_ID[i][1], "
+	       "c_ID[i][2],\nc_ID[i][3] belong to chunk i.",
+	.example = "compute w all omega/chunk pieces",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.values = values,
+	.init = ts_chunk_user_init,
+	.fini = fini,
+};

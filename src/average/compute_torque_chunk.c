@@ -1,0 +1,56 @@
+/* Compute: torque on each chunk. */
+#include "average/chunk_user.h"
+
+#include "math/vec3.h"
+#include "particle/particles.h"
+
+#include "base/banned.h"
+
+struct state {
+	struct ts_chunk_user user;
+};
+
+static void torque(const struct tsim *sim, size_t i, size_t chunk, const void *context, double *term)
+{
+	double d[3];
+
+	ts_chunk_arm(sim, i, chunk, context, d);
+	ts_cross(d, sim->particles->f[i], term);
+}
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	struct ts_chunks *chunks;
+
+	(void)sim;
+	return ts_chunk_moments(self, 3, torque, &chunks, out);
+}
+
+static const char *const names[] = { "x", "y", "z", NULL };
+
+static const struct ts_value values[] = {
+	{ "torques", "force*length", "torque on each chunk", TS_ARRAY, 3, names,
+	  eval },
+	{ .name = NULL },
+};
+
+static const struct ts_arg args[] = {
+	TS_CHUNK_USER_ARG(struct state),
+	TS_ARGS_END,
+};
+
+TS_STYLE(compute, ts_style, ts_compute_torque_chunk)
+const struct ts_style ts_compute_torque_chunk = {
+	.name = "torque/chunk",
+	.kind = TS_KIND_COMPUTE,
+	.summary = "Torque on each chunk",
+	.doc = "sum d x F over the particles of the group in each chunk of compute chunk/atom, F the whole force on the "
+	       "particle,\nd from the centre of mass of the chunk, positions without periodic wrapping. c_ID[i][1], "
+	       "c_ID[i][2],\nc_ID[i][3] belong to chunk i.",
+	.example = "compute t all torque/chunk pieces",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.values = values,
+	.init = ts_chunk_user_init,
+	.fini = ts_chunk_user_fini,
+};

@@ -1,0 +1,64 @@
+/* Compute: velocity of each chunk. */
+#include "average/chunk_user.h"
+
+#include "particle/particles.h"
+
+#include "base/banned.h"
+
+struct state {
+	struct ts_chunk_user user;
+};
+
+static void momentum(const struct tsim *sim, size_t i, size_t chunk, const void *context, double *term)
+{
+	(void)chunk, (void)context;
+	term[3] = sim->particles->mass[i];
+	for (int d = 0; d < 3; d++)
+		term[d] = term[3] * sim->particles->v[i][d];
+}
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	struct ts_chunk_user *user = self->state;
+	struct ts_chunks *chunks;
+
+	(void)sim;
+	TS_TRY(ts_chunk_user_now(self, &chunks));
+	TS_TRY(ts_chunk_sum(chunks, self->group, 4, momentum, NULL, &user->centre));
+	TS_TRY(ts_table_resize(out, chunks->n, 3));
+	for (size_t k = 0; k < chunks->n; k++) {
+		const double *sum = user->centre.data + 4 * k;
+
+		for (size_t d = 0; d < 3; d++)
+			out->data[3 * k + d] = sum[3] > 0 ? sum[d] / sum[3] : 0;
+	}
+	return TS_OK;
+}
+
+static const char *const names[] = { "x", "y", "z", NULL };
+
+static const struct ts_value values[] = {
+	{ "velocities", "velocity", "velocity of the centre of mass of each chunk", TS_ARRAY, 3, names,
+	  eval },
+	{ .name = NULL },
+};
+
+static const struct ts_arg args[] = {
+	TS_CHUNK_USER_ARG(struct state),
+	TS_ARGS_END,
+};
+
+TS_STYLE(compute, ts_style, ts_compute_vcm_chunk)
+const struct ts_style ts_compute_vcm_chunk = {
+	.name = "vcm/chunk",
+	.kind = TS_KIND_COMPUTE,
+	.summary = "Velocity of the center of mass of each chunk",
+	.doc = "sum m v / sum m over the particles of the group in each chunk of compute chunk/atom. c_ID[i][1], "
+	       "c_ID[i][2],\nc_ID[i][3] belong to chunk i; a chunk without particles has 0.",
+	.example = "compute v all vcm/chunk pieces",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.values = values,
+	.init = ts_chunk_user_init,
+	.fini = ts_chunk_user_fini,
+};

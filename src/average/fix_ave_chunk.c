@@ -1,0 +1,89 @@
+/* Fix ave/chunk: averages over the particles of chunks, and over time. */
+#include "average/chunk_average.h"
+
+#include "base/banned.h"
+
+struct state {
+	struct ts_chunk_average common;
+	const char *chunk_id;
+};
+
+static enum ts_status source(struct ts_instance *self, struct tsim *sim, enum ts_chunk_moment moment,
+			     struct ts_chunks **chunks)
+{
+	struct ts_instance *owner;
+
+	TS_TRY(ts_chunks_find(sim, self, ((struct state *)self->state)->chunk_id, &owner, chunks));
+	return ts_chunks_assign(owner, *chunks, moment);
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	struct ts_instance *owner;
+	struct ts_chunks *chunks;
+
+	s->common.source = source;
+	TS_TRY(ts_chunks_find(sim, self, s->chunk_id, &owner, &chunks));
+	return ts_chunk_average_init(self, sim);
+}
+
+static const struct ts_arg window_row[] = { TS_AVERAGE_WINDOW_ROW(struct state, common.average),
+					    TS_ARGS_END };
+static const struct ts_mode combinations[] = TS_AVERAGE_MODES;
+
+static const struct ts_arg args[] = {
+	TS_AVERAGE_STEPS(struct state, common.average),
+	TS_WORD("chunkID", struct state, chunk_id, .flags = TS_POSITIONAL | TS_STATEFUL,
+		.help = "the compute chunk/atom"),
+	TS_LIST_STATEFUL("values", struct state, common.words,
+			 .help = "vx, fx, mass ..., density/number, density/mass, temp, c_ID, c_ID[k], "
+				 "c_ID[*], f_ID, f_ID[k] or v_name"),
+	TS_CHUNK_AVERAGE_KEYWORDS(struct state),
+	TS_AVERAGE_KEYWORDS(struct state, common.average),
+	TS_AVERAGE_FILE_ARGS(struct state, common.file),
+	TS_ARGS_END,
+};
+
+static const struct ts_saved saved[] = {
+	TS_AVERAGE_SAVED(struct state, common.average),
+	TS_CHUNK_AVERAGE_SAVED(struct state),
+	TS_SAVED_ROWS_END,
+};
+
+TS_STYLE(fix, ts_style, ts_fix_ave_chunk)
+const struct ts_style ts_fix_ave_chunk = {
+	.name = "ave/chunk",
+	.kind = TS_KIND_FIX,
+	.summary = "Averages over chunks of particles and over time",
+	.doc = "Every Nfreq steps, of Nrepeat samples Nevery steps apart, the last at the step itself: for each "
+	       "chunk of\n"
+	       "compute chunk/atom the mean of each value over the particles of the group in it. "
+	       "density/number and\n"
+	       "density/mass are the particles and their mass by the volume of the bin (of chunks that are no "
+	       "bins, of the\n"
+	       "box); temp is sum m v^2 / (k_B (adof N + cdof)).\n\n"
+	       "`norm all` divides the sums of all samples by their particles, `norm sample` those of each "
+	       "sample and\n"
+	       "averages that, `norm none` divides by the number of samples only. `ave` combines averages. The "
+	       "file has a\n"
+	       "block for each average: step, number of chunks and total count, then for each chunk its "
+	       "number, with\n"
+	       "compress that before, coordinates, mean count, values; f_ID[i][j] are the same columns from "
+	       "behind the\n"
+	       "number on. Sums over particles are rounded once; averages under way are saved in restart "
+	       "files.",
+	.example = "compute layers all chunk/atom bin/1d z lower 0.01 units box\n"
+		   "fix profile all ave/chunk 10 10 1000 layers vx density/mass temp file post/profile.txt",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.saved = saved,
+	.archive = ts_chunk_average_archive,
+	.values = ts_chunk_average_values,
+	.init = init,
+	.hook = {
+		[TS_STAGE_SETUP] = ts_chunk_average_setup,
+		[TS_STAGE_END_OF_STEP] = ts_chunk_average_sample,
+	},
+	.fini = ts_chunk_average_fini,
+};

@@ -1,0 +1,48 @@
+/* Fix ave/histo/weight: histograms of weighted values, over time. */
+#include "average/histogram.h"
+
+#include "base/banned.h"
+
+struct state {
+	struct ts_histogram histogram;
+};
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	((struct state *)self->state)->histogram.weighted = true;
+	return ts_histogram_init(self, sim);
+}
+
+static const struct ts_arg window_row[] = {
+	TS_AVERAGE_WINDOW_ROW(struct state, histogram.average), TS_ARGS_END
+};
+static const struct ts_mode combinations[] = TS_AVERAGE_MODES;
+
+static const struct ts_arg args[] = {
+	TS_HISTOGRAM_ARGS(struct state,
+			  "two values: what is sorted into bins, and its weight"),
+	TS_ARGS_END,
+};
+
+static const struct ts_saved saved[] = { TS_AVERAGE_SAVED(struct state, histogram.average),
+					 TS_SAVED_ROWS_END };
+
+TS_STYLE(fix, ts_style, ts_fix_ave_histo_weight)
+const struct ts_style ts_fix_ave_histo_weight = {
+	.name = "ave/histo/weight",
+	.kind = TS_KIND_FIX,
+	.summary = "Histograms of weighted values, over time",
+	.doc = "As fix ave/histo of the first value; each of its numbers counts as much as the second value says.",
+	.example = "fix heights all ave/histo/weight 10 100 1000 0 0.1 20 z mass file post/heights.txt",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.saved = saved,
+	.archive = ts_histogram_archive,
+	.values = ts_histogram_values,
+	.init = init,
+	.hook = {
+		[TS_STAGE_SETUP] = ts_histogram_sample,
+		[TS_STAGE_END_OF_STEP] = ts_histogram_sample,
+	},
+	.fini = ts_histogram_fini,
+};

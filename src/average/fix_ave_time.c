@@ -1,0 +1,335 @@
+/* Fix ave/time: averages of numbers over time. */
+#include "average/average.h"
+#include "average/average_file.h"
+#include "core/plan.h"
+#include "core/ref_list.h"
+
+#include <string.h>
+
+#include "base/banned.h"
+
+enum { SCALAR, VECTOR };
+
+struct state {
+	struct ts_average average;
+	struct ts_average_file file;
+	struct ts_words names, off;
+	int mode;
+	struct ts_ref_list input;
+	bool *as_it_is; /* values that are not averaged, by `off` */
+	struct ts_table vector;
+	int64_t rows; /* saved: elements of each value; 1 for scalars. Value k, element i: [k * rows + i] */
+};
+
+static enum ts_status read_off(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	s->as_it_is = ts_arena_alloc(&self->arena, s->input.n, sizeof *s->as_it_is);
+	if (!s->as_it_is)
+		return ts_nomem(&sim->error);
+	for (size_t w = 0; w < s->off.n; w++) {
+		int64_t k;
+
+		if (!ts_parse_int(s->off.word[w].text, &k) || k < 1 || k > (int64_t)s->input.n)
+			return ts_fail(&sim->error, TS_RANGE, &s->off.word[w].place,
+				       "fix ave/time: off takes the number of a value, from 1 to %zu",
+				       s->input.n);
+		s->as_it_is[k - 1] = true;
+	}
+	return TS_OK;
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	bool first = !s->average.started;
+
+	TS_TRY(ts_average_init(self, sim, &s->average));
+	TS_TRY(ts_average_file_init(self, sim, &s->file));
+	TS_TRY(ts_ref_list_init(sim, "fix ave/time", &self->arena, s->names,
+				s->mode == VECTOR ? TS_WANT(VECTOR) : TS_WANT(SCALAR), &s->input));
+	if (!s->as_it_is)
+		TS_TRY(read_off(self, sim));
+	if (!first)
+		return TS_OK;
+	s->rows = 1;
+	return ts_average_resize(self, sim, &s->average, s->input.n);
+}
+
+/* Values that are not averaged are those of the last sample. */
+static void add(struct state *s, size_t k, size_t i, double value)
+{
+	double *sum = &s->average.sum[k * (size_t)s->rows + i];
+
+	*sum = s->as_it_is[k] ? value : *sum + value;
+}
+
+static enum ts_status sample_scalars(struct state *s, struct tsim *sim)
+{
+	for (size_t k = 0; k < s->input.n; k++) {
+		double value;
+
+		TS_TRY(ts_ref_input_scalar(sim, &s->input.item[k], &value));
+		add(s, k, 0, value);
+	}
+	return TS_OK;
+}
+
+/* The length of the vectors is that of the first one at the first sample of an average. */
+static enum ts_status sample_vectors(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	size_t n = s->input.n, length;
+
+	TS_TRY(ts_ref_list_table(sim, &s->input, &s->vector));
+	length = s->vector.rows;
+	if (s->average.samples == 0) {
+		TS_TRY(ts_average_resize(self, sim, &s->average, length * n));
+		s->rows = (int64_t)length;
+		for (size_t k = 0; k < length * n; k++)
+			s->average.sum[k] = 0;
+	}
+	if ((int64_t)length != s->rows)
+		return ts_fail(&sim->error, TS_STATE, &s->input.item[0].where,
+			       "fix ave/time: '%s' has %zu elements, expected %lld",
+			       s->input.item[0].name, length, (long long)s->rows);
+	for (size_t k = 0; k < n; k++)
+		for (size_t i = 0; i < length; i++)
+			add(s, k, i, s->vector.data[i * n + k]);
+	return TS_OK;
+}
+
+static void add_names(struct state *s, struct ts_str *line)
+{
+	for (size_t k = 0; k < s->input.n; k++)
+		ts_str_addf(line, " %s", s->input.item[k].name);
+}
+
+static enum ts_status add_titles(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	struct ts_str line = { 0 };
+	bool failed;
+
+	ts_str_addf(&line, "# Time-averaged data for fix %s", self->id);
+	ts_average_file_title(&s->file, 0, ts_str_text(&line));
+	ts_str_clear(&line);
+	ts_str_addf(&line, "# TimeStep%s", s->mode == VECTOR ? " Number-of-rows" : "");
+	if (s->mode == SCALAR)
+		add_names(s, &line);
+	ts_average_file_title(&s->file, 1, ts_str_text(&line));
+	ts_str_clear(&line);
+	ts_str_add(&line, "# Row");
+	add_names(s, &line);
+	if (s->mode == VECTOR)
+		ts_average_file_title(&s->file, 2, ts_str_text(&line));
+	failed = line.failed;
+	ts_str_release(&line);
+	return failed ? ts_nomem(&sim->error) : TS_OK;
+}
+
+static enum ts_status write_result(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	struct ts_str *text = &s->file.text;
+	size_t rows = (size_t)s->rows;
+	bool titles;
+
+	if (!ts_average_file_wanted(&s->file))
+		return TS_OK;
+	TS_TRY(ts_average_file_begin(self, sim, &s->file, &titles));
+	if (titles)
+		TS_TRY(add_titles(self, sim));
+	if (s->mode == VECTOR)
+		ts_str_addf(text, "%lld %zu\n", (long long)sim->clock.step, rows);
+	for (size_t i = 0; i < rows; i++) {
+		ts_str_addf(text, "%lld",
+			    s->mode == VECTOR ? (long long)i + 1 : (long long)sim->clock.step);
+		for (size_t k = 0; k < s->input.n; k++)
+			ts_average_file_number(&s->file, s->average.result[k * rows + i]);
+		ts_str_add(text, "\n");
+	}
+	return ts_average_file_end(sim, &s->file);
+}
+
+/* An average is complete; values that are not averaged stay as they are. */
+static void complete(struct state *s)
+{
+	size_t rows = (size_t)s->rows;
+
+	for (size_t k = 0; k < s->average.n; k++)
+		if (!s->as_it_is[k / rows])
+			s->average.sum[k] /= (double)s->average.repeat;
+	ts_average_combine(&s->average);
+	for (size_t k = 0; k < s->average.n; k++)
+		if (s->as_it_is[k / rows])
+			s->average.result[k] = s->average.sum[k];
+}
+
+static enum ts_status sample(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	if (!ts_average_due(&s->average, sim))
+		return TS_OK;
+	TS_TRY(s->mode == VECTOR ? sample_vectors(self, sim) : sample_scalars(s, sim));
+	if (!ts_average_sampled(&s->average, sim))
+		return TS_OK;
+	complete(s);
+	return write_result(self, sim);
+}
+
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	struct state *s = self->state;
+
+	TS_TRY(ts_average_archive(self, sim, a, &s->average));
+	if (s->rows < 0 || s->average.n != s->input.n * (size_t)s->rows)
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix ave/time %s: the restart file holds averages of another number "
+			       "of values or another window",
+			       self->id);
+	return TS_OK;
+}
+
+static enum ts_status eval_scalar(struct ts_instance *self, const struct tsim *sim,
+				  struct ts_table *out)
+{
+	const struct state *s = self->state;
+
+	(void)sim;
+	out->data[0] = s->average.n ? s->average.result[0] : 0;
+	return TS_OK;
+}
+
+/* Scalars: one element per value. Vectors: the elements of the first value. */
+static enum ts_status eval_vector(struct ts_instance *self, const struct tsim *sim,
+				  struct ts_table *out)
+{
+	const struct state *s = self->state;
+	size_t n = s->mode == VECTOR ? (size_t)s->rows : s->average.n;
+
+	(void)sim;
+	TS_TRY(ts_table_resize(out, 1, n));
+	if (n)
+		memcpy(out->data, s->average.result, n * sizeof *s->average.result);
+	return TS_OK;
+}
+
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
+			   struct ts_plan_report *report)
+{
+	const struct state *s = self->state;
+	const char *path = s->file.file ? s->file.file : s->file.append;
+	double rows = s->rows > 1 ? (double)s->rows : 1;
+
+	if (!sim->explain || !path)
+		return TS_OK;
+	return ts_report_output(report, path, ts_report_times(sim, s->average.freq),
+				rows * (10 + 12 * (double)s->input.n)) == TS_OK
+		       ? TS_OK
+		       : ts_nomem(&sim->error);
+}
+
+static enum ts_status eval_array(struct ts_instance *self, const struct tsim *sim,
+				 struct ts_table *out)
+{
+	const struct state *s = self->state;
+	size_t rows = (size_t)s->rows, n = s->input.n;
+
+	(void)sim;
+	TS_TRY(ts_table_resize(out, rows, n));
+	for (size_t k = 0; k < n; k++)
+		for (size_t i = 0; i < rows; i++)
+			out->data[i * n + k] = s->average.result[k * rows + i];
+	return TS_OK;
+}
+
+static bool gives(const struct ts_instance *self, const struct ts_value *value)
+{
+	return value->shape != TS_ARRAY || ((const struct state *)self->state)->mode == VECTOR;
+}
+
+static void fini(struct ts_instance *self)
+{
+	struct state *s = self->state;
+
+	ts_average_file_release(&s->file);
+	ts_average_release(&s->average);
+	ts_table_release(&s->vector);
+	ts_ref_list_release(&s->input);
+}
+
+static const char *const kinds[] = { [SCALAR] = "scalar", [VECTOR] = "vector", NULL };
+
+static const struct ts_arg window_row[] = { TS_AVERAGE_WINDOW_ROW(struct state, average), TS_ARGS_END };
+static const struct ts_mode combinations[] = TS_AVERAGE_MODES;
+
+static const struct ts_arg args[] = {
+	TS_AVERAGE_STEPS(struct state, average),
+	TS_LIST_STATEFUL("values", struct state, names,
+			 .help = "c_ID, c_ID[k], c_ID[*], f_ID, f_ID[k], v_NAME or thermo keywords"),
+	TS_ENUM("mode", struct state, mode, kinds, .flags = TS_STATEFUL, .fallback = "scalar",
+		.help = "whether values are numbers or whole vectors"),
+	TS_AVERAGE_KEYWORDS(struct state, average),
+	TS_LIST_KEYWORD("off", struct state, off,
+			.flags = TS_OPTIONAL | TS_TO_KEYWORD | TS_REPEAT | TS_STATEFUL,
+			.help = "number of a value that is not averaged; again for more"),
+	TS_AVERAGE_FILE_ARGS(struct state, file),
+	TS_ARGS_END,
+};
+
+static const struct ts_value values[] = {
+	{ .name = "average",
+	  .unit = "",
+	  .help = "the average of the first value",
+	  .shape = TS_SCALAR,
+	  .columns = 1,
+	  .eval = eval_scalar },
+	{ .name = "averages",
+	  .unit = "",
+	  .help = "the averages of the values; with mode vector the elements of the first value",
+	  .shape = TS_VECTOR,
+	  .eval = eval_vector },
+	{ .name = "table",
+	  .unit = "",
+	  .help = "with mode vector: a column for each value",
+	  .shape = TS_ARRAY,
+	  .eval = eval_array },
+	{ .name = NULL },
+};
+
+static const struct ts_saved saved[] = {
+	TS_AVERAGE_SAVED(struct state, average),
+	TS_SAVE_I64(struct state, rows),
+	TS_SAVED_ROWS_END,
+};
+
+TS_STYLE(fix, ts_style, ts_fix_ave_time)
+const struct ts_style ts_fix_ave_time = {
+	.name = "ave/time",
+	.kind = TS_KIND_FIX,
+	.summary = "Averages numbers over time",
+	.doc = "Every Nfreq steps the mean of Nrepeat samples, Nevery steps apart, the last at the step itself:\n"
+	       "with 2 6 100 those of steps 90, 92, 94, 96, 98, 100. Results are read as f_ID[k], or f_ID for\n"
+	       "the first; with `mode vector` f_ID[i] is element i of the first vector, f_ID[i][k] that of the "
+	       "k-th. They\n"
+	       "are 0 before the first average. A value that is `off` is that of the last sample. Averages under "
+	       "way are\n"
+	       "saved in restart files.",
+	.example = "fix speed all ave/time 10 100 1000 v_rop c_energy file post/speed.txt ave window 5",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.saved = saved,
+	.archive = archive,
+	.values = values,
+	.gives = gives,
+	.init = init,
+	.plan = plan,
+	.hook = {
+		[TS_STAGE_SETUP] = sample,
+		[TS_STAGE_END_OF_STEP] = sample,
+	},
+	.fini = fini,
+};

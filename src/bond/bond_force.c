@@ -1,0 +1,188 @@
+/* Forces of the bonds, their breaking, and the coefficients of bond styles. */
+#include <math.h>
+#include <string.h>
+
+#include "base/parallel.h"
+#include "bond/bond_loop.h"
+#include "box/domain.h"
+#include "core/plan.h"
+#include "neigh/neigh.h"
+#include "particle/particles.h"
+
+#include "base/banned.h"
+
+void ts_bond_separation(const struct tsim *sim, size_t i, size_t j, double d[3])
+{
+	const struct ts_particles *p = sim->particles;
+
+	for (int k = 0; k < 3; k++)
+		d[k] = p->x[i][k] - p->x[j][k];
+	ts_box_nearest(&sim->domain->box, d);
+}
+
+static enum ts_status record_event(struct tsim *sim, size_t b)
+{
+	struct ts_bonds *bonds = sim->bonds;
+	const struct ts_particles *p = sim->particles;
+	size_t i = (size_t)bonds->row[b][0], j = (size_t)bonds->row[b][1];
+	struct ts_bond_event *e;
+	double d[3];
+
+	if (TS_GROW(bonds->event, bonds->event_capacity, bonds->nevents + 1) != TS_OK)
+		return ts_nomem(&sim->error);
+	e = &bonds->event[bonds->nevents++];
+	memset(e, 0, sizeof *e); /* events are saved as bytes: no stray padding */
+	e->step = sim->clock.step;
+	e->time = ts_sim_time(sim);
+	e->force = bonds->tension[b];
+	e->type = bonds->type[b];
+	ts_bond_separation(sim, i, j, d);
+	for (int k = 0; k < 3; k++)
+		e->x[k] = p->x[j][k] + 0.5 * d[k];
+	for (int s = 0; s < 2; s++)
+		e->tag[s] = bonds->tag[b][s];
+	bonds->broken++;
+	return TS_OK;
+}
+
+static enum ts_status remove_broken(struct tsim *sim)
+{
+	struct ts_bonds *bonds = sim->bonds;
+	unsigned char *broken = bonds->breaks;
+
+	for (size_t b = 0; b < bonds->n; b++)
+		if (broken[b])
+			TS_TRY(record_event(sim, b));
+	ts_bonds_delete(bonds, broken);
+	sim->neigh->stale = sim->neigh->skip_bonded; /* from now on these pairs may touch */
+	return TS_OK;
+}
+
+/* Whether the rate of some bond counts. */
+static bool damped(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct ts_bond *bond = self->state;
+	bool some = false;
+
+	for (int type = 1; type <= sim->bonds->ntypes; type++)
+		some |= bond->coeffs.given[type] &&
+			ts_bond_style_of(self)->damped(ts_coeff(&bond->coeffs, (size_t)type));
+	return some;
+}
+
+enum ts_status ts_bond_force(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_bond *bond = self->state;
+	struct ts_bond_task t = { sim->particles, sim->bonds, &bond->coeffs, &sim->domain->box, damped(self, sim),
+				  sim->complete || sim->bonds->shown };
+	size_t slices = sim->bonds->slices.n;
+
+	if (!sim->bonds->n ||
+	    !ts_parallel_count(ts_team(sim, sim->bonds->n), slices, ts_bond_style_of(self)->share, &t))
+		return TS_OK;
+	TS_TRY(remove_broken(sim));
+	return ts_bonds_index(sim);
+}
+
+static enum ts_status prepare(struct tsim *sim, struct ts_instance *self)
+{
+	struct ts_bond *bond = self->state;
+
+	bond->coeffs.rows = self->style->coeff;
+	bond->coeffs.size = ts_bond_style_of(self)->coeff_size;
+	return ts_coeffs_resize(sim, &bond->coeffs, (size_t)sim->bonds->ntypes + 1);
+}
+
+enum ts_status ts_bond_set(struct tsim *sim, struct ts_types types, struct ts_words words,
+			   const struct ts_place *where)
+{
+	struct ts_instance *self = ts_sim_only(sim, TS_KIND_BOND);
+	struct ts_bond *bond;
+	int most = sim->bonds->ntypes > 0 ? sim->bonds->ntypes : 1;
+
+	if (!self)
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "bond_coeff needs a bond_style before it");
+	bond = self->state;
+	if (!types.hi)
+		types.hi = most;
+	if (types.hi > 1000)
+		return ts_fail(&sim->error, TS_RANGE, where, "bond type %d: at most 1000",
+			       types.hi);
+	if (types.hi > sim->bonds->ntypes)
+		sim->bonds->ntypes = types.hi;
+	TS_TRY(prepare(sim, self));
+	for (int t = types.lo; t <= types.hi; t++) {
+		void *entry = ts_coeff(&bond->coeffs, (size_t)t);
+
+		TS_TRY(ts_coeff_parse(sim, "bond_coeff", &bond->coeffs, words, where, entry));
+		TS_TRY(ts_bond_style_of(self)->complete(sim, entry, where));
+		bond->coeffs.given[t] = true;
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_bond_init(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_bond *bond = self->state;
+	const struct ts_bonds *bonds = sim->bonds;
+
+	TS_TRY(prepare(sim, self));
+	for (size_t b = 0; b < bonds->n; b++)
+		if (!bond->coeffs.given[bonds->type[b]])
+			return ts_fail(&sim->error, TS_STATE, &self->where,
+				       "there are bonds of type %d, but no `bond_coeff %d ...`",
+				       bonds->type[b], bonds->type[b]);
+	return TS_OK;
+}
+
+enum ts_status ts_bond_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	struct ts_bond *bond = self->state;
+
+	TS_TRY(prepare(sim, self));
+	TS_TRY(ts_coeffs_archive(a, sim, &bond->coeffs));
+	for (size_t k = 0; !ts_archive_writing(a) && k < bond->coeffs.n; k++)
+		if (bond->coeffs.given[k])
+			TS_TRY(ts_bond_style_of(self)->complete(sim, ts_coeff(&bond->coeffs, k),
+								&self->where));
+	return TS_OK;
+}
+
+void ts_bond_fingerprint(const struct ts_instance *self, const struct tsim *sim,
+			 struct ts_hash *hash)
+{
+	const struct ts_bond *bond = self->state;
+
+	ts_coeffs_fingerprint(&bond->coeffs, sim, hash);
+}
+
+enum ts_status ts_bond_plan(struct ts_instance *self, struct tsim *sim,
+			    struct ts_plan_report *report)
+{
+	const struct ts_bond_style *style = ts_bond_style_of(self);
+	const struct ts_bond *bond = self->state;
+	const struct ts_bonds *bonds = sim->bonds;
+	const struct ts_particles *p = sim->particles;
+	double least = INFINITY;
+
+	if (!bonds->n)
+		return TS_OK;
+	for (size_t b = 0; b < bonds->n; b++) {
+		double imass = p->imass[bonds->row[b][0]] + p->imass[bonds->row[b][1]];
+
+		if (imass > 0)
+			least = fmin(least,
+				     style->limit(ts_coeff(&bond->coeffs, (size_t)bonds->type[b]),
+						  1 / imass, sim->explicit_euler));
+	}
+	return ts_report_limit(report, least, !sim->explicit_euler, &self->where, "a single bond%s",
+			       sim->explicit_euler ? " under fix nve/euler" : "");
+}
+
+void ts_bond_fini(struct ts_instance *self)
+{
+	struct ts_bond *bond = self->state;
+
+	ts_coeffs_release(&bond->coeffs);
+}

@@ -1,0 +1,230 @@
+/* The loop over bonds, written once. A bond style makes two functions: one calls ts_bond_laws with
+ * its law, which as a constant function is inlined, and has no branches; the other ts_bond_share with the first. */
+#ifndef TS_BOND_BOND_LOOP_H
+#define TS_BOND_BOND_LOOP_H
+
+#include <math.h>
+#include <string.h>
+
+#include "base/four.h"
+#include "base/inline.h"
+#include "base/parallel.h"
+#include "bond/bonds.h"
+#include "geom/box.h"
+#include "particle/particles.h"
+
+struct ts_bond_task {
+	const struct ts_particles *p;
+	struct ts_bonds *bonds;
+	const struct ts_coeffs *coeffs;
+	const struct ts_box *box;
+	bool moving; /* velocities count */
+	bool keep;   /* tensions may be looked at */
+};
+
+/* Some rows of a slice of bonds, one after the other: most slices have no more. */
+enum { TS_BOND_ROWS = 16, TS_BOND_COLUMN = TS_BOND_ROWS * TS_BOND_LANES };
+struct ts_bond_batch {
+	/* from the partner to the particle; velocities, if they count; force on the particle */
+	double d[3][TS_BOND_COLUMN], v[3][TS_BOND_COLUMN], force[3][TS_BOND_COLUMN];
+	double tension[TS_BOND_COLUMN], holds[TS_BOND_COLUMN];
+	bool moving;
+} __attribute__((aligned(64)));
+
+/* ---- the law of several bonds of one type at once */
+
+/* The first n of a batch by a constant law; returns how many of them break. */
+typedef long ts_bond_batch_fn(struct ts_bond_batch *b, const double *rest, size_t n, const void *coeff);
+
+/* Returns whether it holds. */
+TS_INLINE bool ts_bond_one(struct ts_bond_batch *b, const double *rest, size_t k, const void *coeff, ts_bond_law *law,
+			   bool moving)
+{
+	double x = b->d[0][k], y = b->d[1][k], z = b->d[2][k];
+	double length = sqrt(x * x + y * y + z * z), inverse = length > 0 ? 1 / length : 0, tension;
+	struct ts_bond_state state = { .extension = length - rest[k] };
+	bool holds;
+
+	x *= inverse;
+	y *= inverse;
+	z *= inverse;
+	state.rate = moving ? b->v[0][k] * x + b->v[1][k] * y + b->v[2][k] * z : 0;
+	holds = law(coeff, &state, &tension);
+	b->tension[k] = tension;
+	b->holds[k] = holds ? 1 : 0;
+	b->force[0][k] = holds ? -tension * x : 0;
+	b->force[1][k] = holds ? -tension * y : 0;
+	b->force[2][k] = holds ? -tension * z : 0;
+	return holds;
+}
+
+TS_INLINE long ts_bond_laws(struct ts_bond_batch *restrict b, const double *restrict rest, size_t n,
+			    const void *restrict coeff, ts_bond_law *law)
+{
+	long broken = 0;
+
+	if (b->moving) {
+#pragma omp simd reduction(+ : broken)
+		for (size_t k = 0; k < n; k++)
+			broken += !ts_bond_one(b, rest, k, coeff, law, true);
+	} else {
+#pragma omp simd reduction(+ : broken)
+		for (size_t k = 0; k < n; k++)
+			broken += !ts_bond_one(b, rest, k, coeff, law, false);
+	}
+	return broken;
+}
+
+/* Where the types differ, all bonds are computed with each law, and those of its type are taken. */
+static inline long ts_bond_laws_of(const struct ts_bond_task *t, struct ts_bond_batch *b, const double *rest,
+				   const uint32_t *bond, size_t n, ts_bond_batch_fn *laws)
+{
+	struct ts_bond_batch all = *b;
+	long broken = 0;
+
+	memset(b->force, 0, sizeof b->force);
+	for (int type = 1; type <= t->bonds->ntypes; type++) {
+		if (!t->coeffs->given[type])
+			continue;
+		laws(&all, rest, n, ts_coeff(t->coeffs, (size_t)type));
+		for (size_t k = 0; k < n; k++) {
+			if (bond[k] == TS_BOND_NONE || t->bonds->type[bond[k] >> 1] != type)
+				continue;
+			for (int c = 0; c < 3; c++)
+				b->force[c][k] = all.force[c][k];
+			b->tension[k] = all.tension[k];
+			b->holds[k] = all.holds[k];
+			broken += all.holds[k] == 0;
+		}
+	}
+	return broken;
+}
+
+/* ---- columns of particles */
+
+/* Of four particles; the fourth column is nothing. */
+TS_INLINE void ts_bond_columns(const double (*x)[3], const int32_t *particle, ts_four column[4])
+{
+	for (size_t k = 0; k < 4; k++)
+		column[k] = TS_FOUR_AT(x[particle[k]]);
+	ts_four_turn(column);
+}
+
+/* What the particles have more than their partners, in n rows from `row` on; what later rows need is sent for, there is
+ * more of it than the nearer caches hold. */
+TS_INLINE void ts_bond_difference(const double (*x)[3], const struct ts_bond_slice *slice,
+				  const struct ts_bond_slices *s, size_t row, size_t n, double (*to)[TS_BOND_COLUMN])
+{
+	const int32_t(*partner)[TS_BOND_LANES] = (const int32_t(*)[TS_BOND_LANES])s->partner + row;
+	const double(*rest)[TS_BOND_LANES] = (const double(*)[TS_BOND_LANES])s->rest + row;
+	ts_four own[2][4], other[4];
+
+	ts_bond_columns(x, slice->particle, own[0]);
+	ts_bond_columns(x, slice->particle + 4, own[1]);
+	for (size_t k = 0; k < n; k++) {
+		__builtin_prefetch(partner[TS_BOND_ROWS + k]);
+		__builtin_prefetch(rest[TS_BOND_ROWS + k]);
+		for (size_t half = 0; half < 2; half++) {
+			ts_bond_columns(x, partner[k] + 4 * half, other);
+			for (int c = 0; c < 3; c++)
+				*(ts_four *)&to[c][k * TS_BOND_LANES + 4 * half] = own[half][c] - other[c];
+		}
+	}
+}
+
+/* To the nearest image; see ts_box_nearest. */
+TS_INLINE void ts_bond_nearest(const struct ts_box *box, size_t n, struct ts_bond_batch *b)
+{
+	for (int k = 0; k < 3; k++) {
+		double length = ts_box_length(box, k);
+
+		if (!ts_box_periodic(box, k))
+			continue;
+#pragma omp simd
+		for (size_t at = 0; at < n; at++)
+			b->d[k][at] -= length * rint(b->d[k][at] / length);
+	}
+}
+
+/* ---- results */
+
+/* sum[0] of the first four particles, sum[1] of the others. */
+TS_INLINE void ts_bond_sum(const struct ts_bond_batch *b, size_t n, ts_four sum[2][4])
+{
+	for (size_t k = 0; k < n; k++)
+		for (size_t half = 0; half < 2; half++)
+			for (int c = 0; c < 3; c++)
+				sum[half][c] += *(const ts_four *)&b->force[c][k * TS_BOND_LANES + 4 * half];
+}
+
+TS_INLINE void ts_bond_add(double (*f)[3], const struct ts_bond_slice *slice, ts_four sum[2][4])
+{
+	ts_four_turn(sum[0]);
+	ts_four_turn(sum[1]);
+	for (size_t lane = 0; lane < slice->n; lane++) {
+		double *to = f[slice->particle[lane]];
+		ts_four all = TS_FOUR_AT(to) + sum[lane / 4][lane % 4];
+
+		ts_four_keep(&all, 3, to);
+	}
+}
+
+/* Of bonds whose first partner stands here, so that each is kept once. */
+static inline void ts_bond_keep(const struct ts_bond_batch *b, const uint32_t *bond, size_t n, struct ts_bonds *bonds)
+{
+	for (size_t k = 0; k < n; k++) {
+		if (bond[k] & 1)
+			continue;
+		bonds->tension[bond[k] >> 1] = b->tension[k];
+		bonds->breaks[bond[k] >> 1] = b->holds[k] == 0;
+	}
+}
+
+/* ---- */
+
+/* n rows of a slice; returns the number of bonds that break. */
+TS_INLINE long ts_bond_work(const struct ts_bond_task *t, const struct ts_bond_slice *slice, size_t row, size_t n,
+			    ts_bond_batch_fn *laws, struct ts_bond_batch *b)
+{
+	const struct ts_bond_slices *s = &t->bonds->slices;
+	const uint32_t *bond = s->bond[row];
+	const double *rest = s->rest[row];
+	size_t numbers = n * TS_BOND_LANES;
+	long broken;
+
+	ts_bond_difference((const double(*)[3])t->p->x, slice, s, row, n, b->d);
+	if (t->moving)
+		ts_bond_difference((const double(*)[3])t->p->v, slice, s, row, n, b->v);
+	ts_bond_nearest(t->box, numbers, b);
+	if (slice->type)
+		broken = laws(b, rest, numbers, ts_coeff(t->coeffs, (size_t)slice->type));
+	else
+		broken = ts_bond_laws_of(t, b, rest, bond, numbers, laws);
+	if (broken || t->keep)
+		ts_bond_keep(b, bond, numbers, t->bonds);
+	return broken;
+}
+
+/* Slices from .. to-1; returns the number of bonds that break, as their particles see it. */
+TS_INLINE long ts_bond_share(const struct ts_bond_task *t, size_t from, size_t to, ts_bond_batch_fn *laws)
+{
+	struct ts_bond_batch b; /* the rest is not set: it is large */
+	long broken = 0;
+
+	b.moving = t->moving;
+	for (size_t k = from; k < to; k++) {
+		const struct ts_bond_slice *slice = &t->bonds->slices.slice[k];
+		ts_four sum[2][4] = { { { 0 } } };
+
+		for (size_t row = 0; row < slice->depth; row += TS_BOND_ROWS) {
+			size_t rest = slice->depth - row, n = rest < TS_BOND_ROWS ? rest : TS_BOND_ROWS;
+
+			broken += ts_bond_work(t, slice, slice->first + row, n, laws, &b);
+			ts_bond_sum(&b, n, sum);
+		}
+		ts_bond_add(t->p->f, slice, sum);
+	}
+	return broken;
+}
+
+#endif

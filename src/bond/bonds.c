@@ -1,0 +1,319 @@
+/* The list of bonds: making, deleting, saving it, and finding the partners after a rebuild. */
+#include "bond/bonds.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/plan.h"
+#include "math/vec3.h"
+#include "neigh/coincide.h"
+#include "particle/identity.h"
+#include "particle/particles.h"
+
+#include "base/banned.h"
+
+static enum ts_status reserve(struct ts_bonds *b, size_t n)
+{
+	size_t start = b->capacity, capacity = start;
+
+#define GROW_COLUMN(column)                                                                        \
+	do {                                                                                       \
+		capacity = start;                                                                  \
+		TS_TRY(TS_GROW(b->column, capacity, n));                                           \
+	} while (0)
+	GROW_COLUMN(tag);
+	GROW_COLUMN(type);
+	GROW_COLUMN(rest);
+	GROW_COLUMN(row);
+	GROW_COLUMN(tension);
+	GROW_COLUMN(breaks);
+#undef GROW_COLUMN
+	b->capacity = capacity;
+	return TS_OK;
+}
+
+enum ts_status ts_bonds_add(struct tsim *sim, int32_t tag_a, int32_t tag_b, int type, double rest)
+{
+	struct ts_bonds *b = sim->bonds;
+
+	if (reserve(b, b->n + 1) != TS_OK)
+		return ts_nomem(&sim->error);
+	b->tag[b->n][0] = tag_a < tag_b ? tag_a : tag_b;
+	b->tag[b->n][1] = tag_a < tag_b ? tag_b : tag_a;
+	b->type[b->n] = type;
+	b->rest[b->n] = rest;
+	b->tension[b->n] = 0;
+	b->n++;
+	b->created++;
+	return TS_OK;
+}
+
+static int compare_tags(const int32_t a[2], const int32_t b[2])
+{
+	if (a[0] != b[0])
+		return a[0] < b[0] ? -1 : 1;
+	return (a[1] > b[1]) - (a[1] < b[1]);
+}
+
+struct record {
+	int32_t tag[2], type;
+	double rest;
+};
+
+static int compare_records(const void *a, const void *b)
+{
+	return compare_tags(((const struct record *)a)->tag, ((const struct record *)b)->tag);
+}
+
+void ts_bonds_sort(struct ts_bonds *b)
+{
+	struct record *r = ts_alloc(b->n, sizeof *r);
+
+	if (!r) /* order is a matter of look-up speed and of reproducible lists only */
+		return;
+	for (size_t k = 0; k < b->n; k++)
+		r[k] = (struct record){ { b->tag[k][0], b->tag[k][1] }, b->type[k], b->rest[k] };
+	qsort(r, b->n, sizeof *r, compare_records);
+	for (size_t k = 0; k < b->n; k++) {
+		memcpy(b->tag[k], r[k].tag, sizeof b->tag[k]);
+		b->type[k] = r[k].type;
+		b->rest[k] = r[k].rest;
+	}
+	ts_free(r);
+}
+
+bool ts_bonds_has(const struct ts_bonds *b, int32_t tag_a, int32_t tag_b)
+{
+	int32_t wanted[2] = { tag_a < tag_b ? tag_a : tag_b, tag_a < tag_b ? tag_b : tag_a };
+	size_t lo = 0, hi = b->n;
+
+	while (lo < hi) {
+		size_t mid = (lo + hi) / 2;
+		int c = compare_tags(b->tag[mid], wanted);
+
+		if (c == 0)
+			return true;
+		if (c < 0)
+			lo = mid + 1;
+		else
+			hi = mid;
+	}
+	return false;
+}
+
+void ts_bonds_delete(struct ts_bonds *b, const unsigned char *flag)
+{
+	size_t kept = 0;
+
+	for (size_t k = 0; k < b->n; k++) {
+		if (flag[k])
+			continue;
+		memcpy(b->tag[kept], b->tag[k], sizeof b->tag[k]);
+		memcpy(b->row[kept], b->row[k], sizeof b->row[k]);
+		b->type[kept] = b->type[k];
+		b->rest[kept] = b->rest[k];
+		b->tension[kept++] = b->tension[k];
+	}
+	b->n = kept;
+}
+
+static enum ts_status drop_lost(struct tsim *sim, struct ts_bonds *b,
+				const struct ts_identities *map)
+{
+	unsigned char *lost = ts_alloc(b->n, 1);
+
+	if (!lost)
+		return ts_nomem(&sim->error);
+	for (size_t k = 0; k < b->n; k++) {
+		lost[k] = ts_row_of(map, b->tag[k][0]) < 0 || ts_row_of(map, b->tag[k][1]) < 0;
+		b->gone += lost[k];
+	}
+	ts_bonds_delete(b, lost);
+	ts_free(lost);
+	return TS_OK;
+}
+
+enum ts_status ts_bonds_index(struct tsim *sim)
+{
+	struct ts_bonds *b = sim->bonds;
+	struct ts_gather_pairs pairs = { .n = b->n, .stride = 2 };
+
+	for (int s = 0; s < 2 && b->n; s++) {
+		pairs.end[s] = &b->row[0][s];
+		pairs.tag[s] = &b->tag[0][s];
+	}
+	if (b->n)
+		memset(b->breaks, 0, b->n);
+	if (ts_gather_index(sim, &b->gather, &pairs) != TS_OK || ts_bond_slices(sim, b) != TS_OK)
+		return ts_nomem(&sim->error);
+	return TS_OK;
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	(void)sim;
+	((struct ts_bonds *)self->state)->shown = false; /* outputs say so in theirs */
+	return TS_OK;
+}
+
+static enum ts_status check_places(struct tsim *sim, const struct ts_bonds *b)
+{
+	double d[3];
+
+	for (size_t k = 0; k < b->n; k++) {
+		size_t i = (size_t)b->row[k][0], j = (size_t)b->row[k][1];
+
+		ts_bond_separation(sim, i, j, d);
+		TS_TRY(ts_coincide_bond(sim, NULL, i, j, ts_norm(d)));
+	}
+	return TS_OK;
+}
+
+/* After a rebuild particles may stand in other rows, or be gone. */
+static enum ts_status build(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_bonds *b = self->state;
+	struct ts_identities map;
+
+	if (!b->n)
+		return TS_OK;
+	TS_TRY(ts_identities(sim, false, &map));
+	TS_TRY(drop_lost(sim, b, &map));
+	for (size_t k = 0; k < b->n; k++)
+		for (int s = 0; s < 2; s++)
+			b->row[k][s] = ts_row_of(&map, b->tag[k][s]);
+	TS_TRY(check_places(sim, b));
+	return ts_bonds_index(sim);
+}
+
+static enum ts_status check_bonds(struct tsim *sim, const struct ts_bonds *b)
+{
+	int32_t most = sim->particles->max_tag;
+
+	for (size_t k = 0; k < b->n; k++)
+		if (b->tag[k][0] < 1 || b->tag[k][0] > most || b->tag[k][1] < 1 ||
+		    b->tag[k][1] > most || b->tag[k][0] == b->tag[k][1] || b->type[k] < 1 ||
+		    b->type[k] > b->ntypes || !isfinite(b->rest[k]))
+			return ts_fail(&sim->error, TS_DAMAGED, NULL,
+				       "bond %zu has an impossible partner or type", k + 1);
+	return TS_OK;
+}
+
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	struct ts_bonds *b = self->state;
+	int64_t n[2] = { (int64_t)b->n, (int64_t)b->nevents };
+	int32_t ntypes = b->ntypes;
+
+	TS_TRY(ts_archive_fixed(a, "n", TS_SAVED_I64, n, 2));
+	TS_TRY(ts_archive_fixed(a, "ntypes", TS_SAVED_I32, &ntypes, 1));
+	b->ntypes = ntypes;
+	if (n[0] < 0 || n[0] > INT32_MAX || n[1] < 0 || n[1] > INT32_MAX)
+		return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible number of bonds");
+	TS_TRY(ts_archive_expect(a, "tag", TS_SAVED_I32, 2 * (size_t)n[0]));
+	TS_TRY(ts_archive_expect(a, "events", TS_SAVED_U8, (size_t)n[1] * sizeof *b->event));
+	if (reserve(b, (size_t)n[0]) != TS_OK ||
+	    TS_GROW(b->event, b->event_capacity, (size_t)n[1]) != TS_OK)
+		return ts_nomem(&sim->error);
+	b->n = (size_t)n[0];
+	b->nevents = (size_t)n[1];
+	TS_TRY(ts_archive_fixed(a, "tag", TS_SAVED_I32, b->tag, 2 * b->n));
+	TS_TRY(ts_archive_fixed(a, "type", TS_SAVED_I32, b->type, b->n));
+	TS_TRY(ts_archive_fixed(a, "rest", TS_SAVED_F64, b->rest, b->n));
+	TS_TRY(ts_archive_fixed(a, "tension", TS_SAVED_F64, b->tension, b->n));
+	TS_TRY(ts_archive_fixed(a, "events", TS_SAVED_U8, b->event, b->nevents * sizeof *b->event));
+	return ts_archive_writing(a) ? TS_OK : check_bonds(sim, b);
+}
+
+static void fingerprint(const struct ts_instance *self, const struct tsim *sim,
+			struct ts_hash *hash)
+{
+	const struct ts_bonds *b = self->state;
+
+	(void)sim;
+	ts_hash_add(hash, &b->n, sizeof b->n);
+	if (!b->n)
+		return;
+	ts_hash_add(hash, b->tag, b->n * sizeof *b->tag);
+	ts_hash_add(hash, b->type, b->n * sizeof *b->type);
+	ts_hash_add(hash, b->rest, b->n * sizeof *b->rest);
+}
+
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
+			   struct ts_plan_report *report)
+{
+	const struct ts_bonds *b = self->state;
+	size_t bytes = 4 * sizeof(double) + 11 * sizeof(int32_t);
+
+	(void)sim;
+	report->bytes += (double)(b->n * bytes);
+	if (b->n)
+		ts_report_line(report, "bonds", "%zu, %zu bytes each", b->n, bytes);
+	return TS_OK;
+}
+
+static void fini(struct ts_instance *self)
+{
+	struct ts_bonds *b = self->state;
+
+	ts_free(b->tag);
+	ts_free(b->type);
+	ts_free(b->rest);
+	ts_free(b->row);
+	ts_free(b->tension);
+	ts_free(b->breaks);
+	ts_gather_release(&b->gather);
+	ts_bond_slices_release(&b->slices);
+	ts_free(b->event);
+}
+
+static enum ts_status count_bonds(struct tsim *sim, double *out)
+{
+	*out = (double)sim->bonds->n;
+	return TS_OK;
+}
+
+static enum ts_status count_broken(struct tsim *sim, double *out)
+{
+	*out = (double)sim->bonds->broken;
+	return TS_OK;
+}
+
+static enum ts_status count_gone(struct tsim *sim, double *out)
+{
+	*out = (double)sim->bonds->gone;
+	return TS_OK;
+}
+
+static const struct ts_keyword keywords[] = {
+	{ "bonds", "Bonds", "", "bonds that hold", 1, count_bonds },
+	{ "numbonds", "numbonds", "", "bonds that hold", 1, count_bonds },
+	{ "numbond", "numbond", "", "the same", 1, count_bonds },
+	{ "brokenbonds", "Broken", "", "bonds broken so far", 1, count_broken },
+	{ "gonebonds", "GoneBond", "", "unbroken bonds that left with a lost particle", 1, count_gone },
+	{ .name = NULL },
+};
+
+static const struct ts_saved saved[] = {
+	TS_SAVE_I64(struct ts_bonds, created),
+	TS_SAVE_I64(struct ts_bonds, broken),
+	TS_SAVE_I64(struct ts_bonds, gone),
+	TS_SAVED_ROWS_END,
+};
+
+const struct ts_system_style ts_bonds_system = {
+	.style = { .name = "bonds",
+		   .kind = TS_KIND_SYSTEM,
+		   .summary = "the list of bonds",
+		   .state_size = sizeof(struct ts_bonds),
+		   .saved = saved,
+		   .archive = archive,
+		   .fingerprint = fingerprint,
+		   .init = init,
+		   .hook = { [TS_STAGE_BUILD] = build },
+		   .plan = plan,
+		   .fini = fini },
+	.slot = offsetof(struct tsim, bonds),
+	.keywords = keywords,
+};

@@ -1,0 +1,201 @@
+#include "bond/bonds.h"
+
+#include <inttypes.h>
+#include <math.h>
+
+#include "box/domain.h"
+#include "neigh/cells.h"
+#include "neigh/coincide.h"
+#include "particle/exchange.h"
+#include "particle/identity.h"
+#include "particle/particles.h"
+
+#include "base/banned.h"
+
+enum { MANY, SINGLE };
+
+struct create_bonds {
+	int mode, group_a, group_b;
+	int64_t type, tag_a, tag_b;
+	double least, most;
+	const struct ts_place *where;
+};
+
+static double distance(const struct tsim *sim, size_t i, size_t j)
+{
+	const double *a = sim->particles->x[i], *b = sim->particles->x[j];
+	double d[3] = { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+
+	ts_box_nearest(&sim->domain->box, d);
+	return sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+}
+
+static bool joins(const struct create_bonds *c, const struct ts_particles *p, size_t i, size_t j)
+{
+	return (ts_in_group(p, i, c->group_a) && ts_in_group(p, j, c->group_b)) ||
+	       (ts_in_group(p, i, c->group_b) && ts_in_group(p, j, c->group_a));
+}
+
+/* Bonds particle i to partners of larger identity within the distances. */
+static enum ts_status bond_particle(struct tsim *sim, const struct create_bonds *c,
+				    const struct ts_level *level, size_t i)
+{
+	const struct ts_particles *p = sim->particles;
+	int lo[3], hi[3];
+
+	ts_cells_range(level, p->xhold[i], c->most, lo, hi);
+	for (int z = lo[2]; z <= hi[2]; z++) {
+		for (int y = lo[1]; y <= hi[1]; y++) {
+			int row = level->cells[0] * (y + level->cells[1] * z);
+
+			for (int32_t k = level->start[row + lo[0]];
+			     k < level->start[row + hi[0] + 1]; k++) {
+				size_t j = (size_t)level->list[k];
+				double d;
+
+				if (j >= p->n)
+					j = (size_t)p->ghost_owner[j - p->n];
+				if (p->tag[j] <= p->tag[i] || !joins(c, p, i, j))
+					continue;
+				d = distance(sim, i, j);
+				if (d < c->least || d > c->most)
+					continue;
+				TS_TRY(ts_coincide_bond(sim, c->where, i, j, d));
+				TS_TRY(ts_bonds_add(sim, p->tag[i], p->tag[j], (int)c->type, d));
+			}
+		}
+	}
+	return TS_OK;
+}
+
+/* In a small periodic box a partner may be met as itself and as its image: keep one bond a pair, and
+ * none that was there before. */
+static enum ts_status drop_repeated(struct tsim *sim)
+{
+	struct ts_bonds *b = sim->bonds;
+	unsigned char *drop = ts_alloc(b->n, 1);
+
+	if (!drop)
+		return ts_nomem(&sim->error);
+	ts_bonds_sort(b);
+	for (size_t k = 1; k < b->n; k++) {
+		drop[k] = b->tag[k][0] == b->tag[k - 1][0] && b->tag[k][1] == b->tag[k - 1][1];
+		b->created -= drop[k];
+	}
+	ts_bonds_delete(b, drop);
+	ts_free(drop);
+	return TS_OK;
+}
+
+static enum ts_status bond_many(struct tsim *sim, const struct create_bonds *c)
+{
+	struct ts_particles *p = sim->particles;
+	struct ts_cells cells = { 0 };
+	enum ts_status status;
+
+	ts_exchange_hold(sim);
+	TS_TRY(ts_exchange_borders(sim, c->most, c->most));
+	status = ts_cells_fill(sim, &cells, c->most);
+	for (int l = 0; status == TS_OK && l < cells.nlevels; l++)
+		for (size_t i = 0; status == TS_OK && i < p->n; i++)
+			if (p->mask[i] & (1u << c->group_a | 1u << c->group_b))
+				status = bond_particle(sim, c, &cells.level[l], i);
+	ts_cells_release(&cells);
+	return status;
+}
+
+static enum ts_status bond_single(struct tsim *sim, const struct create_bonds *c,
+				  const struct ts_place *where)
+{
+	struct ts_identities map;
+	int64_t tags[2] = { c->tag_a, c->tag_b };
+	size_t i, j;
+	double d;
+
+	TS_TRY(ts_identities(sim, false, &map));
+	for (int k = 0; k < 2; k++)
+		if (ts_row_of(&map, tags[k]) < 0)
+			return ts_fail(&sim->error, TS_RANGE, where,
+				       "create_bonds: there is no particle %" PRId64, tags[k]);
+	if (c->tag_a == c->tag_b)
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "create_bonds: a particle cannot be bonded to itself");
+	i = (size_t)ts_row_of(&map, c->tag_a);
+	j = (size_t)ts_row_of(&map, c->tag_b);
+	d = distance(sim, i, j);
+	TS_TRY(ts_coincide_bond(sim, where, i, j, d));
+	return ts_bonds_add(sim, (int32_t)c->tag_a, (int32_t)c->tag_b, (int)c->type, d);
+}
+
+static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	struct create_bonds *c = state;
+	size_t before = sim->bonds->n;
+
+	c->where = where;
+	if (c->type > sim->bonds->ntypes)
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "create_bonds: there is no `bond_coeff %" PRId64 " ...` yet", c->type);
+	if (c->mode == MANY && c->least > c->most)
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "create_bonds: rmin (%g) is above rmax (%g)", c->least, c->most);
+	if (c->mode == MANY)
+		TS_TRY(bond_many(sim, c));
+	else
+		TS_TRY(bond_single(sim, c, where));
+	TS_TRY(drop_repeated(sim));
+	ts_log(&sim->log, "Added %zu bonds, total bonds = %zu\n", sim->bonds->n - before,
+	       sim->bonds->n);
+	if (sim->bonds->n == before)
+		ts_warn(&sim->log, where, "create_bonds made no bond: distances %g to %g fit no pair",
+			c->least, c->most);
+	return TS_OK;
+}
+
+static const struct ts_arg many_rows[] = {
+	TS_GROUP("group_a", struct create_bonds, group_a, .flags = TS_POSITIONAL,
+		 .help = "group of one partner"),
+	TS_GROUP("group_b", struct create_bonds, group_b, .flags = TS_POSITIONAL,
+		 .help = "group of the other; may be the same"),
+	TS_INT("type", struct create_bonds, type, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+	       .help = "bond type"),
+	TS_REAL("rmin", struct create_bonds, least, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
+		.unit = "length", .help = "least distance of centres"),
+	TS_REAL("rmax", struct create_bonds, most, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+		.unit = "length", .help = "largest distance of centres"),
+	TS_ARGS_END,
+};
+static const struct ts_arg single_rows[] = {
+	TS_INT("type", struct create_bonds, type, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+	       .help = "bond type"),
+	TS_INT("id_a", struct create_bonds, tag_a, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+	       .help = "identity of one partner"),
+	TS_INT("id_b", struct create_bonds, tag_b, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+	       .help = "identity of the other"),
+	TS_ARGS_END,
+};
+static const struct ts_mode modes[] = {
+	{ "many", "all pairs of two groups within a range of distances", many_rows },
+	{ "single/bond", "one pair", single_rows },
+	{ .name = NULL },
+};
+
+static const struct ts_arg args[] = {
+	TS_MODE("mode", struct create_bonds, mode, modes, .help = "which pairs"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(command, ts_command_style, ts_command_create_bonds)
+const struct ts_command_style ts_command_create_bonds = {
+	.style = { .name = "create_bonds",
+		   .kind = TS_KIND_COMMAND,
+		   .summary = "bonds pairs of particles at their present distance",
+		   .doc = "The present distance of the centres becomes the rest length of the bond. Pairs "
+			  "that are bonded already are left as they are. Particles at the same place cannot be "
+			  "bonded: the bond would have no direction.",
+		   .example = "create_bonds many rock rock 1 0.0 1.05e-3\ncreate_bonds single/bond 1 12 17",
+		   .args = args,
+		   .state_size = sizeof(struct create_bonds) },
+	.needs_box = true,
+	.run = run,
+};

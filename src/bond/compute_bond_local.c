@@ -1,0 +1,86 @@
+/* Compute: distances and forces of bonds. */
+#include "bond/bonds.h"
+#include "contact/pair_columns.h"
+#include "core/name_list.h"
+
+#include "base/banned.h"
+
+struct state {
+	struct ts_words words;
+	struct ts_name_list list;
+	struct tsim *sim;
+};
+
+static double rest(const struct tsim *sim, const struct ts_contact_view *view)
+{
+	return sim->bonds->rest[view->row];
+}
+
+static const struct ts_pair_column columns[] = { TS_PAIR_COLUMNS,
+						 { "rest", rest },
+						 { .name = NULL } };
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	s->sim = sim;
+	sim->bonds->shown = true;
+	return ts_name_list_read(sim, "compute bond/local", &self->arena, s->words, columns,
+				 sizeof *columns, &s->list);
+}
+
+static bool wanted(const struct ts_instance *self, const struct tsim *sim, size_t r)
+{
+	const int32_t *row = sim->bonds->row[r];
+
+	return ts_in_group(sim->particles, (size_t)row[0], self->group) &&
+	       ts_in_group(sim->particles, (size_t)row[1], self->group);
+}
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	const struct state *s = self->state;
+	size_t rows = sim->bonds->n, n = 0;
+
+	TS_TRY(ts_contacts_require(s->sim, self));
+	TS_TRY(ts_table_resize(out, rows, s->list.n));
+	for (size_t r = 0; r < rows; r++) {
+		struct ts_contact_view view;
+
+		if (!wanted(self, sim, r))
+			continue;
+		ts_bond_view(sim, r, &view);
+		for (size_t k = 0; k < s->list.n; k++)
+			out->data[n * s->list.n + k] = columns[s->list.item[k]].value(sim, &view);
+		n++;
+	}
+	out->rows = n;
+	return TS_OK;
+}
+
+static const struct ts_value values[] = {
+	{ "list", "", "a row for each bond", TS_LOCAL, 0, NULL, eval },
+	{ .name = NULL },
+};
+
+static const struct ts_arg args[] = {
+	TS_REST("columns", struct state, words, .help = "dist, rest, force, fx, fy, fz, dx, dy, dz"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(compute, ts_style, ts_compute_bond_local)
+const struct ts_style ts_compute_bond_local = {
+	.name = "bond/local",
+	.kind = TS_KIND_COMPUTE,
+	.summary = "Length and force of each bond",
+	.doc = "A table with a row for each bond whose partners are both in the group: dist is its length, rest that "
+	       "without\nforce, force the force along it, > 0 repelling, fx fy fz the force on the partner with "
+	       "the smaller id, dx dy\ndz the vector to it from the other. Forces are those of the last force "
+	       "computation; compute property/local\ntells the partners, in the same order.",
+	.example = "compute b all bond/local dist force",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.values = values,
+	.init = init,
+};

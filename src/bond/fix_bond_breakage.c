@@ -1,0 +1,108 @@
+#include <inttypes.h>
+#include <string.h>
+
+#include "bond/bonds.h"
+#include "io/textfile.h"
+
+#include "base/banned.h"
+
+struct breakage {
+	const char *path;
+	struct ts_textfile file;
+	int64_t written; /* events already in the file */
+};
+
+static enum ts_status open_file(struct ts_instance *self, struct tsim *sim)
+{
+	struct breakage *s = self->state;
+
+	if (ts_textfile_is_open(&s->file) || !s->path || sim->explain)
+		return TS_OK;
+	TS_TRY(ts_textfile_open(&s->file, sim, ts_instance_word(self, s->path), s->path, s->written > 0));
+	if (!s->written)
+		TS_TRY(ts_textfile_printf(&s->file, "# step time i j type x y z force\n"));
+	return TS_OK;
+}
+
+static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
+{
+	struct breakage *s = self->state;
+	const struct ts_bonds *bonds = sim->bonds;
+
+	if (!ts_textfile_is_open(&s->file) || s->written == (int64_t)bonds->nevents)
+		return TS_OK;
+	for (; s->written < (int64_t)bonds->nevents; s->written++) {
+		const struct ts_bond_event *e = &bonds->event[s->written];
+
+		TS_TRY(ts_textfile_printf(
+			&s->file, "%" PRId64 " %.9g %d %d %d %.9g %.9g %.9g %.9g\n", e->step,
+			e->time, e->tag[0], e->tag[1], e->type, e->x[0], e->x[1], e->x[2], e->force));
+	}
+	return ts_textfile_flush(&s->file);
+}
+
+static enum ts_status eval_count(struct ts_instance *self, const struct tsim *sim,
+				 struct ts_table *out)
+{
+	(void)self;
+	out->data[0] = (double)sim->bonds->broken;
+	return TS_OK;
+}
+
+static enum ts_status eval_events(struct ts_instance *self, const struct tsim *sim,
+				  struct ts_table *out)
+{
+	const struct ts_bonds *bonds = sim->bonds;
+
+	(void)self;
+	TS_TRY(ts_table_resize(out, bonds->nevents, 9));
+	for (size_t k = 0; k < bonds->nevents; k++) {
+		const struct ts_bond_event *e = &bonds->event[k];
+		const double row[9] = { (double)e->step, e->time,	e->tag[0], e->tag[1], e->type,
+					e->x[0],	 e->x[1],	e->x[2],   e->force };
+
+		memcpy(out->data + 9 * k, row, sizeof row);
+	}
+	return TS_OK;
+}
+
+static void fini(struct ts_instance *self)
+{
+	ts_textfile_close(&((struct breakage *)self->state)->file);
+}
+
+static const struct ts_arg args[] = {
+	TS_WORD("file", struct breakage, path, .flags = TS_OPTIONAL | TS_WRITES,
+		.help = "text file that gets one line per broken bond"),
+	TS_ARGS_END,
+};
+
+static const char *const event_names[] = { "step", "time", "i", "j", "type", "x", "y", "z", "force" };
+static const struct ts_value values[] = {
+	{ "count", "", "bonds broken so far", TS_SCALAR, 1, NULL, eval_count },
+	{ "events", "", "one row per broken bond", TS_LOCAL, 9,
+	  event_names, eval_events },
+	{ .name = NULL },
+};
+
+static const struct ts_saved saved[] = {
+	TS_SAVE_I64(struct breakage, written),
+	TS_SAVED_ROWS_END,
+};
+
+TS_STYLE(fix, ts_style, ts_fix_bond_breakage)
+const struct ts_style ts_fix_bond_breakage = {
+	.name = "bond/breakage",
+	.kind = TS_KIND_FIX,
+	.summary = "lists broken bonds with time and place",
+	.doc = "Writes a line for every bond that breaks: step, time, identities of the partners, bond "
+	       "type, the middle between them, and the force at which it broke (> 0 tension). The same "
+	       "rows can be written with dump local.",
+	.example = "fix crack all bond/breakage file post/broken.txt",
+	.args = args,
+	.state_size = sizeof(struct breakage),
+	.saved = saved,
+	.values = values,
+	.hook = { [TS_STAGE_SETUP] = open_file, [TS_STAGE_END_OF_STEP] = end_of_step },
+	.fini = fini,
+};

@@ -1,0 +1,53 @@
+/* Command boundary: what happens at the faces of the box. */
+#include "core/sim.h"
+
+#include <string.h>
+
+#include "box/domain.h"
+
+#include "base/banned.h"
+
+struct state {
+	const char *face[3];
+};
+
+static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	const struct state *s = state;
+	enum ts_face face[3][2];
+
+	if (sim->domain->exists)
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "boundary must come before the simulation box is created; later it "
+			       "is `change_box all boundary x y z`");
+	TS_TRY(ts_domain_read_faces(sim, s->face, where, face));
+	memcpy(sim->domain->box.face, face, sizeof face);
+	return TS_OK;
+}
+
+static const struct ts_arg args[] = {
+	TS_WORD("x", struct state, face[0], .flags = TS_POSITIONAL,
+		.help = "faces across x: p, f, s or m, or two letters for low and high"),
+	TS_WORD("y", struct state, face[1], .flags = TS_POSITIONAL, .help = "faces across y"),
+	TS_WORD("z", struct state, face[2], .flags = TS_POSITIONAL, .help = "faces across z"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(command, ts_command_style, ts_command_boundary)
+const struct ts_command_style ts_command_boundary = {
+	.style = {
+		.name = "boundary",
+		.kind = TS_KIND_COMMAND,
+		.summary = "Says what happens at the faces of the box",
+		.doc = "p: periodic. f: fixed, particles that leave are deleted (see thermo_modify lost).\n"
+		       "s: the face follows the outermost particles. m: the same, but the box never becomes\n"
+		       "smaller than it was created. Without the command: p p p.\n\n"
+		       "A face that follows stays 1e-4 of the first length of the box outside the outermost\n"
+		       "center. It is moved when contacts are searched anew, so it may lag behind.",
+		.example = "boundary p p f\n"
+		       "boundary f f fs",
+		.args = args,
+		.state_size = sizeof(struct state),
+	},
+	.run = run,
+};

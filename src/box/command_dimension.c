@@ -1,0 +1,45 @@
+/* Command dimension: two or three dimensions. */
+#include "core/sim.h"
+
+#include "box/domain.h"
+
+#include "base/banned.h"
+
+struct state {
+	int64_t dimension;
+};
+
+static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	const struct state *s = state;
+
+	if (sim->domain->exists)
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "dimension must come before the simulation box is created");
+	sim->dimension = (int)s->dimension;
+	return TS_OK;
+}
+
+static const struct ts_arg args[] = {
+	TS_INT("dimension", struct state, dimension, .flags = TS_POSITIONAL, .range = TS_WITHIN,
+	       .lo = 2, .hi = 3, .help = "2 or 3"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(command, ts_command_style, ts_command_dimension)
+const struct ts_command_style ts_command_dimension = {
+	.style = {
+		.name = "dimension",
+		.kind = TS_KIND_COMMAND,
+		.summary = "Sets the number of dimensions",
+		.doc = "In two dimensions particles are discs in the plane z = 0: mass is density times\n"
+		       "pi r^2, and fix nve/sphere turns them as discs unless told otherwise. The box must be\n"
+		       "periodic in z and contain the plane; thermo keyword vol is its area. Forces and\n"
+		       "velocities out of the plane are the script's to avoid (fix enforce2d takes them away); a\n"
+		       "run warns where a particle is out of the plane or moves out of it.",
+		.example = "dimension 2",
+		.args = args,
+		.state_size = sizeof(struct state),
+	},
+	.run = run,
+};

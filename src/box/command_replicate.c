@@ -1,0 +1,248 @@
+/* Command replicate: copies of the box and all that is in it, side by side. */
+#include "core/sim.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "bond/bonds.h"
+#include "box/domain.h"
+#include "particle/exchange.h"
+#include "particle/identity.h"
+#include "particle/particles.h"
+
+#include "base/banned.h"
+
+struct state {
+	int64_t n[3];
+	bool bbox;
+};
+
+/* What stays as it was before. */
+struct before {
+	const struct state *state;
+	struct ts_box box;
+	size_t n;        /* particles */
+	int32_t max_tag; /* copy k of particle t is t + k max_tag */
+	double (*x)[3];  /* positions without wrapping */
+};
+
+static int64_t copies(const struct state *s)
+{
+	return s->n[0] * s->n[1] * s->n[2];
+}
+
+/* Number of the copy at (a b c), counted with x fastest; from any multiple of the new box. */
+static int64_t copy_at(const struct state *s, const int64_t at[3])
+{
+	int64_t k = 0;
+
+	for (int d = 2; d >= 0; d--)
+		k = k * s->n[d] + (at[d] % s->n[d] + s->n[d]) % s->n[d];
+	return k;
+}
+
+static void place_of(const struct state *s, int64_t copy, int64_t at[3])
+{
+	for (int d = 0; d < 3; d++) {
+		at[d] = copy % s->n[d];
+		copy /= s->n[d];
+	}
+}
+
+static enum ts_status check(struct tsim *sim, const struct state *s, const struct ts_place *where)
+{
+	const struct ts_particles *p = sim->particles;
+	double most = (double)copies(s) * fmax((double)p->max_tag, (double)p->n);
+
+	if (sim->dimension == 2 && s->n[2] != 1)
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "replicate: in two dimensions nz must be 1");
+	if (most > INT32_MAX)
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "replicate: %g identities would be needed, there are %d", most,
+			       INT32_MAX);
+	for (int d = 0; d < 3; d++)
+		if (s->n[d] > 1 && !ts_box_periodic(&sim->domain->box, d))
+			ts_warn(&sim->log, where, "the box is not periodic in %c: what stands at its "
+				"faces may overlap", 'x' + d);
+	return TS_OK;
+}
+
+static enum ts_status note(struct tsim *sim, struct before *b)
+{
+	const struct ts_particles *p = sim->particles;
+
+	b->x = ts_alloc(p->n, sizeof *b->x);
+	if (!b->x)
+		return ts_nomem(&sim->error);
+	b->box = sim->domain->box;
+	b->n = p->n;
+	b->max_tag = p->max_tag;
+	for (size_t i = 0; i < p->n; i++)
+		for (int d = 0; d < 3; d++)
+			b->x[i][d] = p->x[i][d] + p->image[i][d] * ts_box_length(&b->box, d);
+	return TS_OK;
+}
+
+static void copy_columns(struct ts_particles *p, size_t from, size_t n, size_t to)
+{
+	for (size_t k = 0; k < p->ncolumns; k++) {
+		const struct ts_column *c = &p->column[k];
+		size_t bytes = c->element * c->width;
+
+		if (c->active && n)
+			memcpy((char *)c->data + to * bytes, (char *)c->data + from * bytes,
+			       n * bytes);
+	}
+}
+
+/* Copy 0 gets its places without wrapping too; they are wrapped into the new box at the end. */
+static enum ts_status copy_particles(struct tsim *sim, const struct before *b)
+{
+	struct ts_particles *p = sim->particles;
+	int64_t total = copies(b->state);
+	size_t first;
+
+	TS_TRY(ts_particles_add(sim, (size_t)(total - 1) * b->n, &first));
+	for (int64_t k = 0; k < total; k++) {
+		size_t row = (size_t)k * b->n;
+		int64_t at[3];
+
+		place_of(b->state, k, at);
+		if (k)
+			copy_columns(p, 0, b->n, row);
+		for (size_t i = 0; i < b->n; i++) {
+			p->tag[row + i] = (int32_t)(p->tag[i] + k * b->max_tag);
+			for (int d = 0; d < 3; d++) {
+				p->x[row + i][d] = b->x[i][d] +
+						   (double)at[d] * ts_box_length(&b->box, d);
+				p->image[row + i][d] = 0;
+			}
+		}
+	}
+	p->max_tag = (int32_t)(total * b->max_tag);
+	return TS_OK;
+}
+
+/* How many old boxes further the partner of i stands that it is bonded to: without wrapping the nearest
+ * image of j is at x_j + turns L. */
+static void bond_turns(const struct before *b, size_t i, size_t j, int64_t turns[3])
+{
+	for (int d = 0; d < 3; d++) {
+		double length = ts_box_length(&b->box, d);
+
+		turns[d] = ts_box_periodic(&b->box, d)
+				   ? (int64_t)rint((b->x[i][d] - b->x[j][d]) / length)
+				   : 0;
+	}
+}
+
+static enum ts_status copy_bond(struct tsim *sim, const struct before *b, const int32_t tag[2],
+				const int64_t turns[3], int type, double rest)
+{
+	for (int64_t k = 0; k < copies(b->state); k++) {
+		int64_t at[3], other;
+
+		place_of(b->state, k, at);
+		for (int d = 0; d < 3; d++)
+			at[d] += turns[d];
+		other = copy_at(b->state, at);
+		TS_TRY(ts_bonds_add(sim, (int32_t)(tag[0] + k * b->max_tag),
+				    (int32_t)(tag[1] + other * b->max_tag), type, rest));
+	}
+	return TS_OK;
+}
+
+/* Bonds across periodic faces go to the next copy. The list is written anew behind the old one. */
+static enum ts_status copy_bonds(struct tsim *sim, const struct before *b)
+{
+	struct ts_bonds *bonds = sim->bonds;
+	size_t n = bonds->n;
+	unsigned char *old;
+	struct ts_identities map;
+
+	if (!n)
+		return TS_OK;
+	TS_TRY(ts_identities(sim, false, &map));
+	for (size_t k = 0; k < n; k++) {
+		const int32_t tag[2] = { bonds->tag[k][0], bonds->tag[k][1] };
+		const int32_t row[2] = { ts_row_of(&map, tag[0]), ts_row_of(&map, tag[1]) };
+		int64_t turns[3];
+
+		if (row[0] < 0 || row[1] < 0)
+			continue;
+		bond_turns(b, (size_t)row[0], (size_t)row[1], turns);
+		TS_TRY(copy_bond(sim, b, tag, turns, bonds->type[k], bonds->rest[k]));
+	}
+	old = ts_alloc(bonds->n, 1);
+	if (!old)
+		return ts_nomem(&sim->error);
+	memset(old, 1, n);
+	ts_bonds_delete(bonds, old);
+	ts_free(old);
+	bonds->created -= (int64_t)n;
+	ts_bonds_sort(bonds);
+	return TS_OK;
+}
+
+static enum ts_status replicate(struct tsim *sim, struct before *b, const struct ts_place *where)
+{
+	double hi[3];
+
+	TS_TRY(note(sim, b));
+	TS_TRY(copy_particles(sim, b));
+	TS_TRY(copy_bonds(sim, b));
+	for (int d = 0; d < 3; d++)
+		hi[d] = b->box.lo[d] + (double)b->state->n[d] * ts_box_length(&b->box, d);
+	TS_TRY(ts_domain_set_box(sim, b->box.lo, hi, where));
+	return ts_exchange_migrate(sim);
+}
+
+static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	struct before b = { .state = state };
+	const struct ts_box *box = &sim->domain->box;
+	enum ts_status status;
+
+	TS_TRY(check(sim, state, where));
+	status = replicate(sim, &b, where);
+	ts_free(b.x);
+	TS_TRY(status);
+	ts_log(&sim->log, "Replicated box = (%g %g %g) to (%g %g %g)\n  %zu atoms\n", box->lo[0],
+	       box->lo[1], box->lo[2], box->hi[0], box->hi[1], box->hi[2], sim->particles->n);
+	if (sim->bonds->n)
+		ts_log(&sim->log, "  %zu bonds\n", sim->bonds->n);
+	return TS_OK;
+}
+
+#define NUMBER(name, d, help_)                                                                     \
+	TS_INT(name, struct state, n[d], .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1,      \
+	       .hi = 1000000, .help = help_)
+static const struct ts_arg args[] = {
+	NUMBER("nx", 0, "number of boxes along x"),
+	NUMBER("ny", 1, "number of boxes along y"),
+	NUMBER("nz", 2, "number of boxes along z"),
+	TS_FLAG("bbox", struct state, bbox, .help = "no effect"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(command, ts_command_style, ts_command_replicate)
+const struct ts_command_style ts_command_replicate = {
+	.style = {
+		.name = "replicate",
+		.kind = TS_KIND_COMMAND,
+		.summary = "Makes the box several times as large, filled with copies",
+		.doc = "All that particles have is copied, groups included. Copy k of the particle with identity\n"
+		       "t has the identity t + k N, N being the largest identity before and k counting the boxes\n"
+		       "with x fastest. Bonds join the copies that are neighbours as their originals were, also\n"
+		       "across periodic faces: a periodic block of bonded particles becomes a larger one without\n"
+		       "seams.\n\n"
+		       "Copies begin their contacts anew. Fixes made before that remember places of particles\n"
+		       "remember those of the original; make them afterwards.",
+		.example = "replicate 4 4 1",
+		.args = args,
+		.state_size = sizeof(struct state),
+	},
+	.needs_box = true,
+	.run = run,
+};

@@ -1,0 +1,348 @@
+#include "box/domain.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/plan.h"
+#include "core/settings.h"
+#include "mesh/mesh_surface.h"
+#include "particle/particles.h"
+#include "region/region.h"
+
+#include "base/banned.h"
+
+enum ts_status ts_domain_require(struct tsim *sim, const struct ts_place *where)
+{
+	if (sim->domain->exists)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, where,
+		       "there is no simulation box yet: use create_box or read_restart first");
+}
+
+bool ts_sim_has_box(const struct tsim *sim)
+{
+	return sim->domain->exists;
+}
+
+void ts_domain_hold(struct ts_domain *domain)
+{
+	for (int k = 0; k < 3; k++) {
+		domain->held_lo[k] = domain->box.lo[k];
+		domain->held_hi[k] = domain->box.hi[k];
+	}
+}
+
+double ts_domain_moved(const struct ts_domain *domain)
+{
+	double square = 0;
+
+	for (int k = 0; k < 3; k++) {
+		double d = ts_box_length(&domain->box, k) - (domain->held_hi[k] - domain->held_lo[k]);
+
+		if (ts_box_periodic(&domain->box, k))
+			square += d * d;
+	}
+	return sqrt(square);
+}
+
+/* A moving face stays this part of the first box length outside the outermost centre. */
+static const double SHRINK_MARGIN = 1e-4;
+
+static double margin_of(const struct ts_domain *d, int dim)
+{
+	return SHRINK_MARGIN * (d->first_hi[dim] - d->first_lo[dim]);
+}
+
+static void shrink_dimension(const struct tsim *sim, int dim)
+{
+	struct ts_domain *d = sim->domain;
+	const struct ts_particles *p = sim->particles;
+	double margin = margin_of(d, dim);
+	double lo = INFINITY, hi = -INFINITY;
+
+	if (d->box.face[dim][0] < TS_FACE_SHRINK && d->box.face[dim][1] < TS_FACE_SHRINK)
+		return; /* neither follows */
+
+	for (size_t i = 0; i < p->n; i++) {
+		lo = fmin(lo, p->x[i][dim]);
+		hi = fmax(hi, p->x[i][dim]);
+	}
+	ts_mesh_surface_extent(sim, dim, &lo, &hi);
+	if (!(lo <= hi))
+		return;
+	if (d->box.face[dim][0] == TS_FACE_SHRINK)
+		d->box.lo[dim] = lo - margin;
+	else if (d->box.face[dim][0] == TS_FACE_MINIMUM)
+		d->box.lo[dim] = fmin(lo - margin, d->first_lo[dim]);
+	if (d->box.face[dim][1] == TS_FACE_SHRINK)
+		d->box.hi[dim] = hi + margin;
+	else if (d->box.face[dim][1] == TS_FACE_MINIMUM)
+		d->box.hi[dim] = fmax(hi + margin, d->first_hi[dim]);
+}
+
+void ts_domain_shrink(struct tsim *sim)
+{
+	for (int dim = 0; dim < 3; dim++) {
+		const enum ts_face *face = sim->domain->box.face[dim];
+
+		sim->box_moves |= face[0] >= TS_FACE_SHRINK || face[1] >= TS_FACE_SHRINK;
+		shrink_dimension(sim, dim);
+	}
+}
+
+/* "p", "f", "fs": one letter for both faces of a dimension, or one for each. */
+static enum ts_status read_faces(struct tsim *sim, const char *text, char dim,
+				 const struct ts_place *where, enum ts_face face[2])
+{
+	static const char letters[] = "pfsm"; /* in the order of enum ts_face */
+	size_t n = strlen(text);
+
+	for (size_t side = 0; side < 2; side++) {
+		const char *letter = n == 1 || n == 2 ? strchr(letters, text[n == 2 ? side : 0]) : NULL;
+
+		if (!letter)
+			return ts_fail(&sim->error, TS_SYNTAX, where,
+				       "boundary: %c is '%s', expected p, f, s or m, or two of f, s, m",
+				       dim, text);
+		face[side] = (enum ts_face)(letter - letters);
+	}
+	if ((face[0] == TS_FACE_PERIODIC) != (face[1] == TS_FACE_PERIODIC))
+		return ts_fail(&sim->error, TS_SYNTAX, where,
+			       "boundary: %c is '%s', but both faces must be periodic or none", dim,
+			       text);
+	return TS_OK;
+}
+
+enum ts_status ts_domain_read_faces(struct tsim *sim, const char *const text[3],
+				    const struct ts_place *where, enum ts_face face[3][2])
+{
+	for (int d = 0; d < 3; d++)
+		TS_TRY(read_faces(sim, text[d], (char)('x' + d),
+				  ts_sim_word_of(sim, text[d], where), face[d]));
+	return TS_OK;
+}
+
+static enum ts_status check_plane(struct tsim *sim, const double lo[3], const double hi[3],
+				  const struct ts_place *where)
+{
+	if (sim->dimension == 3)
+		return TS_OK;
+	if (!ts_box_periodic(&sim->domain->box, 2))
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "dimension 2 needs a box that is periodic in z: boundary x y p");
+	if (lo[2] < 0 && hi[2] > 0)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_RANGE, where,
+		       "the box reaches from z = %g to %g; with dimension 2 it must contain the plane "
+		       "z = 0", lo[2], hi[2]);
+}
+
+enum ts_status ts_domain_set_box(struct tsim *sim, const double lo[3], const double hi[3],
+				 const struct ts_place *where)
+{
+	struct ts_domain *d = sim->domain;
+
+	for (int k = 0; k < 3; k++)
+		if (!isfinite(lo[k]) || !isfinite(hi[k]) || !(lo[k] < hi[k]))
+			return ts_fail(&sim->error, TS_RANGE, where,
+				       "the box would reach from %c = %g to %g", 'x' + k, lo[k],
+				       hi[k]);
+	TS_TRY(check_plane(sim, lo, hi, where));
+	for (int k = 0; k < 3; k++) {
+		d->first_lo[k] = lo[k];
+		d->first_hi[k] = hi[k];
+		d->box.lo[k] = lo[k];
+		d->box.hi[k] = hi[k];
+		if (d->box.face[k][0] == TS_FACE_SHRINK)
+			d->box.lo[k] -= margin_of(d, k);
+		if (d->box.face[k][1] == TS_FACE_SHRINK)
+			d->box.hi[k] += margin_of(d, k);
+	}
+	d->exists = true;
+	return TS_OK;
+}
+
+enum ts_status ts_domain_make(struct tsim *sim, int ntypes, const double lo[3], const double hi[3],
+			      const struct ts_place *where)
+{
+	struct ts_particles *p = sim->particles;
+	double *type_mass = ts_alloc((size_t)ntypes + 1, sizeof *type_mass);
+	enum ts_status status;
+
+	if (!type_mass)
+		return ts_nomem(&sim->error);
+	status = ts_domain_set_box(sim, lo, hi, where);
+	if (status != TS_OK) {
+		ts_free(type_mass);
+		return status;
+	}
+	ts_free(p->type_mass);
+	p->type_mass = type_mass;
+	p->ntypes = ntypes;
+	return TS_OK;
+}
+
+double ts_domain_scale(const struct tsim *sim, int units, int dim)
+{
+	bool lattice = units < 0 ? sim->units == TS_UNITS_LJ : units == 0;
+
+	return lattice ? sim->domain->lattice.spacing[dim] : 1;
+}
+
+void ts_domain_units_said(struct tsim *sim, int units, const struct ts_place *where)
+{
+	const double *spacing = sim->domain->lattice.spacing;
+	bool matters = spacing[0] != 1 || spacing[1] != 1 || spacing[2] != 1;
+
+	if (units >= 0 || !matters || sim->domain->units_warned)
+		return;
+	sim->domain->units_warned = true;
+	ts_warn(&sim->log, where, "%s; say `units lattice` or `units box`",
+		sim->units == TS_UNITS_LJ
+			? "with units lj lengths are multiplied by the lattice spacings, as in LAMMPS, "
+			  "LIGGGHTS takes them as they are"
+			: "lengths are taken as they are, as in LIGGGHTS, LAMMPS multiplies them by the "
+			  "lattice spacings");
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_domain *d = self->state;
+
+	for (int k = 0; k < 3; k++)
+		d->drift[k] = 0; /* fix deform says so again */
+	(void)sim;
+	if (!(d->lattice.constant > 0))
+		ts_lattice_clear(&d->lattice);
+	return TS_OK;
+}
+
+static void fini(struct ts_instance *self)
+{
+	ts_lattice_release(&((struct ts_domain *)self->state)->lattice);
+}
+
+static void fingerprint(const struct ts_instance *self, const struct tsim *sim,
+			struct ts_hash *hash)
+{
+	const struct ts_domain *d = self->state;
+
+	(void)sim;
+	ts_hash_add(hash, d->box.lo, sizeof d->box.lo);
+	ts_hash_add(hash, d->box.hi, sizeof d->box.hi);
+	ts_hash_add(hash, d->box.face, sizeof d->box.face);
+}
+
+/* Nothing holds particles in the plane but the script. */
+static void warn_out_of_plane(struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+
+	for (size_t i = 0; sim->dimension == 2 && i < p->n; i++) {
+		bool spins = p->omega && (p->omega[i][0] != 0 || p->omega[i][1] != 0);
+
+		if (p->x[i][2] == 0 && p->v[i][2] == 0 && !spins)
+			continue;
+		ts_warn(&sim->log, NULL,
+			"dimension 2: particle %d is out of the plane z = 0, moves out of it or turns "
+			"about an axis in it; fix enforce2d keeps particles in the plane",
+			p->tag[i]);
+		return;
+	}
+}
+
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
+			   struct ts_plan_report *report)
+{
+	const struct ts_domain *d = self->state;
+	static const char letters[] = "pfsm";
+	char faces[12] = "";
+
+	warn_out_of_plane(sim);
+	for (int k = 0; k < 6; k++) {
+		faces[k + k / 2] = letters[d->box.face[k / 2][k % 2]];
+		if (k % 2)
+			faces[k + k / 2 + 1] = ' ';
+	}
+	ts_report_line(report, "box", "(%g %g %g) to (%g %g %g), faces %.8s", d->box.lo[0],
+		       d->box.lo[1], d->box.lo[2], d->box.hi[0], d->box.hi[1], d->box.hi[2], faces);
+	return TS_OK;
+}
+
+static enum ts_status archive_held(struct ts_domain *d, struct ts_archive *a)
+{
+	double held[6];
+
+	for (int k = 0; k < 3; k++) {
+		held[k] = d->held_lo[k];
+		held[3 + k] = d->held_hi[k];
+	}
+	TS_TRY(ts_archive_fixed(a, "held", TS_SAVED_F64, held, 6));
+	for (int k = 0; k < 3; k++) {
+		d->held_lo[k] = held[k];
+		d->held_hi[k] = held[3 + k];
+	}
+	return TS_OK;
+}
+
+static void settings(const struct ts_instance *self, const struct tsim *sim, struct ts_str *out)
+{
+	static const char letters[] = "pfsm"; /* in the order of enum ts_face */
+	const struct ts_domain *d = self->state;
+	char faces[12] = "";
+	bool periodic = true;
+
+	(void)sim;
+	for (int k = 0; k < 6; k++) {
+		faces[k + k / 2] = letters[d->box.face[k / 2][k % 2]];
+		faces[k + k / 2 + 1] = k % 2 && k < 5 ? ' ' : '\0';
+		periodic &= d->box.face[k / 2][k % 2] == TS_FACE_PERIODIC;
+	}
+	ts_setting(out, periodic, "boundary %s", faces);
+}
+
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	struct ts_domain *d = self->state;
+
+	TS_TRY(ts_lattice_archive(&d->lattice, sim, a));
+	if (!ts_archive_writing(a) && !ts_archive_has(a, "held")) /* files of version 1 */
+		ts_domain_hold(d);
+	else
+		TS_TRY(archive_held(d, a));
+	if (ts_archive_writing(a))
+		return TS_OK;
+	for (int k = 0; k < 3; k++)
+		if (!(d->box.lo[k] < d->box.hi[k]) || !isfinite(d->box.hi[k] - d->box.lo[k]) ||
+		    !(d->first_lo[k] < d->first_hi[k]) ||
+		    d->box.face[k][0] > TS_FACE_MINIMUM || d->box.face[k][1] > TS_FACE_MINIMUM ||
+		    ts_box_periodic(&d->box, k) != (d->box.face[k][1] == TS_FACE_PERIODIC))
+			return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible simulation box");
+	d->exists = true;
+	return TS_OK;
+}
+
+static const struct ts_saved saved[] = {
+	TS_SAVE_F64(struct ts_domain, box.lo),
+	TS_SAVE_F64(struct ts_domain, box.hi),
+	TS_SAVE_I32(struct ts_domain, box.face),
+	TS_SAVE_F64(struct ts_domain, first_lo),
+	TS_SAVE_F64(struct ts_domain, first_hi),
+	TS_SAVED_ROWS_END,
+};
+
+const struct ts_system_style ts_domain_system = {
+	.style = { .name = "domain",
+		   .kind = TS_KIND_SYSTEM,
+		   .summary = "the simulation box and its faces",
+		   .state_size = sizeof(struct ts_domain),
+		   .saved = saved,
+		   .archive = archive,
+		   .fingerprint = fingerprint,
+		   .init = init,
+		   .plan = plan,
+		   .fini = fini },
+	.slot = offsetof(struct tsim, domain),
+	.settings = settings,
+	.functions = ts_region_functions,
+};

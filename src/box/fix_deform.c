@@ -1,0 +1,412 @@
+/* Fix deform: the box changes its lengths during a run. */
+#include "core/sim.h"
+
+#include <math.h>
+
+#include "box/domain.h"
+#include "flow/flow.h"
+#include "particle/particles.h"
+#include "region/region.h"
+
+#include "base/banned.h"
+
+enum { FINAL, DELTA, SCALE, VEL, ERATE, TRATE, VOLUME, WIGGLE, VARIABLE, NONE = -1 };
+enum { REMAP_X, REMAP_V, REMAP_NONE };
+
+struct side {
+	int mode;
+	double a, b;			  /* the numbers of the mode */
+	struct ts_number length, rate; /* VARIABLE */
+};
+
+struct span {
+	double lo, hi, rate; /* of the length */
+};
+
+struct state {
+	int64_t every;
+	struct side side[3];
+	struct ts_words tilt[3];
+	int remap, units;
+	bool flip;
+
+	/* saved */
+	int64_t started, begin; /* begin: first step of the run that `at_begin` belongs to */
+	double origin;		/* time when the fix was made */
+	double made_lo[3], made_hi[3], begin_lo[3], begin_hi[3];
+};
+
+static const char names[] = "xyz";
+
+static enum ts_status check(struct ts_instance *self, struct tsim *sim)
+{
+	const struct state *s = self->state;
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+	int sides = 0;
+
+	for (int k = 0; k < 3; k++) {
+		const enum ts_face *face = sim->domain->box.face[k];
+
+		if (s->tilt[k].n)
+			return ts_fail(&sim->error, TS_STATE, &s->tilt[k].word[0].place,
+				       "fix deform: boxes are never tilted here, xy, xz and yz do not "
+				       "exist; move a wall, or use periodic faces and `remap v`");
+		if (s->side[k].mode == NONE)
+			continue;
+		sides++;
+		if (k == 2 && sim->dimension == 2)
+			return ts_fail(&sim->error, TS_STATE, &self->where,
+				       "fix deform: z cannot change in two dimensions");
+		for (int j = 0; j < 2; j++)
+			if (face[j] == TS_FACE_SHRINK || face[j] == TS_FACE_MINIMUM)
+				return ts_fail(&sim->error, TS_STATE, &self->where,
+					       "fix deform: the faces of %c follow the particles, "
+					       "expected boundary p or f",
+					       names[k]);
+	}
+	if (ts_flow_fluid(sim))
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix deform: the grid of the fluid (flow_style, line %d) does not change with the box: "
+			       "change the box before flow_style (`change_box`, or a run with this fix and `unfix`), or "
+			       "use flow_style uniform",
+			       ts_sim_only(sim, TS_KIND_FLOW)->where.line);
+	if (!sides)
+		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+			       "fix deform: expected x, y or z and how it changes");
+	for (size_t k = 0; k < fixes->n; k++)
+		if (fixes->item[k]->style == self->style && !ts_streq(fixes->item[k]->id, self->id))
+			return ts_fail(&sim->error, TS_STATE, &self->where,
+				       "fix deform: there is one already, %s", fixes->item[k]->id);
+	return TS_OK;
+}
+
+/* Both ends move alike: the box stays where its middle is. */
+static struct span around(double lo, double hi, double length, double rate)
+{
+	double half = 0.5 * (length - (hi - lo));
+
+	return (struct span){ lo - half, hi + half, rate };
+}
+
+/* What is to be reached at the end of the run, or would be after one unit of time. */
+static void goal(const struct state *s, const struct tsim *sim, int k, double *lo, double *hi)
+{
+	const struct side *side = &s->side[k];
+	double scale = ts_domain_scale(sim, s->units, k), half;
+
+	*lo = s->begin_lo[k];
+	*hi = s->begin_hi[k];
+	half = 0.5 * (side->a - 1) * (*hi - *lo);
+	if (side->mode == FINAL) {
+		*lo = scale * side->a;
+		*hi = scale * side->b;
+	} else if (side->mode == DELTA) {
+		*lo += scale * side->a;
+		*hi += scale * side->b;
+	} else {
+		*lo -= half;
+		*hi += half;
+	}
+}
+
+static struct span towards_goal(const struct state *s, const struct tsim *sim, int k)
+{
+	const struct ts_clock *c = &sim->clock;
+	double steps = (double)(c->ramp_last - c->ramp_first), lo, hi;
+	double part = steps > 0 ? (double)(c->step - c->ramp_first) / steps : 0;
+	double dlo, dhi;
+
+	goal(s, sim, k, &lo, &hi);
+	dlo = lo - s->begin_lo[k];
+	dhi = hi - s->begin_hi[k];
+	if (c->step == c->ramp_last) /* without rounding */
+		return (struct span){ lo, hi, steps > 0 ? (dhi - dlo) / (steps * c->dt) : 0 };
+	return (struct span){ s->begin_lo[k] + part * dlo, s->begin_hi[k] + part * dhi,
+			      steps > 0 ? (dhi - dlo) / (steps * c->dt) : 0 };
+}
+
+/* Where the two faces of a side that does not follow the volume are to be now. */
+static enum ts_status target(struct ts_instance *self, struct tsim *sim, int k, struct span *out)
+{
+	const struct state *s = self->state;
+	const struct side *side = &s->side[k];
+	double lo = s->made_lo[k], hi = s->made_hi[k], t = ts_sim_time(sim) - s->origin;
+	double scale = ts_domain_scale(sim, s->units, k), w, length, rate;
+
+	switch (side->mode) {
+	case NONE:
+		*out = (struct span){ sim->domain->box.lo[k], sim->domain->box.hi[k], 0 };
+		return TS_OK;
+	case VEL:
+		*out = around(lo, hi, hi - lo + scale * side->a * t, scale * side->a);
+		return TS_OK;
+	case ERATE:
+		rate = side->a * (hi - lo);
+		*out = around(lo, hi, hi - lo + rate * t, rate);
+		return TS_OK;
+	case TRATE:
+		length = (hi - lo) * exp(side->a * t);
+		*out = around(lo, hi, length, side->a * length);
+		return TS_OK;
+	case WIGGLE:
+		w = 2 * 3.14159265358979323846 / side->b;
+		*out = around(lo, hi, hi - lo + scale * side->a * sin(w * t),
+			      w * scale * side->a * cos(w * t));
+		return TS_OK;
+	case VARIABLE:
+		TS_TRY(ts_number_now(sim, &side->length, &self->where, &length));
+		TS_TRY(ts_number_now(sim, &side->rate, &self->where, &rate));
+		*out = around(lo, hi, hi - lo + length, rate);
+		return TS_OK;
+	default:
+		*out = towards_goal(s, sim, k);
+		return TS_OK;
+	}
+}
+
+/* Sides that follow the volume share alike: with n of them each is changed by the n-th root. */
+static void keep_volume(const struct state *s, struct span span[3])
+{
+	double factor = 1, log_rate = 0;
+	int n = 0;
+
+	for (int k = 0; k < 3; k++) {
+		double length = span[k].hi - span[k].lo;
+
+		if (s->side[k].mode == VOLUME) {
+			n++;
+			continue;
+		}
+		factor *= (s->made_hi[k] - s->made_lo[k]) / length;
+		log_rate -= span[k].rate / length;
+	}
+	if (n == 2)
+		factor = sqrt(factor);
+	for (int k = 0; k < 3; k++) {
+		double lo = s->made_lo[k], hi = s->made_hi[k];
+
+		if (s->side[k].mode == VOLUME)
+			span[k] = around(lo, hi, factor * (hi - lo),
+					 log_rate / n * factor * (hi - lo));
+	}
+}
+
+static enum ts_status targets(struct ts_instance *self, struct tsim *sim, struct span span[3])
+{
+	const struct state *s = self->state;
+
+	for (int k = 0; k < 3; k++) {
+		if (s->side[k].mode == VOLUME)
+			continue;
+		TS_TRY(target(self, sim, k, &span[k]));
+		if (!(span[k].lo < span[k].hi))
+			return ts_fail(&sim->error, TS_PHYSICS, &self->where,
+				       "fix deform: the box would reach from %g to %g in %c at step "
+				       "%lld",
+				       span[k].lo, span[k].hi, names[k], (long long)sim->clock.step);
+	}
+	keep_volume(s, span);
+	return TS_OK;
+}
+
+static void tell_rates(struct ts_instance *self, struct tsim *sim, const struct span span[3])
+{
+	const struct state *s = self->state;
+
+	sim->domain->drift_group = self->group;
+	for (int k = 0; k < 3; k++)
+		sim->domain->drift[k] = s->remap == REMAP_V ? span[k].rate : 0;
+}
+
+static bool has_goal(const struct state *s)
+{
+	bool has = false;
+
+	for (int k = 0; k < 3; k++)
+		has |= s->side[k].mode >= FINAL && s->side[k].mode <= SCALE;
+	return has;
+}
+
+/* The box as it was when the fix was made, and, where that matters, when this run began. */
+static void remember(struct state *s, const struct tsim *sim)
+{
+	const struct ts_box *box = &sim->domain->box;
+	bool begins = sim->clock.step == sim->clock.ramp_first;
+	bool unseen = !s->started || s->begin != sim->clock.ramp_first;
+
+	for (int k = 0; k < 3; k++) {
+		if (!s->started) {
+			s->made_lo[k] = box->lo[k];
+			s->made_hi[k] = box->hi[k];
+		}
+		if (has_goal(s) && (begins || unseen)) {
+			s->begin_lo[k] = begins ? box->lo[k] : s->made_lo[k];
+			s->begin_hi[k] = begins ? box->hi[k] : s->made_hi[k];
+		}
+	}
+	if (!s->started)
+		s->origin = ts_sim_time(sim);
+	s->begin = has_goal(s) ? sim->clock.ramp_first : 0;
+	s->started = 1;
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct span span[3];
+
+	TS_TRY(check(self, sim));
+	sim->box_moves = true;
+	remember(self->state, sim);
+	if (sim->explain || ((struct state *)self->state)->remap != REMAP_V)
+		return TS_OK;
+	TS_TRY(targets(self, sim, span));
+	tell_rates(self, sim, span);
+	return TS_OK;
+}
+
+/* Positions keep their place relative to the faces. */
+static void remap(const struct ts_instance *self, struct tsim *sim, const struct span span[3])
+{
+	struct ts_particles *p = sim->particles;
+	const struct ts_box *box = &sim->domain->box;
+
+#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
+	for (size_t i = 0; i < p->n; i++)
+		for (int k = 0; ts_in_group(p, i, self->group) && k < 3; k++) {
+			double factor = (span[k].hi - span[k].lo) / ts_box_length(box, k);
+
+			if (((const struct state *)self->state)->side[k].mode != NONE)
+				p->x[i][k] = span[k].lo + factor * (p->x[i][k] - box->lo[k]);
+		}
+}
+
+static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
+{
+	const struct state *s = self->state;
+	struct ts_box *box = &sim->domain->box;
+	struct span span[3];
+
+	if (sim->clock.step % s->every != 0)
+		return TS_OK;
+	TS_TRY(targets(self, sim, span));
+	if (s->remap == REMAP_X)
+		remap(self, sim, span);
+	for (int k = 0; k < 3; k++) {
+		box->lo[k] = span[k].lo;
+		box->hi[k] = span[k].hi;
+	}
+	tell_rates(self, sim, span);
+	return TS_OK;
+}
+
+#define NUMBER(k, field_, name_, unit_, help_, range_)                                                \
+	TS_REAL(name_, struct state, side[k].field_, .flags = TS_POSITIONAL | TS_STATEFUL,         \
+		.unit = unit_, .help = help_, .range = (range_))
+#define SIDE_ROWS(k)                                                                               \
+	static const struct ts_arg final_##k[] = {                                                 \
+		NUMBER(k, a, "lo", "length", "low face at the end of the run", TS_ANY),                    \
+		NUMBER(k, b, "hi", "length", "high face at the end of the run", TS_ANY), TS_ARGS_END       \
+	};                                                                                         \
+	static const struct ts_arg delta_##k[] = {                                                 \
+		NUMBER(k, a, "dlo", "length", "by how much the low face moves over the run", TS_ANY),      \
+		NUMBER(k, b, "dhi", "length", "by how much the high face moves", TS_ANY), TS_ARGS_END      \
+	};                                                                                         \
+	static const struct ts_arg scale_##k[] = {                                                 \
+		NUMBER(k, a, "factor", "", "of the length over the run", TS_POSITIVE),    \
+		TS_ARGS_END                                                                        \
+	};                                                                                         \
+	static const struct ts_arg vel_##k[] = {                                                   \
+		NUMBER(k, a, "V", "velocity", "rate of change of the length", TS_ANY), TS_ARGS_END         \
+	};                                                                                         \
+	static const struct ts_arg rate_##k[] = {                                                  \
+		NUMBER(k, a, "R", "1/time", "strain rate", TS_ANY), TS_ARGS_END                            \
+	};                                                                                         \
+	static const struct ts_arg wiggle_##k[] = {                                                \
+		NUMBER(k, a, "A", "length", "amplitude of the length", TS_ANY),                            \
+		NUMBER(k, b, "period", "time", "of the oscillation", TS_POSITIVE),        \
+		TS_ARGS_END                                                                        \
+	};                                                                                         \
+	static const struct ts_arg variable_##k[] = {                                              \
+		TS_NUMBER("length", struct state, side[k].length, .flags = TS_POSITIONAL,          \
+			  .unit = "length", .help = "v_NAME: change of the length"),               \
+		TS_NUMBER("rate", struct state, side[k].rate, .flags = TS_POSITIONAL,              \
+			  .unit = "velocity", .help = "v_NAME: its rate of change"),               \
+		TS_ARGS_END                                                                        \
+	};                                                                                         \
+	static const struct ts_mode modes_##k[] = {                                                \
+		[FINAL] = { "final", "to given faces at the end of the run", final_##k },          \
+		[DELTA] = { "delta", "by given amounts over the run", delta_##k },                 \
+		[SCALE] = { "scale", "by a factor over the run", scale_##k },                      \
+		[VEL] = { "vel", "at constant velocity", vel_##k },                                \
+		[ERATE] = { "erate", "engineering strain rate: L = L0 (1 + R t)", rate_##k },      \
+		[TRATE] = { "trate", "true strain rate: L = L0 exp(R t)", rate_##k },              \
+		[VOLUME] = { "volume", "so that the volume stays", NULL },                         \
+		[WIGGLE] = { "wiggle", "L = L0 + A sin(2 pi t/period)", wiggle_##k },              \
+		[VARIABLE] = { "variable", "as variables say", variable_##k },                     \
+		{ .name = NULL },                                                                  \
+	};
+SIDE_ROWS(0)
+SIDE_ROWS(1)
+SIDE_ROWS(2)
+
+#define SIDE(k, name_)                                                                             \
+	{ .name = name_, .type = TS_ARG_MODE, .flags = TS_OPTIONAL | TS_STATEFUL,                  \
+	  .offset = TS_FIELD(struct state, side[k].mode, int *), .modes = modes_##k,               \
+	  .help = "how the box changes in this direction" }
+#define TILT(k, name_)                                                                             \
+	{ .name = name_, .type = TS_ARG_REST, .flags = TS_OPTIONAL | TS_TO_KEYWORD,                \
+	  .offset = TS_FIELD(struct state, tilt[k], struct ts_words *),                            \
+	  .help = "refused: boxes are never tilted" }
+
+static const char *const remaps[] = {
+	[REMAP_X] = "x", [REMAP_V] = "v", [REMAP_NONE] = "none", NULL
+};
+
+static const struct ts_arg args[] = {
+	TS_INT("N", struct state, every, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1,
+	       .hi = 1e15, .help = "steps between changes of the box"),
+	SIDE(0, "x"),
+	SIDE(1, "y"),
+	SIDE(2, "z"),
+	TILT(0, "xy"),
+	TILT(1, "xz"),
+	TILT(2, "yz"),
+	TS_ENUM("remap", struct state, remap, remaps, .fallback = "x",
+		.help = "x: positions of the group follow the box; v: velocities change where particles "
+			"cross a periodic face, by the rate of the length; none"),
+	TS_ENUM("units", struct state, units, ts_region_units, .flags = TS_OPTIONAL,
+		.help = "whether lengths are given in lattice spacings or as they are"),
+	TS_BOOL("flip", struct state, flip, .fallback = "yes", .help = "no effect"),
+	TS_ARGS_END,
+};
+
+static const struct ts_saved saved[] = {
+	TS_SAVE_I64(struct state, started),  TS_SAVE_I64(struct state, begin),
+	TS_SAVE_F64(struct state, origin),   TS_SAVE_F64(struct state, made_lo),
+	TS_SAVE_F64(struct state, made_hi),  TS_SAVE_F64(struct state, begin_lo),
+	TS_SAVE_F64(struct state, begin_hi), TS_SAVED_ROWS_END,
+};
+
+TS_STYLE(fix, ts_style, ts_fix_deform)
+const struct ts_style ts_fix_deform = {
+	.name = "deform",
+	.kind = TS_KIND_FIX,
+	.summary = "Changes the lengths of the box during a run",
+	.doc = "At the end of each step that is a multiple of N the faces move. `final`, `delta` and `scale` are\n"
+	       "reached at the end of each run, linearly (see `run N start S stop E` for several runs that are one);\n"
+	       "all others count the time t, and the length L0, from when the fix was made, however many runs there\n"
+	       "are. Except with `final` and `delta` the middle of the box stays. Where one or two sides have\n"
+	       "`volume`, they change so that the volume stays what it was when the fix was made.\n\n"
+	       "With `remap x` positions of the group keep their place relative to the faces; velocities are left\n"
+	       "alone. With `remap v` positions are left alone, and the velocity of a particle that crosses a\n"
+	       "periodic face changes by the rate of that length, as the contacts across the face see it.\n\n"
+	       "Refused together with a fluid that is solved for (flow_style projection): its grid does not change with\n"
+	       "the box in a run. change_box before a run does change it.",
+	.example = "fix squeeze all deform 1 z erate -0.02 x volume y volume remap x\n"
+		   "fix shake all deform 10 x wiggle 0.001 0.1 remap v units box",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.saved = saved,
+	.init = init,
+	.hook[TS_STAGE_END_OF_STEP] = end_of_step,
+};

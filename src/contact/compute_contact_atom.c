@@ -1,0 +1,72 @@
+/* Compute: how many other particles overlap each. */
+#include "box/domain.h"
+#include "geom/pairs.h"
+#include "particle/particles.h"
+
+#include "base/banned.h"
+
+struct contact {
+	int with; /* group of the partners; -1: all */
+};
+
+struct task {
+	const struct ts_particles *p;
+	double *count;
+	int group, with;
+};
+
+static void count(void *context, size_t i, size_t j, const double d[3])
+{
+	const struct task *t = context;
+	double reach = t->p->radius[i] + t->p->radius[j];
+
+	if (ts_in_group(t->p, i, t->group) && ts_in_group(t->p, j, t->with))
+		t->count[i] += d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < reach * reach;
+}
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	const struct contact *s = self->state;
+	const struct ts_particles *p = sim->particles;
+	struct task task = { p, NULL, self->group, s->with < 0 ? 0 : s->with };
+	double most = 0;
+
+	TS_TRY(ts_table_resize(out, p->n, 1));
+	task.count = out->data;
+	for (size_t i = 0; i < p->n; i++) {
+		out->data[i] = 0;
+		most = p->radius[i] > most ? p->radius[i] : most;
+	}
+	if (!(most > 0))
+		return TS_OK;
+	return ts_pairs_visit(&sim->domain->box, (const double(*)[3])p->x, p->n, 2 * most, count,
+			      &task);
+}
+
+static const struct ts_value values[] = {
+	{ "contacts", "", "number of particles that overlap it; 0 outside the group", TS_PERATOM, 1,
+	  NULL, eval },
+	{ .name = NULL },
+};
+
+static const struct ts_arg args[] = {
+	TS_GROUP("with", struct contact, with, .flags = TS_POSITIONAL | TS_OPTIONAL,
+		 .help = "only partners of this group count"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(compute, ts_style, ts_compute_contact_atom)
+const struct ts_style ts_compute_contact_atom = {
+	.name = "contact/atom",
+	.kind = TS_KIND_COMPUTE,
+	.summary = "Number of contacts of each particle",
+	.doc = "Counts for each particle of the group the others, of whatever group, that are nearer than the "
+	       "sum of\n"
+	       "the radii. It looks at positions and radii only, so it also counts overlaps that have no "
+	       "force\n"
+	       "(excluded pairs, no pair_style). Periodic images count.",
+	.example = "compute z all contact/atom\ncompute mean all reduce ave c_z",
+	.args = args,
+	.state_size = sizeof(struct contact),
+	.values = values,
+};

@@ -1,0 +1,138 @@
+#include "contact/contact_list.h"
+#include "neigh/neigh.h"
+#include "particle/particles.h"
+
+#include <math.h>
+
+#include "base/banned.h"
+
+struct state {
+	struct tsim *sim;
+};
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	((struct state *)self->state)->sim = sim;
+	sim->neigh->shown = true;
+	return TS_OK;
+}
+
+/* What is counted and listed: contacts whose partners are both in the group. A contact across a
+ * periodic face has a row on either side; the one of the smaller identity counts. */
+static bool counts(const struct ts_instance *self, const struct ts_particles *p,
+		   const struct ts_rows *rows, size_t r)
+{
+	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
+
+	if (!rows->touching[r] || !ts_in_group(p, i, self->group) || !ts_in_group(p, j, self->group))
+		return false;
+	if (j < p->n || p->tag[i] < p->tag[j])
+		return true;
+	return p->tag[i] == p->tag[j] && rows->image[r] > TS_IMAGE_SELF;
+}
+
+static size_t count(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct ts_rows *rows = &sim->neigh->rows;
+	size_t n = 0;
+
+	for (size_t r = 0; r < rows->n; r++)
+		n += counts(self, sim->particles, rows, r);
+	return n;
+}
+
+static enum ts_status eval_count(struct ts_instance *self, const struct tsim *sim,
+				 struct ts_table *out)
+{
+	out->data[0] = (double)count(self, sim);
+	return TS_OK;
+}
+
+static enum ts_status eval_peratom(struct ts_instance *self, const struct tsim *sim,
+				   struct ts_table *out)
+{
+	const struct ts_rows *rows = &sim->neigh->rows;
+	const struct ts_particles *p = sim->particles;
+
+	TS_TRY(ts_table_resize(out, p->n, 1));
+	for (size_t i = 0; i < p->n; i++)
+		out->data[i] = 0;
+	for (size_t r = 0; r < rows->n; r++) {
+		if (!rows->touching[r])
+			continue;
+		if (ts_in_group(p, (size_t)rows->i[r], self->group))
+			out->data[rows->i[r]] += 1;
+		if ((size_t)rows->j[r] < p->n && ts_in_group(p, (size_t)rows->j[r], self->group))
+			out->data[rows->j[r]] += 1;
+	}
+	return TS_OK;
+}
+
+enum { COLUMNS = 15 };
+
+static void list_row(const struct tsim *sim, size_t r, double row[COLUMNS])
+{
+	const struct ts_rows *rows = &sim->neigh->rows;
+	const struct ts_particles *p = sim->particles;
+	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
+	bool swap = rows->tag[0][r] > rows->tag[1][r]; /* the smaller identity first */
+	size_t a = swap ? j : i, b = swap ? i : j;
+	const double *force = ts_row_force(rows, r);
+	double d2 = 0;
+
+	row[0] = p->tag[a];
+	row[1] = p->tag[b];
+	for (int k = 0; k < 3; k++) {
+		double d = p->x[i][k] - p->x[j][k];
+
+		d2 += d * d;
+		row[3 + k] = p->x[a][k];
+		row[6 + k] = p->x[b][k];
+		row[9 + k] = swap ? -force[k] : force[k];
+		row[12 + k] = 0.5 * (p->x[a][k] + p->x[b][k]);
+	}
+	row[2] = p->radius[i] + p->radius[j] - sqrt(d2);
+}
+
+static enum ts_status eval_local(struct ts_instance *self, const struct tsim *sim,
+				 struct ts_table *out)
+{
+	const struct ts_rows *rows = &sim->neigh->rows;
+	size_t n = 0;
+
+	TS_TRY(ts_contacts_kept(((const struct state *)self->state)->sim, self));
+	TS_TRY(ts_table_resize(out, count(self, sim), COLUMNS));
+	for (size_t r = 0; r < rows->n; r++)
+		if (counts(self, sim->particles, rows, r))
+			list_row(sim, r, out->data + COLUMNS * n++);
+	return TS_OK;
+}
+
+static const char *const names[] = { "i",  "j",	 "overlap", "xi", "yi", "zi", "xj", "yj",
+				     "zj", "fx", "fy",	    "fz", "x",	"y",  "z" };
+static const struct ts_value values[] = {
+	{ "count", "", "number of contacts between particles of the group", TS_SCALAR, 1, NULL,
+	  eval_count },
+	{ "coordination", "", "contacts of each particle", TS_PERATOM, 1, NULL, eval_peratom },
+	{ "list", "", "one row per contact, with the force on i and the place of the contact",
+	  TS_LOCAL, COLUMNS, names, eval_local },
+	{ .name = NULL },
+};
+
+static const struct ts_arg args[] = { TS_ARGS_END };
+
+TS_STYLE(compute, ts_style, ts_compute_contacts)
+const struct ts_style ts_compute_contacts = {
+	.name = "contacts",
+	.kind = TS_KIND_COMPUTE,
+	.summary = "number, coordination and list of the contacts",
+	.doc = "c_ID is the number of touching pairs with both partners in the group, c_ID per particle "
+	       "its number of contacts, and c_ID[k] in dump local the list: identities, overlap, both "
+	       "positions, force on the first, middle. Contacts are those of the last force "
+	       "computation.",
+	.example = "compute nc all contacts\ndump c all local 1000 post/contacts*.txt c_nc[1] c_nc[2]",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.values = values,
+	.init = init,
+};

@@ -1,0 +1,91 @@
+/* Compute: force between two groups. */
+#include "bond/bonds.h"
+#include "contact/contact_list.h"
+#include "math/exactsum.h"
+
+#include "base/banned.h"
+
+struct state {
+	int other;
+	bool pair, bond, kspace;
+	struct tsim *sim;
+};
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	sim->neigh->shown = true;
+	((struct state *)self->state)->sim = sim;
+	return TS_OK;
+}
+
+/* Force on the group: +1 where a is in it and b in the other, -1 the other way round; both: 0. */
+static void add(const struct ts_instance *self, const struct tsim *sim,
+		const struct ts_contact_view *view, struct ts_exactsum sum[3])
+{
+	const struct state *s = self->state;
+	const struct ts_particles *p = sim->particles;
+	int sign = (ts_in_group(p, view->a, self->group) && ts_in_group(p, view->b, s->other)) -
+		   (ts_in_group(p, view->b, self->group) && ts_in_group(p, view->a, s->other));
+
+	for (int k = 0; sign && k < 3; k++)
+		ts_exactsum_add(&sum[k], sign * view->force[k]);
+}
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	const struct state *s = self->state;
+	const struct ts_rows *rows = &sim->neigh->rows;
+	struct ts_exactsum sum[3];
+	struct ts_contact_view view;
+
+	TS_TRY(ts_contacts_forces(s->sim, self));
+	for (int k = 0; k < 3; k++)
+		sum[k] = ts_exactsum_start();
+	for (size_t r = 0; s->pair && r < rows->n; r++) {
+		if (!rows->touching[r] || !ts_contact_counts(sim, r, 0))
+			continue;
+		ts_contact_view(sim, r, &view);
+		add(self, sim, &view, sum);
+	}
+	for (size_t b = 0; s->bond && b < sim->bonds->n; b++) {
+		ts_bond_view(sim, b, &view);
+		add(self, sim, &view, sum);
+	}
+	for (int k = 0; k < 3; k++)
+		out->data[k] = ts_exactsum_value(&sum[k]);
+	return TS_OK;
+}
+
+static const char *const names[] = { "fx", "fy", "fz", NULL };
+static const struct ts_value values[] = {
+	{ "force", "force", "on the group, by the other", TS_VECTOR, 3, names, eval },
+	{ .name = NULL },
+};
+
+static const struct ts_arg args[] = {
+	TS_GROUP("other", struct state, other, .flags = TS_POSITIONAL, .help = "the other group"),
+	TS_BOOL("pair", struct state, pair, .fallback = "yes", .help = "whether contacts count"),
+	TS_BOOL("bond", struct state, bond, .fallback = "no", .help = "whether bonds count"),
+	TS_BOOL("kspace", struct state, kspace, .fallback = "no",
+		.help = "accepted: no forces of long range are known"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(compute, ts_style, ts_compute_group_group)
+const struct ts_style ts_compute_group_group = {
+	.name = "group/group",
+	.kind = TS_KIND_COMPUTE,
+	.summary = "Force between two groups",
+	.doc = "The sum of the forces that particles of the other group exert on those of the compute's group "
+	       "in contacts,\n"
+	       "and with `bond yes` also through bonds. A pair whose partners are each in both groups "
+	       "counts from either\n"
+	       "side, so adds nothing. The sum is rounded once. No contact law here has an energy, so there "
+	       "is only the\n"
+	       "force.",
+	.example = "compute push upper group/group lower",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.values = values,
+	.init = init,
+};

@@ -1,0 +1,172 @@
+/* Compute: contacts in the columns of LIGGGHTS. */
+#include "contact/contact_columns.h"
+#include "contact/contact_list.h"
+#include "contact/row_loop.h"
+#include "heat/heat.h"
+#include "math/vec3.h"
+
+#include "base/banned.h"
+
+struct state {
+	struct ts_contact_columns columns;
+	struct tsim *sim;
+};
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	s->sim = sim;
+	sim->neigh->shown = true;
+	TS_TRY(ts_contact_columns_init(self, sim));
+	if (s->columns.wanted[TS_CONTACT_HEAT] && !ts_heat_of(sim))
+		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "heatFlux"),
+			       "compute pair/gran/local: no heat flows without a fix heat/gran");
+	return TS_OK;
+}
+
+static bool listed(const struct ts_instance *self, const struct tsim *sim, size_t r)
+{
+	return sim->neigh->rows.touching[r] && ts_contact_counts(sim, r, self->group);
+}
+
+/* The tangential force turns both partners the same way, each about its own arm. */
+static void add_torque(const struct tsim *sim, const struct ts_contact_view *v,
+		       struct ts_contact_facts *f)
+{
+	const struct ts_rows *rows = &sim->neigh->rows;
+
+	for (int k = 0; rows->parts > 1 && k < 3; k++)
+		f->torque[k] = (sim->particles->radius[v->a] - ts_row_force(rows, v->row)[3]) *
+			       ts_row_turn(rows, v->row)[k];
+}
+
+/* By the conductance of the last step, with the temperatures of now. */
+static double heat_of(const struct tsim *sim, const struct ts_contact_view *v)
+{
+	const struct ts_heat *heat = ts_heat_of(sim);
+	const struct ts_heat_pairs *pairs = &heat->pairs[0];
+	const double *temperature = ts_heat_column(sim, heat->temperature);
+
+	if (!heat->ready || pairs->rows != &sim->neigh->rows || v->row >= pairs->capacity)
+		return 0;
+	return pairs->conductance[v->row] * (temperature[v->b] - temperature[v->a]);
+}
+
+/* With `legacy`: the force that the velocities at the end of the step would give. Of images only the
+ * velocities within the step are known; theirs is the force that acted. */
+static void compute_anew(const struct tsim *sim, const struct ts_contact_view *v,
+			 struct ts_contact_facts *f)
+{
+	const struct ts_pair *pair = ts_sim_only(sim, TS_KIND_PAIR)->state;
+	const struct ts_rows *rows = &sim->neigh->rows;
+	const struct ts_particles *p = sim->particles;
+	size_t i = (size_t)rows->i[v->row], j = (size_t)rows->j[v->row];
+	const struct ts_granular_model *model = ts_pair_model(pair, p->type[i], p->type[j]);
+	double memory[TS_GRANULAR_MEMORY + 1] = { 0 };
+	struct ts_granular_force acting;
+	struct ts_touch t;
+
+	for (size_t k = 0; k < rows->history_width; k++)
+		memory[k] = rows->history[v->row * rows->history_width + k];
+	ts_row_touch(p, i, j, model, &t);
+	ts_granular_stand_out(model, memory, &t);
+	ts_granular_contact(model, ts_pair_law(pair, p->type[i], p->type[j]), &t,
+			    sim->clock.dt, false, memory, &acting);
+	for (int k = 0; k < 3; k++) {
+		f->force[k] = v->sign * acting.force[k];
+		if (rows->parts > 1)
+			f->torque[k] = (p->radius[v->a] - ts_granular_short(model, &t)) *
+				       acting.turn[k];
+	}
+}
+
+/* The point divides the line of centres as the radii are to each other, on the side of the first partner. */
+static void look(const struct tsim *sim, size_t r, const bool *wanted, struct ts_contact_facts *f)
+{
+	const struct ts_particles *p = sim->particles;
+	const struct ts_rows *rows = &sim->neigh->rows;
+	struct ts_contact_view v;
+	double a, b;
+
+	ts_contact_view(sim, r, &v);
+	*f = (struct ts_contact_facts){ .id = { p->tag[v.a], p->tag[v.b], v.image } };
+	a = p->radius[v.a];
+	b = p->radius[v.b];
+	for (int k = 0; k < 3; k++) {
+		f->pos[k] = p->x[v.a][k];
+		f->pos[3 + k] = p->x[v.b][k];
+		f->vel[k] = p->v[v.a][k];
+		f->vel[3 + k] = p->v[v.b][k];
+		f->force[k] = v.force[k];
+		f->n[k] = v.distance > 0 ? v.d[k] / v.distance : 0;
+		f->point[k] = p->x[v.a][k] - v.d[k] * (a / (a + b));
+	}
+	for (size_t k = 0; k < rows->history_width; k++)
+		f->history[k] = rows->history[r * rows->history_width + k] *
+				(v.sign < 0 ? rows->history_sign[k] : 1);
+	f->area = ts_contact_area(a, b, v.distance);
+	f->delta = a + b - v.distance;
+	add_torque(sim, &v, f);
+	if (wanted[TS_CONTACT_HEAT])
+		f->heat = heat_of(sim, &v);
+	if (sim->legacy && !v.image)
+		compute_anew(sim, &v, f);
+}
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	const struct state *s = self->state;
+	size_t history = sim->neigh->rows.history_width, n = 0;
+	size_t width = ts_contact_columns_width(&s->columns, history);
+	struct ts_contact_facts facts;
+
+	TS_TRY(ts_contacts_forces(s->sim, self));
+	for (size_t r = 0; r < sim->neigh->rows.n; r++)
+		n += listed(self, sim, r);
+	TS_TRY(ts_table_resize(out, n, width));
+	n = 0;
+	for (size_t r = 0; r < sim->neigh->rows.n; r++) {
+		if (!listed(self, sim, r))
+			continue;
+		look(sim, r, s->columns.wanted, &facts);
+		ts_contact_columns_write(&s->columns, history, &facts, out->data + width * n++);
+	}
+	return TS_OK;
+}
+
+static const struct ts_value values[] = {
+	{ "list", "", "a row for each contact", TS_LOCAL, 0, NULL, eval },
+	{ .name = NULL },
+};
+
+static const struct ts_arg args[] = {
+	TS_REST_OPTIONAL("quantities", struct state, columns.words, .help = ts_contact_columns_help),
+	TS_ARGS_END,
+};
+
+TS_STYLE(compute, ts_style, ts_compute_pair_gran_local)
+const struct ts_style ts_compute_pair_gran_local = {
+	.name = "pair/gran/local",
+	.kind = TS_KIND_COMPUTE,
+	.summary = "What is known of each contact",
+	.doc = "A table with a row for each contact whose partners are both in the group, and these columns, in "
+	       "this order whatever that of the words: pos, places of both (6); vel, velocities of both (6); id, "
+	       "both ids, and 1 if they meet across a periodic face, else 0 (3); force on the first (3), its "
+	       "parts force_normal (3) and force_tangential (3); torque on the first by the tangential force, "
+	       "about its centre and without rolling friction (3); history, what the contact law remembers; "
+	       "contactArea, of the circle in which the spheres meet (1); delta, the overlap (1); contactPoint, "
+	       "which divides the line of centres as the radii are to each other (3); heatFlux, what fix heat/gran "
+	       "conducts to the first (1). Without words: pos vel id "
+	       "force history contactArea. The partner with the smaller id is the first.\n\n"
+	       "Contacts and forces are those of the last force computation, which acted; places and velocities "
+	       "those of now. LIGGGHTS computes forces anew from the velocities at the end of the step: the two "
+	       "differ by half a step of damping; with `legacy yes` tsim does the same. With these columns `dump local/gran/vtk` draws force chains.",
+	.example = "compute c all pair/gran/local id pos force delta\n"
+		   "dump d all local 100 post/contacts*.txt c_c[7] c_c[8] c_c[10] c_c[13]",
+	.args = args,
+	.family = TS_FAMILY_CONTACTS,
+	.state_size = sizeof(struct state),
+	.values = values,
+	.init = init,
+};

@@ -1,0 +1,82 @@
+/* Compute: distances and forces of contacts. */
+#include "contact/pair_columns.h"
+#include "core/name_list.h"
+
+#include "base/banned.h"
+
+struct state {
+	struct ts_words words;
+	int cutoff;
+	struct ts_name_list list;
+	struct tsim *sim;
+};
+
+static const struct ts_pair_column columns[] = { TS_PAIR_COLUMNS,
+						 { .name = NULL } };
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	s->sim = sim;
+	sim->neigh->shown = true;
+	return ts_name_list_read(sim, "compute pair/local", &self->arena, s->words, columns,
+				 sizeof *columns, &s->list);
+}
+
+static bool wanted(const struct ts_instance *self, const struct tsim *sim, size_t r)
+{
+	return sim->neigh->rows.touching[r] && ts_contact_counts(sim, r, self->group);
+}
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	const struct state *s = self->state;
+	size_t rows = sim->neigh->rows.n, n = 0;
+
+	TS_TRY(ts_contacts_forces(s->sim, self));
+	TS_TRY(ts_table_resize(out, rows, s->list.n));
+	for (size_t r = 0; r < rows; r++) {
+		struct ts_contact_view view;
+
+		if (!wanted(self, sim, r))
+			continue;
+		ts_contact_view(sim, r, &view);
+		for (size_t k = 0; k < s->list.n; k++)
+			out->data[n * s->list.n + k] = columns[s->list.item[k]].value(sim, &view);
+		n++;
+	}
+	out->rows = n;
+	return TS_OK;
+}
+
+static const struct ts_value values[] = {
+	{ "list", "", "a row for each contact", TS_LOCAL, 0, NULL, eval },
+	{ .name = NULL },
+};
+
+static const char *const cutoffs[] = { "type", "radius", NULL };
+
+static const struct ts_arg args[] = {
+	TS_LIST("columns", struct state, words, .help = "dist, force, fx, fy, fz, dx, dy, dz"),
+	TS_ENUM("cutoff", struct state, cutoff, cutoffs, .fallback = "radius",
+		.help = "accepted: contacts are always told by the radii"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(compute, ts_style, ts_compute_pair_local)
+const struct ts_style ts_compute_pair_local = {
+	.name = "pair/local",
+	.kind = TS_KIND_COMPUTE,
+	.summary = "Distance and force of each contact",
+	.doc = "A table with a row for each contact whose partners are both in the group: dist is the distance of the "
+	       "centres,\nforce the force along the line of centres, > 0 repelling, fx fy fz the force on the "
+	       "partner with the\nsmaller id, dx dy dz the vector to it from the other. Periodic images are taken "
+	       "into account. The\ncontacts are those of the last force computation; compute property/local tells "
+	       "the partners, in the same\norder. No contact law here has an energy, so there is no `eng`.",
+	.example = "compute f all pair/local dist force fx fy fz",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.values = values,
+	.init = init,
+};

@@ -1,0 +1,145 @@
+/* Compute: who the partners of pairs and bonds are. */
+#include "bond/bonds.h"
+#include "contact/contact_list.h"
+#include "core/name_list.h"
+
+#include "base/banned.h"
+
+enum list { NEIGHBOURS, CONTACTS, BONDS };
+
+typedef double column_fn(const struct tsim *sim, const struct ts_contact_view *v);
+
+static double id1(const struct tsim *sim, const struct ts_contact_view *v)
+{
+	return sim->particles->tag[v->a];
+}
+
+static double id2(const struct tsim *sim, const struct ts_contact_view *v)
+{
+	return sim->particles->tag[v->b];
+}
+
+static double type1(const struct tsim *sim, const struct ts_contact_view *v)
+{
+	return sim->particles->type[v->a];
+}
+
+static double type2(const struct tsim *sim, const struct ts_contact_view *v)
+{
+	return sim->particles->type[v->b];
+}
+
+static double bond_type(const struct tsim *sim, const struct ts_contact_view *v)
+{
+	return sim->bonds->type[v->row];
+}
+
+static const struct column {
+	const char *name;
+	column_fn *value;
+	enum list list;
+} columns[] = {
+	{ "natom1", id1, NEIGHBOURS },	 { "natom2", id2, NEIGHBOURS },
+	{ "ntype1", type1, NEIGHBOURS }, { "ntype2", type2, NEIGHBOURS },
+	{ "patom1", id1, CONTACTS },	 { "patom2", id2, CONTACTS },
+	{ "ptype1", type1, CONTACTS },	 { "ptype2", type2, CONTACTS },
+	{ "batom1", id1, BONDS },	 { "batom2", id2, BONDS },
+	{ "btype", bond_type, BONDS },	 { .name = NULL },
+};
+
+struct property {
+	struct ts_words words;
+	int cutoff;
+	struct ts_name_list list;
+	struct tsim *sim;
+};
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct property *s = self->state;
+
+	s->sim = sim;
+	sim->neigh->shown = true;
+	TS_TRY(ts_name_list_read(sim, "compute property/local", &self->arena, s->words, columns,
+				 sizeof *columns, &s->list));
+	for (size_t k = 1; k < s->list.n; k++)
+		if (columns[s->list.item[k]].list != columns[s->list.item[0]].list)
+			return ts_fail(&sim->error, TS_SYNTAX, &s->words.word[k].place,
+				       "compute property/local: '%s' and '%s' are of different lists",
+				       s->words.word[0].text, s->words.word[k].text);
+	return TS_OK;
+}
+
+static bool wanted(const struct ts_instance *self, const struct tsim *sim, enum list list, size_t r)
+{
+	const struct ts_particles *p = sim->particles;
+
+	if (list == BONDS)
+		return ts_in_group(p, (size_t)sim->bonds->row[r][0], self->group) &&
+		       ts_in_group(p, (size_t)sim->bonds->row[r][1], self->group);
+	return (list == NEIGHBOURS || sim->neigh->rows.touching[r]) &&
+	       ts_contact_counts(sim, r, self->group);
+}
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	const struct property *s = self->state;
+	enum list list = columns[s->list.item[0]].list;
+	size_t rows = list == BONDS ? sim->bonds->n : sim->neigh->rows.n, n = 0;
+
+	TS_TRY(ts_contacts_forces(s->sim, self));
+	TS_TRY(ts_table_resize(out, rows, s->list.n));
+	for (size_t r = 0; r < rows; r++) {
+		struct ts_contact_view view;
+
+		if (!wanted(self, sim, list, r))
+			continue;
+		if (list == BONDS)
+			ts_bond_view(sim, r, &view);
+		else
+			ts_contact_view(sim, r, &view);
+		for (size_t k = 0; k < s->list.n; k++)
+			out->data[n * s->list.n + k] =
+				columns[s->list.item[k]].value(sim, &view);
+		n++;
+	}
+	out->rows = n;
+	return TS_OK;
+}
+
+static const struct ts_value values[] = {
+	{ "partners", "", "a row for each pair, the smaller id first", TS_LOCAL, 0, NULL, eval },
+	{ .name = NULL },
+};
+
+static const char *const cutoffs[] = { "type", "radius", NULL };
+
+static const struct ts_arg args[] = {
+	TS_LIST("columns", struct property, words,
+		.help = "natom1 natom2 ntype1 ntype2, patom1 patom2 ptype1 ptype2, or batom1 batom2 "
+			"btype"),
+	TS_ENUM("cutoff", struct property, cutoff, cutoffs, .fallback = "radius",
+		.help = "accepted: contacts are always told by the radii"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(compute, ts_style, ts_compute_property_local)
+const struct ts_style ts_compute_property_local = {
+	.name = "property/local",
+	.kind = TS_KIND_COMPUTE,
+	.summary = "Who the partners of contacts and bonds are",
+	.doc = "A table with a row for each pair whose partners are both in the group: words with n list the "
+	       "pairs\n"
+	       "within the skin, those with p the contacts, those with b the bonds; atom1, atom2 are ids, "
+	       "type1, type2\n"
+	       "types, btype that of the bond. Rows are those of compute pair/local, pair/gran/local and "
+	       "bond/local, in\n"
+	       "the same order. The contacts are those of the last force computation.",
+	.example = "compute who all property/local patom1 patom2\n"
+		   "compute how all pair/local dist force\n"
+		   "dump d all local 100 post/pairs*.txt index c_who[1] c_who[2] c_how[1] c_how[2]",
+	.args = args,
+	.state_size = sizeof(struct property),
+	.values = values,
+	.init = init,
+};

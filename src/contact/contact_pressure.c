@@ -1,0 +1,87 @@
+/* What the neighbour search and the contacts give to the table of the log. */
+#include "contact/contact_list.h"
+#include "core/standard.h"
+#include "group/temperature.h"
+
+#include "base/banned.h"
+
+/* As compute pressure with all its parts. */
+static enum ts_status tensor(struct tsim *sim, double out[6])
+{
+	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
+	const struct ts_virial_parts parts = { .kinetic = true, .pair = true, .bond = true };
+	double kinetic[7], volume = ts_pressure_volume(sim);
+
+	if (pair)
+		TS_TRY(ts_contacts_forces(sim, pair));
+	ts_virial_total(sim, &parts, out);
+	ts_kinetic_tensor(sim, 0, NULL, kinetic);
+	for (int k = 0; k < 6; k++)
+		out[k] = volume > 0 ? (out[k] + kinetic[k]) / volume : 0;
+	return TS_OK;
+}
+
+static enum ts_status press(struct tsim *sim, double *out)
+{
+	double t[6];
+	bool replaced;
+
+	TS_TRY(ts_standard_value(sim, TS_STANDARD_PRESSURE, -1, &replaced, out));
+	if (replaced)
+		return TS_OK;
+	TS_TRY(tensor(sim, t));
+	*out = ts_pressure_mean(sim, t);
+	return TS_OK;
+}
+
+static enum ts_status component(struct tsim *sim, int k, double *out)
+{
+	double t[6];
+	bool replaced;
+
+	TS_TRY(ts_standard_value(sim, TS_STANDARD_PRESSURE, k, &replaced, out));
+	if (replaced)
+		return TS_OK;
+	TS_TRY(tensor(sim, t));
+	*out = t[k];
+	return TS_OK;
+}
+
+#define COMPONENT(name, k)                                                                         \
+	static enum ts_status name(struct tsim *sim, double *out)                                  \
+	{                                                                                          \
+		return component(sim, k, out);                                                     \
+	}
+COMPONENT(pxx, 0)
+COMPONENT(pyy, 1)
+COMPONENT(pzz, 2)
+COMPONENT(pxy, 3)
+COMPONENT(pxz, 4)
+COMPONENT(pyz, 5)
+
+static enum ts_status nbuild(struct tsim *sim, double *out)
+{
+	*out = (double)sim->neigh->builds;
+	return TS_OK;
+}
+
+/* Rows are built anew exactly when a particle has moved half the skin: no contact is ever missed. */
+static enum ts_status ndanger(struct tsim *sim, double *out)
+{
+	(void)sim;
+	*out = 0;
+	return TS_OK;
+}
+
+const struct ts_keyword ts_neigh_keywords[] = {
+	{ "press", "Press", "pressure", "pressure of all particles, see compute pressure", TS_KEYWORD_CONTACTS, press },
+	{ "pxx", "Pxx", "pressure", "its tensor, xx", TS_KEYWORD_CONTACTS, pxx },
+	{ "pyy", "Pyy", "pressure", "its tensor, yy", TS_KEYWORD_CONTACTS, pyy },
+	{ "pzz", "Pzz", "pressure", "its tensor, zz", TS_KEYWORD_CONTACTS, pzz },
+	{ "pxy", "Pxy", "pressure", "its tensor, xy", TS_KEYWORD_CONTACTS, pxy },
+	{ "pxz", "Pxz", "pressure", "its tensor, xz", TS_KEYWORD_CONTACTS, pxz },
+	{ "pyz", "Pyz", "pressure", "its tensor, yz", TS_KEYWORD_CONTACTS, pyz },
+	{ "nbuild", "Nbuild", "", "how often neighbours were searched in this run", 1, nbuild },
+	{ "ndanger", "Ndanger", "", "searches that came too late: 0", 1, ndanger },
+	{ .name = NULL },
+};

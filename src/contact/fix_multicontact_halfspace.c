@@ -1,0 +1,101 @@
+/* Fix multicontact/halfspace: contacts of one grain act on each other. */
+#include "contact/multicontact.h"
+#include "core/plan.h"
+#include "wall/wall.h"
+
+#include "base/banned.h"
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_multicontact *m = self->state;
+
+	if (sim->neigh->multicontact && sim->neigh->multicontact != m)
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix multicontact/halfspace: there is one already, and it acts on "
+			       "all contacts");
+	sim->neigh->multicontact = m;
+	m->neigh = sim->neigh;
+	m->group = self->group;
+	return ts_multicontact_prepare(m, sim, &self->where);
+}
+
+static enum ts_status pre_force(struct ts_instance *self, struct tsim *sim)
+{
+	return ts_multicontact_update(self->state, sim, &self->where);
+}
+
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
+			   struct ts_plan_report *report)
+{
+	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
+	bool any = pair && ((const struct ts_pair *)pair->state)->model.multi;
+	const struct ts_wall *w;
+
+	(void)report;
+	for (size_t k = 0; (w = ts_walls_next(sim, &k, NULL));)
+		any |= ts_wall_has_law(w, sim) && ts_wall_model(w, sim)->multi;
+	if (any)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, &self->where,
+		       "fix multicontact/halfspace: no contacts know of each other; they do with `surface "
+		       "multicontact` of pair_style gran and fix wall/gran");
+}
+
+static void fini(struct ts_instance *self)
+{
+	ts_multicontact_release(self->state);
+}
+
+static const struct ts_arg args[] = {
+	TS_REAL("geometric_prefactor", struct ts_multicontact, prefactor, .fallback = "1",
+		.range = TS_NOT_NEGATIVE,
+		.help = "gamma: what the shape of a grain adds to that of a half space; Brodu et "
+			"al. found 1 to 1.5"),
+	TS_ARGS_END,
+};
+
+static const char doc[] = "The contacts of a grain act on each other: a force that presses one "
+			  "place of it in lets others stand out, or draws\n"
+			  "them in. Contacts of `pair_style gran ... surface multicontact` and of "
+			  "walls with these words have the overlap\n\n"
+			  "    delta = R_i + s_i + R_j + s_j - r,   s_i = sum of s_ik over the "
+			  "other contacts k of grain i,\n"
+			  "    s_ik = -gamma (1 + nu) F_k/(2 pi Y d) [(e_k.u) (e.u) + (3 - 4 nu) "
+			  "e_k.e - (1 - 2 nu) (e_k + u).e/(1 + e_k.u)]\n\n"
+			  "with Y and nu of grain i, F_k the normal force of contact k in the last "
+			  "step, e and e_k the normals into the grain,\n"
+			  "d u the way from contact k to this one, |u| = 1: the displacement of "
+			  "the surface of an elastic half space (Boussinesq)\n"
+			  "along the normal (N. Brodu, J. A. Dijksman, R. P. Behringer, Phys. Rev. "
+			  "E 91 (2015) 032201). A contact is midway\n"
+			  "between the two surfaces of grains, or on the wall; walls are rigid. "
+			  "Within the contact area of k, sqrt(R* delta), d is\n"
+			  "its radius. Two grains alone meet as without the fix. Grains next to a "
+			  "contact may be met before they would touch; a\n"
+			  "surface that stands out by more than 0.1 R stops the run: strains are "
+			  "not small any more. Grains outside the group\n"
+			  "do not give way. Needs youngsModulus and poissonsRatio (fix "
+			  "property/global), model hertz, hooke or\n"
+			  "hooke/hysteresis, and no cohesion.\n\n"
+			  "Forces depend on those of the step before; they follow within about ten "
+			  "steps, as long as s is smaller than the overlap.\n"
+			  "R* is that of the radii R + s; LIGGGHTS takes R instead of R + s there "
+			  "for one of two grains (not at walls), so that\n"
+			  "its forces may differ by the part s/(4 R). Elastic energy is that of "
+			  "the overlaps delta; what surfaces that move\n"
+			  "take from it or add is booked as lost by fix energy/ledger.";
+
+TS_STYLE(fix, ts_style, ts_fix_multicontact_halfspace)
+const struct ts_style ts_fix_multicontact_halfspace = {
+	.name = "multicontact/halfspace",
+	.kind = TS_KIND_FIX,
+	.summary = "contacts of one grain act on each other as on an elastic half space",
+	.doc = doc,
+	.example = "fix mc all multicontact/halfspace geometric_prefactor 1.125",
+	.args = args,
+	.state_size = sizeof(struct ts_multicontact),
+	.init = init,
+	.hook = { [TS_STAGE_PRE_FORCE] = pre_force },
+	.plan = plan,
+	.fini = fini,
+};

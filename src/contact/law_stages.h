@@ -1,0 +1,97 @@
+/* Laws of contacts in stages: normal force, cohesion, tangential force, rolling, twisting. Each is a loop of its own over
+ * columns, which any stage of the next kind may follow: so all combinations of laws are computed several contacts at
+ * once, though only the most frequent ones have one loop for the whole (granular_models.h). Numbers are those of
+ * ts_granular_contact, one contact after the other, bit for bit. */
+#ifndef TS_CONTACT_LAW_STAGES_H
+#define TS_CONTACT_LAW_STAGES_H
+
+#include "base/four.h"
+#include "law/granular_force.h"
+
+/* Columns of contacts of one law, as struct ts_touch, ts_normal and ts_granular_force have it. */
+struct ts_stages {
+	/* given */
+	const double *radius[2], *mass[2]; /* of i and j; at a wall [1] is not looked at */
+	double *const *memory;		   /* columns of what contacts remember, which advances */
+	const long long *touch;		   /* 0: do not touch, and remember what they did; else all bits are set */
+	bool wall;
+
+	/* how they touch: ts_stages_note_touch */
+	double n[3][TS_COLUMN], distance[TS_COLUMN], overlap[TS_COLUMN], r_eff[TS_COLUMN], m_eff[TS_COLUMN];
+	double less[TS_COLUMN]; /* ts_granular_short */
+	double vn[TS_COLUMN], slip[3][TS_COLUMN], roll[3][TS_COLUMN], spin[3][TS_COLUMN];
+
+	/* what stages leave to those that follow */
+	double solved[TS_COLUMN];
+	double kn[TS_COLUMN], kt[TS_COLUMN], gamman[TS_COLUMN], gammat[TS_COLUMN], area[TS_COLUMN];
+	double normal[TS_COLUMN], limit[TS_COLUMN];
+	double tangential[3][TS_COLUMN], rolling[3][TS_COLUMN], twist[TS_COLUMN];
+} __attribute__((aligned(64)));
+
+/* Whether there are stages for all laws of the model: not for contacts that are located, for restitution by the Stokes
+ * number, nor for bridges of liquid. */
+bool ts_stages_for(const struct ts_granular_model *m);
+
+/* Contacts 0 .. n-1, n whole vectors; the time step is positive. */
+void ts_stages_work(struct ts_stages *s, size_t n, const struct ts_granular_model *m, const struct ts_granular_pair *law,
+		    double dt);
+
+TS_INLINE void ts_stages_note_touch(struct ts_stages *s, size_t k, const struct ts_granular_model *m,
+				    const struct ts_touch *t)
+{
+	for (int c = 0; c < 3; c++) {
+		s->n[c][k] = t->n[c];
+		s->slip[c][k] = t->slip[c];
+		s->roll[c][k] = t->roll[c];
+		s->spin[c][k] = t->spin[c];
+	}
+	s->distance[k] = t->distance;
+	s->overlap[k] = t->overlap;
+	s->r_eff[k] = t->r_eff;
+	s->m_eff[k] = t->m_eff;
+	s->vn[k] = t->vn;
+	s->less[k] = ts_granular_short(m, t);
+}
+
+/* What comes of it; `normal` is not. */
+TS_INLINE void ts_stages_force(const struct ts_stages *s, size_t k, bool twists, struct ts_granular_force *f)
+{
+	const double tangential[3] = { s->tangential[0][k], s->tangential[1][k], s->tangential[2][k] };
+	const double n[3] = { s->n[0][k], s->n[1][k], s->n[2][k] };
+
+	ts_cross(tangential, n, f->turn);
+	for (int c = 0; c < 3; c++) {
+		f->force[c] = s->normal[k] * n[c] + tangential[c];
+		f->roll[c] = -s->rolling[c][k];
+		if (twists)
+			f->roll[c] += s->twist[k] * n[c];
+	}
+}
+
+/* The loops that come before and after the laws, of a file that has touch_at(b, s, k, m), which calls ts_stages_note_touch,
+ * and finish_at(b, s, k, twists), which calls ts_stages_force. Where arms end is a constant of each loop. */
+#define TS_STAGES_TOUCH(batch, name, arms, slips)                                                            \
+	TS_CLONES static void name(struct batch *restrict b, struct ts_stages *restrict s, size_t n)         \
+	{                                                                                                    \
+		const struct ts_granular_model m = { .tangential = TS_TANGENTIAL_HISTORY,                    \
+						     .full_arms = (arms), .full_slip = (slips) };            \
+                                                                                                             \
+		_Pragma("omp simd") for (size_t k = 0; k < n; k++) touch_at(b, s, k, &m);                    \
+	}
+#define TS_STAGES_FINISH(batch, name, twists)                                                                \
+	TS_CLONES static void name(struct batch *restrict b, struct ts_stages *restrict s, size_t n)         \
+	{                                                                                                    \
+		_Pragma("omp simd") for (size_t k = 0; k < n; k++) finish_at(b, s, k, twists);               \
+	}
+#define TS_STAGES_LOOPS(batch)                                                                               \
+	TS_STAGES_TOUCH(batch, touch, false, false)                                                          \
+	TS_STAGES_TOUCH(batch, touch_full_slip, false, true)                                                 \
+	TS_STAGES_TOUCH(batch, touch_full_arms, true, false)                                                 \
+	TS_STAGES_TOUCH(batch, touch_full, true, true)                                                       \
+	TS_STAGES_FINISH(batch, finish, false)                                                               \
+	TS_STAGES_FINISH(batch, finish_twist, true)                                                          \
+	static void (*const touches[2][2])(struct batch *restrict b, struct ts_stages *restrict s, size_t n) = { \
+		{ touch, touch_full_slip }, { touch_full_arms, touch_full }                                  \
+	};
+
+#endif

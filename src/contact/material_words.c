@@ -1,0 +1,160 @@
+/* The order of the words of contact models, and which of them belong together: as LIGGGHTS has it. */
+#include <string.h>
+
+#include "contact/materials.h"
+
+#include "base/banned.h"
+
+static const char *const order[] = { "model", "tangential", "cohesion", "rolling_friction", "surface",
+				     NULL };
+
+/* Which models a keyword belongs to. */
+static bool has_normal(const struct ts_granular_words *w)
+{
+	return w->normal != TS_NORMAL_OFF;
+}
+
+static bool is_hertz(const struct ts_granular_words *w)
+{
+	return w->normal == TS_NORMAL_HERTZ;
+}
+
+static bool is_hooke(const struct ts_granular_words *w)
+{
+	return w->normal == TS_NORMAL_HOOKE || w->normal == TS_NORMAL_HOOKE_HYSTERESIS;
+}
+
+static bool is_hertz_or_hooke(const struct ts_granular_words *w)
+{
+	return is_hertz(w) || is_hooke(w);
+}
+
+static bool is_stiffness(const struct ts_granular_words *w)
+{
+	return w->normal == TS_NORMAL_HOOKE_STIFFNESS;
+}
+
+static bool remembers(const struct ts_granular_words *w)
+{
+	return w->tangential == TS_TANGENTIAL_HISTORY;
+}
+
+static bool can_be_located(const struct ts_granular_words *w)
+{
+	return has_normal(w) && w->normal != TS_WORD_JKR && w->tangential < TS_TANGENTIAL_INCREMENTAL &&
+	       w->cohesion < TS_COHESION_EASO;
+}
+
+static bool knows_others(const struct ts_granular_words *w)
+{
+	return is_hertz_or_hooke(w) && w->cohesion == TS_COHESION_OFF && !w->located;
+}
+
+static bool rolls(const struct ts_granular_words *w)
+{
+	return w->rolling != TS_ROLLING_OFF;
+}
+
+static bool sticks(const struct ts_granular_words *w)
+{
+	return w->cohesion != TS_COHESION_OFF;
+}
+
+static bool is_washino(const struct ts_granular_words *w)
+{
+	return w->cohesion == TS_COHESION_WASHINO;
+}
+
+static const struct {
+	const char *name, *of;
+	bool (*fits)(const struct ts_granular_words *words);
+} keywords[] = {
+	{ "limitForce", "a normal model", has_normal },
+	{ "tangential_damping", "a normal model", has_normal },
+	{ "located", "a normal model without adhesion or bridges of liquid, and tangential off, history or no_history", can_be_located },
+	{ "absolute_damping", "model hooke/stiffness", is_stiffness },
+	{ "ktToKnUser", "model hooke or hooke/hysteresis", is_hooke },
+	{ "viscous", "model hooke or hooke/hysteresis", is_hooke },
+	{ "tangential_reduce", "a cohesion model", sticks },
+	{ "modifyLbVolume", "cohesion washino/capillary/viscous", is_washino },
+	{ "limitLiquidContent", "cohesion washino/capillary/viscous", is_washino },
+	{ "torsionTorque", "a rolling_friction model", rolls },
+	{ "heating_normal_hertz", "model hertz", is_hertz },
+	{ "heating_tangential_history", "tangential history", remembers },
+	{ "disableNormalWhenBonded", "model hertz or hooke", is_hertz_or_hooke },
+};
+
+/* Laws that need each other, or exclude each other. */
+static enum ts_status check_laws(struct tsim *sim, const struct ts_instance *self, const char *who,
+				 const struct ts_granular_words *w)
+{
+	bool jkr = w->normal == TS_WORD_JKR;
+
+	if (w->surface == TS_SURFACE_MULTICONTACT && !knows_others(w))
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "multicontact"),
+			       "%s: surface multicontact goes with model hertz, hooke or hooke/hysteresis, without cohesion and "
+			       "located",
+			       who);
+	if (w->tangential == TS_WORD_JKR_TAN && !jkr)
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "jkr_tan"),
+			       "%s: 'jkr_tan' belongs to model jkr, which is not chosen here", who);
+	if (jkr && w->cohesion != TS_COHESION_OFF)
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "cohesion"),
+			       "%s: model jkr has its own adhesion (workOfAdhesion); leave cohesion out", who);
+	if (w->limit_liquid)
+		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "limitLiquidContent"),
+			       "%s: limitLiquidContent on is known, but not built: particles take what liquid comes to "
+			       "them; `limitLiquidContent off`", who);
+	if (w->cohesion >= TS_COHESION_EASO && !has_normal(w))
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "cohesion"),
+			       "%s: bridges of liquid need a normal model: `model hertz`", who);
+	if (jkr && w->limit_force)
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "limitForce"),
+			       "%s: 'limitForce' does not go with model jkr, which pulls", who);
+	return TS_OK;
+}
+
+static int rank_of(const char *text)
+{
+	for (int k = 0; order[k]; k++)
+		if (ts_streq(order[k], text))
+			return k;
+	return -1;
+}
+
+static enum ts_status misplaced(struct tsim *sim, const char *who, const struct ts_word *word,
+				const char *before)
+{
+	return ts_fail(&sim->error, TS_SYNTAX, &word->place,
+		       "%s: '%s' must stand before '%s'; the order is model, tangential, cohesion, "
+		       "rolling_friction, surface, then the keywords",
+		       who, word->text, before);
+}
+
+enum ts_status ts_granular_words_check(struct tsim *sim, const struct ts_instance *self,
+				       const char *who, const struct ts_granular_words *words)
+{
+	int last = -1;
+	const char *keyword = NULL;
+
+	for (size_t k = 0; k < self->words.n; k++) {
+		const struct ts_word *word = &self->words.word[k];
+		int rank = rank_of(word->text);
+
+		if (rank >= 0 && keyword)
+			return misplaced(sim, who, word, keyword);
+		if (rank >= 0 && rank < last)
+			return misplaced(sim, who, word, order[last]);
+		last = rank >= 0 ? rank : last;
+		for (size_t n = 0; n < sizeof keywords / sizeof *keywords; n++) {
+			if (!ts_streq(word->text, keywords[n].name))
+				continue;
+			keyword = word->text;
+			if (!keywords[n].fits(words))
+				return ts_fail(&sim->error, TS_SYNTAX, &word->place,
+					       "%s: '%s' belongs to %s, which is not chosen here", who,
+					       word->text, keywords[n].of);
+		}
+	}
+	return check_laws(sim, self, who, words);
+}

@@ -1,0 +1,279 @@
+#include "contact/multicontact.h"
+
+#include <math.h>
+
+#include "base/parallel.h"
+#include "material/property.h"
+#include "neigh/row_memory.h"
+#include "wall/wall.h"
+
+#include "base/banned.h"
+
+enum ts_status ts_multicontact_prepare(struct ts_multicontact *m, struct tsim *sim,
+				       const struct ts_place *where)
+{
+	static const char who[] = "fix multicontact/halfspace";
+	int types = sim->particles->ntypes;
+
+	if (TS_GROW(m->compliance, m->compliance_capacity, (size_t)types + 1) != TS_OK ||
+	    TS_GROW(m->poisson, m->poisson_capacity, (size_t)types + 1) != TS_OK)
+		return ts_nomem(&sim->error);
+	for (int t = 1; t <= types; t++) {
+		double young;
+
+		TS_TRY(ts_property_value(sim, "youngsModulus", t, 0, who, where, &young));
+		TS_TRY(ts_property_value(sim, "poissonsRatio", t, 0, who, where, &m->poisson[t]));
+		m->compliance[t] = ts_halfspace_compliance(young, m->poisson[t], m->prefactor);
+	}
+	return TS_OK;
+}
+
+/* ---- the loads on each particle: first its rows, in the order of its partners, then its walls */
+
+/* Whether somebody but the two particles of a row knows of it. */
+static bool loads(const struct ts_pair *pair, const struct ts_rows *rows,
+		  const struct ts_particles *p, size_t r)
+{
+	return rows->touching[r] &&
+	       ts_pair_model(pair, p->type[rows->i[r]], p->type[rows->j[r]])->multi;
+}
+
+/* Where the partners of row r touch, as its partner of that side sees it. */
+static void place_of(const struct ts_rows *rows, const struct ts_particles *p, size_t r, int side,
+		     double e[3], double point[3], double *gap)
+{
+	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
+	double d[3], distance;
+
+	ts_sub(p->x[i], p->x[j], d);
+	distance = ts_norm(d);
+	*gap = distance - p->radius[i] - p->radius[j];
+	ts_scale(distance > 0 ? (side ? -1 : 1) / distance : 0, d, e);
+	ts_scale(-(p->radius[side ? j : i] + 0.5 * *gap), e, point);
+}
+
+static struct ts_multicontact_load row_load(const struct ts_pair *pair, const struct ts_rows *rows,
+					    const struct ts_particles *p, size_t r, int side)
+{
+	const struct ts_granular_model *model =
+		ts_pair_model(pair, p->type[rows->i[r]], p->type[rows->j[r]]);
+	const double *memory =
+		rows->history + r * rows->history_width + ts_granular_multi_at(model);
+	double a = p->radius[rows->i[r]], b = p->radius[rows->j[r]], gap;
+	struct ts_multicontact_load one = { .load.force = memory[TS_MULTI_FORCE] };
+
+	place_of(rows, p, r, side, one.load.e, one.load.point, &gap);
+	one.load.within = sqrt(a * b / (a + b) * fmax(0, memory[TS_MULTI_BULGE] - gap));
+	return one;
+}
+
+static enum ts_status wall_load(struct tsim *sim, const struct ts_wall *w, size_t k,
+				const struct ts_place *where, struct ts_multicontact_load *one)
+{
+	const struct ts_particles *p = sim->particles;
+	const double *memory =
+		ts_wall_memory(&w->contacts, k) + ts_granular_multi_at(ts_wall_model(w, sim));
+	size_t i = (size_t)w->contacts.row[k];
+	double distance = ts_norm(memory + TS_MULTI_ARM), radius = p->radius[i];
+
+	*one = (struct ts_multicontact_load){ .load.force = memory[TS_MULTI_FORCE], .wall = w };
+	for (int d = 0; d < 3; d++) {
+		one->load.e[d] = memory[TS_MULTI_ARM + d] / distance;
+		one->load.point[d] = -memory[TS_MULTI_ARM + d];
+	}
+	one->load.within = sqrt(radius * fmax(0, radius + memory[TS_MULTI_BULGE] - distance));
+	if (memory[TS_MULTI_BULGE] <= TS_BULGE_MOST * radius)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_RANGE, where,
+		       "fix multicontact/halfspace: the surface of particle %d stands out by %.3g radii at a wall, "
+		       "the limit is %g: the grains are pressed too far for the theory of small strains",
+		       p->tag[i], memory[TS_MULTI_BULGE] / radius, TS_BULGE_MOST);
+}
+
+/* Whether a wall has contacts that others know of: those remember where they are. */
+static bool is_felt(const struct ts_wall *w, const struct tsim *sim)
+{
+	return ts_wall_has_law(w, sim) && ts_wall_model(w, sim)->multi && w->contacts.n;
+}
+
+static bool is_met(const struct ts_wall *w, const struct tsim *sim, size_t k)
+{
+	const double *memory =
+		ts_wall_memory(&w->contacts, k) + ts_granular_multi_at(ts_wall_model(w, sim));
+
+	return ts_norm(memory + TS_MULTI_ARM) > 0;
+}
+
+static enum ts_status count(struct ts_multicontact *m, const struct tsim *sim,
+			    const struct ts_pair *pair)
+{
+	const struct ts_rows *rows = &sim->neigh->rows;
+	const struct ts_gather *g = &rows->gather;
+	const struct ts_wall *w;
+	size_t n = sim->particles->n;
+
+	if (TS_GROW(m->first, m->first_capacity, n + 1) != TS_OK ||
+	    TS_GROW(m->next, m->next_capacity, n + 1) != TS_OK)
+		return TS_NOMEM;
+	for (size_t i = 0; i < n; i++) {
+		m->next[i] = 0;
+		for (size_t k = g->first ? g->first[i] : 0; pair && rows->n && k < g->first[i + 1];
+		     k++)
+			m->next[i] += loads(pair, rows, sim->particles, g->entry[k] >> 1);
+	}
+	for (size_t walls = 0; (w = ts_walls_next(sim, &walls, NULL));)
+		for (size_t k = 0; is_felt(w, sim) && k < w->contacts.n; k++)
+			m->next[w->contacts.row[k]] += is_met(w, sim, k);
+	m->first[0] = 0;
+	for (size_t i = 0; i < n; i++) {
+		m->first[i + 1] = m->first[i] + m->next[i];
+		m->next[i] = m->first[i];
+	}
+	return TS_GROW(m->load, m->load_capacity, m->first[n] + 1);
+}
+
+static enum ts_status collect(struct ts_multicontact *m, struct tsim *sim,
+			      const struct ts_pair *pair, const struct ts_place *where)
+{
+	const struct ts_rows *rows = &sim->neigh->rows;
+	const struct ts_gather *g = &rows->gather;
+	const struct ts_wall *w;
+
+	if (count(m, sim, pair) != TS_OK)
+		return ts_nomem(&sim->error);
+	for (size_t i = 0; i < sim->particles->n && pair && rows->n; i++)
+		for (size_t k = g->first[i]; k < g->first[i + 1]; k++)
+			if (loads(pair, rows, sim->particles, g->entry[k] >> 1))
+				m->load[m->next[i]++] =
+					row_load(pair, rows, sim->particles, g->entry[k] >> 1,
+						 (int)(g->entry[k] & 1));
+	for (size_t walls = 0; (w = ts_walls_next(sim, &walls, NULL));)
+		for (size_t k = 0; is_felt(w, sim) && k < w->contacts.n; k++)
+			if (is_met(w, sim, k))
+				TS_TRY(wall_load(sim, w, k, where,
+						 &m->load[m->next[w->contacts.row[k]]++]));
+	return TS_OK;
+}
+
+/* ---- what they do */
+
+/* Two contacts so near are one: of a row itself, or of its mirror across a periodic face. */
+static const double SAME = 1e-6;
+
+static double stands_out(const struct ts_multicontact *m, const struct ts_particles *p, size_t i,
+			 const double e[3], const double point[3], const struct ts_wall *wall)
+{
+	double sum = 0, same = SAME * p->radius[i];
+
+	if (!ts_in_group(p, i, m->group))
+		return 0;
+	for (size_t k = m->first[i]; k < m->first[i + 1]; k++) {
+		const struct ts_multicontact_load *one = &m->load[k];
+		/* a contact that has moved over a mesh is still the same */
+		double itself = wall && one->wall == wall ? fmax(same, one->load.within) : same;
+
+		if (one->wall == wall && sqrt(ts_distance2(one->load.point, point)) <= itself)
+			continue;
+		sum += ts_halfspace_bulge(&one->load, e, point, m->compliance[p->type[i]],
+					  m->poisson[p->type[i]]);
+	}
+	return sum;
+}
+
+struct task {
+	const struct ts_multicontact *m;
+	const struct tsim *sim;
+};
+
+static void rows_share(void *context, size_t from, size_t to)
+{
+	const struct task *t = context;
+	const struct ts_rows *rows = &t->sim->neigh->rows;
+	const struct ts_particles *p = t->sim->particles;
+
+	for (size_t r = from; r < to; r++) {
+		size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
+		size_t owner = j < p->n ? j : (size_t)p->ghost_owner[j - p->n];
+		double e[3], point[3], gap, a = p->radius[i], b = p->radius[j], ours, theirs;
+
+		place_of(rows, p, r, 0, e, point, &gap);
+		t->m->bulge[r] = (struct ts_row_bulge){ 0, a * b / (a + b) };
+		if (gap > TS_BULGE_MOST * (a + b))
+			continue;
+		ours = stands_out(t->m, p, i, e, point, NULL);
+		place_of(rows, p, r, 1, e, point, &gap);
+		theirs = stands_out(t->m, p, owner, e, point, NULL);
+		a += ours;
+		b += theirs;
+		t->m->bulge[r] = (struct ts_row_bulge){ ours + theirs, a * b / (a + b) };
+	}
+}
+
+enum ts_status ts_multicontact_update(struct ts_multicontact *m, struct tsim *sim,
+				      const struct ts_place *where)
+{
+	const struct ts_instance *inst = ts_sim_only(sim, TS_KIND_PAIR);
+	struct ts_rows *rows = &sim->neigh->rows;
+	const struct ts_pair *pair = inst ? inst->state : NULL;
+	const struct ts_particles *p = sim->particles;
+	struct task task = { m, sim };
+
+	rows->bulge = NULL;
+	pair = pair && pair->model.multi ? pair : NULL;
+	ts_rows_settle(sim, rows);
+	TS_TRY(collect(m, sim, pair, where));
+	if (!pair)
+		return TS_OK;
+	if (TS_GROW(m->bulge, m->bulge_capacity, rows->n + 1) != TS_OK)
+		return ts_nomem(&sim->error);
+	ts_parallel(ts_team(sim, rows->n), rows->n, rows_share, &task);
+	rows->bulge = m->bulge;
+	for (size_t r = 0; r < rows->n; r++) {
+		double sum = p->radius[rows->i[r]] + p->radius[rows->j[r]];
+
+		if (m->bulge[r].bulge <= TS_BULGE_MOST * sum)
+			continue;
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "fix multicontact/halfspace: the surfaces of particles %d and %d stand out by %.3g "
+			       "of the sum of their radii, the limit is %g: the grains are pressed too far for the "
+			       "theory of small strains",
+			       rows->tag[0][r], rows->tag[1][r], m->bulge[r].bulge / sum,
+			       TS_BULGE_MOST);
+	}
+	return TS_OK;
+}
+
+double ts_multicontact_at_wall(const struct tsim *sim, size_t i, const double e[3], double distance,
+			       const struct ts_wall *wall)
+{
+	double point[3];
+
+	if (!sim->neigh->multicontact)
+		return 0;
+	ts_scale(-distance, e, point);
+	return stands_out(sim->neigh->multicontact, sim->particles, i, e, point, wall);
+}
+
+void ts_multicontact_release(struct ts_multicontact *m)
+{
+	if (m->neigh) {
+		m->neigh->multicontact = NULL;
+		m->neigh->rows.bulge = NULL;
+	}
+	ts_free(m->compliance);
+	ts_free(m->poisson);
+	ts_free(m->first);
+	ts_free(m->next);
+	ts_free(m->load);
+	ts_free(m->bulge);
+}
+
+enum ts_status ts_multicontact_check(struct tsim *sim, const struct ts_granular_model *model,
+				     const struct ts_place *where)
+{
+	if (!model->multi || sim->neigh->multicontact)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, where,
+		       "surface multicontact needs `fix ID all multicontact/halfspace`, which says how contacts of "
+		       "one grain act on each other");
+}

@@ -1,0 +1,23 @@
+/* Quantities of a pair, along the line of centres and by components, that computes of contacts and of bonds
+ * offer as columns. */
+#ifndef TS_CONTACT_PAIR_COLUMNS_H
+#define TS_CONTACT_PAIR_COLUMNS_H
+
+#include "contact/contact_list.h"
+
+typedef double ts_pair_column_fn(const struct tsim *sim, const struct ts_contact_view *view);
+
+struct ts_pair_column {
+	const char *name;
+	ts_pair_column_fn *value;
+};
+
+ts_pair_column_fn ts_pair_dist, ts_pair_force; /* force > 0 repels */
+ts_pair_column_fn ts_pair_fx, ts_pair_fy, ts_pair_fz, ts_pair_dx, ts_pair_dy, ts_pair_dz;
+
+#define TS_PAIR_COLUMNS                                                                            \
+	{ "dist", ts_pair_dist }, { "force", ts_pair_force }, { "fx", ts_pair_fx },                \
+		{ "fy", ts_pair_fy }, { "fz", ts_pair_fz }, { "dx", ts_pair_dx },                  \
+		{ "dy", ts_pair_dy }, { "dz", ts_pair_dz }
+
+#endif

@@ -1,0 +1,215 @@
+#include "contact/limits.h"
+#include "contact/materials.h"
+#include "contact/pair.h"
+#include "contact/row_loop.h"
+#include "contact/row_models.h"
+#include "energy/contact_energy.h"
+#include "insert/template.h"
+
+#include "base/banned.h"
+
+struct gran {
+	struct ts_pair pair;
+	struct ts_granular_words words;
+	bool generic;
+};
+
+/* All pairs of types that particles have. */
+static enum ts_status make_table(struct ts_instance *self, struct tsim *sim)
+{
+	struct gran *g = self->state;
+	int most = ts_largest_type(sim);
+
+	for (int a = 1; a <= most; a++) {
+		for (int b = 1; b <= most; b++) {
+			size_t k = (size_t)(a * (g->pair.ntypes + 1) + b);
+
+			TS_TRY(ts_granular_material(sim, &g->pair.model, a, b, "pair_style gran",
+						    &self->where, ts_coeff(&g->pair.coeffs, k)));
+		}
+	}
+	return TS_OK;
+}
+
+/* What LIGGGHTS refuses, too. */
+static enum ts_status check_words(struct ts_instance *self, struct tsim *sim)
+{
+	const struct gran *g = self->state;
+
+	if (!g->words.normal && !g->words.tangential && !g->words.cohesion && !g->words.rolling)
+		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+			       "pair gran needs a model first: `model hertz tangential history`");
+	TS_TRY(ts_granular_words_check(sim, self, "pair gran", &g->words));
+	if (sim->newton_on && ts_tangential_remembers(&g->pair.model))
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "pair gran with tangential history needs `newton off`");
+	if (sim->still_ghosts)
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "pair gran needs velocities across periodic faces: `communicate single vel yes`");
+	return TS_OK;
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct gran *g = self->state;
+
+	g->pair.model = ts_granular_model_of(sim, &g->words);
+	g->pair.sticks = ts_granular_reaches(&g->pair.model) || g->pair.model.multi;
+	TS_TRY(check_words(self, sim));
+	if (!sim->particles->ntypes)
+		return TS_OK;
+	TS_TRY(ts_pair_prepare(sim, self));
+	TS_TRY(make_table(self, sim));
+	if (ts_cohesion_bridges(&g->pair.model))
+		TS_TRY(ts_liquid_init(sim, self, &g->pair.liquid));
+	return ts_pair_init(self, sim);
+}
+
+static enum ts_status advance(struct ts_instance *self, struct tsim *sim)
+{
+	const struct gran *g = self->state;
+
+	if (ts_cohesion_bridges(&g->pair.model))
+		ts_liquid_advance(sim, &g->pair.liquid);
+	return TS_OK;
+}
+
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	struct gran *g = self->state;
+
+	TS_TRY(ts_pair_archive_given(self, sim, a));
+	g->pair.model = ts_granular_model_of(sim, &g->words);
+	return ts_cohesion_bridges(&g->pair.model) ? ts_liquid_archive(sim, a, &g->pair.liquid) : TS_OK;
+}
+
+static enum ts_status chosen(struct ts_instance *self, struct tsim *sim)
+{
+	struct gran *g = self->state;
+	const struct ts_granular_model m = ts_granular_model_of(sim, &g->words);
+
+	return ts_cohesion_bridges(&m) ? ts_liquid_columns(sim, self, &g->pair.liquid) : TS_OK;
+}
+
+static enum ts_status force(struct ts_instance *self, struct tsim *sim)
+{
+	const struct gran *g = self->state;
+
+	return ts_row_loop(sim, &g->pair, ts_row_share_of(&g->pair, g->generic));
+}
+
+/* What granular codes go by, where the laws know the material. */
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
+			   struct ts_plan_report *report)
+{
+	const struct gran *g = self->state;
+	int law = g->pair.model.normal;
+	double speed;
+	struct ts_granular_times times;
+
+	TS_TRY(ts_pair_plan(self, sim, report));
+	if (!report->advice)
+		return TS_OK;
+	if (law != TS_NORMAL_HERTZ && law != TS_NORMAL_HOOKE && law != TS_NORMAL_HOOKE_HYSTERESIS)
+		return TS_OK;
+	speed = 2 * ts_fastest(sim, 0);
+	TS_TRY(ts_granular_times(sim, 0, speed, false, "pair_style gran", &self->where, &times));
+	if (isfinite(times.rayleigh))
+		TS_TRY(ts_report_limit(report, times.rayleigh, false, &self->where,
+				       "waves along the surface of particles (Rayleigh's time)"));
+	if (isfinite(times.hertz))
+		TS_TRY(ts_report_limit(report, times.hertz, false, &self->where,
+				       "collisions at the speed %.4g (Hertz' time)", speed));
+	return TS_OK;
+}
+
+static enum ts_status complete(struct tsim *sim, void *coeff, const struct ts_place *where)
+{
+	(void)sim, (void)coeff, (void)where;
+	return TS_OK;
+}
+
+static const struct ts_arg args[] = {
+	TS_GRANULAR_ARGS(struct gran, words),
+	TS_FLAG("generic", struct gran, generic,
+		.help = "the loop for any model, to compare with specialised ones"),
+	TS_ARGS_END,
+};
+
+static const struct ts_arg coeff[] = { TS_ARGS_END };
+
+static const char gran_doc[] =
+	"A contact is composed of laws that act in the order normal, cohesion, tangential, rolling. With delta the "
+	"overlap, n the normal towards i, R* = R_i R_j/(R_i+R_j), m* alike, v_n the normal velocity (negative "
+	"while approaching) and v_t the slip at the contact point, the force on i is F_n n + F_t with F_n = k_n "
+	"delta - gamma_n v_n. Frozen partners are infinitely heavy.\n\n"
+	"`hertz`: k_n = 4/3 Y* sqrt(R* delta), k_t = 8 G* sqrt(R* delta), gamma = -2 sqrt(5/6) beta sqrt(S m*) "
+	"with S_n = 2 Y* sqrt(R* delta), S_t = k_t, beta = ln e/sqrt(ln^2 e + pi^2). `hooke`: k_n = k_t = 16/15 "
+	"sqrt(R*) Y* (15 m* V^2/(16 sqrt(R*) Y*))^(1/5), gamma = sqrt(4 m* k_n/(1 + (pi/ln e)^2)). "
+	"`hooke/stiffness` and `hertz/stiffness`: k and m* gamma as given, the latter times sqrt(R* delta). "
+	"`hooke/hysteresis`: loading with hooke's k_n, unloading steeper, adhesion at the end. `jkr`: surfaces "
+	"that stick, F_n = 4 Y* a^3/(3 R*) - sqrt(8 pi W Y* a^3) with the radius a of the contact area from delta "
+	"= a^2/R* - sqrt(2 pi W a/Y*), W the work of adhesion; once they have met they pull beyond their touch and "
+	"part at 3/2 pi W R* (K. L. Johnson, K. Kendall, A. D. Roberts, Proc. R. Soc. Lond. A 324 (1971) 301). k_t "
+	"= 8 G* a; dashpots as hertz, with a instead of sqrt(R* delta). Y* and G*: 1/Y* = sum (1-nu^2)/Y, 1/G* = "
+	"sum 2(2-nu)(1+nu)/Y over the partners.\n\n"
+	"`tangential history`: F_t = -k_t xi - gamma_t v_t, xi the slip since the first touch in the plane of "
+	"contact; beyond mu |F_n| the spring alone, shortened to it. `no_history`: F_t = -min(gamma_t, mu "
+	"|F_n|/|v_t|) v_t. `incremental_history`: as `history`, but what is remembered is the force of the spring, "
+	"which changes by -k_t v_t dt with the k_t of the step (C. Thornton, S. J. Cummins, P. W. Cleary, Powder "
+	"Technol. 210 (2011) 189); with a constant k_t both are the same. `jkr_tan`, of model jkr: LAMMPS' "
+	"`mindlin`, spring and dashpot limited together. With model jkr friction is limited by mu (F_e + 3 pi W "
+	"R*), F_e the force without the dashpot, and acts as long as surfaces stick. `rolling_friction cdt`: "
+	"torque mu_r k_n delta R* against the relative rotation; `epsd`, `epsd2`, `epsd3`: a spring and dashpot of "
+	"rolling, limited to mu_r |F_n| R*. `cohesion sjkr`: a pull k A, A the area in which the spheres cut each "
+	"other; `sjkr2`: A = 4 pi delta R*. `easo/...`, `washino/...`: bridges of liquid (doc/bridges.md). "
+	"`surface multicontact`: fix multicontact/halfspace.\n\n"
+	"The constants come from fix property/global: youngsModulus, poissonsRatio (per type); "
+	"coefficientRestitution, coefficientFriction, coefficientRollingFriction, coefficientRollingViscousDamping "
+	"(epsd, epsd3), cohesionEnergyDensity, workOfAdhesion (jkr; resolutionJKR has no effect), kn, kt, gamman, "
+	"gammat (the stiffness laws; gamman_abs, gammat_abs with absolute_damping), "
+	"coefficientMaxElasticStiffness, coefficientAdhesionStiffness, coefficientPlasticityDepth (hysteresis), "
+	"FluidViscosity, CriticalStokes, MaximumRestitution (viscous), all per pair of types; "
+	"characteristicVelocity (hooke) and rollingStiffness (epsd3), one number.\n\n"
+	"An oblique impact gains no energy, with one exception: the tangential spring of the Hertzian models "
+	"stiffens with the overlap, and slip stored early comes back stiffer. Where nothing else dissipates (e = "
+	"1) that is up to some thousandths of the energy (hertz; hertz/stiffness more, as kt/kn is).\n\n"
+	"`located yes`: contacts begin and end where they do within the step, and the dashpot sees the velocity at "
+	"the time of the positions; see pair_style spring/dashpot. With spring, hooke, hertz and their stiffness "
+	"variants. The tangential dashpot and slip spring are corrected alike; where the law itself jumps - "
+	"`history` drops its dashpot where slip begins - first order stays. Walls that have the law of the pair "
+	"style follow it.\n\n"
+	"Formulae, order and defaults are those of LIGGGHTS 3.8, and results agree with it to round-off as long as "
+	"a pair that parts has met a rebuild of neighbours before it meets again: LIGGGHTS keeps the memory of a "
+	"lost contact until then, here it ends with the contact, unless `legacy yes` is set.";
+
+TS_STYLE(pair, ts_pair_style, ts_pair_gran)
+const struct ts_pair_style ts_pair_gran = {
+	.style = { .name = "gran",
+		   .kind = TS_KIND_PAIR,
+		   .summary = "contact laws of granular materials",
+		   .doc = gran_doc,
+		   .cite = "P. A. Cundall, O. D. L. Strack, Geotechnique 29 (1979) 47; Y. Tsuji, "
+			   "T. Tanaka, T. Ishida, Powder Technol. 71 (1992) 239; J. Ai, J.-F. Chen, J. M. Rotter, "
+			   "J. Y. Ooi, Powder Technol. 206 (2011) 269. Bridges of liquid: F. Soulie, F. Cherblanc, "
+			   "M. S. El Youssoufi, C. Saix, Int. J. Numer. Anal. Methods Geomech. 30 (2006) 213; Y. "
+			   "I. Rabinovich, M. S. Esayanur, B. M. Moudgil, Langmuir 21 (2005) 10992; G. Lian, C. "
+			   "Thornton, M. J. Adams, J. Colloid Interface Sci. 161 (1993) 138; D. Shi, J. J. "
+			   "McCarthy, Powder Technol. 184 (2008) 64; S. T. Nase, W. L. Vargas, A. A. Abatan, J. J. "
+			   "McCarthy, Powder Technol. 116 (2001) 214",
+		   .example = "pair_style gran model hertz tangential history\n"
+			      "pair_coeff * *",
+		   .args = args,
+		   .coeff = coeff,
+		   .state_size = sizeof(struct gran),
+		   .archive = archive,
+		   .fingerprint = ts_pair_fingerprint,
+		   .init = init,
+		   .hook = { [TS_STAGE_INITIAL_INTEGRATE] = advance, [TS_STAGE_FORCE] = force },
+		   .energy = ts_pair_energy,
+		   .plan = plan,
+		   .fini = ts_pair_fini },
+	.coeff_size = sizeof(struct ts_granular_pair),
+	.complete = complete,
+	.chosen = chosen,
+};

@@ -1,0 +1,38 @@
+#include "contact/gran_numbers.h"
+#include "energy/contact_energy.h"
+
+#include "base/banned.h"
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	return ts_gran_numbers_init(self, sim, TS_NORMAL_HOOKE_STIFFNESS,
+				    TS_TANGENTIAL_NO_HISTORY);
+}
+
+TS_STYLE(pair, ts_pair_style, ts_pair_gran_hooke)
+const struct ts_pair_style ts_pair_gran_hooke = {
+	.style = { .name = "gran/hooke",
+		   .kind = TS_KIND_PAIR,
+		   .summary = "linear spring and dashpot with sliding friction, as LAMMPS writes it",
+		   .doc = TS_GRAN_NUMBERS_DOC
+			  "F_n = kn delta - m* gamma_n v_n and F_t = -min(m* gamma_t, xmu |F_n|/|v_t|) v_t. kt has no "
+			  "effect."
+			  "\n\nThe torque of F_t has the full radii as arms, as in LAMMPS, with whose results it agrees to "
+			  "round-off; `pair_style gran` takes the distance to the contact point. pair_coeff has no "
+			  "coefficients.",
+		   .cite = "L. E. Silbert et al., Phys. Rev. E 64 (2001) 051302; N. V. Brilliantov et al., Phys. Rev. E 53 (1996) 5382",
+		   .example = "pair_style gran/hooke 200000.0 NULL 50.0 NULL 0.5 1\n"
+			      "pair_coeff * *",
+		   .args = ts_gran_numbers_args,
+		   .coeff = ts_gran_numbers_coeff,
+		   .state_size = sizeof(struct ts_gran_numbers_pair),
+		   .archive = ts_pair_archive_given,
+		   .fingerprint = ts_pair_fingerprint,
+		   .init = init,
+		   .hook = { [TS_STAGE_FORCE] = ts_gran_numbers_force },
+		   .energy = ts_pair_energy,
+		   .plan = ts_pair_plan,
+		   .fini = ts_pair_fini },
+	.coeff_size = sizeof(struct ts_granular_pair),
+	.complete = ts_gran_numbers_complete,
+};

@@ -1,0 +1,20 @@
+#include "contact/substep_contacts.h"
+
+#include "base/banned.h"
+
+enum ts_status ts_located_check(struct tsim *sim, const struct ts_granular_model *model,
+				const struct ts_place *where)
+{
+	const char *why = NULL;
+
+	if (!model->located)
+		return TS_OK;
+	if (!ts_located_knows(model))
+		why = "the normal law must be spring, hooke, hertz, hooke/stiffness or hertz/stiffness, "
+		      "and not viscous";
+	else if (sim->explicit_euler)
+		why = "fix nve/euler takes forces where they were a step ago; use fix nve";
+	else if (sim->legacy)
+		why = "`legacy yes` asks for LIGGGHTS' numbers, which it changes";
+	return why ? ts_fail(&sim->error, TS_STATE, where, "located yes: %s", why) : TS_OK;
+}

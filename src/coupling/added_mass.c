@@ -1,0 +1,17 @@
+#include "coupling/added_mass.h"
+
+#include "base/banned.h"
+
+struct ts_added ts_added_find(const struct tsim *sim)
+{
+	const struct ts_instance *flow = ts_sim_only(sim, TS_KIND_FLOW), *inst;
+	struct ts_added added = { 0 };
+
+	for (size_t k = 0; added.n < sizeof added.of / sizeof *added.of &&
+			   (inst = ts_flow_part_named(sim, "added_mass", &k)); added.n++) {
+		added.of[added.n].group = inst->group;
+		added.of[added.n].density = ((const struct ts_added_mass *)inst->state)->coefficient *
+					    ts_flow_style_of(flow)->density(flow);
+	}
+	return added;
+}

@@ -1,0 +1,98 @@
+/* What the fluid gets of drags, and what the particles get back when it has made its step. */
+#include "coupling/drag_force.h"
+
+#include <math.h>
+
+#include "flow/projection.h"
+#include "particle/particles.h"
+
+#include "base/banned.h"
+
+double ts_drag_steps_to_fluid(const struct ts_drag *s)
+{
+	const struct ts_projection *p = s->flow->state;
+
+	return p->waited + 1 >= p->every ? (double)p->every : 0;
+}
+
+/* What the fluid gets of one particle. */
+static void lay(void *context, size_t i)
+{
+	struct ts_instance *self = ((struct ts_instance **)context)[0];
+	struct tsim *sim = ((struct tsim **)context)[1];
+	struct ts_drag *s = self->state;
+	struct ts_fluid *fluid = s->fluid;
+	double place[3];
+	int cell[3];
+
+	if (!ts_fluid_place(fluid, sim->particles->x[i], place, cell))
+		return;
+	for (int c = 0; c < fluid->grid.dimensions; c++) {
+		struct ts_share st;
+
+		if (!ts_drag_acts_along(s, c))
+			continue;
+		ts_share_face(fluid, c, place, cell, (enum ts_interpolation)s->interpolation, &st);
+		s->note[i].held[c] = ts_share_react(&fluid->grid, &st, c, fluid->u[c],
+						    s->total.note[i][c], s->note[i].slope[c],
+						    fluid->force[c],
+						    s->lagged ? NULL : fluid->exchange[c]);
+	}
+}
+
+enum ts_status ts_drag_react(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_drag *s = self->state;
+	void *context[2] = { self, sim };
+
+	TS_TRY(ts_cell_order_make(&s->order, sim, s->fluid, self->group, 1));
+	ts_cell_order_each(&s->order, ts_team(sim, sim->particles->n), lay, context);
+	s->noted = sim->particles->n;
+	return TS_OK;
+}
+
+/* What particle i gets more, now that the fluid has another velocity. */
+static void add_change(const struct ts_instance *self, const struct tsim *sim, const struct ts_fluid *fluid,
+		       size_t i, double share)
+{
+	struct ts_drag *s = self->state;
+	struct ts_particles *p = sim->particles;
+	double place[3], more[3] = { 0 };
+	const double *slope = s->note[i].slope;
+	int cell[3];
+
+	if (slope[0] == 0 && slope[1] == 0 && slope[2] == 0)
+		return;
+	if (!ts_fluid_place(fluid, p->x[i], place, cell))
+		return;
+	for (int c = 0; c < fluid->grid.dimensions; c++) {
+		struct ts_share st;
+
+		if (slope[c] == 0)
+			continue;
+		ts_share_face(fluid, c, place, cell, (enum ts_interpolation)s->interpolation, &st);
+		more[c] = slope[c] * (ts_share_gather(&fluid->grid, &st, fluid->used[c]) - s->note[i].held[c]);
+		s->total.note[i][c] += more[c];
+	}
+	ts_restraints_leave(&s->restraints, sim, i, more);
+	for (int c = 0; c < fluid->grid.dimensions; c++)
+		if (p->imass[i] != 0)
+			p->f[i][c] += share * more[c];
+}
+
+enum ts_status ts_drag_settle(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid, double length)
+{
+	struct ts_drag *s = self->state;
+	size_t n = sim->particles->n;
+	double share = 1 / ts_fluid_kicks_left(sim);
+
+	(void)length;
+	if (s->noted != n)
+		return TS_OK;
+	s->total.fresh = true;
+#pragma omp parallel for num_threads(ts_team(sim, n)) schedule(static)
+	for (size_t i = 0; i < n; i++)
+		add_change(self, sim, fluid, i, share);
+	s->noted = 0;
+	return TS_OK;
+}

@@ -1,0 +1,464 @@
+#include "coupling/drag_force.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/plan.h"
+#include "coupling/outside.h"
+#include "integrate/integrators.h"
+#include "particle/body.h"
+#include "particle/particles.h"
+#include "rigid/rigid.h"
+
+#include "base/banned.h"
+
+const char *const ts_drag_schemes[] = { "explicit", "exact", "implicit", NULL };
+const char *const ts_drag_axes[] = { "x", "y", "z", "xy", "xz", "yz", "xyz", NULL };
+
+bool ts_drag_acts_along(const struct ts_drag *drag, int k)
+{
+	static const int bits[] = { 1, 2, 4, 3, 5, 6, 7 };
+
+	return bits[drag->axes] >> k & 1;
+}
+
+static enum ts_status check_numbers(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_drag *s = self->state;
+	const struct ts_drag_style *style = ts_drag_style_of(self);
+	const struct ts_flow_style *flow = ts_flow_style_of(s->flow);
+	const char *name = self->style->name;
+	size_t k = 0;
+
+	if (style->inertial && !(flow->density(s->flow) > 0))
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix %s needs a fluid with a density: give flow_style %s one", name,
+			       s->flow->style->name);
+	if (style->inertial && !(flow->viscosity(s->flow) > 0))
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix %s needs a fluid with a viscosity: give flow_style %s one", name,
+			       s->flow->style->name);
+	if (style->crowded && isnan(s->fraction) &&
+	    !(s->fluid && s->fluid->empty && ts_flow_part_named(sim, "void_fraction", &k)))
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix %s needs the void fraction: put a fix void_fraction before it (with "
+			       "flow_style projection), or give one with `void`",
+			       name);
+	return TS_OK;
+}
+
+/* ---- drags that relax velocities act when all other forces are known */
+
+bool ts_drag_is_late(const struct ts_instance *self)
+{
+	return ((const struct ts_drag *)self->state)->scheme != TS_DRAG_EXPLICIT;
+}
+
+/* All drags that relax velocities: on a particle that several act on they do it together. */
+static enum ts_status find_others(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_drag *s = self->state;
+	struct ts_instance *part;
+
+	s->nlate = 0;
+	for (size_t k = 0; (part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));) {
+		if (part->style->late[TS_LATE_RELAX] != ts_drag_late || !ts_drag_is_late(part))
+			continue;
+		if (TS_GROW(s->late, s->late_capacity, s->nlate + 1) != TS_OK)
+			return ts_nomem(&sim->error);
+		s->late[s->nlate++] = part->state;
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_drag_init(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_drag *s = self->state;
+
+	s->flow = ts_sim_only(sim, TS_KIND_FLOW);
+	if (!s->flow)
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix %s needs a fluid: use flow_style before it", self->style->name);
+	s->fluid = NULL;
+	if (ts_flow_style_of(s->flow)->fluid)
+		TS_TRY(ts_flow_require_fluid(sim, self->style->name, &self->where, &s->fluid));
+	s->part.settle = s->fluid && s->two_way && !s->lagged ? ts_drag_settle : NULL;
+	if (s->fluid && s->two_way)
+		TS_TRY(ts_fluid_want(s->fluid, sim,
+				     s->lagged ? TS_FLUID_FORCE : TS_FLUID_FORCE | TS_FLUID_EXCHANGE));
+	s->added = ts_added_find(sim);
+	TS_TRY(find_others(self, sim));
+	TS_TRY(ts_restraints_find(&s->restraints, sim, self, ts_drag_is_late(self)));
+	s->moved = ts_integrated(sim, TS_MOVES);
+	return check_numbers(self, sim);
+}
+
+/* ---- the fluid at a particle */
+
+static double void_at(const struct ts_drag *s, const double place[3], const int cell[3])
+{
+	const struct ts_fluid *fluid = s->fluid;
+
+	if (!isnan(s->fraction))
+		return s->fraction;
+	if (s->interpolation == TS_INTERPOLATE_CELL)
+		return fluid->empty[ts_at(&fluid->grid, cell[0], cell[1], cell[2])];
+	return ts_fluid_value(fluid, fluid->empty, place, NULL);
+}
+
+static double mean(double wa, double wb, double a, double b)
+{
+	return (wa * a + wb * b) / (wa + wb);
+}
+
+/* Velocity of the cell: the mean of its faces; in a bed that of the flow e u through them, so that the slip in
+ * a layer of the bed is the flow through it by its own void fraction. */
+static void cell_velocity(const struct ts_fluid *fluid, const int cell[3], double u[3])
+{
+	const struct ts_grid *grid = &fluid->grid;
+	const size_t at = ts_at(grid, cell[0], cell[1], cell[2]);
+	const double *e = fluid->empty;
+
+	for (int c = 0; c < 3; c++) {
+		size_t s = c < grid->dimensions ? (size_t)grid->stride[c] : 0;
+		double low = fluid->u[c][at], high = fluid->u[c][at + s];
+
+		if (e && s) {
+			const double *width = grid->width[c] + cell[c];
+
+			low *= mean(width[-1], width[0], e[at - s], e[at]) / e[at];
+			high *= mean(width[0], width[1], e[at], e[at + s]) / e[at];
+		}
+		u[c] = 0.5 * (low + high);
+	}
+}
+
+bool ts_drag_sample(const struct ts_instance *self, const struct ts_particles *p, size_t i,
+		    struct ts_slip *slip, double w[3])
+{
+	const struct ts_drag *s = self->state;
+	double place[3];
+	int cell[3];
+
+	if (!s->fluid) {
+		ts_flow_style_of(s->flow)->velocity(s->flow, p->x[i], w);
+	} else {
+		if (!ts_fluid_place(s->fluid, p->x[i], place, cell))
+			return false;
+		if (s->interpolation == TS_INTERPOLATE_CELL)
+			cell_velocity(s->fluid, cell, w);
+		else
+			ts_fluid_velocity(s->fluid, place, w);
+	}
+	for (int k = 0; k < 3; k++)
+		w[k] -= p->v[i][k];
+	slip->diameter = 2 * p->radius[i];
+	slip->speed = sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
+	slip->empty = ts_drag_style_of(self)->crowded ? void_at(s, place, cell) : 1;
+	return true;
+}
+
+double ts_drag_mass(const struct ts_drag *s, const struct tsim *sim, size_t i)
+{
+	const struct ts_particles *p = sim->particles;
+
+	return p->mass[i] + ts_added_density(&s->added, p, i) * ts_body_volume(sim, p->radius[i]);
+}
+
+/* ---- what is known before all forces are */
+
+struct findings {
+	double reynolds, stiffness; /* the largest Re, and c h/m where the force is explicit */
+	bool outside;		    /* there is no fluid */
+};
+
+/* Never more than takes the particle to the fluid's velocity, within the part of its motion that follows forces. */
+static double slope_to_fluid(double steps, double slope, double most, double c, double part)
+{
+	double moving = fmin(steps * slope, fmax(slope, most));
+
+	return part == 1 ? moving : part * moving + (1 - part) * steps * c;
+}
+
+/* How much of a force along each axis takes effect along it. */
+static void free_parts(const struct ts_drag *s, const struct tsim *sim, size_t i, double part[3])
+{
+	for (int k = 0; k < 3; k++) {
+		double f[3] = { k == 0, k == 1, k == 2 };
+
+		ts_restraints_leave(&s->restraints, sim, i, f);
+		part[k] = f[k];
+	}
+}
+
+bool ts_drag_holds(const struct ts_drag *s, const struct tsim *sim, size_t i)
+{
+	const struct ts_particles *p = sim->particles;
+
+	return p->imass[i] == 0 || (!(p->mask[i] & s->moved) && !sim->outside && !ts_rigid_member(p, i));
+}
+
+/* The explicit force; where the drag relaxes velocities only what has no effect, as the motion is given: whoever takes
+ * it away counts it. */
+static void drag_on(const struct ts_instance *self, struct tsim *sim, size_t i, struct ts_slip *slip,
+		    struct findings *found)
+{
+	struct ts_drag *s = self->state;
+	struct ts_particles *p = sim->particles;
+	double h = sim->clock.dt, w[3], c, most, f[3], later[3] = { 0 }, part[3] = { 0 };
+	double steps = s->part.settle ? ts_drag_steps_to_fluid(s) : 0;
+	bool held = ts_drag_holds(s, sim, i), member = ts_rigid_member(p, i);
+	bool relaxes = ts_drag_is_late(self) && !held && !member;
+
+	if (!ts_drag_sample(self, p, i, slip, w)) {
+		found->outside = true;
+		return;
+	}
+	c = ts_drag_style_of(self)->coefficient(s, slip);
+	most = ts_drag_mass(s, sim, i) / h;
+	for (int k = 0; k < 3; k++)
+		f[k] = ts_drag_acts_along(s, k) ? c * w[k] : 0;
+	if (relaxes) {
+		s->felt[i].c = c;
+		memcpy(s->felt[i].w, w, sizeof w);
+		memcpy(later, f, sizeof f);
+		ts_restraints_leave(&s->restraints, sim, i, later);
+	}
+	if (s->part.settle && !held && !relaxes)
+		free_parts(s, sim, i, part);
+	for (int k = 0; k < 3; k++) {
+		if (!ts_drag_acts_along(s, k))
+			continue;
+		if (!relaxes || later[k] != f[k]) {
+			p->f[i][k] += f[k] - later[k];
+			s->total.note[i][k] = f[k] - later[k];
+		}
+		if (s->part.settle && !member && !relaxes)
+			s->note[i].slope[k] = slope_to_fluid(steps, c, most, c, part[k]);
+	}
+	if (slip->viscosity > 0)
+		found->reynolds = fmax(found->reynolds, ts_slip_reynolds(slip));
+	if (!relaxes && !held)
+		found->stiffness = fmax(found->stiffness, c / most);
+}
+
+static enum ts_status make_room(struct ts_drag *s, struct tsim *sim)
+{
+	size_t n = sim->particles->n;
+
+	TS_TRY(ts_tally_start(sim, &s->total));
+	s->noted = 0;
+	if (s->scheme != TS_DRAG_EXPLICIT) {
+		if (TS_GROW(s->felt, s->felt_capacity, n) != TS_OK)
+			return ts_nomem(&sim->error);
+		if (n)
+			memset(s->felt, 0, n * sizeof *s->felt);
+	}
+	if (!s->fluid || !s->two_way)
+		return TS_OK;
+	if (TS_GROW(s->note, s->capacity, n) != TS_OK)
+		return ts_nomem(&sim->error);
+	if (n)
+		memset(s->note, 0, n * sizeof *s->note);
+	return TS_OK;
+}
+
+static enum ts_status finish(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_drag *s = self->state;
+
+	return s->fluid && s->two_way && !sim->in_setup ? ts_drag_react(self, sim) : TS_OK;
+}
+
+enum ts_status ts_drag_post_force(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_drag *s = self->state;
+	const struct ts_flow_style *flow = ts_flow_style_of(s->flow);
+	double density = flow->density(s->flow), viscosity = flow->viscosity(s->flow);
+	double reynolds = 0, stiffness = 0;
+	const struct ts_particles *p = sim->particles;
+	int64_t tag = INT64_MAX;
+	size_t outside = 0;
+
+	TS_TRY(make_room(s, sim));
+	if (!(viscosity > 0))
+		return TS_OK;
+	TS_TRY(ts_restraints_prepare(&s->restraints, sim));
+#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)                         \
+	reduction(max : reynolds, stiffness) reduction(+ : outside) reduction(min : tag)
+	for (size_t i = 0; i < p->n; i++) {
+		struct ts_slip slip = { .density = density, .viscosity = viscosity };
+		struct findings found = { 0, 0, false };
+
+		if (!ts_in_group(p, i, self->group))
+			continue;
+		drag_on(self, sim, i, &slip, &found);
+		reynolds = fmax(reynolds, found.reynolds);
+		stiffness = fmax(stiffness, found.stiffness);
+		outside += found.outside;
+		tag = found.outside && p->tag[i] < tag ? p->tag[i] : tag;
+	}
+	if (s->fluid)
+		ts_fluid_note_outside(s->fluid, sim, self, outside, tag);
+	s->reynolds = reynolds;
+	if (stiffness > 2 && ts_drag_style_of(self)->inertial && !sim->unsafe)
+		return ts_fail(&sim->error, TS_PHYSICS, &self->where,
+			       "fix %s: a particle's velocity relaxes in %g, the explicit drag is stable for "
+			       "steps below twice that, and the step is %g: use scheme exact, or a smaller "
+			       "`timestep`",
+			       self->style->name, sim->clock.dt / stiffness, sim->clock.dt);
+	return ts_drag_is_late(self) ? TS_OK : finish(self, sim);
+}
+
+/* ---- relaxation, with all other forces */
+
+/* Force of one component, given the others f; *slope is B. */
+static double component(int scheme, double c, double w, double f, double mass, double h, double *slope)
+{
+	double rate = c / mass;
+
+	*slope = c;
+	if (!(c > 0))
+		return c * w;
+	*slope = scheme == TS_DRAG_EXACT ? mass * -expm1(-h * rate) / h : c / (1 + h * rate);
+	if (scheme == TS_DRAG_EXACT)
+		return *slope * (w + f / c) - f;
+	return *slope * (w - h * f / mass);
+}
+
+/* Several drags on one particle are one of coefficient C = sum of c to the velocity (sum of c u)/C; its force less
+ * sum of c (u - v) is what the slip changes by over the step, times C: the same for all of them. Implicit if one is. */
+static void relax_together(const struct ts_drag *first, const struct tsim *sim, size_t i)
+{
+	const struct ts_particles *p = sim->particles;
+	struct ts_drag_change *change = &first->change[i];
+	int scheme = TS_DRAG_EXACT;
+	bool some = false;
+
+	memset(change, 0, sizeof *change);
+	for (size_t j = 0; j < first->nlate; j++) {
+		bool acts = first->late[j]->felt[i].c != 0;
+
+		some |= acts;
+		if (acts && first->late[j]->scheme == TS_DRAG_IMPLICIT)
+			scheme = TS_DRAG_IMPLICIT;
+	}
+	for (int k = 0; k < 3 && some; k++) {
+		double c = 0, cw = 0, slope, force;
+
+		for (size_t j = 0; j < first->nlate; j++)
+			if (ts_drag_acts_along(first->late[j], k)) {
+				c += first->late[j]->felt[i].c;
+				cw += first->late[j]->felt[i].c * first->late[j]->felt[i].w[k];
+			}
+		if (c == 0)
+			continue;
+		force = component(scheme, c, cw / c, p->f[i][k], ts_drag_mass(first, sim, i),
+				  sim->clock.dt, &slope);
+		change->slip[k] = (force - cw) / c;
+		change->part[k] = slope / c;
+		change->c[k] = c;
+	}
+}
+
+static enum ts_status relax_all_together(struct ts_drag *first, struct tsim *sim)
+{
+	size_t n = sim->particles->n;
+
+	if (TS_GROW(first->change, first->change_capacity, n) != TS_OK)
+		return ts_nomem(&sim->error);
+#pragma omp parallel for num_threads(ts_team(sim, n)) schedule(static)
+	for (size_t i = 0; i < n; i++)
+		relax_together(first, sim, i);
+	return TS_OK;
+}
+
+static void relax(const struct ts_instance *self, struct tsim *sim, size_t i)
+{
+	struct ts_drag *s = self->state;
+	struct ts_particles *p = sim->particles;
+	const struct ts_drag_felt *felt = &s->felt[i];
+	const struct ts_drag_change *change = s->nlate > 1 ? &s->late[0]->change[i] : NULL;
+	double force[3] = { 0 }, part[3] = { 1, 1, 1 }, mass = ts_drag_mass(s, sim, i), h = sim->clock.dt;
+	double steps = s->part.settle ? ts_drag_steps_to_fluid(s) : 0;
+
+	if (s->part.settle && s->restraints.n)
+		free_parts(s, sim, i, part);
+	for (int k = 0; k < 3; k++) {
+		double slope, all = change ? change->c[k] : felt->c;
+
+		if (!ts_drag_acts_along(s, k))
+			continue;
+		if (change) {
+			force[k] = felt->c * (felt->w[k] + change->slip[k]);
+			slope = felt->c * change->part[k];
+		} else {
+			force[k] = component(s->scheme, felt->c, felt->w[k], p->f[i][k], mass, h, &slope);
+		}
+		if (s->part.settle)
+			s->note[i].slope[k] = slope_to_fluid(steps, slope, felt->c / all * mass / h,
+							     felt->c, part[k]);
+	}
+	ts_restraints_leave(&s->restraints, sim, i, force);
+	for (int k = 0; k < 3; k++) {
+		p->f[i][k] += force[k];
+		s->total.note[i][k] += force[k];
+	}
+}
+
+enum ts_status ts_drag_late(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_drag *s = self->state;
+	const struct ts_particles *p = sim->particles;
+
+	if (!(ts_flow_style_of(s->flow)->viscosity(s->flow) > 0))
+		return TS_OK;
+	if (s->nlate > 1 && s->late[0] == s)
+		TS_TRY(relax_all_together(s, sim));
+#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
+	for (size_t i = 0; i < p->n; i++)
+		if (s->felt[i].c != 0)
+			relax(self, sim, i);
+	return finish(self, sim);
+}
+
+enum ts_status ts_drag_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	struct ts_drag *s = self->state;
+
+	(void)sim;
+	TS_TRY(ts_tally_archive(a, &s->total));
+	if (!ts_archive_writing(a) && !ts_archive_has(a, "reynolds"))
+		return TS_OK;
+	return ts_archive_fixed(a, "reynolds", TS_SAVED_F64, &s->reynolds, 1);
+}
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	struct ts_drag *s = self->state;
+
+	(void)sim;
+	memcpy(out->data, ts_tally_sums(&s->total), 3 * sizeof *out->data);
+	out->data[3] = s->reynolds;
+	return TS_OK;
+}
+
+static const char *const columns[] = { "x", "y", "z", "Re" };
+const struct ts_value ts_drag_values[] = {
+	{ "drag", "force", "total drag on the particles (x y z), the largest Reynolds number", TS_VECTOR,
+	  4, columns, eval },
+	{ .name = NULL },
+};
+
+void ts_drag_fini(struct ts_instance *self)
+{
+	struct ts_drag *s = self->state;
+
+	ts_cell_order_release(&s->order);
+	ts_tally_release(&s->total);
+	ts_restraints_release(&s->restraints);
+	ts_free(s->note);
+	ts_free(s->felt);
+	ts_free(s->change);
+	ts_free(s->late);
+}

@@ -1,0 +1,170 @@
+/* Drag fixes: what the laws share. Each particle of the group takes the fluid at its place, its law gives the
+ * coefficient of its drag, and where the fluid is solved for the fluid gets the opposite of all that the particle
+ * gets, to round-off.
+ *
+ * Over one step h the drag on a particle is F = B (u - v) + G, by scheme, with coefficient c = F/(u - v), mass m
+ * (added mass included) and the other forces f:
+ *   explicit   B = c, G = 0                               stable for h < 2 m/c
+ *   implicit   B = c/(1 + c h/m), G = -B h f/m            v at the end of the step
+ *   exact      B = m/h (1 - exp(-c h/m)), G = (B/c - 1) f  the mean over the relaxation
+ * The last two need f whole: they act after all other forces (late hooks of struct ts_style), several on a particle
+ * together, as one with the sum of their coefficients. Where fixes after it in the script set the force, or the motion
+ * is prescribed, the drag has no effect on the particle; there it is explicit.
+ * The fluid takes part in it implicitly: it gets -F and the slope B, solves with its new velocity u', and the
+ * particle gets B (u' - u) after the step of the fluid, by the same weights. Then both have exchanged the same
+ * momentum, and neither a tiny particle nor a crowd of them has a limit of the step. */
+#ifndef TS_COUPLING_DRAG_FORCE_H
+#define TS_COUPLING_DRAG_FORCE_H
+
+#include "average/particle_tally.h"
+#include "coupling/added_mass.h"
+#include "coupling/cell_order.h"
+#include "coupling/share.h"
+#include "flow/flow.h"
+#include "flow/fluid.h"
+#include "force/restraint.h"
+#include "law/drag.h"
+
+enum { TS_DRAG_EXPLICIT, TS_DRAG_EXACT, TS_DRAG_IMPLICIT };
+
+struct ts_drag_note {
+	double slope[3]; /* B */
+	double held[3];	 /* sum of weight * velocity of the fluid before its step */
+};
+
+/* Of a particle whose velocity a drag relaxes, before all forces are known: coefficient and slip. */
+struct ts_drag_felt {
+	double c, w[3]; /* c = 0: there is no fluid, or the force is explicit */
+};
+
+/* Where several drags relax the velocity of a particle, by component: the sum of their coefficients, how the mean slip
+ * over the step differs from that before, B by the sum. */
+struct ts_drag_change {
+	double c[3], slip[3], part[3];
+};
+
+/* The state of a drag fix. */
+struct ts_drag {
+	struct ts_flow_part part; /* first */
+	int axes, scheme, interpolation;
+	bool two_way, lagged;
+	double fraction; /* void fraction given; NaN: of the fluid */
+	double c1, c2;	 /* of Ergun's equation */
+
+	struct ts_instance *flow;
+	struct ts_fluid *fluid; /* NULL: imposed */
+	struct ts_added added;	/* mass that particles take with them */
+	struct ts_restraints restraints;
+	uint32_t moved; /* groups of particles that a fix moves; others stay where they are */
+	struct ts_drag **late; /* those of the simulation that relax velocities, in script order */
+	size_t nlate, late_capacity;
+	struct ts_drag_felt *felt; /* of one that relaxes */
+	size_t felt_capacity;
+	struct ts_drag_change *change; /* of the first of several */
+	size_t change_capacity;
+	struct ts_cell_order order;
+	struct ts_drag_note *note; /* where the fluid is solved for */
+	size_t capacity, noted;
+	struct ts_tally total;
+	double reynolds; /* the largest of the last step */
+};
+
+struct ts_drag_style {
+	struct ts_style style;
+	double (*coefficient)(const struct ts_drag *drag, const struct ts_slip *slip);
+	bool crowded; /* asks for the void fraction */
+	bool inertial; /* asks for the density of the fluid */
+};
+
+static inline const struct ts_drag_style *ts_drag_style_of(const struct ts_instance *self)
+{
+	return (const struct ts_drag_style *)self->style;
+}
+
+extern const char *const ts_drag_axes[], *const ts_drag_schemes[];
+#define TS_DRAG_ARGS                                                                               \
+	TS_ENUM("axes", struct ts_drag, axes, ts_drag_axes, .fallback = "xyz",                     \
+		.help = "components in which the drag acts"),                                      \
+		TS_ENUM("scheme", struct ts_drag, scheme, ts_drag_schemes, .fallback = "explicit", \
+			.help = "force at the present velocity, exact relaxation over the step, or " \
+				"implicit"),                                                       \
+		TS_BOOL("two_way", struct ts_drag, two_way, .fallback = "yes",                     \
+			.help = "whether a fluid that is solved for feels the particles"),         \
+		TS_BOOL("lagged", struct ts_drag, lagged, .fallback = "no",                        \
+			.help = "whether the fluid gets the force as it is, not at its new velocity: "    \
+				"leaves any pressure solver, but bounds the step"),                \
+		TS_ENUM("interpolation", struct ts_drag, interpolation, ts_interpolation_names,   \
+			.fallback = "linear",                                                      \
+			.help = "of the fluid's fields to the particle: between points, or of "    \
+				"its cell")
+#define TS_DRAG_CROWD_ARGS                                                                         \
+	TS_DRAG_ARGS,                                                                              \
+		TS_REAL("void", struct ts_drag, fraction, .flags = TS_OPTIONAL, .range = TS_WITHIN, \
+			.lo = 1e-3, .hi = 1, .unit = "",                                           \
+			.help = "void fraction everywhere, where no fix void_fraction finds it")
+
+/* The second half of each manual page. */
+#define TS_DRAG_DOC                                                                                \
+	"u is the velocity of the fluid at the particle's centre, interpolated linearly or, with\n"   \
+	"`interpolation cell`, that of the cell that holds it. f_ID[1] ... [3] is the force on all\n" \
+	"particles of the group, f_ID[4] the largest Re of a particle.\n\n"                           \
+	"scheme explicit takes the force at the present velocity: stable for steps below 2 tau, tau =\n" \
+	"m/c the relaxation time, c = F/(u - v). scheme exact makes the velocity follow the exponential\n" \
+	"relaxation under drag and all other forces exactly over each step, scheme implicit takes the\n" \
+	"velocity at the end of the step; both are stable for any step. They act after all fixes that add\n" \
+	"forces, wherever these stand in the script, and after tsim_on_step functions; several on one\n" \
+	"particle relax it together. With velocity Verlet it is the half-step velocity that is exact.\n" \
+	"Where a fix after this one sets the force (setforce, freeze, planeforce, lineforce, enforce2d), or\n" \
+	"the motion is prescribed (fix move, nve/noforce), the drag is explicit and only the fluid feels\n" \
+	"it. Particles that are frozen, that no fix moves, or that belong to rigid bodies get the explicit\n" \
+	"force, in rigid bodies stable below 2 tau.\n"                                                        \
+	"fix aveforce after this fix is refused with these two schemes.\n\n"                         \
+	"Where the fluid is solved for (flow_style projection) it loses what the particles gain, to\n" \
+	"round-off, unless two_way is no, and takes part in the exchange implicitly; with `lagged yes` it\n" \
+	"gets the force as it is, which is cheaper where particles are few (direct pressure solvers need\n" \
+	"equal weights of all faces) and stable for h < 2 e rho/k, k the sum of F/(u - v) by volume; with\n" \
+	"scheme explicit for h (k/(e rho) + 1/tau) < 2. The plan of a run warns of larger steps. See\n" \
+	"doc/coupling.md."
+#define TS_DRAG_CROWD_DOC                                                                          \
+	"The void fraction is that of fix void_fraction, which must come before this fix, or the one\n" \
+	"given by `void`. F is the drag beside the force of the pressure gradient\n"                   \
+	"(fix flow/pressure_gradient): a bed at rest has dp/L = beta w/e, beta = (1-e) F/(V_p w), w the\n" \
+	"slip between the particles.\n\n"
+
+/* Slots of struct ts_style. */
+extern const struct ts_value ts_drag_values[];
+enum ts_status ts_drag_init(struct ts_instance *self, struct tsim *sim);
+enum ts_status ts_drag_post_force(struct ts_instance *self, struct tsim *sim);
+enum ts_status ts_drag_late(struct ts_instance *self, struct tsim *sim);
+bool ts_drag_is_late(const struct ts_instance *self);
+enum ts_status ts_drag_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a);
+enum ts_status ts_drag_plan(struct ts_instance *self, struct tsim *sim,
+			    struct ts_plan_report *report);
+void ts_drag_fini(struct ts_instance *self);
+
+#define TS_DRAG_SLOTS                                                                              \
+	.kind = TS_KIND_FIX, .family = TS_FAMILY_FLOW_PART, .state_size = sizeof(struct ts_drag),  \
+	.init = ts_drag_init, .archive = ts_drag_archive, .values = ts_drag_values,                \
+	.hook = { [TS_STAGE_POST_FORCE] = ts_drag_post_force },                                     \
+	.late = { [TS_LATE_RELAX] = ts_drag_late }, .is_late = ts_drag_is_late,                    \
+	.plan = ts_drag_plan,                                                                      \
+	.fini = ts_drag_fini
+
+/* ---- between the files of drag */
+
+bool ts_drag_acts_along(const struct ts_drag *drag, int k);
+/* Whether particle i keeps its velocity whatever pushes it. (A program around tsim may move those that no fix does.) */
+bool ts_drag_holds(const struct ts_drag *drag, const struct tsim *sim, size_t i);
+/* Of particle i, added mass included. */
+double ts_drag_mass(const struct ts_drag *s, const struct tsim *sim, size_t i);
+/* The fluid where particle i is, and the slip; false: there is none. */
+bool ts_drag_sample(const struct ts_instance *self, const struct ts_particles *p, size_t i,
+		    struct ts_slip *slip, double w[3]);
+/* The fluid takes the mean over so many steps of the simulation; 0: it does not make its step in this one, and
+ * what it gets now is the force as it is. */
+double ts_drag_steps_to_fluid(const struct ts_drag *s);
+enum ts_status ts_drag_react(struct ts_instance *self, struct tsim *sim);
+/* The fluid has made its step with the new velocity: the particles get what it has felt. */
+enum ts_status ts_drag_settle(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid, double length);
+
+#endif

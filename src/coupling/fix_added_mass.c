@@ -1,0 +1,213 @@
+#include "coupling/added_mass.h"
+
+#include <string.h>
+
+#include "base/alloc.h"
+#include "force/restraint.h"
+#include "particle/body.h"
+#include "particle/particles.h"
+#include "rigid/rigid.h"
+
+#include "base/banned.h"
+
+struct state {
+	struct ts_added_mass mass; /* first */
+	bool accelerates;
+	struct ts_restraints restraints;
+	double *last[3], *rate[3]; /* velocity of the fluid after its last step, and its change by time */
+	size_t size, capacity[2][3];
+};
+
+/* Du/Dt at the particle */
+static void fluid_acceleration(const struct state *s, const struct ts_flow_around *around, double a[3])
+{
+	const struct ts_fluid *fluid = s->mass.force.fluid;
+
+	for (int c = 0; c < 3; c++) {
+		struct ts_share share;
+
+		a[c] = 0;
+		if (!fluid || !s->accelerates)
+			continue;
+		for (int k = 0; k < 3; k++)
+			a[c] += around->u[k] * around->slope[c][k];
+		if (!s->size || c >= fluid->grid.dimensions)
+			continue;
+		ts_share_face(fluid, c, around->place, around->cell, TS_INTERPOLATE_LINEAR, &share);
+		a[c] += ts_share_gather(&fluid->grid, &share, s->rate[c]);
+	}
+}
+
+static double added_to(const struct ts_instance *self, const struct tsim *sim, size_t i)
+{
+	const struct state *s = self->state;
+
+	return s->mass.coefficient *
+	       ts_flow_style_of(s->mass.force.flow)->density(s->mass.force.flow) *
+	       ts_body_volume(sim, sim->particles->radius[i]);
+}
+
+/* The part that does not depend on how the particle moves. */
+static void act(const struct ts_instance *self, const struct tsim *sim, size_t i,
+		const struct ts_flow_around *around, double f[3], double torque[3])
+{
+	double added = added_to(self, sim, i);
+
+	(void)torque;
+	fluid_acceleration(self->state, around, f);
+	for (int k = 0; k < 3; k++)
+		f[k] *= added;
+}
+
+/* Its own acceleration follows from all forces: (m + M) a = f, where they take effect. */
+static void resist(const struct ts_instance *self, struct tsim *sim, size_t i)
+{
+	struct state *s = self->state;
+	struct ts_particles *p = sim->particles;
+	double added = added_to(self, sim, i), f[3];
+
+	memcpy(f, p->f[i], sizeof f);
+	ts_restraints_leave(&s->restraints, sim, i, f);
+	for (int k = 0; k < 3 && p->imass[i] != 0; k++) {
+		double force = -added * f[k] / (p->mass[i] + added);
+
+		p->f[i][k] += force;
+		s->mass.force.total.note[i][k] += force;
+	}
+}
+
+static enum ts_status late(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	const struct ts_particles *p = sim->particles;
+
+	TS_TRY(ts_restraints_prepare(&s->restraints, sim));
+#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
+	for (size_t i = 0; i < p->n; i++) {
+		double place[3];
+		int cell[3];
+
+		if (ts_in_group(p, i, self->group) &&
+		    (!s->mass.force.fluid || ts_fluid_place(s->mass.force.fluid, p->x[i], place, cell)))
+			resist(self, sim, i);
+	}
+	return ts_flow_force_react(self, sim);
+}
+
+static enum ts_status carry(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid, double dt)
+{
+	struct state *s = self->state;
+	size_t size = fluid->grid.size;
+	bool known = s->size == size;
+
+	for (int c = 0; c < 3; c++) {
+		if (TS_GROW(s->last[c], s->capacity[0][c], size) != TS_OK ||
+		    TS_GROW(s->rate[c], s->capacity[1][c], size) != TS_OK)
+			return ts_nomem(&sim->error);
+		for (size_t k = 0; k < size; k++) {
+			s->rate[c][k] = known ? (fluid->u[c][k] - s->last[c][k]) / dt : 0;
+			s->last[c][k] = fluid->u[c][k];
+		}
+	}
+	s->size = size;
+	return TS_OK;
+}
+
+/* Two of them would each take the other's force for one that accelerates the particle; and a member of a rigid body does
+ * not move as the force on it says. */
+static enum ts_status refuse(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+	const struct ts_instance *other;
+
+	for (size_t k = 0; (other = ts_flow_part_named(sim, "added_mass", &k));)
+		if (other != self && ts_groups_meet(p, other->group, self->group))
+			return ts_fail(&sim->error, TS_STATE, &self->where,
+				       "fix added_mass: fix %s (line %d) gives particles of this group an added mass "
+				       "already: a particle can have one",
+				       other->id, other->where.line);
+	for (size_t i = 0; i < p->n; i++)
+		if (ts_in_group(p, i, self->group) && ts_rigid_member(p, i))
+			return ts_fail(&sim->error, TS_STATE, &self->where,
+				       "fix added_mass: particle %lld belongs to a rigid body, which does not move as "
+				       "the force on one of its spheres says: give a group without bodies",
+				       (long long)p->tag[i]);
+	return TS_OK;
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	TS_TRY(ts_flow_force_init(self, sim));
+	TS_TRY(refuse(self, sim));
+	TS_TRY(ts_restraints_find(&s->restraints, sim, self, true));
+	s->mass.force.part.carry = s->mass.force.fluid && s->accelerates ? carry : NULL;
+	if (!s->mass.force.fluid || s->size != s->mass.force.fluid->grid.size)
+		s->size = 0;
+	return TS_OK;
+}
+
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	static const char *const names[2][3] = { { "lastx", "lasty", "lastz" },
+						 { "ratex", "ratey", "ratez" } };
+	struct state *s = self->state;
+
+	TS_TRY(ts_flow_force_archive(self, sim, a));
+	for (int c = 0; c < 3; c++) {
+		TS_TRY(ts_archive_array(a, names[0][c], TS_SAVED_F64, (void **)&s->last[c],
+					&s->capacity[0][c], &s->size));
+		TS_TRY(ts_archive_array(a, names[1][c], TS_SAVED_F64, (void **)&s->rate[c],
+					&s->capacity[1][c], &s->size));
+	}
+	return TS_OK;
+}
+
+static void fini(struct ts_instance *self)
+{
+	struct state *s = self->state;
+
+	ts_flow_force_fini(self);
+	ts_restraints_release(&s->restraints);
+	for (int c = 0; c < 3; c++) {
+		ts_free(s->last[c]);
+		ts_free(s->rate[c]);
+	}
+}
+
+static const struct ts_arg args[] = {
+	TS_REAL("coefficient", struct state, mass.coefficient, .fallback = "0.5", .range = TS_NOT_NEGATIVE,
+		.unit = "", .help = "part of the displaced mass that moves with the particle"),
+	TS_BOOL("fluid_acceleration", struct state, accelerates, .fallback = "yes",
+		.help = "whether Du/Dt counts; no: the fluid is taken as steady and uniform"),
+	TS_FLOW_FORCE_ARGS(struct state, mass.force),
+	TS_ARGS_END,
+};
+
+TS_STYLE(fix, ts_flow_force_style, ts_fix_added_mass)
+const struct ts_flow_force_style ts_fix_added_mass = {
+	.style = {
+		.name = "added_mass",
+		.summary = "the fluid that an accelerated particle takes with it",
+		.doc = "F = C rho V_p (Du/Dt - dv/dt), C = 1/2 for a sphere. dv/dt is that by all forces, this one among them:\n"
+		       "(f + C rho V_p Du/Dt)/(m + C rho V_p), so the particle moves as one of mass m + C rho V_p, stably also\n"
+		       "where it is lighter than the fluid. Whatever the order in the script, it acts after all other\n"
+		       "forces, and schemes exact and implicit of drags know of it. Refused: two of them on one particle,\n"
+		       "members of rigid bodies. Du/Dt is that of the fluid at the\n"
+		       "particle, du/dt over its last step and u grad u. A fluid that is solved for loses what the particles\n"
+		       "gain. f_ID[1] ... [3] is the total.",
+		.example = "flow_style uniform velocity 0 0 0 viscosity 1.0e-3 density 1000\n"
+			   "fix heavy all added_mass",
+		.cite = "T. R. Auton, J. C. R. Hunt, M. Prud'homme, J. Fluid Mech. 197 (1988) 241",
+		.args = args,
+		.state_size = sizeof(struct state),
+		.init = init,
+		.archive = archive,
+		.fini = fini,
+		TS_FLOW_FORCE_SLOTS,
+		.late = { [TS_LATE_INERTIA] = late },
+	},
+	.act = act,
+	.sheared = true,
+};

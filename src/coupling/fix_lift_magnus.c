@@ -1,0 +1,72 @@
+#include "coupling/flow_force.h"
+
+#include "law/lift.h"
+#include "math/vec3.h"
+#include "particle/particles.h"
+
+#include "base/banned.h"
+
+enum { RUBINOW, OESTERLE };
+static const char *const laws[] = { "rubinow", "oesterle", NULL };
+
+struct state {
+	struct ts_flow_force force; /* first */
+	int law;
+	bool torque;
+};
+
+static void act(const struct ts_instance *self, const struct tsim *sim, size_t i,
+		const struct ts_flow_around *around, double f[3], double torque[3])
+{
+	const struct state *s = self->state;
+	const struct ts_particles *p = sim->particles;
+	double d = 2 * p->radius[i], spin[3], c;
+
+	ts_flow_curl(around->slope, spin);
+	for (int k = 0; k < 3; k++)
+		spin[k] = 0.5 * spin[k] - p->omega[i][k];
+	c = ts_lift_magnus(d, around->density);
+	if (s->law == OESTERLE)
+		c *= ts_lift_oesterle(d, around->density, around->viscosity, ts_norm(around->slip),
+				      ts_norm(spin));
+	ts_cross(spin, around->slip, f);
+	for (int k = 0; k < 3; k++) {
+		f[k] *= c;
+		torque[k] = s->torque ? ts_spin_torque(d, around->viscosity) * spin[k] : 0;
+	}
+}
+
+static const struct ts_arg args[] = {
+	TS_ENUM("law", struct state, law, laws, .fallback = "oesterle",
+		.help = "of small Reynolds numbers, or a fit for larger ones"),
+	TS_BOOL("torque", struct state, torque, .fallback = "yes",
+		.help = "whether the fluid also brakes the spin"),
+	TS_FLOW_FORCE_ARGS(struct state, force),
+	TS_ARGS_END,
+};
+
+TS_STYLE(fix, ts_flow_force_style, ts_fix_lift_magnus)
+const struct ts_flow_force_style ts_fix_lift_magnus = {
+	.style = {
+		.name = "lift/magnus",
+		.summary = "lift on particles that spin, and the torque of the fluid on them",
+		.doc = "F = pi/8 rho d^3 C (S x w), w = u - v, S = curl u/2 - spin of the particle, with C = 1 (law rubinow)\n"
+		       "or, with Re = rho |w| d/mu and Re_s = rho d^2 |S|/mu,\n"
+		       "C = Re/Re_s (0.45 + (Re_s/Re - 0.45) exp(-0.05684 Re_s^0.4 Re^0.3)) (law oesterle). The torque is\n"
+		       "pi mu d^3 S. A fluid that is solved for loses the momentum that the particles gain (not the\n"
+		       "spin). f_ID[1] ... [3] is the total force.",
+		.example = "flow_style uniform velocity 0 0 1.0 viscosity 1.0e-3 density 1000\n"
+			   "fix curve all lift/magnus",
+		.cite = "S. I. Rubinow, J. B. Keller, J. Fluid Mech. 11 (1961) 447; B. Oesterle, T. Bui Dinh, Exp. Fluids "
+			"25 (1998) 16",
+		.args = args,
+		.state_size = sizeof(struct state),
+		.columns = TS_NEED(OMEGA) | TS_NEED(TORQUE),
+		.init = ts_flow_force_init,
+		.archive = ts_flow_force_archive,
+		.fini = ts_flow_force_fini,
+		TS_FLOW_FORCE_SLOTS,
+	},
+	.act = act,
+	.sheared = true,
+};

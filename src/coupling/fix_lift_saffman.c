@@ -1,0 +1,63 @@
+#include "coupling/flow_force.h"
+
+#include "law/lift.h"
+#include "math/vec3.h"
+#include "particle/particles.h"
+
+#include "base/banned.h"
+
+enum { SAFFMAN, MEI };
+static const char *const laws[] = { "saffman", "mei", NULL };
+
+struct state {
+	struct ts_flow_force force; /* first */
+	int law;
+};
+
+static void act(const struct ts_instance *self, const struct tsim *sim, size_t i,
+		const struct ts_flow_around *around, double f[3], double torque[3])
+{
+	const struct state *s = self->state;
+	double d = 2 * sim->particles->radius[i], curl[3], vorticity, c;
+
+	(void)torque;
+	ts_flow_curl(around->slope, curl);
+	vorticity = ts_norm(curl);
+	c = ts_lift_saffman(d, around->density, around->viscosity, vorticity);
+	if (s->law == MEI)
+		c *= ts_lift_mei(d, around->density, around->viscosity, ts_norm(around->slip), vorticity);
+	ts_cross(around->slip, curl, f);
+	for (int k = 0; k < 3; k++)
+		f[k] *= c;
+}
+
+static const struct ts_arg args[] = {
+	TS_ENUM("law", struct state, law, laws, .fallback = "mei",
+		.help = "of small Reynolds numbers, or Mei's fit for larger ones"),
+	TS_FLOW_FORCE_ARGS(struct state, force),
+	TS_ARGS_END,
+};
+
+TS_STYLE(fix, ts_flow_force_style, ts_fix_lift_saffman)
+const struct ts_flow_force_style ts_fix_lift_saffman = {
+	.style = {
+		.name = "lift/saffman",
+		.summary = "lift of a sheared flow on particles that slip",
+		.doc = "F = 1.615 d^2 sqrt(rho mu/|W|) C (w x W), w = u - v, W = curl u, with C = 1 (law saffman) or, with\n"
+		       "Re = rho |w| d/mu and a = |W| d/(2 |w|), C = (1 - 0.3314 sqrt a) exp(-Re/10) + 0.3314 sqrt a up to\n"
+		       "Re = 40 and 0.0524 sqrt(a Re) beyond (law mei). A sphere that lags behind the flow is drawn to where\n"
+		       "this is faster. A fluid that is solved for loses what the particles gain. f_ID[1] ... [3] is the\n"
+		       "total.",
+		.example = "flow_style projection cells 10 10 40 viscosity 1.0e-3 density 1000\n"
+			   "fix lift all lift/saffman",
+		.cite = "P. G. Saffman, J. Fluid Mech. 22 (1965) 385; R. Mei, Int. J. Multiphase Flow 18 (1992) 145",
+		.args = args,
+		.state_size = sizeof(struct state),
+		.init = ts_flow_force_init,
+		.archive = ts_flow_force_archive,
+		.fini = ts_flow_force_fini,
+		TS_FLOW_FORCE_SLOTS,
+	},
+	.act = act,
+	.sheared = true,
+};

@@ -1,0 +1,316 @@
+/* Fix void_fraction: what particles leave of each cell to the fluid. */
+#include "core/plan.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "coupling/cell_order.h"
+#include "coupling/share.h"
+#include "coupling/volume_spread.h"
+#include "flow/flow.h"
+#include "math/exactsum.h"
+#include "particle/particles.h"
+
+#include "base/banned.h"
+
+static const char *const methods[] = { "centre", "divided", "kernel", NULL };
+
+struct state {
+	struct ts_flow_part part; /* first */
+	int method;
+	double reach, least;
+
+	struct ts_fluid *fluid;
+	struct ts_cell_order order;
+	bool warned;
+	bool told; /* that the cells do not resolve the kernel */
+	double found; /* the least of a cell, before it is limited */
+	double (*seen)[4]; /* places and radii that the field was made of */
+	size_t nseen, seen_capacity;
+	struct tsim *sim; /* evaluation may fail */
+};
+
+static struct ts_spread_how how_of(const struct state *s, const struct tsim *sim)
+{
+	return (struct ts_spread_how){ (enum ts_spread)s->method, sim->dimension == 2, s->reach };
+}
+
+static void spread(const struct ts_instance *self, const struct tsim *sim, struct ts_spread_how *how)
+{
+	*how = how_of(self->state, sim);
+}
+
+struct context {
+	const struct state *state;
+	const struct tsim *sim;
+};
+
+static void lay(void *data, size_t i)
+{
+	const struct context *c = data;
+	const struct ts_particles *p = c->sim->particles;
+	struct ts_spread_how how = how_of(c->state, c->sim);
+	double place[3];
+	int cell[3];
+
+	if (ts_fluid_place(c->state->fluid, p->x[i], place, cell))
+		ts_spread_volume(&c->state->fluid->grid, &how, place, cell, p->radius[i],
+				 c->state->fluid->empty);
+}
+
+static double largest_radius(const struct ts_instance *self, const struct ts_particles *p)
+{
+	double largest = 0;
+
+	for (size_t i = 0; i < p->n; i++)
+		if (ts_in_group(p, i, self->group))
+			largest = fmax(largest, p->radius[i]);
+	return largest;
+}
+
+/* A cell narrower than a particle whose volume is all put into it may have more solid than volume. */
+static enum ts_status check_centre(struct ts_instance *self, struct tsim *sim, double diameter)
+{
+	const struct state *s = self->state;
+	const struct ts_grid *grid = &s->fluid->grid;
+	double least = INFINITY;
+
+	for (int d = 0; d < grid->dimensions; d++)
+		for (int i = 0; i < grid->n[d]; i++)
+			least = fmin(least, grid->width[d][i]);
+	if (s->method != TS_SPREAD_CENTRE || !(least < diameter))
+		return TS_OK;
+	return ts_fail(&sim->error, TS_RANGE, &self->where,
+		       "fix void_fraction: method centre puts all of a particle into one cell, and cells are down to "
+		       "%g wide, narrower than the particles of up to %g; use method divided or kernel, or cells of "
+		       "several diameters",
+		       least, diameter);
+}
+
+/* Cells wider than the kernel reaches to either side hold it wholly: the field is the mean over the cell. Two
+ * diameters, where the kernel of 1.5 begins to lie in one cell for some places of the centre. */
+static void check_kernel(struct ts_instance *self, struct tsim *sim, double diameter)
+{
+	static const double MOST = 2; /* diameters */
+	struct state *s = self->state;
+	const struct ts_grid *grid = &s->fluid->grid;
+	double most = 0, fits = fmax(MOST, s->reach) * diameter;
+
+	for (int d = 0; d < grid->dimensions; d++)
+		for (int i = 0; i < grid->n[d] && grid->n[d] > 1; i++)
+			most = fmax(most, grid->width[d][i]);
+	if (s->told || s->method != TS_SPREAD_KERNEL || !(diameter > 0) || !(most > 1.000001 * fits))
+		return;
+	s->told = true;
+	ts_warn(&sim->log, &self->where,
+		"fix void_fraction: cells are up to %.4g wide, %.3g diameters of the largest particle, and do not "
+		"resolve the kernel, which reaches %.4g to either side: the void fraction is the mean over cells, as "
+		"with method divided; use cells of at most %.4g, or method divided (not said again)",
+		most, most / diameter, s->reach * diameter, fits);
+}
+
+/* The farthest that a particle reaches; refused if it is too far. */
+static enum ts_status farthest(struct ts_instance *self, struct tsim *sim, int *reach)
+{
+	const struct state *s = self->state;
+	struct ts_spread_how how = how_of(s, sim);
+	double largest = largest_radius(self, sim->particles);
+
+	TS_TRY(check_centre(self, sim, 2 * largest));
+	check_kernel(self, sim, 2 * largest);
+	*reach = ts_spread_reach(&s->fluid->grid, &how, largest);
+	if (2 * *reach + 1 <= TS_SPREAD_MOST)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_RANGE, &self->where,
+		       "fix void_fraction: a particle of radius %g counts for more than %d cells across: the "
+		       "grid is too fine for drag that is not resolved",
+		       largest, TS_SPREAD_MOST);
+}
+
+static void limit(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	const struct ts_grid *grid = &s->fluid->grid;
+	double least = 1;
+	int64_t cells = 0;
+
+#pragma omp parallel for num_threads(ts_team(sim, ts_grid_cells(grid))) schedule(static)           \
+	reduction(min : least) reduction(+ : cells)
+	for (int line = 0; line < grid->n[1] * grid->n[2]; line++) {
+		double *e = s->fluid->empty + ts_at(grid, 0, line % grid->n[1], line / grid->n[1]);
+
+		for (int i = 0; i < grid->n[0]; i++) {
+			e[i] = 1 - e[i];
+			least = fmin(least, e[i]);
+			if (e[i] < s->least) {
+				e[i] = s->least;
+				cells++;
+			}
+		}
+	}
+	s->found = least;
+	if (cells && !s->warned) {
+		ts_warn(&sim->log, &self->where,
+			"fix void_fraction: %lld cells have a void fraction down to %g, below `least` %g, which "
+			"is used instead (not said again)",
+			(long long)cells, least, s->least);
+		s->warned = true;
+	}
+}
+
+/* Whether the particles are not those, where they were, of which the field was made: a bed that is held costs
+ * nothing. */
+static enum ts_status look(struct ts_instance *self, struct tsim *sim, bool *moved)
+{
+	struct state *s = self->state;
+	const struct ts_particles *p = sim->particles;
+
+	if (TS_GROW(s->seen, s->seen_capacity, p->n) != TS_OK)
+		return ts_nomem(&sim->error);
+	*moved = s->nseen != p->n;
+	s->nseen = p->n;
+	for (size_t i = 0; i < p->n; i++) {
+		const double now[4] = { p->x[i][0], p->x[i][1], p->x[i][2],
+					ts_in_group(p, i, self->group) ? p->radius[i] : -1 };
+
+		*moved = *moved || memcmp(now, s->seen[i], sizeof now) != 0;
+		memcpy(s->seen[i], now, sizeof now);
+	}
+	return TS_OK;
+}
+
+static enum ts_status make_field(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	struct context context = { s, sim };
+	int reach;
+
+	TS_TRY(farthest(self, sim, &reach));
+	TS_TRY(ts_cell_order_make(&s->order, sim, s->fluid, self->group, reach));
+	memset(s->fluid->empty, 0, s->fluid->grid.size * sizeof *s->fluid->empty);
+	ts_cell_order_each(&s->order, ts_team(sim, sim->particles->n), lay, &context);
+	limit(self, sim);
+	ts_fluid_fill_centred(s->fluid, s->fluid->empty);
+	return TS_OK;
+}
+
+static enum ts_status pre_force(struct ts_instance *self, struct tsim *sim)
+{
+	bool moved = true;
+
+	TS_TRY(look(self, sim, &moved));
+	return moved ? make_field(self, sim) : TS_OK;
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	TS_TRY(ts_flow_require_fluid(sim, "fix void_fraction", &self->where, &s->fluid));
+	TS_TRY(ts_fluid_want(s->fluid, sim, TS_FLUID_VOID));
+	s->part.spread = spread;
+	s->sim = sim;
+	s->nseen = 0;
+	return make_field(self, sim);
+}
+
+static const struct ts_saved saved[] = {
+	TS_SAVE_U8(struct state, warned),
+	TS_SAVE_F64(struct state, found),
+	TS_SAVED_ROWS_END,
+};
+
+/* Mean over the volume, and the least of a cell. */
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	const struct state *s = self->state;
+	const struct ts_fluid *fluid = ts_flow_fluid(sim);
+	const struct ts_grid *grid;
+	struct ts_exactsum empty = ts_exactsum_start(), all = ts_exactsum_start();
+
+	if (!fluid || !fluid->empty)
+		return ts_fail(&s->sim->error, TS_STATE, &self->where,
+			       "fix void_fraction: the fluid is another one now, which has no void fraction before "
+			       "a run");
+	grid = &fluid->grid;
+	for (int k = 0; k < grid->n[2]; k++)
+		for (int j = 0; j < grid->n[1]; j++)
+			for (int i = 0; i < grid->n[0]; i++) {
+				double volume = ts_grid_volume(grid, i, j, k);
+
+				ts_exactsum_add(&all, volume);
+				ts_exactsum_add(&empty, fluid->empty[ts_at(grid, i, j, k)] * volume);
+			}
+	out->data[0] = ts_exactsum_value(&empty) / ts_exactsum_value(&all);
+	out->data[1] = s->found;
+	return TS_OK;
+}
+
+static const char *const columns[] = { "mean", "least" };
+static const struct ts_value values[] = {
+	{ "void_fraction", "", "mean of the grid, and the least of a cell before it is limited", TS_VECTOR,
+	  2, columns, eval },
+	{ .name = NULL },
+};
+
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
+			   struct ts_plan_report *report)
+{
+	const struct state *s = self->state;
+
+	(void)sim;
+	ts_report_line(report, "void fraction", "%s, at present down to %g", methods[s->method],
+		       s->found);
+	return TS_OK;
+}
+
+static void fini(struct ts_instance *self)
+{
+	struct state *s = self->state;
+
+	ts_cell_order_release(&s->order);
+	ts_free(s->seen);
+}
+
+static const struct ts_arg args[] = {
+	TS_ENUM("method", struct state, method, methods, .fallback = "divided",
+		.help = "where the volume of a particle is: in the cell of its centre, in the cells that it "
+			"cuts, or smeared"),
+	TS_REAL("reach", struct state, reach, .fallback = "1.5", .range = TS_POSITIVE, .unit = "",
+		.help = "of the kernel to either side, in diameters"),
+	TS_REAL("least", struct state, least, .fallback = "0.1", .range = TS_WITHIN, .lo = 1e-3, .hi = 1,
+		.unit = "", .help = "cells with less have this"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(fix, ts_style, ts_fix_void_fraction)
+const struct ts_style ts_fix_void_fraction = {
+	.name = "void_fraction",
+	.kind = TS_KIND_FIX,
+	.summary = "the part of each cell that particles leave to the fluid",
+	.doc = "e = 1 - (volume of particles in the cell)/(volume of the cell), for the equations of the fluid,\n"
+	       "d(e)/dt + div(e u) = 0 and e rho (du/dt + u.grad u) = -e grad p + ..., and for the drags that depend\n"
+	       "on it, which come after this fix. u is the velocity between the particles.\n\n"
+	       "method divided gives each cell what of a sphere lies in it, exactly; centre all of it to the cell\n"
+	       "that holds the centre, so that e jumps when that moves on; kernel smears it along each axis by\n"
+	       "(1 + cos(pi s/b))/(2 b), b `reach` diameters: the choice for cells that are not much larger than\n"
+	       "particles. method centre needs cells that are at least as wide as the largest particle, else it is\n"
+	       "refused; a warning says once that cells are wider than 2 diameters and than b, which do not resolve the\n"
+	       "kernel (the axis of a single cell does not count). The volume of the particles is kept by all of them. In two dimensions particles are\n"
+	       "discs, and e is a part of the area.\n\n"
+	       "e is not allowed below `least`; a warning says so once. f_ID[1] is the mean over the grid, f_ID[2]\n"
+	       "the least of a cell.",
+	.example = "flow_style projection cells 10 10 40 viscosity 1.8e-5 density 1.2\n"
+		   "fix e all void_fraction method divided\n"
+		   "fix drag all drag/gidaspow scheme implicit",
+	.cite = "T. B. Anderson, R. Jackson, Ind. Eng. Chem. Fundam. 6 (1967) 527",
+	.family = TS_FAMILY_FLOW_PART,
+	.args = args,
+	.state_size = sizeof(struct state),
+	.saved = saved,
+	.values = values,
+	.init = init,
+	.hook = { [TS_STAGE_PRE_FORCE] = pre_force },
+	.plan = plan,
+	.fini = fini,
+};

@@ -1,0 +1,42 @@
+/* Command dump_modify: changes how a dump writes. */
+#include "dump/dump_modify.h"
+
+#include "base/banned.h"
+
+struct state {
+	const char *id;
+	struct ts_dump_changes changes;
+};
+
+static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	const struct state *s = state;
+	const struct ts_word id = { .text = s->id, .place = *ts_sim_word(sim, 1, where) };
+	struct ts_instance *dump;
+
+	TS_TRY(ts_sim_require(sim, TS_KIND_DUMP, &id, &dump));
+	return ts_dump_modify(sim, dump, &s->changes, where);
+}
+
+static const struct ts_arg args[] = {
+	TS_WORD("id", struct state, id, .flags = TS_POSITIONAL, .help = "name of the dump"),
+	TS_DUMP_MODIFY_ROWS(struct state),
+	TS_ARGS_END,
+};
+
+TS_STYLE(command, ts_command_style, ts_command_dump_modify)
+const struct ts_command_style ts_command_dump_modify = {
+	.style = {
+		.name = "dump_modify",
+		.kind = TS_KIND_COMMAND,
+		.summary = "Changes how a dump writes",
+		.doc = "Defaults: sort id, pad 0, first no, append no, format float %g, format int %d. A format of a\n"
+		       "column goes before those of a kind, and those before the line's. Conditions, region and\n"
+		       "order by columns are for dumps of particles.",
+		.example = "dump_modify rock pad 8 format float %.15g format 1 %08d\n"
+			   "dump_modify fast thresh vz < -0.5 thresh c_load >= 2.385 region shaft sort -4",
+		.args = args,
+		.state_size = sizeof(struct state),
+	},
+	.run = run,
+};

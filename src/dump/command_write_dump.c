@@ -1,0 +1,93 @@
+/* Command write_dump: one snapshot, now. */
+#include "dump/dump_modify.h"
+
+#include "base/banned.h"
+
+struct state {
+	int group;
+	struct ts_words rest, modify;
+};
+
+/* The words of `modify`. */
+struct modify {
+	struct ts_dump_changes changes;
+};
+static const struct ts_arg modify_args[] = { TS_DUMP_MODIFY_ROWS(struct modify), TS_ARGS_END };
+
+/* The words of a dump of the same style, due at every step. */
+static enum ts_status make_words(struct tsim *sim, struct ts_arena *arena, struct ts_words rest,
+				 struct ts_words *out)
+{
+	struct ts_word *word = ts_arena_alloc(arena, rest.n, sizeof *word);
+
+	if (!word)
+		return ts_nomem(&sim->error);
+	for (size_t k = 1; k < rest.n; k++)
+		word[k] = rest.word[k];
+	word[0] = (struct ts_word){ .text = "1", .place = rest.word[0].place };
+	*out = (struct ts_words){ word, rest.n };
+	return TS_OK;
+}
+
+static enum ts_status modify(struct tsim *sim, struct ts_instance *dump, struct ts_words words,
+			     struct ts_arena *arena, const struct ts_place *where)
+{
+	struct modify m = { 0 };
+
+	TS_TRY(ts_args_parse(sim, "write_dump modify", modify_args, words, where, arena, &m));
+	return ts_dump_modify(sim, dump, &m.changes, where);
+}
+
+static enum ts_status write(struct tsim *sim, const struct state *s, struct ts_arena *arena,
+			    const struct ts_place *where)
+{
+	const struct ts_word id = { .text = "write_dump", .place = *where };
+	const struct ts_style *style;
+	struct ts_words words;
+	struct ts_instance *dump;
+	enum ts_status status;
+
+	TS_TRY(ts_style_require(sim, TS_KIND_DUMP, &s->rest.word[0], &style));
+	TS_TRY(make_words(sim, arena, s->rest, &words));
+	TS_TRY(ts_sim_create(sim, TS_KIND_DUMP, style, id.text, s->group, words, where, &dump));
+	status = modify(sim, dump, s->modify, arena, where);
+	if (status == TS_OK && !sim->explain)
+		status = dump->style->hook[TS_STAGE_OUTPUT](dump, sim);
+	if (status != TS_OK)
+		return status;
+	return ts_sim_destroy(sim, TS_KIND_DUMP, &id);
+}
+
+static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	const struct state *s = state;
+	struct ts_arena arena = { 0 };
+	enum ts_status status = write(sim, s, &arena, where);
+
+	ts_arena_release(&arena);
+	return status;
+}
+
+static const struct ts_arg args[] = {
+	TS_GROUP("group", struct state, group, .flags = TS_POSITIONAL,
+		 .help = "particles to write"),
+	TS_LIST("style", struct state, rest, .help = "style of dump, file, columns"),
+	TS_REST_KEYWORD("modify", struct state, modify, .help = "words as of dump_modify, to the end"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(command, ts_command_style, ts_command_write_dump)
+const struct ts_command_style ts_command_write_dump = {
+	.style = {
+		.name = "write_dump",
+		.kind = TS_KIND_COMMAND,
+		.summary = "Writes one snapshot now",
+		.doc = "The words are those of dump without name and interval. Forces are those of the last step.",
+		.example = "write_dump all custom post/rock.dump id type x y z radius\n"
+			   "write_dump all atom post/rock.*.dump modify scale no sort id pad 8",
+		.args = args,
+		.state_size = sizeof(struct state),
+	},
+	.needs_box = true,
+	.run = run,
+};

@@ -1,0 +1,177 @@
+#include "dump/dump.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "box/domain.h"
+#include "core/units.h"
+
+#include "base/banned.h"
+
+enum { CHUNK = 1 << 16 };
+
+static bool one_file_per_frame(const struct ts_dump_common *d)
+{
+	return strchr(d->file, '*') != NULL;
+}
+
+/* The variable says the step of the next frame. */
+static enum ts_status ask_next(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_dump_common *d = self->state;
+	double next;
+
+	TS_TRY(sim->host->scalar(sim->host_data, d->variable, &self->where, &next));
+	if (!(next > (double)sim->clock.step) || next > 9e15)
+		return ts_fail(&sim->error, TS_RANGE, &self->where,
+			       "dump_modify every v_%s: the step of the next frame would be %g, but step "
+			       "%lld is reached already",
+			       d->variable, next, (long long)sim->clock.step);
+	d->next = (int64_t)next;
+	return TS_OK;
+}
+
+enum ts_status ts_dump_due(struct ts_instance *self, struct tsim *sim, bool *due)
+{
+	struct ts_dump_common *d = self->state;
+	int64_t step = sim->clock.step;
+
+	*due = d->variable ? d->next > 0 && step == d->next : step % d->every == 0;
+	if (*due || d->variable || d->frames == 0)
+		ts_sweep(sim);
+	if (d->variable && (*due || step == sim->clock.first_step || d->next <= step))
+		TS_TRY(ask_next(self, sim));
+	*due = ((*due && step >= d->delay) || (d->first && d->frames == 0)) &&
+	       !(d->frames && d->last == step);
+	if (*due) {
+		d->last = step;
+		d->frames++;
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_dump_open(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_dump_common *d = self->state;
+
+	ts_str_clear(&d->text);
+	if (ts_textfile_is_open(&d->out))
+		return TS_OK;
+	ts_step_path(&d->path, d->file, (long long)sim->clock.step, (int)d->pad);
+	if (d->path.failed)
+		return ts_nomem(&sim->error);
+	return ts_textfile_open(&d->out, sim, ts_instance_word(self, d->file), ts_str_text(&d->path),
+				d->append && !one_file_per_frame(d));
+}
+
+void ts_dump_header(struct ts_dump_common *d, struct tsim *sim, const char *what)
+{
+	static const char letter[] = "pfsm"; /* in the order of enum ts_face */
+	const struct ts_box *box = &sim->domain->box;
+
+	if (d->units && d->frames == 1)
+		ts_str_addf(&d->text, "ITEM: UNITS\n%s\n", ts_units_name(sim->units));
+	if (d->time)
+		ts_str_addf(&d->text, "ITEM: TIME\n%.16g\n", ts_sim_time(sim));
+	ts_str_addf(&d->text, "ITEM: TIMESTEP\n%lld\n", (long long)sim->clock.step);
+	if (d->label)
+		ts_str_addf(&d->text, "ITEM: LABEL\n%s\n", d->label);
+	ts_str_addf(&d->text, "ITEM: NUMBER OF %s\n%zu\nITEM: BOX BOUNDS", what, d->nrows);
+	for (int k = 0; k < 3; k++)
+		ts_str_addf(&d->text, " %c%c", letter[box->face[k][0]], letter[box->face[k][1]]);
+	ts_str_add(&d->text, "\n");
+	for (int k = 0; k < 3; k++)
+		ts_str_addf(&d->text, "%g %g\n", box->lo[k], box->hi[k]);
+	ts_str_addf(&d->text, "ITEM: %s ", what);
+	for (size_t k = 0; k < d->ncolumns; k++)
+		ts_str_addf(&d->text, "%s ", d->column[k].input.name);
+	ts_str_add(&d->text, "\n");
+}
+
+static enum ts_status put_text(struct ts_dump_common *d, struct tsim *sim)
+{
+	if (d->text.failed)
+		return ts_nomem(&sim->error);
+	TS_TRY(ts_textfile_write(&d->out, ts_str_text(&d->text), d->text.length));
+	ts_str_clear(&d->text);
+	return TS_OK;
+}
+
+static void add_item(struct ts_dump_common *d, const struct ts_dump_column *c, double value)
+{
+	if (!c->element)
+		ts_format_add(&d->text, c->format, c->integer, value);
+	else if (value >= 1 && value <= (double)d->element.n)
+		ts_str_add(&d->text, d->element.word[(size_t)value - 1].text);
+	else
+		ts_str_addf(&d->text, "%.0f", value);
+}
+
+enum ts_status ts_dump_write_rows(struct ts_dump_common *d, struct tsim *sim, bool trailing)
+{
+	for (size_t row = 0; row < d->nrows; row++) {
+		for (size_t k = 0; k < d->ncolumns; k++) {
+			const struct ts_dump_column *c = &d->column[k];
+
+			add_item(d, c, c->values.data[d->order[row]]);
+			if (trailing || k + 1 < d->ncolumns)
+				ts_str_add_n(&d->text, " ", 1);
+		}
+		ts_str_add_n(&d->text, "\n", 1);
+		if (d->text.length > CHUNK)
+			TS_TRY(put_text(d, sim));
+	}
+	return put_text(d, sim);
+}
+
+/* With maxfiles the oldest frame goes when a new one is there. */
+static enum ts_status drop_oldest(struct ts_dump_common *d, struct tsim *sim)
+{
+	char **slot = &d->old[d->frames % d->nold];
+
+	if (*slot)
+		ts_files_remove(&sim->files, *slot);
+	ts_free(*slot);
+	*slot = ts_strdup(ts_str_text(&d->path));
+	return *slot ? TS_OK : TS_NOMEM;
+}
+
+enum ts_status ts_dump_frame_done(struct ts_dump_common *d, struct tsim *sim)
+{
+	if (!one_file_per_frame(d))
+		return ts_textfile_flush(&d->out);
+	TS_TRY(ts_textfile_close(&d->out));
+	return d->nold && !sim->explain ? drop_oldest(d, sim) : TS_OK;
+}
+
+enum ts_status ts_dump_frame(struct ts_instance *self, struct tsim *sim, bool local)
+{
+	struct ts_dump_common *d = self->state;
+	bool due;
+
+	TS_TRY(ts_dump_due(self, sim, &due));
+	if (!due)
+		return TS_OK;
+	TS_TRY(ts_dump_gather(self, sim, local));
+	TS_TRY(ts_dump_open(self, sim));
+	if (!d->headless)
+		ts_dump_header(d, sim, local ? "ENTRIES" : "ATOMS");
+	TS_TRY(ts_dump_write_rows(d, sim, true));
+	return ts_dump_frame_done(d, sim);
+}
+
+void ts_dump_fini(struct ts_instance *self)
+{
+	struct ts_dump_common *d = self->state;
+
+	ts_textfile_close(&d->out);
+	for (size_t k = 0; k < d->ncolumns; k++)
+		ts_table_release(&d->column[k].values);
+	ts_dump_release_thresholds(d);
+	for (int64_t k = 0; k < d->nold; k++)
+		ts_free(d->old[k]);
+	ts_free(d->old);
+	ts_free(d->order);
+	ts_str_release(&d->text);
+	ts_str_release(&d->path);
+}

@@ -1,0 +1,61 @@
+/* Dump atom: identity, type and position of particles as text. */
+#include "core/sim.h"
+#include "dump/dump.h"
+
+#include "base/banned.h"
+
+struct state {
+	struct ts_dump_common common;
+	bool plain, image; /* what the columns are now */
+};
+
+/* scale yes|no, image yes|no of dump_modify say which columns there are. */
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	static const char *const scaled[] = { "id", "type", "xs", "ys", "zs", "ix", "iy", "iz" };
+	static const char *const plain[] = { "id", "type", "x", "y", "z", "ix", "iy", "iz" };
+	struct state *s = self->state;
+	struct ts_dump_common *d = &s->common;
+	struct ts_word word[8];
+
+	for (size_t k = 0; k < 8; k++)
+		word[k] = (struct ts_word){ .text = d->plain ? plain[k] : scaled[k],
+					    .place = self->where };
+	if (d->column && (s->plain != d->plain || s->image != d->image)) {
+		for (size_t k = 0; k < d->ncolumns; k++)
+			ts_table_release(&d->column[k].values);
+		d->column = NULL; /* made anew, with other names */
+		d->ncolumns = 0;
+	}
+	s->plain = d->plain;
+	s->image = d->image;
+	return ts_dump_columns(self, sim, (struct ts_words){ word, d->image ? 8 : 5 }, false);
+}
+
+static enum ts_status output(struct ts_instance *self, struct tsim *sim)
+{
+	return ts_dump_frame(self, sim, false);
+}
+
+static const struct ts_arg args[] = { TS_DUMP_ARGS(struct state), TS_ARGS_END };
+
+static const struct ts_saved saved[] = { TS_DUMP_SAVED(struct state), TS_SAVED_ROWS_END };
+
+TS_STYLE(dump, ts_style, ts_dump_atom)
+const struct ts_style ts_dump_atom = {
+	.name = "atom",
+	.kind = TS_KIND_DUMP,
+	.summary = "Identity, type and position of particles as text",
+	.doc = "As dump custom with the columns id type xs ys zs: positions from 0 to 1 across the box. "
+	       "dump_modify scale\n"
+	       "no writes x y z instead, image yes adds ix iy iz.",
+	.example = "dump rock all atom 1000 post/rock*.dump\ndump_modify rock scale no image yes",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.saved = saved,
+	.archive = ts_dump_archive,
+	.init = init,
+	.hook[TS_STAGE_OUTPUT] = output,
+	.waits = TS_WAITS(OUTPUT),
+	.fini = ts_dump_fini,
+};

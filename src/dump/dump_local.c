@@ -1,0 +1,56 @@
+/* Dump local: rows of computes and fixes that are not particles, such as bonds and contacts. */
+#include "core/sim.h"
+#include "dump/dump.h"
+
+#include "base/banned.h"
+
+struct state {
+	struct ts_dump_common common;
+	struct ts_words names;
+};
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	const struct state *s = self->state;
+
+	return ts_dump_columns(self, sim, s->names, true);
+}
+
+static enum ts_status output(struct ts_instance *self, struct tsim *sim)
+{
+	return ts_dump_frame(self, sim, true);
+}
+
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
+			   struct ts_plan_report *report)
+{
+	return ts_dump_price(self, sim, true, false, report);
+}
+
+static const struct ts_arg args[] = {
+	TS_DUMP_ARGS(struct state),
+	TS_REST("columns", struct state, names, .help = "what to write: index, c_ID[k], f_ID[k]"),
+	TS_ARGS_END,
+};
+
+static const struct ts_saved saved[] = { TS_DUMP_SAVED(struct state), TS_SAVED_ROWS_END };
+
+TS_STYLE(dump, ts_style, ts_dump_local)
+const struct ts_style ts_dump_local = {
+	.name = "local",
+	.kind = TS_KIND_DUMP,
+	.summary = "Rows of computes and fixes, such as bonds and contacts, as text",
+	.doc = "All columns must have the same number of rows. Rows are ordered by their columns "
+	       "from left to\n"
+	       "right (dump_modify sort off: as they come); index counts them as they are written.",
+	.example =
+		"dump bonds all local 1000 post/bonds.dump index c_bonds[1] c_bonds[2] c_bonds[3]",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.saved = saved,
+	.init = init,
+	.plan = plan,
+	.hook[TS_STAGE_OUTPUT] = output,
+	.waits = TS_WAITS(OUTPUT),
+	.fini = ts_dump_fini,
+};

@@ -1,0 +1,61 @@
+/* The words of dump_modify as rows of an argument table; the state has them in `changes`. */
+#ifndef TS_DUMP_DUMP_MODIFY_H
+#define TS_DUMP_DUMP_MODIFY_H
+
+#include "dump/dump.h"
+
+extern const char *const ts_dump_answers[], *const ts_dump_compressors[];
+
+#define TS_DUMP_ANSWER(T, name, field, help_)                                                      \
+	TS_ENUM(name, T, changes.field, ts_dump_answers, .flags = TS_OPTIONAL, .help = help_)
+#define TS_DUMP_COUNT(T, name, field, least, most, help_)                                          \
+	TS_INT(name, T, changes.field, .flags = TS_OPTIONAL, .range = TS_WITHIN, .lo = least,      \
+	       .hi = most, .help = help_)
+#define TS_DUMP_WORDS(T, name_, field, flags_, help_)                                              \
+	{ .name = name_, .type = TS_ARG_REST, .flags = TS_OPTIONAL | TS_TO_KEYWORD | (flags_),     \
+	  .offset = TS_FIELD(T, changes.field, struct ts_words *), .help = help_ }
+
+/* clang-format off */
+#define TS_DUMP_MODIFY_ROWS(T)                                                                  \
+	TS_NUMBER("every", T, changes.every, .flags = TS_OPTIONAL, .range = TS_POSITIVE,        \
+		  .help = "steps between frames, or a variable that says the step of the next one"), \
+	TS_WORD("sort", T, changes.sort, .flags = TS_OPTIONAL,                                  \
+		.help = "order of rows: id (as from the start), off (as they lie in memory), N or -N (by " \
+			"column N, up or down)"),                                               \
+	TS_DUMP_WORDS(T, "thresh", thresh, TS_REPEAT,                                           \
+	      "quantity, one of < <= > >= == != |^, number or LAST (its value at the last frame; none is " \
+	      "written in the first): only particles for which this holds, and all others given; none " \
+	      "forgets them"),                                           \
+	TS_WORD("region", T, changes.region, .flags = TS_OPTIONAL,                              \
+		.help = "only particles whose centres are in it; none: all"),                   \
+	TS_DUMP_WORDS(T, "format", format, TS_REPEAT,                                           \
+	      "how numbers are written: float F, int F, the number of a column and F, line \"F F ...\" " \
+	      "with one for each column, or none: the defaults again; F is a C format such as %.15g"), \
+	TS_DUMP_COUNT(T, "pad", pad, 0, 20, "digits of the step in file names, filled with zeros"), \
+	TS_DUMP_ANSWER(T, "first", first, "write a frame at the start of the next run in any case"), \
+	TS_DUMP_COUNT(T, "delay", delay, 0, 9e15, "no frame before this step"),                 \
+	TS_DUMP_ANSWER(T, "append", append, "go on with a file that exists instead of writing it anew"), \
+	TS_WORD("label", T, changes.label, .flags = TS_OPTIONAL,                                \
+		.help = "text of an additional ITEM: LABEL of each frame"),                     \
+	TS_DUMP_ANSWER(T, "time", time, "an additional ITEM: TIME of each frame"),              \
+	TS_DUMP_ANSWER(T, "units", units, "an additional ITEM: UNITS of the first frame"),      \
+	TS_DUMP_COUNT(T, "maxfiles", maxfiles, -1, 1000000,                                     \
+	      "keep only so many of the files of single frames, the last; -1: all"),            \
+	TS_DUMP_WORDS(T, "element", element, 0, "names of the types, for the column element and for dump xyz"), \
+	TS_DUMP_ANSWER(T, "scale", scale, "dump atom: positions from 0 to 1 across the box (as from the start)"), \
+	TS_DUMP_ANSWER(T, "image", image, "dump atom: image flags too"),                        \
+	TS_WORD("refresh", T, changes.refresh, .flags = TS_OPTIONAL,                            \
+		.help = "c_ID of a compute displace/atom that starts anew after each frame, as its own " \
+			"words say"),                                                           \
+	TS_DUMP_ANSWER(T, "header", header, "the ITEM lines of each frame (as from the start)"), \
+	TS_DUMP_ANSWER(T, "buffer", buffer, "no effect: frames are written in large pieces"),   \
+	TS_ENUM("compressor", T, changes.compressor, ts_dump_compressors, .flags = TS_OPTIONAL, \
+		.help = "no effect: VTK files are compressed with zlib"),                       \
+	TS_DUMP_ANSWER(T, "flush", flush, "no effect: every frame is handed to the system at once"), \
+	TS_DUMP_ANSWER(T, "pbc", pbc, "no effect: positions are wrapped when neighbours are searched"), \
+	TS_DUMP_ANSWER(T, "binary", binary, "numbers of .vtk files as bytes, not as text; other VTK files always"),      \
+	TS_DUMP_COUNT(T, "fileper", fileper, 1, 1000000, "no effect: there is one process"),    \
+	TS_DUMP_COUNT(T, "nfile", nfile, 1, 1000000, "no effect: there is one process")
+/* clang-format on */
+
+#endif

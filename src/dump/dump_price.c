@@ -1,0 +1,84 @@
+/* How much a dump writes, for -explain: the frame as it would be now, rows sampled. */
+#include <math.h>
+#include <string.h>
+
+#include "dump/dump.h"
+
+#include "base/banned.h"
+
+/* Part of the size that is left by zlib: of text, of numbers of 8 bytes, of identities and the like. */
+static const double TEXT_LEFT = 0.45, REAL_LEFT = 0.9, INTEGER_LEFT = 0.25;
+static const double NUMBER_WIDTH = 11; /* of a number that is 0 only because nothing has moved yet */
+static const double HEADER = 200;
+enum { SAMPLE = 200 };
+
+static double column_width(struct ts_dump_common *d, const struct ts_dump_column *c)
+{
+	size_t n = d->nrows < SAMPLE ? d->nrows : SAMPLE;
+	double width = 0;
+
+	for (size_t k = 0; k < n; k++) {
+		double value = c->values.data[d->order[k * (d->nrows / n)]];
+
+		ts_str_clear(&d->text);
+		ts_format_add(&d->text, c->format, c->integer, value);
+		width += c->integer || fabs(value) > 0 ? (double)d->text.length : NUMBER_WIDTH;
+	}
+	return n ? width / (double)n + 1 : 0;
+}
+
+static double frame_size(struct ts_dump_common *d, bool vtk)
+{
+	double row = vtk ? 3 * 8 * REAL_LEFT : 1;
+
+	for (size_t k = 0; k < d->ncolumns; k++) {
+		if (!vtk)
+			row += column_width(d, &d->column[k]);
+		else
+			row += 8 * (d->column[k].integer ? INTEGER_LEFT : REAL_LEFT);
+	}
+	if (!vtk && ts_ends_with(d->file, ".gz"))
+		row *= TEXT_LEFT;
+	return HEADER + (double)d->nrows * row;
+}
+
+/* Multiples of its interval, and the first step if that is one or `first` was asked for. */
+static int64_t frames(const struct ts_dump_common *d, const struct tsim *sim)
+{
+	int64_t step = sim->clock.step;
+	bool now = step % d->every == 0 || (d->first && d->frames == 0);
+
+	return ts_report_times(sim, d->every) + (now && !(d->frames && d->last == step));
+}
+
+enum ts_status ts_dump_price_frame(struct ts_instance *self, struct tsim *sim, double bytes,
+				   struct ts_plan_report *report)
+{
+	struct ts_dump_common *d = self->state;
+	struct ts_str name = { 0 };
+	enum ts_status status;
+
+	if (!sim->explain || sim->log.quiet)
+		return TS_OK;
+	ts_str_addf(&name, "dump %s %s", self->id, d->file);
+	status = ts_report_output(report, ts_str_text(&name), frames(d, sim), bytes);
+	ts_str_release(&name);
+	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
+}
+
+enum ts_status ts_dump_price(struct ts_instance *self, struct tsim *sim, bool local, bool vtk,
+			     struct ts_plan_report *report)
+{
+	struct ts_dump_common *d = self->state;
+
+	if (!sim->explain || sim->log.quiet)
+		return TS_OK;
+	/* what has no value before the first step is not counted */
+	if (ts_dump_gather(self, sim, local) != TS_OK) {
+		if (sim->error.status == TS_NOMEM)
+			return TS_NOMEM;
+		ts_error_clear(&sim->error);
+		d->nrows = 0;
+	}
+	return ts_dump_price_frame(self, sim, frame_size(d, vtk), report);
+}

@@ -1,0 +1,250 @@
+/* Which particles a dump writes, and in which order. */
+#ifndef _GNU_SOURCE
+#define _GNU_SOURCE /* qsort_r */
+#endif
+#include "dump/dump.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "particle/particles.h"
+#include "region/region.h"
+
+#include "base/banned.h"
+
+enum { LESS, LESS_EQUAL, GREATER, GREATER_EQUAL, EQUAL, UNEQUAL, EITHER };
+static const char *const operators[] = { "<", "<=", ">", ">=", "==", "!=", "|^", NULL };
+
+static bool holds(int operator, double a, double b)
+{
+	switch (operator) {
+	case LESS:
+		return a < b;
+	case LESS_EQUAL:
+		return a <= b;
+	case GREATER:
+		return a > b;
+	case GREATER_EQUAL:
+		return a >= b;
+	case EQUAL:
+		return a == b;
+	case UNEQUAL:
+		return a != b;
+	default:
+		return (a == 0) != (b == 0);
+	}
+}
+
+void ts_dump_release_thresholds(struct ts_dump_common *d)
+{
+	d->restored = 0;
+	for (size_t k = 0; k < d->nthresholds; k++)
+		ts_table_release(&d->threshold[k].value.values);
+	d->nthresholds = 0;
+}
+
+/* A column that keeps a value and, as 1, that it is known. */
+enum { VALUE, KNOWN, WIDTH };
+
+static enum ts_status last_column(struct ts_instance *self, struct tsim *sim, size_t k, size_t *column)
+{
+	struct ts_str name = { 0 };
+	enum ts_status status;
+
+	ts_str_addf(&name, "dump %s last %zu", self->id, k);
+	status = name.failed ? ts_nomem(&sim->error)
+			     : ts_particles_add_column(sim, ts_str_text(&name), WIDTH, TS_COL_RESULT,
+						       column);
+	ts_str_release(&name);
+	return status;
+}
+
+static size_t count_last(const struct ts_dump_common *d)
+{
+	size_t n = 0;
+
+	for (size_t k = 0; k < d->nthresholds; k++)
+		n += d->threshold[k].last;
+	return n;
+}
+
+static double *last_of(const struct tsim *sim, const struct ts_dump_threshold *t, size_t i)
+{
+	return (double *)sim->particles->column[t->column].data + WIDTH * i;
+}
+
+static enum ts_status keep_last(struct ts_instance *self, struct tsim *sim, struct ts_dump_threshold *t)
+{
+	const struct ts_dump_common *d = self->state;
+	size_t k = count_last(d);
+
+	TS_TRY(last_column(self, sim, k, &t->column));
+	for (size_t i = 0; k >= d->restored && i < sim->particles->n; i++)
+		last_of(sim, t, i)[KNOWN] = 0; /* the column may be left over from another dump */
+	return TS_OK;
+}
+
+enum ts_status ts_dump_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive)
+{
+	struct ts_dump_common *d = self->state;
+	size_t n = ts_archive_writing(archive) ? count_last(d) : SIZE_MAX, column;
+	char name[32];
+
+	for (size_t k = 0; k < n; k++) {
+		snprintf(name, sizeof name, "last %zu", k);
+		if (!ts_archive_writing(archive) && !ts_archive_has(archive, name))
+			break;
+		TS_TRY(last_column(self, sim, k, &column));
+		TS_TRY(ts_particles_archive_column(archive, sim, name, column));
+		d->restored = k + 1;
+	}
+	return TS_OK;
+}
+
+static enum ts_status read_threshold(struct ts_instance *self, struct tsim *sim,
+				     struct ts_words words, struct ts_dump_threshold *t)
+{
+	const char *name;
+
+	if (words.n < 3)
+		return ts_fail(&sim->error, TS_SYNTAX, &words.word[0].place,
+			       "dump_modify: thresh takes a quantity, one of < <= > >= == != |^, and a "
+			       "number, or none");
+	while (operators[t->operator] && !ts_streq(operators[t->operator], words.word[1].text))
+		t->operator++;
+	if (!operators[t->operator])
+		return ts_fail(&sim->error, TS_SYNTAX, &words.word[1].place,
+			       "dump_modify: thresh: '%s' is none of < <= > >= == != |^",
+			       words.word[1].text);
+	t->last = ts_streq(words.word[2].text, "LAST");
+	if (!t->last && !ts_parse_real(words.word[2].text, &t->limit))
+		return ts_fail(&sim->error, TS_SYNTAX, &words.word[2].place,
+			       "dump_modify: thresh: '%s' is no number, nor LAST", words.word[2].text);
+	name = ts_arena_strdup(&self->arena, words.word[0].text);
+	if (!name)
+		return ts_nomem(&sim->error);
+	t->value.input = (struct ts_ref_input){ .name = name, .where = words.word[0].place };
+	if (t->last)
+		TS_TRY(keep_last(self, sim, t));
+	return ts_dump_make_column(self, sim, &t->value, false);
+}
+
+enum ts_status ts_dump_set_thresholds(struct ts_instance *self, struct tsim *sim,
+				      struct ts_words words)
+{
+	struct ts_dump_common *d = self->state;
+
+	while (words.n) {
+		struct ts_dump_threshold *all, new = { 0 };
+
+		if (ts_streq(words.word[0].text, "none")) {
+			ts_dump_release_thresholds(d);
+			words = ts_words_from(words, 1);
+			continue;
+		}
+		TS_TRY(read_threshold(self, sim, words, &new));
+		all = ts_arena_alloc(&self->arena, d->nthresholds + 1, sizeof *all);
+		if (!all)
+			return ts_nomem(&sim->error);
+		for (size_t k = 0; k < d->nthresholds; k++)
+			all[k] = d->threshold[k];
+		all[d->nthresholds] = new;
+		d->threshold = all;
+		d->nthresholds++;
+		words = ts_words_from(words, 3);
+	}
+	return TS_OK;
+}
+
+static enum ts_status find_region(struct ts_instance *self, struct tsim *sim,
+				  struct ts_instance **out)
+{
+	const struct ts_dump_common *d = self->state;
+
+	*out = d->region ? ts_sim_find(sim, TS_KIND_REGION, d->region) : NULL;
+	if (*out || !d->region)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, &self->where, "dump %s: its region '%s' is gone",
+		       self->id, d->region);
+}
+
+/* With LAST the value becomes that of the last frame, for all particles. */
+static bool passes_one(const struct tsim *sim, const struct ts_dump_threshold *t, size_t i)
+{
+	double value = t->value.values.data[i], *last;
+	bool yes;
+
+	if (!t->last)
+		return holds(t->operator, value, t->limit);
+	last = last_of(sim, t, i);
+	yes = last[KNOWN] > 0 && holds(t->operator, value, last[VALUE]);
+	last[VALUE] = value;
+	last[KNOWN] = 1;
+	return yes;
+}
+
+static bool passes(const struct tsim *sim, const struct ts_dump_common *d, size_t i)
+{
+	bool yes = true;
+
+	for (size_t k = 0; k < d->nthresholds; k++)
+		yes &= passes_one(sim, &d->threshold[k], i);
+	return yes;
+}
+
+/* Of equal values the smaller identity comes first. */
+struct order {
+	const int32_t *tag;
+	const double *value; /* NULL: by identity */
+	int sign;
+};
+
+static int compare(const void *a, const void *b, void *context)
+{
+	const struct order *by = context;
+	int32_t i = *(const int32_t *)a, j = *(const int32_t *)b;
+
+	if (by->value && by->value[i] != by->value[j])
+		return by->value[i] > by->value[j] ? by->sign : -by->sign;
+	return (by->tag[i] > by->tag[j]) - (by->tag[i] < by->tag[j]);
+}
+
+static enum ts_status sort(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_dump_common *d = self->state;
+	int64_t column = d->sort_by < 0 ? -d->sort_by : d->sort_by;
+	struct order by = { .tag = sim->particles->tag, .sign = d->sort_by < 0 ? -1 : 1 };
+
+	if ((size_t)column > d->ncolumns)
+		return ts_fail(&sim->error, TS_RANGE, &self->where,
+			       "dump %s: sort by column %lld, but there are %zu", self->id,
+			       (long long)column, d->ncolumns);
+	if (column)
+		by.value = d->column[column - 1].values.data;
+	if (!d->unsorted && d->nrows)
+		qsort_r(d->order, d->nrows, sizeof *d->order, compare, &by);
+	return TS_OK;
+}
+
+enum ts_status ts_dump_select(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_dump_common *d = self->state;
+	const struct ts_particles *p = sim->particles;
+	struct ts_instance *region;
+
+	TS_TRY(find_region(self, sim, &region));
+	if (region)
+		TS_TRY(ts_region_update(region, sim));
+	for (size_t k = 0; k < d->nthresholds; k++) {
+		TS_TRY(ts_dump_make_column(self, sim, &d->threshold[k].value, false));
+		TS_TRY(ts_dump_evaluate(&d->threshold[k].value, sim));
+	}
+	if (TS_GROW(d->order, d->order_capacity, p->n) != TS_OK)
+		return ts_nomem(&sim->error);
+	d->nrows = 0;
+	for (size_t i = 0; i < p->n; i++)
+		if (passes(sim, d, i) && ts_in_group(p, i, self->group) &&
+		    (!region || ts_region_contains(region, p->x[i])))
+			d->order[d->nrows++] = (int32_t)i;
+	return sort(self, sim);
+}

@@ -1,0 +1,111 @@
+#include "energy/contact_energy.h"
+
+#include "bond/bonds.h"
+#include "contact/row_loop.h"
+#include "law/elastic_energy.h"
+#include "particle/moments.h"
+
+#include "base/banned.h"
+
+static double of_row(const struct tsim *sim, const struct ts_pair *pair, size_t r)
+{
+	const struct ts_rows *rows = &sim->neigh->rows;
+	const struct ts_particles *p = sim->particles;
+	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r], width = rows->history_width;
+	const struct ts_granular_model *model = ts_pair_model(pair, p->type[i], p->type[j]);
+	struct ts_touch t;
+
+	ts_row_touch(p, i, j, model, &t);
+	ts_granular_stand_out(model, width ? rows->history + r * width : NULL, &t);
+	if (!(t.overlap > 0) && !ts_granular_reaches(model))
+		return 0;
+	return ts_granular_energy(model, ts_pair_law(pair, p->type[i], p->type[j]), &t,
+				  width ? rows->history + r * width : NULL);
+}
+
+static double of_contacts(const struct tsim *sim, size_t i)
+{
+	const struct ts_rows *rows = &sim->neigh->rows;
+	const struct ts_instance *inst = ts_sim_only(sim, TS_KIND_PAIR);
+	const struct ts_gather *g = &rows->gather;
+	double sum = 0;
+
+	for (size_t k = g->first[i]; inst && k < g->first[i + 1]; k++)
+		if (rows->touching[g->entry[k] >> 1])
+			sum += of_row(sim, inst->state, g->entry[k] >> 1);
+	return sum;
+}
+
+static double of_bonds(const struct tsim *sim, size_t i)
+{
+	const struct ts_bonds *bonds = sim->bonds;
+	const struct ts_instance *inst = ts_sim_only(sim, TS_KIND_BOND);
+	const struct ts_gather *g = &bonds->gather;
+	double sum = 0;
+
+	for (size_t k = g->first[i]; inst && k < g->first[i + 1]; k++) {
+		const struct ts_bond *state = inst->state;
+		size_t b = g->entry[k] >> 1;
+		struct ts_contact_view view;
+
+		ts_bond_view(sim, b, &view);
+		sum += ts_bond_style_of(inst)->energy(
+			ts_coeff(&state->coeffs, (size_t)bonds->type[b]),
+			view.distance - bonds->rest[b]);
+	}
+	return sum;
+}
+
+double ts_energy_of(const struct tsim *sim, size_t i, const struct ts_energy_parts *parts)
+{
+	double sum = 0;
+
+	if (parts->pair && sim->neigh->rows.n)
+		sum += 0.5 * of_contacts(sim, i);
+	if (parts->bond && sim->bonds->n)
+		sum += 0.5 * of_bonds(sim, i);
+	return sum;
+}
+
+enum ts_status ts_energy_require(struct tsim *sim, const struct ts_instance *self,
+				 const struct ts_energy_parts *parts)
+{
+	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
+	const struct ts_instance *bond = ts_sim_only(sim, TS_KIND_BOND);
+
+	if (parts->pair && pair &&
+	    !ts_granular_has_energy(&((const struct ts_pair *)pair->state)->model))
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       ts_cohesion_bridges(&((const struct ts_pair *)pair->state)->model)
+				       ? "bridges of liquid have no potential energy: what they give back depends on the "
+					 "liquid that there is when they break"
+				       : "hooke/hysteresis has no potential energy: what a contact that has yielded "
+					 "gives back depends on the way it opens");
+	if (parts->bond && bond && sim->bonds->n && !ts_bond_style_of(bond)->energy)
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "bond style %s has no potential energy", bond->style->name);
+	return ts_contacts_require(sim, self);
+}
+
+static void term(const struct tsim *sim, size_t i, void *context, double *out)
+{
+	*out = ts_energy_of(sim, i, context);
+}
+
+static enum ts_status total(struct ts_instance *self, struct tsim *sim, struct ts_energy_parts parts,
+			    double *out)
+{
+	TS_TRY(ts_energy_require(sim, self, &parts));
+	ts_group_sum(sim, 0, 1, term, &parts, out);
+	return TS_OK;
+}
+
+enum ts_status ts_pair_energy(struct ts_instance *self, struct tsim *sim, double *out)
+{
+	return total(self, sim, (struct ts_energy_parts){ .pair = true }, out);
+}
+
+enum ts_status ts_bond_energy(struct ts_instance *self, struct tsim *sim, double *out)
+{
+	return total(self, sim, (struct ts_energy_parts){ .bond = true }, out);
+}

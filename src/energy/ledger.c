@@ -1,0 +1,519 @@
+/* What the ledger sees in each stage of a step. */
+#include "energy/ledger.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "bond/bonds.h"
+#include "contact/pair.h"
+#include "core/plan.h"
+#include "math/quaternion.h"
+#include "particle/particles.h"
+#include "rigid/rigid.h"
+#include "wall/wall.h"
+
+#include "base/banned.h"
+
+enum { NOTHING_DUE = -1 };
+
+static const char *name_of(struct tsim *sim, const struct ts_instance *by)
+{
+	char name[160];
+
+	snprintf(name, sizeof name, "%s %s", ts_kind_name(by->style->kind),
+		 *by->id ? by->id : by->style->name);
+	return ts_pool_get(sim->pool, name);
+}
+
+enum ts_status ts_ledger_actor(struct tsim *sim, struct ts_ledger *l, const struct ts_instance *by,
+			       size_t *k)
+{
+	const char *name = name_of(sim, by);
+
+	if (!name)
+		return ts_nomem(&sim->error);
+	for (*k = 0; *k < l->nactors; ++*k)
+		if (ts_streq(l->actor[*k].name, name))
+			break;
+	if (*k < l->nactors)
+		return TS_OK;
+	if (TS_GROW(l->actor, l->actor_capacity, *k + 1) != TS_OK)
+		return ts_nomem(&sim->error);
+	memset(&l->actor[*k], 0, sizeof *l->actor);
+	l->actor[l->nactors++].name = name;
+	return TS_OK;
+}
+
+static enum ts_status column(struct tsim *sim, const struct ts_ledger *l, const char *of, size_t width,
+			     size_t *index)
+{
+	char name[240];
+
+	snprintf(name, sizeof name, "energy/ledger %s: %s", l->name, of);
+	return ts_particles_add_column(sim, name, width, TS_COL_RESULT, index);
+}
+
+static bool is_wall(const struct ts_instance *inst)
+{
+	return inst->style->family && ts_streq(inst->style->family, TS_FAMILY_WALL);
+}
+
+/* Whose forces are told from others by what the action adds. */
+static int pushes(const struct ts_instance *inst)
+{
+	if (is_wall(inst))
+		return TS_LEDGER_IS_WALL;
+	return inst->style->hook[TS_STAGE_PRE_FORCE] || inst->style->hook[TS_STAGE_FORCE] ||
+	       inst->style->hook[TS_STAGE_POST_FORCE];
+}
+
+static enum ts_status name_actors(struct tsim *sim, struct ts_ledger *l, enum ts_kind kind)
+{
+	const struct ts_instances *list = &sim->instances[kind];
+	size_t a;
+
+	for (size_t k = 0; k < list->n; k++) {
+		TS_TRY(ts_ledger_actor(sim, l, list->item[k], &a));
+		l->actor[a].by = list->item[k];
+		if (list->item[k]->state == l) {
+			l->rest = a;
+			l->actor[a].pushes = TS_LEDGER_PUSHES;
+		}
+		if (pushes(list->item[k]))
+			l->actor[a].pushes = pushes(list->item[k]);
+	}
+	return TS_OK;
+}
+
+/* Those that are gone keep their column as long as it carries their last forces. */
+static enum ts_status add_columns(struct tsim *sim, struct ts_ledger *l)
+{
+	TS_TRY(column(sim, l, "contacts and bonds", TS_LEDGER_COLUMN, &l->column));
+	for (size_t a = 0; a < l->nactors; a++)
+		if (l->actor[a].pushes)
+			TS_TRY(column(sim, l, l->actor[a].name, TS_CAUSE_NUMBERS, &l->actor[a].column));
+	return TS_OK;
+}
+
+/* Room for what is kept of each particle within a step; after they have come, gone or changed places it is
+ * meaningless anyway. */
+static enum ts_status make_room(struct tsim *sim, struct ts_ledger *l)
+{
+	struct ts_particles *p = sim->particles;
+	size_t n = p->n + 1;
+	size_t room[7] = { l->capacity, l->capacity, l->capacity, l->capacity,
+			   l->capacity, l->capacity, l->capacity };
+
+	if (l->capacity >= n)
+		return TS_OK;
+	if (TS_GROW(l->v, room[0], n) != TS_OK || TS_GROW(l->omega, room[1], n) != TS_OK ||
+	    TS_GROW(l->seen_v, room[2], n) != TS_OK || TS_GROW(l->seen_omega, room[3], n) != TS_OK ||
+	    TS_GROW(l->f, room[4], n) != TS_OK || TS_GROW(l->torque, room[5], n) != TS_OK ||
+	    TS_GROW(l->kicker, room[6], n) != TS_OK)
+		return ts_nomem(&sim->error);
+	l->capacity = room[0];
+	return TS_OK;
+}
+
+static void look_at_forces(const struct tsim *sim, struct ts_ledger *l)
+{
+	const struct ts_particles *p = sim->particles;
+
+	if (p->n)
+		memcpy(l->f, p->f, p->n * sizeof *p->f);
+	if (p->n && p->torque)
+		memcpy(l->torque, p->torque, p->n * sizeof *p->torque);
+}
+
+/* Before forces are made: those of the last step have done their work. */
+static enum ts_status clear(struct tsim *sim, struct ts_ledger *l)
+{
+	struct ts_particles *p = sim->particles;
+
+	for (size_t i = 0; i < p->n; i++) {
+		double *cause = ts_ledger_causes(l, p, i);
+
+		if (cause[TS_LEDGER_BUSY] > 0)
+			memset(cause, 0, TS_NCAUSE * TS_CAUSE_NUMBERS * sizeof *cause);
+		cause[TS_LEDGER_BUSY] = 0;
+	}
+	for (size_t a = 0; a < l->nactors; a++)
+		if (l->actor[a].pushes && p->n)
+			memset(p->column[l->actor[a].column].data, 0,
+			       p->n * TS_CAUSE_NUMBERS * sizeof(double));
+	for (int k = 0; k < TS_NCONTACT_STORE; k++)
+		l->store[ts_ledger_store(TS_LEDGER_WALL, k)] = 0;
+	l->notes = 0;
+	l->split = l->made = 1;
+	ts_ledger_heat_clear(l);
+	look_at_forces(sim, l);
+	return TS_OK;
+}
+
+/* What acts on a body as a whole goes through the first of its members: a force with a torque that moves it to the
+ * centre of mass. */
+static void book_external(struct tsim *sim, struct ts_ledger *l, const struct ts_column *column)
+{
+	struct ts_rigid *rigid = sim->rigid;
+	const struct ts_particles *p = sim->particles;
+
+	for (size_t b = 0; b < rigid->n && b < l->bodies; b++) {
+		size_t i = (size_t)rigid->member[rigid->start[b]];
+		double *to = (double *)column->data + i * column->width;
+		double push[3], m[3][3], arm[3], turn[3];
+
+		ts_sub(rigid->body[b].external, l->body[b].external, push);
+		ts_quaternion_matrix(rigid->body[b].q, m);
+		ts_rotate(m, p->body_x[i], arm);
+		ts_cross(arm, push, turn);
+		ts_axpy(1, push, to + TS_CAUSE_FORCE);
+		ts_axpy(-1, turn, to + TS_CAUSE_TORQUE);
+		memcpy(l->body[b].external, rigid->body[b].external, sizeof push);
+	}
+}
+
+/* What the action has added to the forces. */
+static enum ts_status book_forces(struct tsim *sim, struct ts_ledger *l, size_t actor)
+{
+	struct ts_particles *p = sim->particles;
+	const struct ts_column *column = &p->column[l->actor[actor].column];
+
+	for (size_t i = 0; i < p->n; i++) {
+		double *to = (double *)column->data + i * column->width;
+
+		for (int d = 0; d < 3; d++) {
+			to[TS_CAUSE_FORCE + d] += p->f[i][d] - l->f[i][d];
+			if (p->torque)
+				to[TS_CAUSE_TORQUE + d] += p->torque[i][d] - l->torque[i][d];
+		}
+	}
+	book_external(sim, l, column);
+	return TS_OK;
+}
+
+static enum ts_status watch_forces(struct tsim *sim, struct ts_ledger *l, struct ts_instance *by)
+{
+	size_t actor;
+
+	if (by->style->kind == TS_KIND_PAIR)
+		TS_TRY(ts_ledger_take_pairs(sim, l));
+	else if (by->style->kind == TS_KIND_BOND)
+		TS_TRY(ts_ledger_take_bonds(sim, l));
+	TS_TRY(ts_ledger_actor(sim, l, by, &actor));
+	if (is_wall(by))
+		TS_TRY(ts_ledger_take_wall(sim, l, by, actor));
+	else if (l->actor[actor].pushes && sim->acted.stage > TS_STAGE_PRE_FORCE)
+		TS_TRY(book_forces(sim, l, actor));
+	if (sim->acted.stage > TS_STAGE_PRE_FORCE)
+		ts_ledger_heat_flux(sim, l, actor);
+	look_at_forces(sim, l);
+	return TS_OK;
+}
+
+static double all(const double *value, size_t n)
+{
+	double sum = 0;
+
+	for (size_t k = 0; k < n; k++)
+		sum += value[k];
+	return sum;
+}
+
+/* The kinetic energy as it is; what it has gained is booked on who acted. */
+static enum ts_status look(struct tsim *sim, struct ts_ledger *l, struct ts_running *book)
+{
+	double before = l->kinetic[0] + l->kinetic[1];
+
+	ts_ledger_kinetic(sim, l->kinetic);
+	if (book && l->open)
+		ts_running_add(book, l->kinetic[0] + l->kinetic[1] - before);
+	l->most = fmax(l->most, l->kinetic[0] + l->kinetic[1] + all(l->store, TS_NSTORE));
+	return TS_OK;
+}
+
+static bool velocities_changed(const struct tsim *sim, const struct ts_ledger *l)
+{
+	const struct ts_particles *p = sim->particles;
+
+	return l->generation != sim->generation || l->n != p->n ||
+	       (p->n && memcmp(l->seen_v, p->v, p->n * sizeof *p->v) != 0) ||
+	       (p->n && p->omega && memcmp(l->seen_omega, p->omega, p->n * sizeof *p->omega) != 0);
+}
+
+static enum ts_status remember(struct tsim *sim, struct ts_ledger *l)
+{
+	struct ts_particles *p = sim->particles;
+
+	TS_TRY(make_room(sim, l));
+	l->n = p->n;
+	l->generation = sim->generation;
+	if (p->n)
+		memcpy(l->seen_v, p->v, p->n * sizeof *p->v);
+	if (p->n && p->omega)
+		memcpy(l->seen_omega, p->omega, p->n * sizeof *p->omega);
+	return TS_OK;
+}
+
+static enum ts_status archive_column(struct tsim *sim, struct ts_archive *a, size_t index)
+{
+	return ts_particles_archive_column(a, sim, sim->particles->column[index].name, index);
+}
+
+enum ts_status ts_ledger_archive_columns(struct tsim *sim, struct ts_ledger *l, struct ts_archive *a)
+{
+	TS_TRY(add_columns(sim, l));
+	TS_TRY(archive_column(sim, a, l->column));
+	for (size_t k = 0; k < l->nactors; k++)
+		if (l->actor[k].pushes)
+			TS_TRY(archive_column(sim, a, l->actor[k].column));
+	return TS_OK;
+}
+
+/* What commands have changed since the last run is seen now; springs, when forces have been made. */
+static enum ts_status begin_run(struct tsim *sim, struct ts_ledger *l)
+{
+	l->due = NOTHING_DUE;
+	l->stepping = l->made = l->looking = false;
+	memcpy(l->store_before, l->store, sizeof l->store);
+	if (l->open)
+		TS_TRY(look(sim, l, &l->between));
+	return remember(sim, l);
+}
+
+enum ts_status ts_ledger_init(struct ts_instance *self, struct tsim *sim)
+{
+	static const enum ts_kind kinds[] = { TS_KIND_SYSTEM, TS_KIND_FLOW, TS_KIND_FIX };
+	const struct ts_instance *bond = ts_sim_only(sim, TS_KIND_BOND), *pair = ts_sim_only(sim, TS_KIND_PAIR);
+	struct ts_ledger *l = self->state;
+
+	if (bond && !ts_bond_style_of(bond)->energy)
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix %s: bond style %s has no potential energy", self->style->name,
+			       bond->style->name);
+	if (pair && ts_cohesion_bridges(&((const struct ts_pair *)pair->state)->model))
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix %s: bridges of liquid (cohesion) have no potential energy, so there are no books of it",
+			       self->style->name);
+	l->name = self->id;
+	sim->neigh->shown = true;
+	for (size_t a = 0; a < l->nactors; a++)
+		l->actor[a].by = NULL;
+	for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
+		TS_TRY(name_actors(sim, l, kinds[k]));
+	ts_walls_want_reports(sim);
+	TS_TRY(add_columns(sim, l));
+	return begin_run(sim, l);
+}
+
+/* Forces changed after they were made, before their first kick of the next step: of particles that are in a stream yet, or
+ * get the drag of a fluid that has made its step. Bodies are kicked by their own. */
+static enum ts_status watch_late(struct tsim *sim, struct ts_ledger *l)
+{
+	struct ts_particles *p = sim->particles;
+	size_t bytes = p->n * sizeof *p->f;
+
+	if (!p->n || (memcmp(l->f, p->f, bytes) == 0 &&
+		      (!p->torque || memcmp(l->torque, p->torque, bytes) == 0)))
+		return TS_OK;
+	for (size_t i = 0; i < p->n; i++) {
+		const struct ts_column *c = &p->column[l->actor[l->rest].column];
+		double *to = (double *)c->data + i * c->width;
+
+		for (int d = 0; d < 3 && !ts_rigid_member(p, i); d++) {
+			to[TS_CAUSE_FORCE + d] += p->f[i][d] - l->f[i][d];
+			if (p->torque)
+				to[TS_CAUSE_TORQUE + d] += p->torque[i][d] - l->torque[i][d];
+		}
+	}
+	look_at_forces(sim, l);
+	return TS_OK;
+}
+
+/* Outside the stages of kicks: whatever changes velocities or masses does so directly. */
+static enum ts_status watch_others(struct tsim *sim, struct ts_ledger *l, struct ts_instance *by)
+{
+	size_t n = l->n, actor;
+
+	if (!velocities_changed(sim, l) &&
+	    !(by->style->kind == TS_KIND_FIX && sim->acted.stage == TS_STAGE_POST_INTEGRATE))
+		return TS_OK;
+	TS_TRY(ts_ledger_actor(sim, l, by, &actor));
+	TS_TRY(look(sim, l, l->stepping ? &l->actor[actor].own : &l->between));
+	if (l->stepping && sim->particles->n < n)
+		TS_TRY(ts_ledger_take_away(sim, l));
+	return remember(sim, l);
+}
+
+/* The kicks of the last stage are done. */
+static enum ts_status settle(struct tsim *sim, struct ts_ledger *l)
+{
+	int due = l->due;
+
+	l->due = NOTHING_DUE;
+	if (due == NOTHING_DUE || !l->open)
+		return TS_OK;
+	TS_TRY(ts_ledger_kick(sim, l, due == TS_STAGE_FINAL_INTEGRATE));
+	TS_TRY(look(sim, l, NULL));
+	return remember(sim, l);
+}
+
+static enum ts_status begin(struct tsim *sim, struct ts_ledger *l)
+{
+	int stage = sim->acted.stage;
+
+	bool kicks = stage == TS_STAGE_INITIAL_INTEGRATE || stage == TS_STAGE_FINAL_INTEGRATE;
+
+	TS_TRY(settle(sim, l));
+	TS_TRY(make_room(sim, l));
+	l->stepping |= stage == TS_STAGE_INITIAL_INTEGRATE;
+	if (l->stepping && stage == TS_STAGE_PRE_FORCE)
+		ts_ledger_heat_look(sim, l);
+	if (stage == TS_STAGE_FORCE)
+		TS_TRY(ts_ledger_hold_rows(sim, l));
+	if (stage == TS_STAGE_POST_FORCE)
+		TS_TRY(ts_ledger_hold_walls(sim, l));
+	if (kicks)
+		l->due = stage;
+	if (kicks || (stage >= TS_STAGE_PRE_FORCE && stage <= TS_STAGE_POST_FORCE))
+		return ts_ledger_kick_start(sim, l);
+	return TS_OK;
+}
+
+enum ts_status ts_ledger_watch(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_ledger *l = self->state;
+	struct ts_instance *by = sim->acted.self;
+	int stage = sim->acted.stage;
+	size_t actor;
+
+	if (!by)
+		return begin(sim, l);
+	if (l->due != NOTHING_DUE) {
+		TS_TRY(ts_ledger_actor(sim, l, by, &actor));
+		ts_ledger_kick_mark(sim, l, actor);
+		if (stage == TS_STAGE_FINAL_INTEGRATE)
+			ts_ledger_heat_advance(sim, l, by, actor);
+		return TS_OK;
+	}
+	if (stage == TS_STAGE_PRE_FORCE && by->style == &ts_neigh_system.style)
+		return clear(sim, l);
+	if (stage >= TS_STAGE_PRE_FORCE && stage <= TS_STAGE_POST_FORCE)
+		TS_TRY(watch_forces(sim, l, by));
+	if (stage == TS_STAGE_END_OF_STEP && l->stepping)
+		TS_TRY(watch_late(sim, l));
+	return watch_others(sim, l, by);
+}
+
+enum ts_status ts_ledger_settle(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_ledger *l = self->state;
+
+	TS_TRY(settle(sim, l));
+	l->newest = sim->particles->max_tag;
+	return TS_OK;
+}
+
+/* A run that goes on with the forces of the last step: what their contacts and bonds store is known, and what they
+ * did if the ledger was there. */
+static enum ts_status take_all(struct tsim *sim, struct ts_ledger *l)
+{
+	const struct ts_instance *wall;
+	size_t k = 0, actor;
+
+	TS_TRY(ts_ledger_take_pairs(sim, l));
+	TS_TRY(ts_ledger_take_bonds(sim, l));
+	while (ts_walls_next(sim, &k, &wall)) {
+		TS_TRY(ts_ledger_actor(sim, l, wall, &actor));
+		TS_TRY(ts_ledger_take_wall(sim, l, wall, actor));
+	}
+	return TS_OK;
+}
+
+static double parts_of(const struct ts_ledger *l, const struct ts_particles *p, size_t i, int number)
+{
+	const double *cause = ts_ledger_causes(l, p, i) + number;
+	double sum = 0;
+
+	for (int c = 0; c < TS_NCAUSE; c++)
+		sum += cause[c * TS_CAUSE_NUMBERS];
+	return sum;
+}
+
+/* The ledger is new: forces that are not of contacts and bonds were made by others before it came. */
+static enum ts_status take_rest(struct tsim *sim, struct ts_ledger *l)
+{
+	const struct ts_particles *p = sim->particles;
+	const struct ts_column *c;
+
+	TS_TRY(clear(sim, l));
+	TS_TRY(take_all(sim, l));
+	c = &p->column[l->actor[l->rest].column];
+	for (size_t i = 0; i < p->n; i++) {
+		double *to = (double *)c->data + i * c->width;
+
+		for (int d = 0; d < 3; d++) {
+			to[TS_CAUSE_FORCE + d] = p->f[i][d] - parts_of(l, p, i, TS_CAUSE_FORCE + d);
+			if (p->torque)
+				to[TS_CAUSE_TORQUE + d] =
+					p->torque[i][d] - parts_of(l, p, i, TS_CAUSE_TORQUE + d);
+		}
+	}
+	TS_TRY(ts_ledger_kick_start(sim, l));
+	for (size_t b = 0; b < l->bodies; b++)
+		memset(l->body[b].external, 0, sizeof l->body[b].external);
+	book_external(sim, l, c);
+	return TS_OK;
+}
+
+static void open_books(const struct tsim *sim, struct ts_ledger *l)
+{
+	memcpy(l->start_kinetic, l->kinetic, sizeof l->kinetic);
+	memcpy(l->start_store, l->store, sizeof l->store);
+	memset(l->moved, 0, sizeof l->moved);
+	l->first = sim->clock.step;
+	l->first_time = ts_sim_time(sim);
+	l->most = l->kinetic[0] + l->kinetic[1] + all(l->store, TS_NSTORE);
+	l->open = 1;
+}
+
+enum ts_status ts_ledger_setup(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_ledger *l = self->state;
+
+	TS_TRY(make_room(sim, l));
+	l->looking = !l->made && l->split;
+	if (l->looking)
+		l->notes = 0;
+	if (!l->made)
+		TS_TRY(l->split ? take_all(sim, l) : take_rest(sim, l));
+	l->looking = false;
+	l->newest = sim->particles->max_tag;
+	TS_TRY(look(sim, l, &l->between));
+	TS_TRY(remember(sim, l));
+	ts_ledger_heat_look(sim, l);
+	for (int k = 0; k < TS_NSTORE && l->open && l->made; k++)
+		ts_running_add(&l->moved[k], l->store[k] - l->store_before[k]);
+	if (!l->open)
+		open_books(sim, l);
+	return TS_OK;
+}
+
+void ts_ledger_fini(struct ts_instance *self)
+{
+	struct ts_ledger *l = self->state;
+
+	ts_free(l->actor);
+	ts_free(l->v);
+	ts_free(l->omega);
+	ts_free(l->seen_v);
+	ts_free(l->seen_omega);
+	ts_free(l->f);
+	ts_free(l->torque);
+	ts_free(l->kicker);
+	ts_free(l->body);
+	ts_free(l->row_energy);
+	ts_free(l->memory);
+	ts_free(l->wall_memory);
+	ts_free(l->note);
+	ts_free(l->bond);
+}

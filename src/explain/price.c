@@ -1,0 +1,254 @@
+/* The trial runs in a forked copy of the process, so that particles, styles, random streams and files of
+ * the simulation cannot be touched by it. Threads do not survive a fork, and OpenMP keeps its own for each
+ * thread that uses it: the copy works in a new thread, which starts a new team. */
+#include "explain/price.h"
+
+#include <errno.h>
+#include <math.h>
+#include <poll.h>
+#include <pthread.h>
+#include <signal.h>
+#include <stdio.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "base/clock.h"
+
+#include "base/banned.h"
+
+static const double TRIAL = 0.3;  /* seconds for one run */
+static const double TRIALS = 2;	  /* seconds for all runs of a script */
+static const double CROWD = 0.15; /* seconds for the steps with the particles together */
+static const double PART = 0.05;  /* seconds for the steps with something that is left out */
+static const double STILL = 1e-6; /* part of the time step with which these are made */
+enum { LONGEST_WAIT = 20000 };	  /* milliseconds until a trial is given up */
+
+struct trial {
+	struct ts_plan *plan;
+	struct tsim *sim;
+	double budget;
+	unsigned full; /* parts to be done nevertheless; then nothing but the time of a step is found */
+	int64_t steps;
+	int to;
+	struct ts_price price;
+};
+
+/* The first output: what each dump needs for a frame. */
+static enum ts_status try_frames(struct trial *t, double *seconds)
+{
+	const struct ts_plan *plan = t->plan;
+
+	for (size_t k = 0; k < plan->n[TS_STAGE_OUTPUT]; k++) {
+		const struct ts_action *action = &plan->actions[TS_STAGE_OUTPUT][k];
+		double start = ts_clock();
+
+		TS_TRY(action->hook(action->self, t->sim));
+		seconds[k] = ts_clock() - start;
+	}
+	return TS_OK;
+}
+
+/* Frames that come too rarely to be among the steps tried. */
+static void add_rare_frames(struct trial *t, const double *seconds)
+{
+	const struct ts_plan *plan = t->plan;
+
+	for (size_t k = 0; k < plan->n[TS_STAGE_OUTPUT]; k++) {
+		const struct ts_instance *dump = plan->actions[TS_STAGE_OUTPUT][k].self;
+
+		if (dump->style->kind == TS_KIND_DUMP && dump->every > t->price.steps)
+			t->price.frames += seconds[k] * (double)(t->steps / dump->every);
+	}
+}
+
+/* Steps for so many seconds; the first one finds cold memory: it counts only if there is time for no other. */
+static enum ts_status try_for(struct trial *t, double budget, double *seconds, int64_t *steps)
+{
+	double start = ts_clock(), first = start;
+
+	TS_TRY(ts_plan_step(t->plan, t->sim));
+	*seconds = ts_clock() - first;
+	*steps = 1;
+	first = ts_clock();
+	while (ts_clock() - start < budget && *steps < t->steps) {
+		TS_TRY(ts_plan_step(t->plan, t->sim));
+		*seconds = (ts_clock() - first) / (double)(*steps)++;
+	}
+	ts_sweep(t->sim);
+	return TS_OK;
+}
+
+/* With the particles together but hardly moving: a rebuild is paid for as often as before. */
+static enum ts_status try_crowd(struct trial *t)
+{
+	const struct ts_instances *systems = &t->sim->instances[TS_KIND_SYSTEM];
+	double often = (double)t->plan->rebuilds / (double)t->price.steps, start, seconds;
+	int64_t steps;
+
+	for (size_t k = 0; k < systems->n; k++) {
+		const struct ts_system_style *style =
+			(const struct ts_system_style *)systems->item[k]->style;
+
+		if (style->crowd)
+			TS_TRY(style->crowd(systems->item[k], t->sim));
+	}
+	t->sim->clock.dt *= STILL;
+	start = ts_clock();
+	TS_TRY(ts_plan_stages(t->plan, t->sim, TS_STAGE_PRE_EXCHANGE, TS_STAGE_POST_BUILD));
+	often *= ts_clock() - start;
+	TS_TRY(ts_plan_stages(t->plan, t->sim, TS_STAGE_PRE_FORCE, TS_STAGE_FINAL_INTEGRATE));
+	TS_TRY(try_for(t, CROWD, &seconds, &steps));
+	t->price.crowded = fmax(t->price.seconds, seconds + often);
+	return TS_OK;
+}
+
+static enum ts_status try_steps(struct trial *t, double *frames)
+{
+	struct ts_price *price = &t->price;
+
+	TS_TRY(ts_plan_first_forces(t->plan, t->sim, true));
+	TS_TRY(try_frames(t, frames));
+	TS_TRY(try_for(t, t->budget, &price->seconds, &price->steps));
+	price->crowded = price->seconds;
+	add_rare_frames(t, frames);
+	return TS_OK;
+}
+
+/* The copy does more than the scene does. */
+static enum ts_status make_full(struct trial *t)
+{
+	struct tsim *sim = t->sim;
+
+	if (!t->full)
+		return TS_OK;
+	sim->full |= t->full;
+	if (t->full & TS_FULL_THREADS)
+		sim->grain = 1;
+	TS_TRY(ts_plan_compile(t->plan, sim));
+	return ts_plan_stages(t->plan, sim, TS_STAGE_BUILD, TS_STAGE_POST_BUILD);
+}
+
+static void *in_copy(void *data)
+{
+	struct trial *t = data;
+	struct ts_price price;
+	double *frames = ts_alloc(t->plan->n[TS_STAGE_OUTPUT] + 1, sizeof *frames);
+
+	t->sim->planned = false; /* values count here */
+	t->sim->log.quiet = true;
+	t->sim->log.progress = false;
+	if (!frames || make_full(t) != TS_OK || try_steps(t, frames) != TS_OK)
+		t->price = (struct ts_price){ .seconds = NAN };
+	else if (!t->full)
+		try_crowd(t); /* if that fails there is only the first value */
+	price = t->price;
+	if (write(t->to, &price, sizeof price) < 0)
+		t->price.steps = 0;
+	ts_free(frames);
+	return NULL;
+}
+
+/* Never comes back. */
+static void be_copy(struct trial *t)
+{
+	pthread_t thread;
+
+	signal(SIGINT, SIG_DFL);
+	signal(SIGTERM, SIG_DFL);
+	if (t->sim->threads == 1)
+		in_copy(t);
+	else if (pthread_create(&thread, NULL, in_copy, t) == 0)
+		pthread_join(thread, NULL);
+	_exit(0);
+}
+
+static void listen_to(int from, pid_t copy, struct ts_price *out)
+{
+	struct pollfd wait = { .fd = from, .events = POLLIN };
+
+	if (poll(&wait, 1, LONGEST_WAIT) != 1 || read(from, out, sizeof *out) != sizeof *out)
+		*out = (struct ts_price){ .seconds = NAN };
+	kill(copy, SIGKILL);
+	while (waitpid(copy, NULL, 0) < 0 && errno == EINTR)
+		continue;
+}
+
+static void try_in_copy(struct trial *t, struct ts_price *out)
+{
+	int ends[2];
+	pid_t copy;
+
+	*out = (struct ts_price){ .seconds = NAN };
+	if (pipe(ends) != 0)
+		return;
+	t->to = ends[1];
+	fflush(NULL); /* or the copy would write what waits, too */
+	copy = fork();
+	if (copy == 0)
+		be_copy(t);
+	close(ends[1]);
+	if (copy > 0)
+		listen_to(ends[0], copy, out);
+	close(ends[0]);
+}
+
+enum ts_status ts_price_steps(struct ts_plan *plan, struct tsim *sim, struct ts_price *out)
+{
+	struct trial t = { .plan = plan, .sim = sim };
+	double start = ts_clock();
+
+	t.steps = sim->clock.last_step - sim->clock.step;
+	t.budget = fmin(TRIAL, TRIALS - sim->bill.tried);
+	*out = sim->bill.last;
+	out->steps = 0;
+	out->frames = 0;
+	if (t.steps < 1 || (t.budget <= 0 && isfinite(sim->bill.last.seconds)))
+		return TS_OK;
+	try_in_copy(&t, out);
+	sim->bill.tried += ts_clock() - start;
+	sim->bill.last = *out;
+	return TS_OK;
+}
+
+enum ts_status ts_price_full(struct ts_plan *plan, struct tsim *sim, unsigned part, double *out)
+{
+	struct trial t = { .plan = plan, .sim = sim, .full = part };
+	double start = ts_clock();
+	struct ts_price price;
+
+	t.steps = sim->clock.last_step - sim->clock.step;
+	t.budget = fmin(PART, TRIALS - sim->bill.tried);
+	*out = NAN;
+	if (t.steps < 1 || t.budget <= 0)
+		return TS_OK;
+	try_in_copy(&t, &price);
+	sim->bill.tried += ts_clock() - start;
+	if (price.steps > 2) /* the first one finds cold memory */
+		*out = price.seconds;
+	return TS_OK;
+}
+
+void ts_price_time(double seconds, struct ts_str *out)
+{
+	static const struct {
+		double least;
+		const char *name;
+	} unit[] = { { 2 * 86400, "days" }, { 2 * 3600, "h" }, { 2 * 60, "min" }, { 1, "s" },
+		     { 1e-3, "ms" },	    { 1e-6, "us" } };
+	static const double length[] = { 86400, 3600, 60, 1, 1e-3, 1e-6 };
+	size_t k = 0;
+
+	while (k < 5 && seconds < unit[k].least)
+		k++;
+	ts_str_addf(out, "%.3g %s", seconds / length[k], unit[k].name);
+}
+
+void ts_price_bytes(double bytes, struct ts_str *out)
+{
+	static const char *const unit[] = { "bytes", "kB", "MB", "GB", "TB" };
+	size_t k = 0;
+
+	for (; k < 4 && bytes >= 1000; k++)
+		bytes /= 1000;
+	ts_str_addf(out, "%.3g %s", bytes, unit[k]);
+}

@@ -1,0 +1,241 @@
+/* Dump flow/vtk: the fields of the fluid, cell by cell, for ParaView. */
+#include <string.h>
+
+#include "dump/dump_vtk.h"
+#include "flow/carried.h"
+#include "flow/flow.h"
+#include "flow/measure.h"
+
+#include "base/banned.h"
+
+enum { VELOCITY, PRESSURE, VOID, VORTICITY, NFIELDS };
+
+struct state {
+	struct ts_dump_vtk vtk;
+	struct ts_words words, chosen; /* as given; all there are without words */
+	struct ts_name_list list;      /* of the chosen */
+	struct ts_vtk_array *array;    /* one for each, in the arena */
+};
+
+typedef void fill_fn(const struct ts_fluid *fluid, const int cell[3], double *out);
+
+static size_t at(const struct ts_fluid *fluid, const int cell[3])
+{
+	return ts_at(&fluid->grid, cell[0], cell[1], cell[2]);
+}
+
+static void pressure(const struct ts_fluid *fluid, const int cell[3], double *out)
+{
+	*out = fluid->p[at(fluid, cell)];
+}
+
+static void empty(const struct ts_fluid *fluid, const int cell[3], double *out)
+{
+	*out = fluid->empty ? fluid->empty[at(fluid, cell)] : 1;
+}
+
+static const struct field {
+	const char *name;
+	size_t components;
+	fill_fn *fill;
+} fields[] = {
+	[VELOCITY] = { "velocity", 3, ts_flow_centre_velocity },
+	[PRESSURE] = { "pressure", 1, pressure },
+	[VOID] = { "void", 1, empty },
+	[VORTICITY] = { "vorticity", 3, ts_flow_centre_vorticity },
+	[NFIELDS] = { NULL, 0, NULL },
+};
+
+/* Which file can hold the grid. */
+static enum ts_status check_name(struct ts_instance *self, struct tsim *sim)
+{
+	const char *file = ((const struct state *)self->state)->vtk.common.file;
+	bool image = ts_ends_with(file, ".vti"), graded = false;
+	struct ts_fluid *fluid;
+
+	TS_TRY(ts_flow_require_fluid(sim, "dump flow/vtk", &self->where, &fluid));
+	for (int d = 0; d < 3; d++)
+		graded |= !fluid->grid.uniform[d];
+	if (!image && !ts_ends_with(file, ".vtr"))
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, file),
+			       "dump flow/vtk: the name of the file must end in .vti or .vtr, found '%s'",
+			       file);
+	if (image && graded)
+		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, file),
+			       "dump flow/vtk: a .vti file holds uniform grids, this one is graded: use a "
+			       "name that ends in .vtr");
+	return TS_OK;
+}
+
+/* "f_ID" */
+static const char *name_of(struct ts_instance *self, const struct ts_instance *fix)
+{
+	size_t n = strlen(fix->id) + 1;
+	char *name = ts_arena_alloc(&self->arena, n + 2, 1);
+
+	if (name) {
+		memcpy(name, "f_", 2);
+		memcpy(name + 2, fix->id, n);
+	}
+	return name;
+}
+
+/* Without words: all fields there are, and all that fixes carry. */
+static enum ts_status take_all(struct ts_instance *self, struct tsim *sim, const struct ts_fluid *fluid)
+{
+	const struct ts_instance *fix;
+	size_t most = NFIELDS, n = 0, k = 0;
+	struct ts_word *word;
+
+	while (ts_flow_next_carrier(sim, &k))
+		most++;
+	word = ts_arena_alloc(&self->arena, most, sizeof *word);
+	if (!word)
+		return ts_nomem(&sim->error);
+	for (int field = 0; field < NFIELDS; field++)
+		if (field != VOID || fluid->empty)
+			word[n++].text = fields[field].name;
+	for (k = 0; (fix = ts_flow_next_carrier(sim, &k)); n++)
+		if (!(word[n].text = name_of(self, fix)))
+			return ts_nomem(&sim->error);
+	((struct state *)self->state)->chosen = (struct ts_words){ word, n };
+	return TS_OK;
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	struct ts_fluid *fluid;
+
+	TS_TRY(check_name(self, sim));
+	TS_TRY(ts_flow_require_fluid(sim, "dump flow/vtk", &self->where, &fluid));
+	s->chosen = s->words;
+	if (!s->words.n)
+		TS_TRY(take_all(self, sim, fluid));
+	s->list.item = NULL; /* there may be more than before */
+	TS_TRY(ts_flow_names_read(sim, "dump flow/vtk", &self->arena, s->chosen, fields, sizeof *fields,
+				  &s->list));
+	s->array = ts_arena_alloc(&self->arena, s->list.n, sizeof *s->array);
+	return s->array ? TS_OK : ts_nomem(&sim->error);
+}
+
+static size_t components(int field)
+{
+	return field == TS_FLOW_CARRIED ? 1 : fields[field].components;
+}
+
+static size_t columns(const struct state *s)
+{
+	size_t n = 0;
+
+	for (size_t k = 0; k < s->list.n; k++)
+		n += components(s->list.item[k]);
+	return n;
+}
+
+/* By the function, or of the field alone. */
+static void fill_cells(const struct ts_fluid *fluid, fill_fn *fill, const double *carried, size_t n,
+		       double *to)
+{
+	const struct ts_grid *grid = &fluid->grid;
+	int cell[3];
+
+	for (cell[2] = 0; cell[2] < grid->n[2]; cell[2]++)
+		for (cell[1] = 0; cell[1] < grid->n[1]; cell[1]++)
+			for (cell[0] = 0; cell[0] < grid->n[0]; cell[0]++, to += n)
+				if (fill)
+					fill(fluid, cell, to);
+				else
+					*to = carried[at(fluid, cell)];
+}
+
+static enum ts_status fill(struct ts_instance *self, struct tsim *sim, const struct ts_fluid *fluid)
+{
+	struct state *s = self->state;
+	double *to = s->vtk.merged.data;
+
+	for (size_t k = 0; k < s->list.n; k++) {
+		int field = s->list.item[k];
+		size_t n = components(field);
+		const double *carried = NULL;
+
+		if (field == TS_FLOW_CARRIED)
+			TS_TRY(ts_flow_carried(sim, "dump flow/vtk", &s->chosen.word[k], &carried));
+		s->array[k] = (struct ts_vtk_array){ s->chosen.word[k].text, to, n, false };
+		fill_cells(fluid, carried ? NULL : fields[field].fill, carried, n, to);
+		to += ts_grid_cells(&fluid->grid) * n;
+	}
+	return TS_OK;
+}
+
+static enum ts_status output(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	struct ts_vtk_grid grid = { .ncell_data = s->list.n };
+	struct ts_fluid *fluid;
+	bool due;
+
+	TS_TRY(ts_dump_due(self, sim, &due));
+	if (!due)
+		return TS_OK;
+	TS_TRY(ts_flow_require_fluid(sim, "dump flow/vtk", &self->where, &fluid));
+	if (ts_table_resize(&s->vtk.merged, ts_grid_cells(&fluid->grid), columns(s)) != TS_OK)
+		return ts_nomem(&sim->error);
+	TS_TRY(fill(self, sim, fluid));
+	grid.cell_data = s->array;
+	for (int d = 0; d < 3; d++) {
+		grid.face[d] = fluid->grid.face[d];
+		grid.n[d] = (size_t)fluid->grid.n[d];
+	}
+	grid.time = ts_sim_time(sim);
+	TS_TRY(ts_dump_vtk_path(&s->vtk.common, sim));
+	TS_TRY(ts_vtk_write_grid(sim, ts_str_text(&s->vtk.common.path), &self->where, &grid));
+	return ts_dump_vtk_list(self, sim);
+}
+
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
+{
+	const double left = 0.9 * 4 / 3; /* by zlib, then in base64 */
+	const struct state *s = self->state;
+	struct ts_fluid *fluid;
+
+	TS_TRY(ts_flow_require_fluid(sim, "dump flow/vtk", &self->where, &fluid));
+	return ts_dump_price_frame(self, sim,
+				   8 * left * (double)(columns(s) * ts_grid_cells(&fluid->grid)), report);
+}
+
+static const struct ts_arg args[] = {
+	TS_INT("every", struct state, vtk.common.every, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+	       .help = "steps between frames"),
+	TS_WORD("file", struct state, vtk.common.file, .flags = TS_POSITIONAL | TS_WRITES,
+		.help = "name of the frames, ending in .vti (uniform grids) or .vtr (any), with a `*` for the "
+			"step"),
+	TS_REST_OPTIONAL("fields", struct state, words,
+			 .help = "velocity, pressure, void, vorticity, f_ID (a scalar that a fix carries with "
+				 "the fluid); without: all there are"),
+	TS_ARGS_END,
+};
+
+static const struct ts_saved saved[] = { TS_DUMP_VTK_SAVED(struct state), TS_SAVED_ROWS_END };
+
+TS_STYLE(dump, ts_style, ts_dump_flow_vtk)
+const struct ts_style ts_dump_flow_vtk = {
+	.name = "flow/vtk",
+	.kind = TS_KIND_DUMP,
+	.summary = "The fields of the fluid for ParaView",
+	.doc = "Values of the cells: velocity (in the middle of the cell: mean of its faces), pressure, void fraction, "
+	       "vorticity\ncurl u (mean of the edges of the cell), what fix flow/scalar carries (f_ID). A .vti file is an image, three spacings instead "
+	       "of coordinates, for uniform\ngrids; .vtr has the faces of all axes. With a `*` in the name there is "
+	       "one file for each frame and a collection\nNAME.pvd with the times of all of them, which is what to "
+	       "open. Files and collection appear when they are complete.",
+	.example = "dump fields all flow/vtk 1000 post/flow*.vti\n"
+		   "dump speed all flow/vtk 1000 post/speed*.vtr velocity",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.saved = saved,
+	.archive = ts_dump_vtk_archive,
+	.init = init,
+	.plan = plan,
+	.hook[TS_STAGE_OUTPUT] = output,
+	.fini = ts_dump_vtk_fini,
+};

@@ -1,0 +1,222 @@
+#include "coupling/flow_force.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/review.h"
+#include "coupling/volume_spread.h"
+#include "flow/projection.h"
+#include "force/restraint.h"
+#include "particle/body.h"
+#include "particle/particles.h"
+#include "rigid/rigid.h"
+
+#include "base/banned.h"
+
+enum { BY_VOLUME = 2 }; /* of interpolation */
+static const char *const interpolations[] = { "linear", "cell", "volume", NULL };
+
+struct state {
+	struct ts_flow_force force; /* first */
+	int interpolation, how;
+	const struct ts_instance *room; /* who makes the void fraction */
+	struct ts_restraints restraints;
+};
+
+/* ---- by volume: as much of the gradient in each cell as of the particle is there
+ *
+ * A face has half of what the two cells beside it have of a particle. So all particles together have (1 - e) of the
+ * gradient at each face, and the fluid the rest. */
+
+struct push {
+	const struct ts_fluid *fluid;
+	const double *p;
+	double f[3];
+};
+
+static double slope(const struct push *push, int d, size_t at, int i)
+{
+	const struct ts_grid *grid = &push->fluid->grid;
+
+	return (push->p[at] - push->p[at - (size_t)grid->stride[d]]) / grid->gap[d][i];
+}
+
+static void add_cell(void *context, const int cell[3], double volume)
+{
+	struct push *push = context;
+	const struct ts_grid *grid = &push->fluid->grid;
+	const size_t at = ts_at(grid, cell[0], cell[1], cell[2]);
+
+	for (int d = 0; d < grid->dimensions; d++) {
+		bool low = grid->periodic[d] || cell[d] > 0, high = grid->periodic[d] || cell[d] < grid->n[d] - 1;
+		double below = low ? slope(push, d, at, cell[d]) : 0;
+		double above = high ? slope(push, d, at + (size_t)grid->stride[d], cell[d] + 1) : below;
+
+		push->f[d] -= volume * 0.5 * ((low ? below : above) + above);
+	}
+}
+
+static void by_volume(const struct state *s, const struct tsim *sim, size_t i, const double place[3],
+		      const int cell[3], const double *p, double f[3])
+{
+	const struct ts_fluid *fluid = s->force.fluid;
+	struct push push = { .fluid = fluid, .p = p };
+	struct ts_spread_how how;
+
+	((const struct ts_flow_part *)s->room->state)->spread(s->room, sim, &how);
+	ts_spread_each(&fluid->grid, &how, place, cell, sim->particles->radius[i], add_cell, &push);
+	for (int d = 0; d < 3; d++)
+		f[d] = fluid->grid.by_depth ? push.f[d] / fluid->grid.width[2][0] : push.f[d];
+}
+
+static void act(const struct ts_instance *self, const struct tsim *sim, size_t i,
+		const struct ts_flow_around *around, double f[3], double torque[3])
+{
+	const struct state *s = self->state;
+	const struct ts_fluid *fluid = s->force.fluid;
+	double volume = ts_body_volume(sim, sim->particles->radius[i]);
+
+	(void)torque;
+	if (s->how == BY_VOLUME) {
+		by_volume(s, sim, i, around->place, around->cell, fluid->p, f);
+		return;
+	}
+	for (int c = 0; c < fluid->grid.dimensions; c++) {
+		struct ts_share share;
+
+		ts_share_face(fluid, c, around->place, around->cell, (enum ts_interpolation)s->how, &share);
+		f[c] = -volume * ts_share_gradient(&fluid->grid, &share, c, fluid->p);
+	}
+}
+
+/* ---- the pressure of the step, which is known after it */
+
+static void add_change(struct ts_instance *self, const struct tsim *sim, size_t i, double share)
+{
+	struct state *s = self->state;
+	struct ts_particles *p = sim->particles;
+	double *note = s->force.total.note[i], place[3], more[3];
+	int cell[3];
+
+	if (!ts_fluid_place(s->force.fluid, p->x[i], place, cell))
+		return;
+	by_volume(s, sim, i, place, cell, s->force.fluid->p_mean, more);
+	for (int k = 0; k < 3; k++) {
+		more[k] -= note[k];
+		note[k] += more[k];
+	}
+	ts_restraints_leave(&s->restraints, sim, i, more);
+	for (int k = 0; k < 3; k++)
+		p->f[i][k] += share * more[k];
+}
+
+static enum ts_status settle(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid, double length)
+{
+	struct state *s = self->state;
+	const struct ts_particles *p = sim->particles;
+	const double share = 1 / ts_fluid_kicks_left(sim);
+
+	(void)fluid;
+	(void)length;
+	if (s->force.total.n != p->n)
+		return TS_OK;
+	TS_TRY(ts_restraints_prepare(&s->restraints, sim));
+	s->force.total.fresh = true;
+#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
+	for (size_t i = 0; i < p->n; i++)
+		if (ts_in_group(p, i, self->group) && p->imass[i] != 0 && !ts_rigid_member(p, i))
+			add_change(self, sim, i, share);
+	return TS_OK;
+}
+
+/* ---- life */
+
+static const struct ts_instance *find_room(const struct tsim *sim)
+{
+	const struct ts_instance *part;
+
+	for (size_t k = 0; (part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));)
+		if (((const struct ts_flow_part *)part->state)->spread)
+			return part;
+	return NULL;
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	bool whole;
+
+	TS_TRY(ts_flow_force_init(self, sim));
+	s->room = find_room(sim);
+	whole = s->room && ts_streq(s->force.flow->style->family, TS_FAMILY_PROJECTION) &&
+		((const struct ts_projection *)s->force.flow->state)->form == TS_FORM_CONSERVATIVE;
+	s->how = s->interpolation >= 0 ? s->interpolation : whole ? BY_VOLUME : TS_INTERPOLATE_LINEAR;
+	if (s->how == BY_VOLUME && !s->room)
+		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "volume"),
+			       "fix flow/pressure_gradient: interpolation volume needs a fix void_fraction, which says where "
+			       "the volume is");
+	s->force.part.settle = s->how == BY_VOLUME && whole ? settle : NULL;
+	TS_TRY(ts_restraints_find(&s->restraints, sim, self, false));
+	return s->force.part.settle ? ts_fluid_want(s->force.fluid, sim, TS_FLUID_P_MEAN) : TS_OK;
+}
+
+/* Where nothing can leave through faces, that momentum is not kept is a change of it that should not be. */
+static enum ts_status review(struct ts_instance *self, struct tsim *sim)
+{
+	const struct state *s = self->state;
+	const struct ts_grid *grid = &s->force.fluid->grid;
+
+	for (int d = 0; d < grid->dimensions; d++)
+		if (!grid->periodic[d])
+			return TS_OK;
+	if (!s->room || s->force.part.settle || sim->review.steps <= 1)
+		return TS_OK;
+	return ts_review_find(sim, "momentum", &self->where,
+			      "the box is periodic on all sides, but with fix %s beside fix %s the momentum of particles and fluid "
+			      "together drifts, by 1e-3 to 1e-2 of what they exchange; use `flow_style projection ... form "
+			      "conservative` and leave `interpolation` here to its default: it is kept to round-off then",
+			      self->style->name, s->room->style->name);
+}
+
+static void fini(struct ts_instance *self)
+{
+	ts_restraints_release(&((struct state *)self->state)->restraints);
+	ts_flow_force_fini(self);
+}
+
+static const struct ts_arg args[] = {
+	TS_ENUM("interpolation", struct state, interpolation, interpolations, .flags = TS_OPTIONAL,
+		.help = "of the gradient to the particle: between faces, mean of its cell, or by its volume in cells; "
+			"default: linear, with form conservative and fix void_fraction volume"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(fix, ts_flow_force_style, ts_fix_flow_pressure_gradient)
+const struct ts_flow_force_style ts_fix_flow_pressure_gradient = {
+	.style = {
+		.name = "flow/pressure_gradient",
+		.summary = "force of the fluid's pressure gradient on each particle",
+		.doc = "F = -V_p grad p, the gradient interpolated from the faces of cells; next to a boundary that of\n"
+		       "the nearest face inside. Where the weight of the fluid is in its equations (flow_style projection\n"
+		       "body_force) and held by walls, that contains the buoyancy; else add fix buoyancy.\n\n"
+		       "The reaction needs nothing: with fix void_fraction the fluid has -e grad p, and the particles the\n"
+		       "rest of -grad p. Without, the fluid is also where the particle is, and that part of it feels and\n"
+		       "follows the gradient. With flow_style projection form conservative and fix void_fraction the gradient is\n"
+		       "that of the cells in which the volume of the particle lies (interpolation volume), of the pressure that\n"
+		       "the fluid takes in the same step: momentum of particles and fluid together is kept to round-off. Else\n"
+		       "it is kept to 1e-3 to 1e-2 of it: doc/coupling.md says why. Held particles and members of rigid bodies\n"
+		       "get the pressure of the step before. f_ID[1] ... [3] is the total.",
+		.example = "flow_style projection cells 10 10 40 viscosity 1.8e-5 density 1.2 body_force 0 0 -9.81\n"
+			   "fix lift all flow/pressure_gradient",
+		.args = args,
+		.state_size = sizeof(struct state),
+		.init = init,
+		.review = review,
+		.archive = ts_flow_force_archive,
+		.fini = fini,
+		TS_FLOW_FORCE_SLOTS,
+	},
+	.act = act,
+	.solved = true,
+	.internal = true,
+};

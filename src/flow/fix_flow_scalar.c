@@ -1,0 +1,482 @@
+/* Fix flow/scalar: heat, or what else the fluid carries. */
+#include "flow/transport.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/plan.h"
+#include "coupling/cell_order.h"
+#include "coupling/share.h"
+#include "flow/flow.h"
+#include "flow/projection.h"
+#include "heat/heat.h"
+#include "law/drag.h"
+#include "law/lift.h"
+#include "math/exactsum.h"
+
+#include "base/banned.h"
+
+enum { EXCHANGE_NONE, RANZ_MARSHALL };
+static const char *const exchanges[] = { "none", "ranz_marshall", NULL };
+enum { FACES = 6 };
+static const char *const faces[FACES] = { "xlo", "xhi", "ylo", "yhi", "zlo", "zhi" };
+
+struct condition {
+	int kind; /* enum ts_scalar_condition */
+	struct ts_number number;
+};
+
+struct state {
+	struct ts_flow_part part; /* first */
+	int scheme, exchange;
+	double conductivity, capacity;
+	struct ts_number initial, source;
+	struct ts_words set, face_words[FACES];
+	struct condition condition[FACES];
+
+	struct ts_fluid *fluid;
+	struct ts_heat *heat;
+	struct ts_transport transport;
+	struct ts_cell_order order;
+	bool read, known; /* the words; the field */
+	int64_t steps;	  /* whose heat is in transport.source */
+	double *given;	  /* heat by time into each particle */
+	size_t given_capacity;
+	double exchanged; /* in all, in the last step */
+	size_t size;	  /* of the fields */
+	struct tsim *sim; /* evaluation may fail */
+};
+
+/* ---- words */
+
+static const struct ts_arg number_rows[] = {
+	TS_NUMBER("number", struct condition, number, .flags = TS_POSITIONAL, .help = "number or v_NAME"),
+	TS_ARGS_END,
+};
+
+static const struct ts_arg no_rows[] = { TS_ARGS_END };
+
+static const struct ts_mode conditions[] = {
+	[TS_SCALAR_NONE] = { "none", "nothing by diffusion", no_rows },
+	[TS_SCALAR_VALUE] = { "value", "T on the face", number_rows },
+	[TS_SCALAR_FLUX] = { "flux", "heat by area and time into the fluid", number_rows },
+	{ .name = NULL },
+};
+
+static const struct ts_arg condition_rows[] = {
+	TS_MODE("condition", struct condition, kind, conditions, .help = "what is given"),
+	TS_ARGS_END,
+};
+
+static enum ts_status read_words(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	for (int k = 0; k < FACES; k++)
+		if (s->face_words[k].n)
+			TS_TRY(ts_args_parse(sim, "fix flow/scalar", condition_rows, s->face_words[k],
+					     &self->where, &self->arena, &s->condition[k]));
+	s->read = true;
+	return TS_OK;
+}
+
+/* Values on faces as they are now; a flux in units of T times velocity. */
+static enum ts_status conditions_now(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	double amount = s->fluid->density * s->capacity;
+
+	for (int k = 0; k < FACES; k++) {
+		const struct condition *c = &s->condition[k];
+		struct ts_scalar_face *face = &s->transport.face[k / 2][k % 2];
+
+		face->condition = c->kind;
+		if (c->kind == TS_SCALAR_NONE)
+			continue;
+		if (s->fluid->grid.periodic[k / 2])
+			return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, faces[k]),
+				       "fix flow/scalar: the grid is periodic there, it has no face %s",
+				       faces[k]);
+		TS_TRY(ts_number_now(sim, &c->number, &self->where, &face->now));
+		if (c->kind == TS_SCALAR_FLUX)
+			face->now /= amount;
+	}
+	TS_TRY(ts_number_now(sim, &s->source, &self->where, &s->transport.constant));
+	s->transport.constant /= amount;
+	return TS_OK;
+}
+
+static enum ts_status begin_field(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	const struct ts_grid *grid = &s->fluid->grid;
+	const char *set[3] = { NULL };
+	struct ts_arena arena = { 0 };
+	enum ts_status status = ts_flow_read_set(sim, "fix flow/scalar: set", s->set, &self->where, &arena,
+						 set);
+
+	for (int k = 0; k < grid->n[2] && status == TS_OK; k++)
+		for (int j = 0; j < grid->n[1] && status == TS_OK; j++)
+			for (int i = 0; i < grid->n[0] && status == TS_OK; i++) {
+				const double x[3] = { grid->centre[0][i], grid->centre[1][j],
+						      grid->centre[2][k] };
+
+				status = ts_flow_set_coordinates(sim, set, x, &self->where);
+				if (status == TS_OK)
+					status = ts_number_now(sim, &s->initial, &self->where,
+							       &s->transport.value[ts_at(grid, i, j, k)]);
+			}
+	ts_arena_release(&arena);
+	s->known = status == TS_OK;
+	return status;
+}
+
+/* ---- life */
+
+static enum ts_status carry(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid, double dt);
+static enum ts_status settle(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
+			     double length);
+
+static enum ts_status find_heat(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	s->heat = s->exchange == EXCHANGE_NONE ? NULL : ts_heat_of(sim);
+	if (s->exchange == EXCHANGE_NONE)
+		return TS_OK;
+	if (!s->heat || s->heat->scheme == TS_HEAT_EXACT)
+		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "exchange"),
+			       "fix flow/scalar: exchange needs particles with temperatures: put a fix heat/gran "
+			       "with scheme euler before it");
+	if (!(s->conductivity > 0 && s->fluid->viscosity > 0))
+		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "exchange"),
+			       "fix flow/scalar: exchange needs a conductivity and a viscosity of the fluid");
+	return TS_OK;
+}
+
+static enum ts_status make_fields(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	struct ts_transport *t = &s->transport;
+	size_t size = s->fluid->grid.size;
+
+	if (t->value && s->size != size) { /* another grid */
+		ts_transport_release(t);
+		s->known = false;
+	}
+	if (!t->value && ts_transport_make(t, s->fluid) != TS_OK)
+		return ts_nomem(&sim->error);
+	if (s->fluid->empty && !t->empty) {
+		t->empty = ts_grid_field(&s->fluid->grid);
+		if (!t->empty)
+			return ts_nomem(&sim->error);
+		memcpy(t->empty, s->fluid->empty, size * sizeof *t->empty);
+	}
+	s->size = size;
+	return TS_OK;
+}
+
+static const double *scalar(struct ts_instance *self)
+{
+	struct state *s = self->state;
+
+	ts_transport_fill(&s->transport, s->fluid, s->transport.value);
+	return s->transport.value;
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	TS_TRY(ts_flow_require_fluid(sim, "fix flow/scalar", &self->where, &s->fluid));
+	s->part.scalar = scalar;
+	s->part.carry = carry;
+	s->part.settle = settle;
+	s->sim = sim;
+	if (!s->read)
+		TS_TRY(read_words(self, sim));
+	TS_TRY(find_heat(self, sim));
+	TS_TRY(make_fields(self, sim));
+	s->transport.scheme = (enum ts_scalar_scheme)s->scheme;
+	s->transport.diffusivity = s->conductivity / (s->fluid->density * s->capacity);
+	TS_TRY(conditions_now(self, sim));
+	if (!s->known)
+		TS_TRY(begin_field(self, sim));
+	ts_transport_fill(&s->transport, s->fluid, s->transport.value);
+	return TS_OK;
+}
+
+/* ---- exchange with particles */
+
+static double conductance(const struct state *s, const struct ts_particles *p, size_t i,
+			  const double place[3])
+{
+	const struct ts_fluid *fluid = s->fluid;
+	struct ts_slip slip = { .diameter = 2 * p->radius[i],
+				.empty = 1,
+				.density = fluid->density,
+				.viscosity = fluid->viscosity };
+	double u[3], square = 0;
+
+	ts_fluid_velocity(fluid, place, u);
+	for (int k = 0; k < 3; k++)
+		square += (u[k] - p->v[i][k]) * (u[k] - p->v[i][k]);
+	slip.speed = sqrt(square);
+	if (fluid->empty)
+		slip.empty = ts_fluid_value(fluid, fluid->empty, place, NULL);
+	return TS_PI * slip.diameter * s->conductivity *
+	       ts_nusselt_ranz_marshall(ts_slip_reynolds(&slip),
+					fluid->viscosity * s->capacity / s->conductivity);
+}
+
+struct context {
+	struct state *state;
+	const struct ts_particles *particles;
+};
+
+static void lay(void *data, size_t i)
+{
+	const struct context *c = data;
+	struct state *s = c->state;
+	struct ts_share share;
+	double place[3];
+	int cell[3];
+
+	if (!ts_fluid_place(s->fluid, c->particles->x[i], place, cell))
+		return;
+	ts_share_centre(s->fluid, place, cell, TS_INTERPOLATE_LINEAR, &share);
+	ts_share_react(&s->fluid->grid, &share, -1, s->transport.value,
+		       s->given[i] / (s->fluid->density * s->capacity), 0, s->transport.source, NULL);
+}
+
+static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	const struct ts_particles *p = sim->particles;
+	struct context context = { s, p };
+
+	if (!s->heat || sim->in_setup)
+		return TS_OK;
+	if (TS_GROW(s->given, s->given_capacity, p->n) != TS_OK)
+		return ts_nomem(&sim->error);
+#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
+	for (size_t i = 0; i < p->n; i++) {
+		double place[3], there, k;
+		int cell[3];
+
+		s->given[i] = 0;
+		if (!ts_in_group(p, i, self->group) || !ts_fluid_place(s->fluid, p->x[i], place, cell))
+			continue;
+		k = conductance(s, p, i, place);
+		there = ts_fluid_value(s->fluid, s->transport.value, place, NULL);
+		ts_heat_from_wall(s->heat, sim, i, k, there);
+		s->given[i] = k * (there - ts_heat_column(sim, s->heat->temperature)[i]);
+	}
+	s->exchanged = p->n ? ts_exactsum_of(s->given, p->n, 1) : 0;
+	TS_TRY(ts_cell_order_make(&s->order, sim, s->fluid, self->group, 1));
+	ts_cell_order_each(&s->order, ts_team(sim, p->n), lay, &context);
+	s->steps++;
+	return TS_OK;
+}
+
+/* ---- with each step of the fluid */
+
+static enum ts_status carry(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid, double dt)
+{
+	struct state *s = self->state;
+
+	TS_TRY(conditions_now(self, sim));
+	for (size_t k = 0; s->steps > 1 && k < s->size; k++) /* the mean over them */
+		s->transport.source[k] /= (double)s->steps;
+	s->steps = s->steps ? 1 : 0;
+	ts_transport_advance(&s->transport, fluid, dt, ts_team(sim, s->size));
+	return TS_OK;
+}
+
+static enum ts_status settle(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
+			     double length)
+{
+	struct state *s = self->state;
+
+	(void)sim;
+	(void)length;
+	memset(s->transport.source, 0, s->size * sizeof *s->transport.source);
+	s->steps = 0;
+	if (fluid->empty)
+		memcpy(s->transport.empty, fluid->empty, s->size * sizeof *fluid->empty);
+	return TS_OK;
+}
+
+/* ---- state and outputs */
+
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	struct state *s = self->state;
+	struct ts_transport *t = &s->transport;
+
+	(void)sim;
+	TS_TRY(ts_archive_fixed(a, "value", TS_SAVED_F64, t->value, s->size));
+	TS_TRY(ts_archive_fixed(a, "source", TS_SAVED_F64, t->source, s->size));
+	return t->empty ? ts_archive_fixed(a, "empty", TS_SAVED_F64, t->empty, s->size) : TS_OK;
+}
+
+static const struct ts_saved saved[] = {
+	TS_SAVE_U8(struct state, known),
+	TS_SAVE_I64(struct state, steps),
+	TS_SAVE_F64(struct state, exchanged),
+	TS_SAVED_ROWS_END,
+};
+
+/* The grid that the field is on. */
+static enum ts_status find_grid(const struct ts_instance *self, const struct ts_grid **grid)
+{
+	const struct state *s = self->state;
+	const struct ts_fluid *fluid = ts_flow_fluid(s->sim);
+
+	*grid = fluid ? &fluid->grid : NULL;
+	if (fluid && fluid->grid.size == s->size)
+		return TS_OK;
+	return ts_fail(&s->sim->error, TS_STATE, &self->where,
+		       "fix flow/scalar: the fluid is another one now, a run comes first");
+}
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	const struct state *s = self->state;
+	const struct ts_grid *grid;
+	struct ts_exactsum sum = ts_exactsum_start();
+	double least = INFINITY, most = -INFINITY;
+
+	TS_TRY(find_grid(self, &grid));
+	for (int k = 0; k < grid->n[2]; k++)
+		for (int j = 0; j < grid->n[1]; j++)
+			for (int i = 0; i < grid->n[0]; i++) {
+				size_t at = ts_at(grid, i, j, k);
+				double value = s->transport.value[at];
+
+				ts_exactsum_add(&sum, (s->transport.empty ? s->transport.empty[at] : 1) *
+							      value * ts_grid_volume(grid, i, j, k));
+				least = fmin(least, value);
+				most = fmax(most, value);
+			}
+	out->data[0] = ts_exactsum_value(&sum) * ts_flow_fluid(sim)->density * s->capacity;
+	out->data[1] = s->exchanged;
+	out->data[2] = least;
+	out->data[3] = most;
+	return TS_OK;
+}
+
+static enum ts_status eval_cells(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	const struct state *s = self->state;
+	const struct ts_grid *grid;
+	double *row;
+
+	(void)sim;
+	TS_TRY(find_grid(self, &grid));
+	if (ts_table_resize(out, ts_grid_cells(grid), 4) != TS_OK)
+		return ts_nomem(&s->sim->error);
+	row = out->data;
+	for (int k = 0; k < grid->n[2]; k++)
+		for (int j = 0; j < grid->n[1]; j++)
+			for (int i = 0; i < grid->n[0]; i++, row += 4) {
+				row[0] = grid->centre[0][i];
+				row[1] = grid->centre[1][j];
+				row[2] = grid->centre[2][k];
+				row[3] = s->transport.value[ts_at(grid, i, j, k)];
+			}
+	return TS_OK;
+}
+
+static const char *const columns[] = { "heat", "exchange", "least", "most" };
+static const char *const cell_columns[] = { "x", "y", "z", "T" };
+static const struct ts_value values[] = {
+	{ "scalar", "", "heat in the fluid, heat by time into particles, the least and the largest T", TS_VECTOR,
+	  4, columns, eval },
+	{ "cells", "", "of each cell: its centre and T", TS_ARRAY, 4, cell_columns, eval_cells },
+	{ .name = NULL },
+};
+
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
+			   struct ts_plan_report *report)
+{
+	const struct state *s = self->state;
+
+	(void)sim;
+	ts_report_line(report, "scalar", "convection %s, diffusivity %g, at present stable up to %g (shorter steps "
+		       "are made by itself)",
+		       ts_scalar_schemes[s->scheme], s->transport.diffusivity,
+		       ts_transport_limit(&s->transport, s->fluid));
+	report->bytes += 4 * 8.0 * (double)s->size;
+	return TS_OK;
+}
+
+static void fini(struct ts_instance *self)
+{
+	struct state *s = self->state;
+
+	ts_transport_release(&s->transport);
+	ts_cell_order_release(&s->order);
+	ts_free(s->given);
+}
+
+#define FACE(name, k)                                                                              \
+	TS_SOME_KEYWORD(name, struct state, face_words[k], 0,                                      \
+			.help = "value T, flux Q (heat by area and time into the fluid) or none, numbers " \
+				"or v_NAME: at this face")
+static const struct ts_arg args[] = {
+	TS_REAL("conductivity", struct state, conductivity, .range = TS_NOT_NEGATIVE, .fallback = "0",
+		.unit = "", .help = "of heat in the fluid, k"),
+	TS_REAL("capacity", struct state, capacity, .range = TS_POSITIVE, .fallback = "1", .unit = "",
+		.help = "heat by mass and degree, c"),
+	TS_NUMBER("initial", struct state, initial, .fallback = "0", .unit = "temperature",
+		  .help = "T at the beginning, or v_NAME of a formula"),
+	TS_SOME_KEYWORD("set", struct state, set, TS_REPEAT,
+			.help = "x|y|z name: internal-style variable that gets the coordinate of each cell before "
+				"that is evaluated; may be repeated"),
+	TS_NUMBER("source", struct state, source, .fallback = "0", .unit = "",
+		  .help = "heat by volume and time everywhere, or v_NAME"),
+	FACE("xlo", 0),
+	FACE("xhi", 1),
+	FACE("ylo", 2),
+	FACE("yhi", 3),
+	FACE("zlo", 4),
+	FACE("zhi", 5),
+	TS_ENUM("convection", struct state, scheme, ts_scalar_schemes, .fallback = "vanleer",
+		.help = "scheme; all but central keep T within its bounds"),
+	TS_ENUM("exchange", struct state, exchange, exchanges, .fallback = "none",
+		.help = "of heat with the particles of the group, which have fix heat/gran"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(fix, ts_style, ts_fix_flow_scalar)
+const struct ts_style ts_fix_flow_scalar = {
+	.name = "flow/scalar",
+	.kind = TS_KIND_FIX,
+	.summary = "temperature, or another scalar, that the fluid carries",
+	.doc = "rho c (d(e T)/dt + div(e u T)) = div(e k grad T) + source + exchange, e the void fraction (fix\n"
+	       "void_fraction; else 1). With capacity 1 and a conductivity of rho D, T is any concentration of\n"
+	       "diffusivity D. What leaves a cell enters its neighbour. The steps of the fluid are divided where the\n"
+	       "scheme asks for it.\n\n"
+	       "At faces of the grid T is given (`value`), or what comes in by conduction (`flux`), or nothing does\n"
+	       "(`none`, the default). Inflow needs a value; else it has the T of the cell it enters.\n\n"
+	       "exchange ranz_marshall gives each particle of the group Q = pi d^2 h (T - T_p) by h = Nu k/d,\n"
+	       "Nu = 2 + 0.6 Re^(1/2) Pr^(1/3), Re = rho e |u - v| d/mu, and takes it from the fluid; T_p is that of fix\n"
+	       "heat/gran.\n\n"
+	       "f_ID[1] is the heat in the fluid, rho c e T over its volume, f_ID[2] the heat by time into all\n"
+	       "particles, f_ID[3] and f_ID[4] the least and the largest T; f_ID[i][j] of cell i the centre (j = 1, 2, "
+	       "3) and T (4).",
+	.example = "flow_style projection cells 32 32 1 viscosity 1.8e-5 density 1.2\n"
+		   "fix T all flow/scalar conductivity 0.026 capacity 1005 initial 300 xlo value 320 xhi flux 5",
+	.cite = "W. E. Ranz, W. R. Marshall, Chem. Eng. Prog. 48 (1952) 141",
+	.family = TS_FAMILY_FLOW_PART,
+	.args = args,
+	.state_size = sizeof(struct state),
+	.saved = saved,
+	.archive = archive,
+	.values = values,
+	.init = init,
+	.hook = { [TS_STAGE_POST_FORCE] = post_force },
+	.plan = plan,
+	.fini = fini,
+};

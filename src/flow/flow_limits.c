@@ -1,0 +1,213 @@
+/* How long a step of the fluid may be.
+ *
+ * Von Neumann's analysis with velocities and widths frozen: a wave of du/dt = -u grad u + nu lap u turns with
+ * at most C = sum |u|/h and decays with at most D = sum (nu lambda + kappa |u|/h), lambda = 4/h^2 the largest
+ * number of the second difference, 8/(sqrt(3) h^2) beside a wall with the quadratic profile, kappa what the
+ * convection scheme adds. A scheme in time stands dt D up to its limit on the real axis and dt C up to that on the
+ * imaginary one.
+ *
+ * Explicit Euler with central differences grows slowly where waves turn without decay enough: stable for
+ * dt sum u^2/(2 nu) <= 1, nu + gamma |u| h/2 with donor cells: A. C. Hindmarsh, P. M. Gresho & D. F. Griffiths,
+ * Int. J. Numer. Meth. Fluids 4 (1984) 853. Of second order, ab2 and rk2 grow with (dt C)^4/4 and /8 in a step:
+ * stable for 1.185/8 (dt C)^4 <= dt nu_least/h^2, half of that rk2; QUICK damps waves k h of the length of this
+ * growth by C (k h)^4/16 itself: enough for (dt C)^3 <= 0.2 (measured), 1/2 with rk2. */
+#include <math.h>
+
+#include "flow/flow_limits.h"
+#include "flow/implicit.h"
+
+#include "base/banned.h"
+
+/* Largest number of the second differences along axis d. */
+static double largest_number(const struct ts_projection *p, int d)
+{
+	static const double BESIDE_WALL = 1.1547005383792515; /* 2/sqrt(3) */
+	const struct ts_grid *grid = &p->fluid.grid;
+	const struct ts_line *line = &p->operators.centred[d];
+	int n = grid->n[d];
+	double most = 0;
+
+	for (int i = 0; i < n; i++) {
+		double number = 2 * (line->below[i] + line->above[i]);
+		enum ts_side side = i == 0 ? TS_LOW : TS_HIGH;
+		bool beside = (i == 0 || i == n - 1) && !grid->periodic[d];
+		bool sticks = beside && (p->fluid.face[d][side] == TS_FLOW_WALL ||
+					 p->fluid.face[d][side] == TS_FLOW_INLET);
+
+		if (sticks && p->wall == TS_WALL_QUADRATIC)
+			number *= BESIDE_WALL;
+		most = fmax(most, number);
+	}
+	return most;
+}
+
+/* What convection adds to the decay, per |u|/h. */
+static double decay_of(const struct ts_projection *p)
+{
+	double share = p->convection == TS_CONVECTION_DONOR ? p->gamma : 1;
+
+	return share * ts_convection_schemes[p->convection].decay;
+}
+
+/* Rates at a cell; the largest of each are taken over the grid. */
+struct rates {
+	double turn;  /* C */
+	double growth; /* 1 over the longest step by the second kind of limit */
+};
+
+struct weak {
+	enum { WEAK_NONE, WEAK_EULER, WEAK_FOURTH } kind;
+	double nu, gamma, factor;
+	double most; /* Courant number that QUICK's own damping stands */
+};
+
+static double growth_rate(const struct weak *weak, const double u[3], const double h[3], double turn)
+{
+	double sum = 0, least = INFINITY;
+
+	for (int d = 0; d < 3; d++) {
+		double nu = weak->nu + 0.5 * weak->gamma * u[d] * h[d];
+
+		if (u[d] > 0)
+			sum += u[d] * u[d] / (2 * nu);
+		if (isfinite(h[d]))
+			least = fmin(least, nu / (h[d] * h[d]));
+	}
+	if (weak->kind == WEAK_EULER)
+		return sum;
+	return weak->kind == WEAK_FOURTH && turn > 0
+		       ? fmin(turn * cbrt(weak->factor * turn / least), turn / weak->most)
+		       : 0;
+}
+
+static struct rates look_at_row(const struct ts_fluid *fluid, const struct weak *weak, int j, int k)
+{
+	const struct ts_grid *grid = &fluid->grid;
+	const bool solid = grid->dimensions == 3;
+	struct rates most = { 0 };
+
+	for (int i = 0; i < grid->n[0]; i++) {
+		size_t at = ts_at(grid, i, j, k);
+		double u[3] = { 0 }, turn = 0;
+		double h[3] = { grid->width[0][i], grid->width[1][j], solid ? grid->width[2][k] : INFINITY };
+
+		for (int d = 0; d < grid->dimensions; d++) {
+			u[d] = fmax(fabs(fluid->u[d][at]),
+				    fabs(fluid->u[d][at + (size_t)grid->stride[d]]));
+			turn += u[d] / h[d];
+		}
+		most.turn = fmax(most.turn, turn);
+		most.growth = fmax(most.growth, growth_rate(weak, u, h, turn));
+	}
+	return most;
+}
+
+/* A fluid at rest beside a wall that moves along itself, or an inlet, soon has its velocity. */
+static struct rates look_at_given(const struct ts_fluid *fluid, const struct weak *weak, int d,
+				  enum ts_side side)
+{
+	const struct ts_grid *grid = &fluid->grid;
+	const struct ts_flow_given *given = &fluid->given[d][side];
+	const int a = d == 0, b = d == 2 ? 1 : 2;
+	struct rates most = { 0 };
+
+	for (int ib = 0; ib < grid->n[b]; ib++)
+		for (int ia = 0; ia < grid->n[a]; ia++) {
+			size_t at = ts_flow_plane_at(grid, d, ia, ib);
+			double u[3] = { 0 }, h[3] = { INFINITY, INFINITY, INFINITY }, turn = 0;
+
+			h[d] = grid->width[d][side == TS_LOW ? 0 : grid->n[d] - 1];
+			h[a] = grid->width[a][ia];
+			h[b] = b < grid->dimensions ? grid->width[b][ib] : INFINITY;
+			for (int e = 0; e < grid->dimensions; e++) {
+				u[e] = fabs(given->plane[e] ? given->plane[e][at] : given->constant[e]);
+				turn += u[e] / h[e];
+			}
+			most.turn = fmax(most.turn, turn);
+			most.growth = fmax(most.growth, growth_rate(weak, u, h, turn));
+		}
+	return most;
+}
+
+static struct rates look_at_faces(const struct ts_fluid *fluid, const struct weak *weak)
+{
+	struct rates most = { 0 };
+
+	for (int d = 0; d < fluid->grid.dimensions; d++)
+		for (enum ts_side side = TS_LOW; side <= TS_HIGH; side++) {
+			struct rates face = { 0 };
+
+			if (fluid->face[d][side] == TS_FLOW_WALL || fluid->face[d][side] == TS_FLOW_INLET)
+				face = look_at_given(fluid, weak, d, side);
+			most.turn = fmax(most.turn, face.turn);
+			most.growth = fmax(most.growth, face.growth);
+		}
+	return most;
+}
+
+static struct weak weak_of(const struct ts_projection *p)
+{
+	static const double FOURTH = 1.185 / 8, QUICK_AB2 = 0.58, QUICK_RK2 = 0.79;
+	const struct ts_time_scheme *scheme = &ts_time_schemes[p->time];
+	struct weak weak = { .nu = p->viscosity / p->density,
+			     .gamma = p->convection == TS_CONVECTION_DONOR ? p->gamma : 0 };
+
+	if (scheme->order == 1)
+		weak.kind = WEAK_EULER;
+	else if (!(scheme->imaginary > 0))
+		weak.kind = WEAK_FOURTH;
+	weak.factor = scheme->history ? FOURTH : FOURTH / 2;
+	if (ts_convection_schemes[p->convection].order > 2)
+		weak.most = scheme->history ? QUICK_AB2 : QUICK_RK2;
+	return weak;
+}
+
+static double all_numbers(const struct ts_projection *p)
+{
+	double sum = 0;
+
+	for (int d = 0; d < p->fluid.grid.dimensions; d++)
+		sum += largest_number(p, d);
+	return sum;
+}
+
+double ts_flow_viscous_limit(const struct ts_projection *p)
+{
+	if (p->viscous != TS_VISCOUS_EXPLICIT)
+		return INFINITY;
+	return ts_time_schemes[p->time].real / (p->viscosity / p->density * all_numbers(p));
+}
+
+struct ts_flow_limits ts_flow_limits(const struct ts_projection *p)
+{
+	const struct ts_fluid *fluid = &p->fluid;
+	const struct ts_grid *grid = &fluid->grid;
+	const struct ts_time_scheme *scheme = &ts_time_schemes[p->time];
+	const struct weak weak = weak_of(p);
+	const struct rates faces = look_at_faces(fluid, &weak);
+	long rows = (long)grid->n[1] * grid->n[2];
+	double turn = faces.turn, growth = faces.growth, numbers = 0;
+
+#pragma omp parallel for num_threads(p->poisson.threads) schedule(static) reduction(max : turn, growth)
+	for (long line = 0; line < rows; line++) {
+		struct rates row = look_at_row(fluid, &weak, (int)(line % grid->n[1]),
+					       (int)(line / grid->n[1]));
+
+		turn = fmax(turn, row.turn);
+		growth = fmax(growth, row.growth);
+	}
+	if (p->viscous == TS_VISCOUS_EXPLICIT)
+		numbers = weak.nu * all_numbers(p);
+	return (struct ts_flow_limits){
+		.viscous = scheme->real / (numbers + decay_of(p) * turn),
+		.courant = scheme->courant / turn,
+		.growth = 1 / growth,
+	};
+}
+
+double ts_flow_limit(const struct ts_projection *p)
+{
+	struct ts_flow_limits limits = ts_flow_limits(p);
+
+	return fmin(limits.viscous, fmin(limits.courant, limits.growth));
+}

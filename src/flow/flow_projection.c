@@ -1,0 +1,416 @@
+#include <math.h>
+#include <stdio.h>
+
+#include "core/plan.h"
+#include "coupling/outside.h"
+#include "flow/implicit.h"
+#include "flow/flow_limits.h"
+#include "flow/resolution.h"
+
+#include "base/banned.h"
+
+static const char *const viscous_names[] = { "explicit", "implicit", "backward", NULL };
+static const char *const wall_forms[] = { "quadratic", "linear", NULL };
+
+/* ---- life */
+
+static const struct ts_arg cell_rows[] = {
+	TS_INT("NX", struct ts_projection, cells[0], .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1,
+	       .hi = 1e6, .help = "along x"),
+	TS_INT("NY", struct ts_projection, cells[1], .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1,
+	       .hi = 1e6, .help = "along y"),
+	TS_INT("NZ", struct ts_projection, cells[2], .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1,
+	       .hi = 1e6, .help = "along z"),
+	TS_ARGS_END,
+};
+
+static enum ts_status check_viscous(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_projection *p = self->state;
+	const char *viscous = viscous_names[p->viscous];
+	const struct ts_place *where = ts_instance_word(self, viscous);
+
+	if (p->viscous == TS_VISCOUS_EXPLICIT)
+		return TS_OK;
+	if (ts_time_schemes[p->time].stages > 1)
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "flow_style projection: viscous %s goes with time ab2 or euler, not %s", viscous,
+			       ts_time_names[p->time]);
+	if (!(p->viscosity > 0))
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "flow_style projection: viscous %s has no viscosity to work on: it is 0; use "
+			       "viscous explicit, which then has no limit of its own",
+			       viscous);
+	p->theta = p->viscous == TS_VISCOUS_BACKWARD ? 1 : 0.5;
+	p->fluid.pressure_ahead = true;
+	return TS_OK;
+}
+
+static enum ts_status read_words(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_projection *p = self->state;
+
+	TS_TRY(ts_args_parse(sim, "flow_style projection: cells", cell_rows, p->cell_words, &self->where,
+			     &self->arena, p));
+	if (p->body_words.n)
+		TS_TRY(ts_flow_read_vector(sim, "flow_style projection: body_force", p->body_words,
+					   &self->where, &self->arena, p->body_force));
+	p->read = true;
+	return TS_OK;
+}
+
+/* What follows from the arguments as they are now. */
+static enum ts_status derive(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_projection *p = self->state;
+
+	if (p->convection < 0)
+		p->convection = p->form == TS_FORM_DIFFERENCE ? TS_CONVECTION_DONOR : TS_CONVECTION_QUICK;
+	p->substeps = 0;
+	if (!ts_streq(p->substeps_word, "auto") &&
+	    (!ts_parse_int(p->substeps_word, &p->substeps) || p->substeps < 1))
+		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, p->substeps_word),
+			       "flow_style projection: substeps is a number from 1 on, or auto, not '%s'",
+			       p->substeps_word);
+	if (p->form == TS_FORM_DIFFERENCE && !ts_convection_schemes[p->convection].difference)
+		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, ts_convection_names[p->convection]),
+			       "flow_style projection: convection %s is for form fv; form fd has donor and "
+			       "central",
+			       ts_convection_names[p->convection]);
+	if (p->form == TS_FORM_CONSERVATIVE && (p->time == TS_TIME_AB2 || p->every > 1))
+		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, ts_form_names[p->form]),
+			       "flow_style projection: form conservative goes with time euler, rk2 or rk3 and every 1, not with %s",
+			       p->every > 1 ? "every of more than 1" : "time ab2");
+	return check_viscous(self, sim);
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_projection *p = self->state;
+	bool is_run = p->read; /* the faces are known only then */
+
+	if (!is_run)
+		TS_TRY(read_words(self, sim));
+	p->fluid.outside = (struct ts_fluid_outside){ 0 };
+	p->moved |= is_run && sim->clock.last_step > sim->clock.step;
+	TS_TRY(derive(self, sim));
+	TS_TRY(ts_projection_prepare(self, sim));
+	if (is_run)
+		TS_TRY(ts_projection_solver(self, sim, 0));
+	if (ts_projection_fresh(p))
+		p->fluid.time = ts_sim_time(sim);
+	return TS_OK;
+}
+
+static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_projection *p = self->state;
+
+	p->source_steps++;
+	if (++p->waited < p->every)
+		return TS_OK;
+	TS_TRY(ts_projection_boundary(self, sim));
+	for (int d = 0; d < 3; d++)
+		TS_TRY(ts_number_now(sim, &p->body_force[d], &self->where, &p->fluid.body_force[d]));
+	TS_TRY(ts_number_now(sim, &p->level, &self->where, &p->level_now));
+	TS_TRY(ts_projection_step(self, sim, (double)p->waited * sim->clock.dt));
+	p->waited = 0;
+	return TS_OK;
+}
+
+/* The next run begins with these ghosts: a state that is saved and one that goes on are the same. */
+static enum ts_status finish(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_fluid *fluid = &((struct ts_projection *)self->state)->fluid;
+
+	ts_fluid_tell_outside(fluid, sim);
+	if (fluid->steps == 0)
+		return TS_OK;
+	ts_fluid_fill_ghosts(fluid, fluid->u);
+	return ts_projection_resolution(self, sim);
+}
+
+static void fini(struct ts_instance *self)
+{
+	ts_projection_release(self->state);
+}
+
+static enum ts_status archive_field(struct ts_archive *archive, const char *name, char part,
+				    const struct ts_grid *grid, double **field, bool now)
+{
+	char full[32];
+
+	snprintf(full, sizeof full, part ? "%s_%c" : "%s", name, part);
+	if (!now || !ts_archive_has(archive, full))
+		return TS_OK;
+	if (!*field && !(*field = ts_grid_field(grid)))
+		return TS_NOMEM;
+	return ts_archive_fixed(archive, full, TS_SAVED_F64, *field, grid->size);
+}
+
+/* Fields as they are, ghosts included. Those on demand are there when somebody had asked for them. */
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive)
+{
+	struct ts_projection *p = self->state;
+	struct ts_fluid *fluid = &p->fluid;
+	bool writing = ts_archive_writing(archive);
+	const struct {
+		const char *name;
+		double **field;
+	} vectors[] = { { "u", fluid->u },		 { "force", fluid->force },
+			{ "exchange", fluid->exchange }, { "used", fluid->used },
+			{ "history", p->history },	 { "empty_face", fluid->empty_face },
+			{ "inertia", fluid->inertia } },
+	  scalars[] = { { "p", &fluid->p },
+			{ "empty", &fluid->empty },
+			{ "empty_rate", &fluid->empty_rate },
+			{ "empty_before", &p->empty_before },
+			{ "increment", &p->increment },
+			{ "p_mean", &fluid->p_mean } };
+	enum ts_status status = TS_OK;
+
+	for (size_t k = 0; k < sizeof vectors / sizeof *vectors; k++)
+		for (int d = 0; d < 3 && status == TS_OK; d++)
+			status = archive_field(archive, vectors[k].name, "xyz"[d], &fluid->grid,
+					       &vectors[k].field[d], !writing || vectors[k].field[d]);
+	for (size_t k = 0; k < sizeof scalars / sizeof *scalars && status == TS_OK; k++)
+		status = archive_field(archive, scalars[k].name, '\0', &fluid->grid, scalars[k].field,
+				       !writing || *scalars[k].field);
+	if (status == TS_OK)
+		status = ts_projection_archive_given(p, sim, archive);
+	return status == TS_NOMEM ? ts_nomem(&sim->error) : status;
+}
+
+static void fingerprint(const struct ts_instance *self, const struct tsim *sim, struct ts_hash *hash)
+{
+	const struct ts_projection *p = self->state;
+
+	(void)sim;
+	for (int d = 0; d < 3; d++)
+		ts_hash_add(hash, p->fluid.grid.face[d],
+			    (size_t)(p->fluid.grid.n[d] + 1) * sizeof(double));
+	for (int d = 0; d < 3; d++)
+		for (int side = 0; side < 2; side++) {
+			const struct ts_flow_given *given = &p->before[d][side];
+
+			ts_hash_add(hash, &p->fluid.face[d][side], sizeof p->fluid.face[d][side]);
+			ts_hash_add(hash, given->constant, sizeof given->constant);
+		}
+}
+
+/* ---- for others */
+
+static void velocity(const struct ts_instance *self, const double x[3], double u[3])
+{
+	ts_fluid_velocity(&((const struct ts_projection *)self->state)->fluid, x, u);
+}
+
+static double viscosity(const struct ts_instance *self)
+{
+	return ((const struct ts_projection *)self->state)->viscosity;
+}
+
+static double density(const struct ts_instance *self)
+{
+	return ((const struct ts_projection *)self->state)->density;
+}
+
+static struct ts_fluid *fluid(const struct ts_instance *self)
+{
+	return &((struct ts_projection *)self->state)->fluid;
+}
+
+/* Whether a wall or a body sets the velocity along its surface. */
+static bool sticks(const struct ts_projection *p, const struct tsim *sim)
+{
+	const struct ts_instance *inst;
+
+	for (int d = 0; d < p->fluid.grid.dimensions; d++)
+		for (int side = 0; side < 2; side++)
+			if (p->fluid.face[d][side] == TS_FLOW_WALL)
+				return true;
+	for (size_t k = 0; (inst = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));)
+		if (((const struct ts_flow_part *)inst->state)->force)
+			return true;
+	return false;
+}
+
+/* Without viscosity nothing balances the shear at a wall: the layer beside it is as thick as the cells. */
+static void warn_of_walls(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_projection *p = self->state;
+
+	if (p->viscosity > 0 || p->told_walls || !sticks(p, sim))
+		return;
+	p->told_walls = true;
+	ts_warn(&sim->log, ts_instance_word(self, "viscosity"),
+		"flow_style projection: a fluid with viscosity 0 does not stick to walls and bodies, but they "
+		"set its velocity; use flow_boundary FACE slip, or a viscosity");
+}
+
+enum { ROOM_FIELDS = 6 }; /* void fraction in centres and on faces, its rate, and as it was before */
+
+static enum ts_status describe(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
+{
+	const struct ts_projection *p = self->state;
+	const struct ts_grid *grid = &p->fluid.grid;
+	const struct ts_time_scheme *scheme = &ts_time_schemes[p->time];
+	double fields = 8 + (scheme->stages > 1) * 3 + scheme->history * 3;
+	double mean;
+
+	TS_TRY(ts_projection_balance(self, sim, &mean));
+	TS_TRY(ts_projection_check_pressure(self, sim));
+	if (p->viscous != TS_VISCOUS_EXPLICIT && p->fluid.empty)
+		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, viscous_names[p->viscous]),
+			       "flow_style projection: viscous %s does not know the room between particles "
+			       "(fix void_fraction): use viscous explicit, with substeps auto if it limits the step",
+			       viscous_names[p->viscous]);
+	warn_of_walls(self, sim);
+	ts_report_line(report, "fluid", "%d x %d x %d cells, convection %s (%s), time %s", grid->n[0],
+		       grid->n[1], grid->n[2], ts_convection_names[p->convection], ts_form_names[p->form],
+		       ts_time_names[p->time]);
+	ts_pressure_explain(sim, &p->poisson, p->fluid.empty || p->fluid.exchange[0], report);
+	report->bytes += 8 * fields * (double)grid->size;
+	if (!p->fluid.empty)
+		ts_report_left_out(report, "void fraction", 0, 8 * ROOM_FIELDS * (double)grid->size,
+				   "no fix says that particles take room from the fluid");
+	if (!p->substeps)
+		ts_report_line(report, "fluid's steps", "as its limits want, %g of the stable one, which is %g",
+			       p->courant, ts_flow_limit(p));
+	return TS_OK;
+}
+
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
+{
+	const struct ts_projection *p = self->state;
+	const struct ts_time_scheme *scheme = &ts_time_schemes[p->time];
+	struct ts_flow_limits limits;
+	/* steps of the simulation to one of the fluid */
+	double steps = (double)p->every / (double)(p->substeps ? p->substeps : 1);
+	size_t before = report->nlimits;
+
+	if (!report->limits_only)
+		TS_TRY(describe(self, sim, report));
+	if (!p->substeps)
+		return TS_OK;
+	limits = ts_flow_limits(p);
+	TS_TRY(ts_report_limit(report, limits.viscous / steps, true, &self->where,
+			       "the fluid's viscosity and convection (time %s), or use substeps auto",
+			       scheme->name));
+	TS_TRY(ts_report_limit(report, limits.courant / steps, true, &self->where,
+			       "the fluid's Courant number, %g h/u, or use substeps auto", scheme->courant));
+	ts_report_watched(report, before);
+	return ts_report_limit(report, limits.growth / steps, false, &self->where,
+			       "slow growth where convection moves waves that viscosity does not damp (time %s)",
+			       scheme->name);
+}
+
+static const struct ts_saved saved[] = {
+	TS_SAVE_F64(struct ts_projection, fluid.dt),
+	TS_SAVE_F64(struct ts_projection, fluid.time),
+	TS_SAVE_I64(struct ts_projection, fluid.steps),
+	TS_SAVE_F64(struct ts_projection, fluid.courant),
+	TS_SAVE_F64(struct ts_projection, fluid.divergence),
+	TS_SAVE_F64(struct ts_projection, fluid.residual),
+	TS_SAVE_I32(struct ts_projection, fluid.iterations),
+	TS_SAVE_F64(struct ts_projection, history_dt),
+	TS_SAVE_U8(struct ts_projection, empty_known),
+	TS_SAVE_U8(struct ts_projection, before_known),
+	TS_SAVE_I64(struct ts_projection, source_steps),
+	TS_SAVE_I64(struct ts_projection, done),
+	TS_SAVE_I64(struct ts_projection, waited),
+	TS_SAVED_ROWS_END,
+};
+
+static const struct ts_arg args[] = {
+	TS_LIST_KEYWORD("cells", struct ts_projection, cell_words, .flags = TS_TO_KEYWORD | TS_STATEFUL,
+			.help = "NX NY NZ: numbers of cells; NZ 1: a flow in the plane"),
+	TS_REAL("viscosity", struct ts_projection, viscosity, .range = TS_NOT_NEGATIVE,
+		.unit = "pressure time", .help = "dynamic viscosity"),
+	TS_REAL("density", struct ts_projection, density, .range = TS_POSITIVE, .unit = "mass/length^3",
+		.help = "density of the fluid"),
+	TS_ENUM("time", struct ts_projection, time, ts_time_names, .fallback = "euler",
+		.help = "scheme in time"),
+	TS_ENUM("viscous", struct ts_projection, viscous, viscous_names, .fallback = "explicit",
+		.help = "viscosity explicit; implicit: Crank-Nicolson, or backward Euler, which do not limit the "
+			"step: with time ab2 or euler"),
+	TS_INT("every", struct ts_projection, every, .fallback = "1", .range = TS_POSITIVE, .unit = "steps",
+	       .flags = TS_STATEFUL,
+	       .help = "steps of the simulation to one of the fluid, which takes the mean of their forces"),
+	TS_WORD("substeps", struct ts_projection, substeps_word, .fallback = "1",
+		.help = "steps of the fluid in one of the simulation: a number, or auto: as its limits want"),
+	TS_REAL("courant", struct ts_projection, courant, .fallback = "0.5", .range = TS_WITHIN, .lo = 0.001,
+		.hi = 1, .help = "substeps auto: share of the largest stable step"),
+	TS_REGION("region", struct ts_projection, region, .flags = TS_OPTIONAL,
+		  .help = "the grid fills the bounds of this region; else the box"),
+	TS_ENUM("convection", struct ts_projection, convection, ts_convection_names, .flags = TS_OPTIONAL,
+		.help = "scheme for velocities on the sides of control volumes; default: quick, or donor in "
+			"form fd"),
+	TS_REAL("gamma", struct ts_projection, gamma, .range = TS_FRACTION, .fallback = "0.5",
+		.help = "convection donor: share of donor cell, the rest is central"),
+	TS_ENUM("form", struct ts_projection, form, ts_form_names, .fallback = "fv",
+		.help = "finite volumes, finite differences of u grad u, or finite volumes of e u"),
+	TS_ENUM("wall", struct ts_projection, wall, wall_forms, .fallback = "quadratic",
+		.help = "profile along the normal between a wall and the points beside it"),
+	TS_SOME_KEYWORD("body_force", struct ts_projection, body_words, 0,
+			.help = "FX FY FZ: acceleration of all fluid, numbers or equal-style variables"),
+	TS_NUMBER("pressure_level", struct ts_projection, level, .fallback = "0", .unit = "pressure",
+		  .help = "mean pressure where no face is open: a number or an equal-style variable"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(flow, ts_flow_style, ts_flow_projection)
+const struct ts_flow_style ts_flow_projection = {
+	.style = { .name = "projection",
+		   .kind = TS_KIND_FLOW,
+		   .family = TS_FAMILY_PROJECTION,
+		   .summary = "an incompressible fluid whose flow is solved for on a staggered grid",
+		   .doc =
+			   "du/dt + div(u u) = -grad p/rho + nu lap u + g, div u = 0, on a grid of cells that fills the "
+			   "box or the bounds of a region. Pressure lives in the centres of cells, velocities on their "
+			   "faces. Each step predicts a velocity without pressure and projects it onto the fields "
+			   "without divergence; who solves for the pressure says pressure_style. flow_grid grades the "
+			   "cells, flow_boundary says what is at the faces, flow_set with which velocity the fluid "
+			   "begins. Without an outlet, or an inlet by its pressure, the pressure is known up to a constant: "
+			   "pressure_level is its mean over the grid.\n\n"
+			   "Where fixes ask for it, the volume-averaged equations are solved: de/dt + div(e u) = 0 and "
+			   "e rho (du/dt + u grad u) = -e grad p + div(e mu grad u) + e rho g + f - k u, e the void "
+			   "fraction, f and k what particles put on the fluid; k u is taken at the new velocity.\n\n"
+			   "convection: donor takes gamma of the velocity on the side of a control volume from "
+			   "upstream and the rest from the mean; central, the mean; quick, a parabola; cubista is "
+			   "quick kept within its neighbours. All are of second order in space but donor, of first as "
+			   "far as gamma goes. form fd takes u grad u by finite differences in place of div(u u) by "
+			   "finite volumes, and does not conserve momentum. form conservative steps e u forward in place of u, with "
+			   "fluxes that close the balance of e on the volumes of faces: with fix void_fraction and fix "
+			   "flow/pressure_gradient momentum of particles and fluid is kept to round-off (flow_px, flow_py, flow_pz; "
+			   "doc/coupling.md); without void fraction it is fv. It goes with time euler, rk2 and rk3. With wall quadratic the shear at walls is "
+			   "of second order: the parabola of a channel is exact.\n\n"
+			   "time: euler is of first order, ab2 and rk2 of second, rk3 of third; values at faces that "
+			   "change are linear in time within a step. viscous implicit (Crank-Nicolson) and backward "
+			   "are factored by axes and stable for any viscosity; of second and first order.\n\n"
+			   "Limits of the step: explicit viscosity dt <= 2/(nu sum 4/h^2) (ab2 half of it, rk3 1.26 of "
+			   "it), less upwind's own viscosity; Courant number sum |u| dt/h below 1 (ab2 0.7, rk3 1.73); "
+			   "and for euler dt <= 2 nu/u^2, without which waves grow slowly. A run beyond them is "
+			   "refused or warned, and stopped with the cause when the flow gets there. The fluid makes one "
+			   "step in each of the simulation, or one `every` N of them, or `substeps` in one.",
+		   .example =
+			   "flow_style projection cells 64 64 1 viscosity 0.01 density 1.0\n"
+			   "flow_style projection cells 80 10 10 viscosity 1.0e-3 density 1000 convection donor gamma "
+			   "0.5 time rk3 substeps auto body_force 0 0 -9.81",
+		   .cite = "A. J. Chorin, Math. Comp. 22 (1968) 745; F. H. Harlow & J. E. Welch, Phys. Fluids 8 "
+			   "(1965) 2182",
+		   .args = args,
+		   .state_size = sizeof(struct ts_projection),
+		   .saved = saved,
+		   .archive = archive,
+		   .fingerprint = fingerprint,
+		   .init = init,
+		   .hook = { [TS_STAGE_END_OF_STEP] = end_of_step,
+			     [TS_STAGE_FINISH] = finish },
+		   .plan = plan,
+		   .fini = fini },
+	.velocity = velocity,
+	.viscosity = viscosity,
+	.density = density,
+	.fluid = fluid,
+};

@@ -1,0 +1,158 @@
+#include "average/particle_tally.h"
+#include "core/each.h"
+#include "energy/potential_energy.h"
+#include "group/chosen.h"
+#include "particle/moments.h"
+
+#include <string.h>
+
+#include "base/banned.h"
+
+enum { ENERGY = 3 };
+
+struct addforce {
+	struct ts_number f[3], energy;
+	int64_t every;
+	struct ts_instance *region;
+	struct ts_each now[3], energy_now;
+	struct ts_tally before; /* forces before, and the energy of each particle */
+};
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	const struct addforce *s = self->state;
+
+	if (s->energy.null || s->energy.variable)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+		       "fix addforce: energy takes a variable, v_NAME");
+}
+
+static enum ts_status evaluate(struct ts_instance *self, struct tsim *sim)
+{
+	struct addforce *s = self->state;
+
+	for (int k = 0; k < 3; k++)
+		TS_TRY(ts_each_now(sim, &s->f[k], &self->where, &s->now[k]));
+	if (s->energy.variable)
+		return ts_each_now(sim, &s->energy, &self->where, &s->energy_now);
+	return TS_OK;
+}
+
+/* Of a constant force: -f . x; of one that varies: what the user says. */
+static double energy_of(const struct addforce *s, const struct tsim *sim, size_t i)
+{
+	double x[3], energy = 0;
+
+	if (s->energy.variable)
+		return ts_each_of(&s->energy_now, i);
+	ts_unwrapped(sim, i, x);
+	for (int k = 0; k < 3; k++)
+		energy -= s->f[k].variable ? 0 : s->f[k].value * x[k];
+	return energy;
+}
+
+static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+{
+	struct addforce *s = self->state;
+	struct ts_particles *p = sim->particles;
+
+	if (sim->clock.step % s->every != 0)
+		return TS_OK;
+	TS_TRY(ts_region_update(s->region, sim));
+	TS_TRY(ts_tally_start(sim, &s->before));
+	TS_TRY(evaluate(self, sim));
+#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
+	for (size_t i = 0; i < p->n; i++) {
+		if (!ts_chosen(p, i, self->group, s->region))
+			continue;
+		memcpy(s->before.note[i], p->f[i], sizeof p->f[i]);
+		s->before.note[i][ENERGY] = energy_of(s, sim, i);
+		for (int k = 0; k < 3; k++)
+			p->f[i][k] += ts_each_of(&s->now[k], i);
+	}
+	return TS_OK;
+}
+
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	struct addforce *s = self->state;
+
+	(void)sim;
+	return ts_tally_archive(a, &s->before);
+}
+
+static enum ts_status eval_energy(struct ts_instance *self, const struct tsim *sim,
+				  struct ts_table *out)
+{
+	struct addforce *s = self->state;
+
+	(void)sim;
+	out->data[0] = ts_tally_sums(&s->before)[ENERGY];
+	return TS_OK;
+}
+
+static enum ts_status eval_before(struct ts_instance *self, const struct tsim *sim,
+				  struct ts_table *out)
+{
+	struct addforce *s = self->state;
+
+	(void)sim;
+	memcpy(out->data, ts_tally_sums(&s->before), 3 * sizeof *out->data);
+	return TS_OK;
+}
+
+static void fini(struct ts_instance *self)
+{
+	struct addforce *s = self->state;
+
+	for (int k = 0; k < 3; k++)
+		ts_each_release(&s->now[k]);
+	ts_each_release(&s->energy_now);
+	ts_tally_release(&s->before);
+}
+
+static const struct ts_arg args[] = {
+	TS_NUMBER("fx", struct addforce, f[0], .flags = TS_POSITIONAL, .unit = "force",
+		  .help = "x force on each particle; v_name makes it a variable (also one for each "
+			  "particle)"),
+	TS_NUMBER("fy", struct addforce, f[1], .flags = TS_POSITIONAL, .unit = "force",
+		  .help = "y force"),
+	TS_NUMBER("fz", struct addforce, f[2], .flags = TS_POSITIONAL, .unit = "force",
+		  .help = "z force"),
+	TS_INT("every", struct addforce, every, .range = TS_WITHIN, .lo = 1, .hi = 1e15,
+	       .fallback = "1", .help = "only in steps that are multiples of this"),
+	TS_REGION_KEYWORD(struct addforce),
+	TS_NUMBER("energy", struct addforce, energy, .flags = TS_OPTIONAL, .unit = "energy",
+		  .help = "v_NAME: the potential energy of each particle in a force that varies"),
+	TS_ARGS_END,
+};
+
+static const char *const components[] = { "x", "y", "z" };
+static const struct ts_value values[] = {
+	{ "energy", "energy", "potential energy of all particles in the added force", TS_SCALAR, 1,
+	  NULL, eval_energy },
+	{ "before", "force", "total force on the particles before it was added", TS_VECTOR, 3,
+	  components, eval_before },
+	{ .name = NULL },
+};
+
+TS_STYLE(fix, ts_style, ts_fix_addforce)
+const struct ts_style ts_fix_addforce = {
+	.name = "addforce",
+	.kind = TS_KIND_FIX,
+	.summary = "adds a force to each particle of the group",
+	.doc = "f += (fx, fy, fz) for every particle of the group. The energy of constant components "
+	       "is -f . x, with the positions not wrapped into the box; components that are variables "
+	       "have none unless `energy` gives it.",
+	.example = "fix push tool addforce 0.0 0.0 -2.5\n"
+		   "fix swing all addforce v_fx 0.0 0.0 every 10 region left energy v_e",
+	.args = args,
+	.state_size = sizeof(struct addforce),
+	.archive = archive,
+	.values = values,
+	.energy = ts_energy_output,
+	.init = init,
+	.hook = { [TS_STAGE_POST_FORCE] = post_force },
+	.fini = fini,
+};

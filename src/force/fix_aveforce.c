@@ -1,0 +1,102 @@
+/* Fix aveforce: the same force on all particles of the group, their mean. */
+#include "core/arg.h"
+#include "force/restraint.h"
+#include "group/chosen.h"
+#include "math/exactsum.h"
+
+#include "base/banned.h"
+
+struct state {
+	struct ts_number f[3];
+	struct ts_instance *region;
+	double before[3]; /* saved: total force */
+};
+
+static size_t sum(const struct ts_instance *self, const struct ts_particles *p, double total[3])
+{
+	const struct state *s = self->state;
+	struct ts_exactsum part[3] = { 0 };
+	size_t n = 0;
+
+	for (size_t i = 0; i < p->n; i++) {
+		if (!ts_chosen(p, i, self->group, s->region))
+			continue;
+		for (int k = 0; k < 3; k++)
+			ts_exactsum_add(&part[k], p->f[i][k]);
+		n++;
+	}
+	for (int k = 0; k < 3; k++)
+		total[k] = ts_exactsum_value(&part[k]);
+	return n;
+}
+
+static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	struct ts_particles *p = sim->particles;
+	double mean[3], added;
+	size_t n;
+
+	TS_TRY(ts_region_update(s->region, sim));
+	n = sum(self, p, s->before);
+	for (int k = 0; k < 3; k++) {
+		if (s->f[k].null)
+			continue;
+		TS_TRY(ts_number_now(sim, &s->f[k], &self->where, &added));
+		mean[k] = n ? s->before[k] / (double)n + added : 0;
+	}
+#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
+	for (size_t i = 0; i < p->n; i++)
+		for (int k = 0; ts_chosen(p, i, self->group, s->region) && k < 3; k++)
+			if (!s->f[k].null)
+				p->f[i][k] = mean[k];
+	return TS_OK;
+}
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	const struct state *s = self->state;
+
+	(void)sim;
+	for (int k = 0; k < 3; k++)
+		out->data[k] = s->before[k];
+	return TS_OK;
+}
+
+static const struct ts_arg args[] = {
+	TS_NUMBER("fx", struct state, f[0], .flags = TS_POSITIONAL | TS_NULLABLE, .unit = "force",
+		  .help = "x force added to the mean; NULL leaves this component, v_name makes it a "
+			  "variable"),
+	TS_NUMBER("fy", struct state, f[1], .flags = TS_POSITIONAL | TS_NULLABLE, .unit = "force",
+		  .help = "y force"),
+	TS_NUMBER("fz", struct state, f[2], .flags = TS_POSITIONAL | TS_NULLABLE, .unit = "force",
+		  .help = "z force"),
+	TS_REGION_KEYWORD(struct state),
+	TS_ARGS_END,
+};
+
+static const char *const components[] = { "x", "y", "z" };
+static const struct ts_value values[] = {
+	{ "before", "force", "total force on the particles before it was averaged", TS_VECTOR, 3,
+	  components, eval },
+	{ .name = NULL },
+};
+
+static const struct ts_restraint restraint = { NULL, NULL };
+static const struct ts_saved saved[] = { TS_SAVE_F64(struct state, before), TS_SAVED_ROWS_END };
+
+TS_STYLE(fix, ts_style, ts_fix_aveforce)
+const struct ts_style ts_fix_aveforce = {
+	.name = "aveforce",
+	.kind = TS_KIND_FIX,
+	.summary = "Gives all particles of the group their mean force",
+	.doc = "Each component that is not NULL becomes f = (sum of f) / n + (fx, fy, fz) for all n particles\n"
+	       "of the group (in the region): particles of equal mass then move as one body without turning.",
+	.example = "fix lid top aveforce NULL NULL -2.5",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.saved = saved,
+	.values = values,
+	.hook[TS_STAGE_POST_FORCE] = post_force,
+	.restraint = &restraint,
+};

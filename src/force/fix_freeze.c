@@ -1,0 +1,104 @@
+#include "average/particle_tally.h"
+#include "core/sweep.h"
+#include "particle/particles.h"
+
+#include <string.h>
+
+#include "base/banned.h"
+
+struct freeze {
+	struct ts_tally before; /* forces that were cancelled */
+};
+
+/* Before the contact rows are built: pairs of frozen particles are no pairs. */
+static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_particles *p = sim->particles;
+
+	for (size_t i = 0; i < p->n; i++)
+		if (ts_in_group(p, i, self->group))
+			p->imass[i] = 0;
+	return TS_OK;
+}
+
+struct task {
+	const struct ts_particles *p;
+	const struct ts_tally *before;
+	int group;
+};
+
+static void share(void *context, size_t from, size_t to)
+{
+	const struct task *t = context;
+	const struct ts_particles *p = t->p;
+
+	if (!ts_group_members(p, t->group, from, to))
+		return;
+	for (size_t i = from; i < to; i++) {
+		if (!ts_in_group(p, i, t->group))
+			continue;
+		memcpy(t->before->note[i], p->f[i], sizeof p->f[i]);
+		memset(p->f[i], 0, sizeof p->f[i]);
+		if (p->torque)
+			memset(p->torque[i], 0, sizeof p->torque[i]);
+	}
+}
+
+static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+{
+	struct freeze *s = self->state;
+	struct task task = { sim->particles, &s->before, self->group };
+
+	TS_TRY(ts_tally_start(sim, &s->before));
+	TS_SWEEP_ADD(sim, sim->particles->n, share, &task);
+	return TS_OK;
+}
+
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	struct freeze *s = self->state;
+
+	(void)sim;
+	return ts_tally_archive(a, &s->before);
+}
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	struct freeze *s = self->state;
+
+	(void)sim;
+	memcpy(out->data, ts_tally_sums(&s->before), 3 * sizeof *out->data);
+	return TS_OK;
+}
+
+static void fini(struct ts_instance *self)
+{
+	struct freeze *s = self->state;
+
+	ts_tally_release(&s->before);
+}
+
+static const char *const components[] = { "x", "y", "z" };
+static const struct ts_value values[] = {
+	{ "before", "force", "total force on the particles before it was cancelled", TS_VECTOR, 3,
+	  components, eval },
+	{ .name = NULL },
+};
+
+TS_STYLE(fix, ts_style, ts_fix_freeze)
+const struct ts_style ts_fix_freeze = {
+	.name = "freeze",
+	.kind = TS_KIND_FIX,
+	.summary = "holds the particles of the group where they are",
+	.doc = "Sets force and torque to zero, so that particles at rest stay there (particles that "
+	       "move go on moving: give them zero velocity first). Frozen particles count as "
+	       "infinitely heavy in contacts, and contacts between two of them are not evaluated. "
+	       "Define it after the fixes whose forces it cancels.",
+	.example = "velocity wall set 0 0 0\nfix hold wall freeze",
+	.state_size = sizeof(struct freeze),
+	.archive = archive,
+	.values = values,
+	.hook = { [TS_STAGE_EXCHANGE] = exchange, [TS_STAGE_POST_FORCE] = post_force },
+	.waits = TS_WAITS(POST_FORCE),
+	.fini = fini,
+};

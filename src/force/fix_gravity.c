@@ -1,0 +1,204 @@
+#include "core/plan.h"
+#include "core/sweep.h"
+#include "energy/potential_energy.h"
+
+#include <math.h>
+
+#include "base/clones.h"
+#include "force/gravity.h"
+#include "math/vec3.h"
+#include "particle/moments.h"
+#include "rigid/rigid.h"
+
+#include "base/banned.h"
+
+enum { VECTOR, CHUTE, SPHERICAL };
+
+struct gravity {
+	struct ts_gravity base; /* what others see */
+	int mode;
+	double vector[3], angle, phi, theta;
+	struct tsim *sim;
+};
+
+static void direction(const struct gravity *g, double d[3])
+{
+	const double degree = 3.14159265358979323846 / 180;
+	double theta = g->theta * degree, phi = g->phi * degree, tilt = g->angle * degree;
+
+	if (g->mode == VECTOR) {
+		for (int k = 0; k < 3; k++)
+			d[k] = g->vector[k];
+	} else if (g->mode == CHUTE) {
+		d[0] = sin(tilt);
+		d[1] = 0;
+		d[2] = -cos(tilt);
+	} else {
+		d[0] = sin(theta) * cos(phi);
+		d[1] = sin(theta) * sin(phi);
+		d[2] = cos(theta);
+	}
+}
+
+/* As in LAMMPS y is up then, and there is no phi. */
+static void direction_in_plane(const struct gravity *g, double d[3])
+{
+	if (g->mode == VECTOR) {
+		d[2] = 0;
+		return;
+	}
+	d[1] = d[2];
+	d[2] = 0;
+	if (g->mode == SPHERICAL)
+		d[0] = sin(g->theta * 3.14159265358979323846 / 180);
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct gravity *g = self->state;
+	double *d = g->base.direction, length;
+
+	g->sim = sim;
+	direction(g, d);
+	if (sim->dimension == 2)
+		direction_in_plane(g, d);
+	length = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+	if (!(length > 0))
+		return ts_fail(&sim->error, TS_RANGE, &self->where,
+			       "fix gravity: the direction has no length");
+	for (int k = 0; k < 3; k++)
+		d[k] /= length;
+	return TS_OK;
+}
+
+struct task {
+	const struct ts_particles *p;
+	double a[3];
+	int group;
+};
+
+/* Members of rigid bodies are accelerated with their body. */
+static void add_to_some(void *context, size_t from, size_t to)
+{
+	const struct task *t = context;
+	const struct ts_particles *p = t->p;
+
+	for (size_t i = from; i < to; i++)
+		if (ts_in_group(p, i, t->group) && !ts_rigid_member(p, i))
+			for (int k = 0; k < 3; k++)
+				p->f[i][k] += p->mass[i] * t->a[k];
+}
+
+TS_CLONES
+static void add_to_all(void *context, size_t from, size_t to)
+{
+	const struct task *t = context;
+	const double ax = t->a[0], ay = t->a[1], az = t->a[2];
+	const double *restrict mass = t->p->mass;
+	double *restrict f = t->p->f[0];
+
+#pragma omp simd
+	for (size_t i = from; i < to; i++) {
+		f[3 * i] += mass[i] * ax;
+		f[3 * i + 1] += mass[i] * ay;
+		f[3 * i + 2] += mass[i] * az;
+	}
+}
+
+static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+{
+	const struct gravity *g = self->state;
+	struct ts_particles *p = sim->particles;
+	struct task task = { .p = p, .group = self->group };
+	double magnitude;
+
+	if (g->base.magnitude.variable) /* it may look at forces */
+		ts_sweep(sim);
+	TS_TRY(ts_number_now(sim, &g->base.magnitude, &self->where, &magnitude));
+	ts_scale(magnitude, g->base.direction, task.a);
+	TS_SWEEP_ADD(sim, p->n, self->group == 0 && !p->body ? add_to_all : add_to_some, &task);
+	return ts_rigid_accelerate(sim, self->group, task.a); /* of bodies alone */
+}
+
+struct weights {
+	double g[3];
+};
+
+static void weight(const struct tsim *sim, size_t i, void *context, double *out)
+{
+	const struct ts_body *body = ts_rigid_body_of(sim, i);
+	const double *g = ((const struct weights *)context)->g;
+	double x[3];
+
+	ts_unwrapped(sim, i, x);
+	*out = -sim->particles->mass[i] * ts_dot(g, body ? body->x : x);
+}
+
+static enum ts_status energy(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	const struct gravity *g = self->state;
+	struct weights weights;
+	double magnitude;
+
+	TS_TRY(ts_number_now(g->sim, &g->base.magnitude, &self->where, &magnitude));
+	ts_scale(magnitude, g->base.direction, weights.g);
+	ts_group_sum(sim, self->group, 1, weight, &weights, out->data);
+	return TS_OK;
+}
+
+static const struct ts_value values[] = {
+	{ "energy", "energy", "-sum m g.x over the group, positions unwrapped", TS_SCALAR, 1, NULL, energy },
+	{ .name = NULL },
+};
+
+static const struct ts_arg vector_rows[] = {
+	TS_VEC3("direction", struct gravity, vector, .flags = TS_POSITIONAL,
+		.help = "where it points; normalised"),
+	TS_ARGS_END,
+};
+static const struct ts_arg chute_rows[] = {
+	TS_REAL("angle", struct gravity, angle, .flags = TS_POSITIONAL, .unit = "degree",
+		.help = "tilt from -z towards +x"),
+	TS_ARGS_END,
+};
+static const struct ts_arg spherical_rows[] = {
+	TS_REAL("phi", struct gravity, phi, .flags = TS_POSITIONAL, .unit = "degree",
+		.help = "angle around z from x"),
+	TS_REAL("theta", struct gravity, theta, .flags = TS_POSITIONAL, .unit = "degree",
+		.help = "angle from +z"),
+	TS_ARGS_END,
+};
+static const struct ts_mode modes[] = {
+	{ "vector", "by its components", vector_rows },
+	{ "chute", "tilted in the x-z plane", chute_rows },
+	{ "spherical", "by two angles", spherical_rows },
+	{ .name = NULL },
+};
+
+static const struct ts_arg args[] = {
+	TS_NUMBER("magnitude", struct gravity, base.magnitude, .flags = TS_POSITIONAL,
+		  .unit = "acceleration", .help = "size of the acceleration; may be v_name"),
+	TS_MODE("mode", struct gravity, mode, modes, .help = "how its direction is given"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(fix, ts_style, ts_fix_gravity)
+const struct ts_style ts_fix_gravity = {
+	.name = "gravity",
+	.kind = TS_KIND_FIX,
+	.summary = "constant acceleration of all particles of the group",
+	.doc = "f += m g. The direction is given by `vector x y z` (normalised), `chute angle` "
+	       "(from -z towards +x, in degrees) or `spherical phi theta`; in two dimensions y stands for z, and phi\n"
+	       "has no effect. f_ID is the potential energy, which\n"
+	       "`fix_modify ID energy yes` counts in pe. Rigid bodies with a member in the group are accelerated as\n"
+	       "a whole, with their own mass.",
+	.example = "fix g all gravity 9.81 vector 0.0 0.0 -1.0",
+	.args = args,
+	.family = TS_FAMILY_GRAVITY,
+	.state_size = sizeof(struct gravity),
+	.values = values,
+	.init = init,
+	.hook = { [TS_STAGE_POST_FORCE] = post_force },
+	.waits = TS_WAITS(POST_FORCE),
+	.energy = ts_energy_output,
+};

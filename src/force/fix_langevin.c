@@ -1,0 +1,142 @@
+/* Fix langevin: a heat bath. */
+#include "core/plan.h"
+
+#include <math.h>
+
+#include "core/units.h"
+#include "math/rng.h"
+#include "particle/moments.h"
+#include "particle/type_factors.h"
+
+#include "base/banned.h"
+
+struct state {
+	struct ts_number start;
+	double stop, damp;
+	int64_t seed;
+	bool zero;
+	struct ts_words scale;
+	double *factor; /* of the damping time, by type */
+};
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	if (s->factor)
+		return TS_OK;
+	return ts_type_factors(sim, "fix langevin", &self->arena, s->scale, &s->factor);
+}
+
+/* The temperature goes from the first to the last step of a run linearly from start to stop. */
+static enum ts_status temperature(struct ts_instance *self, struct tsim *sim, double *t)
+{
+	const struct state *s = self->state;
+	const struct ts_clock *c = &sim->clock;
+	double steps = (double)(c->ramp_last - c->ramp_first);
+
+	TS_TRY(ts_number_now(sim, &s->start, &self->where, t));
+	if (!s->start.variable && steps > 0)
+		*t += (s->stop - *t) * (double)(c->step - c->ramp_first) / steps;
+	if (*t >= 0)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_RANGE, &self->where,
+		       "fix langevin: the temperature would be %g", *t);
+}
+
+/* The noise of particle i in this step: variance 2 k T m/(damp h), uniformly distributed as in Duenweg
+ * and Paul, Int. J. Mod. Phys. C 2 (1991) 817. */
+static void noise(const struct state *s, const struct tsim *sim, double kt, size_t i, double f[3])
+{
+	const struct ts_particles *p = sim->particles;
+	struct ts_rng rng = ts_rng_start((uint64_t)s->seed, (uint64_t)p->tag[i]);
+	double damp = s->damp * s->factor[p->type[i]];
+	double size = sqrt(24 * kt * p->mass[i] / (damp * sim->clock.dt));
+
+	rng.counter = 3 * (uint64_t)sim->clock.step;
+	for (int k = 0; k < 3; k++)
+		f[k] = k < sim->dimension ? size * (ts_rng_uniform(&rng) - 0.5) : 0;
+}
+
+struct bath {
+	const struct state *s;
+	double kt;
+};
+
+static void noise_term(const struct tsim *sim, size_t i, void *context, double *term)
+{
+	const struct bath *bath = context;
+
+	noise(bath->s, sim, bath->kt, i, term);
+}
+
+static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+{
+	const struct state *s = self->state;
+	struct ts_particles *p = sim->particles;
+	struct bath bath = { s, 0 };
+	double t, mean[3] = { 0 }, n = s->zero ? ts_group_count(sim, self->group) : 0;
+
+	TS_TRY(temperature(self, sim, &t));
+	bath.kt = ts_boltzmann(sim) * t;
+	if (n > 0)
+		ts_group_sum(sim, self->group, 3, noise_term, &bath, mean);
+#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
+	for (size_t i = 0; i < p->n; i++) {
+		double f[3], rate = p->mass[i] / (s->damp * s->factor[p->type[i]]);
+
+		if (!ts_in_group(p, i, self->group))
+			continue;
+		noise(s, sim, bath.kt, i, f);
+		for (int k = 0; k < 3; k++)
+			p->f[i][k] += f[k] - rate * p->v[i][k] - (n > 0 ? mean[k] / n : 0);
+	}
+	return TS_OK;
+}
+
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
+			   struct ts_plan_report *report)
+{
+	const struct state *s = self->state;
+	const struct ts_particles *p = sim->particles;
+	double least = INFINITY;
+
+	for (size_t i = 0; i < p->n; i++)
+		if (ts_in_group(p, i, self->group))
+			least = fmin(least, s->damp * s->factor[p->type[i]]);
+	if (!isfinite(least))
+		return TS_OK;
+	return ts_report_limit(report, 2 * least, true, &self->where, "fix langevin, 2 damp");
+}
+
+static const struct ts_arg args[] = {
+	TS_NUMBER("Tstart", struct state, start, .flags = TS_POSITIONAL, .unit = "temperature",
+		  .help = "temperature at the start of a run; v_NAME: at all times"),
+	TS_REAL("Tstop", struct state, stop, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
+		.unit = "temperature", .help = "temperature at its end"),
+	TS_REAL("damp", struct state, damp, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+		.unit = "time", .help = "time in which velocities decay"),
+	TS_INT("seed", struct state, seed, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+	       .help = "seed of the random numbers"),
+	TS_BOOL("zero", struct state, zero, .fallback = "no",
+		.help = "take the mean of the noise away, so that it does not push the group"),
+	TS_TYPE_FACTORS(struct state, scale, "the time"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(fix, ts_style, ts_fix_langevin)
+const struct ts_style ts_fix_langevin = {
+	.name = "langevin",
+	.kind = TS_KIND_FIX,
+	.summary = "A heat bath: friction and noise",
+	.doc = "f += -m v/damp + sqrt(24 k T m/(damp h)) u, each component of u uniform in (-1/2, 1/2): friction and\n"
+	       "noise of the strength that makes the particles' translation have the temperature T. Numbers depend\n"
+	       "on seed, step and identity only. Integrate with fix nve. The temperature goes linearly from Tstart\n"
+	       "to Tstop over each run (see `run N start S stop E`).",
+	.example = "fix bath all langevin 300 300 0.1 86028157",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.init = init,
+	.hook[TS_STAGE_POST_FORCE] = post_force,
+	.plan = plan,
+};

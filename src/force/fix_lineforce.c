@@ -1,0 +1,40 @@
+/* Fix lineforce: Lets particles feel only the force along a line. */
+#include "force/force_filter.h"
+#include "force/restraint.h"
+
+#include "base/banned.h"
+
+static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+{
+	ts_force_filter_apply(self, sim, 1, 0);
+	return TS_OK;
+}
+
+static void leave(const struct ts_instance *self, const struct tsim *sim, size_t i, double f[3])
+{
+	(void)sim;
+	(void)i;
+	ts_force_filter_one(self, 1, 0, f);
+}
+
+static const struct ts_restraint restraint = { NULL, leave };
+
+static const struct ts_arg args[] = {
+	TS_VEC3("direction", struct ts_force_filter, direction, .flags = TS_POSITIONAL,
+		.help = "direction of the line; any length"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(fix, ts_style, ts_fix_lineforce)
+const struct ts_style ts_fix_lineforce = {
+	.name = "lineforce",
+	.kind = TS_KIND_FIX,
+	.summary = "Lets particles feel only the force along a line",
+	.doc = "f = (f . e) e with the unit vector e: particles that start at rest move along lines.",
+	.example = "fix rail all lineforce 0 1 1",
+	.args = args,
+	.state_size = sizeof(struct ts_force_filter),
+	.init = ts_force_filter_init,
+	.hook[TS_STAGE_POST_FORCE] = post_force,
+	.restraint = &restraint,
+};

@@ -1,0 +1,115 @@
+#include "average/particle_tally.h"
+#include "core/each.h"
+#include "force/restraint.h"
+#include "group/chosen.h"
+
+#include <string.h>
+
+#include "base/banned.h"
+
+struct setforce {
+	struct ts_number f[3];
+	struct ts_instance *region;
+	struct ts_each now[3];
+	struct ts_tally before; /* forces before they were set */
+};
+
+static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+{
+	struct setforce *s = self->state;
+	struct ts_particles *p = sim->particles;
+
+	TS_TRY(ts_region_update(s->region, sim));
+	TS_TRY(ts_tally_start(sim, &s->before));
+	for (int k = 0; k < 3; k++)
+		if (!s->f[k].null)
+			TS_TRY(ts_each_now(sim, &s->f[k], &self->where, &s->now[k]));
+#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
+	for (size_t i = 0; i < p->n; i++) {
+		if (!ts_chosen(p, i, self->group, s->region))
+			continue;
+		memcpy(s->before.note[i], p->f[i], sizeof p->f[i]);
+		for (int k = 0; k < 3; k++)
+			if (!s->f[k].null)
+				p->f[i][k] = ts_each_of(&s->now[k], i);
+	}
+	return TS_OK;
+}
+
+static enum ts_status prepare(struct ts_instance *self, struct tsim *sim)
+{
+	return ts_region_update(((struct setforce *)self->state)->region, sim);
+}
+
+static void leave(const struct ts_instance *self, const struct tsim *sim, size_t i, double f[3])
+{
+	const struct setforce *s = self->state;
+
+	for (int k = 0; k < 3; k++)
+		if (!s->f[k].null && (!s->region || ts_region_contains(s->region, sim->particles->x[i])))
+			f[k] = 0;
+}
+
+static const struct ts_restraint restraint = { prepare, leave };
+
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	struct setforce *s = self->state;
+
+	(void)sim;
+	return ts_tally_archive(a, &s->before);
+}
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	struct setforce *s = self->state;
+
+	(void)sim;
+	memcpy(out->data, ts_tally_sums(&s->before), 3 * sizeof *out->data);
+	return TS_OK;
+}
+
+static void fini(struct ts_instance *self)
+{
+	struct setforce *s = self->state;
+
+	for (int k = 0; k < 3; k++)
+		ts_each_release(&s->now[k]);
+	ts_tally_release(&s->before);
+}
+
+static const struct ts_arg args[] = {
+	TS_NUMBER("fx", struct setforce, f[0], .flags = TS_POSITIONAL | TS_NULLABLE, .unit = "force",
+		  .help = "x force; NULL leaves it, v_name makes it a variable (also one for each "
+			  "particle)"),
+	TS_NUMBER("fy", struct setforce, f[1], .flags = TS_POSITIONAL | TS_NULLABLE, .unit = "force",
+		  .help = "y force"),
+	TS_NUMBER("fz", struct setforce, f[2], .flags = TS_POSITIONAL | TS_NULLABLE, .unit = "force",
+		  .help = "z force"),
+	TS_REGION_KEYWORD(struct setforce),
+	TS_ARGS_END,
+};
+
+static const char *const components[] = { "x", "y", "z" };
+static const struct ts_value values[] = {
+	{ "before", "force", "total force on the particles before it was set", TS_VECTOR, 3,
+	  components, eval },
+	{ .name = NULL },
+};
+
+TS_STYLE(fix, ts_style, ts_fix_setforce)
+const struct ts_style ts_fix_setforce = {
+	.name = "setforce",
+	.kind = TS_KIND_FIX,
+	.summary = "sets components of the force on each particle of the group",
+	.doc = "Replaces whatever earlier styles have added in this step. NULL leaves a component "
+	       "alone.",
+	.example = "fix guide tool setforce 0.0 0.0 NULL",
+	.args = args,
+	.state_size = sizeof(struct setforce),
+	.archive = archive,
+	.values = values,
+	.hook = { [TS_STAGE_POST_FORCE] = post_force },
+	.restraint = &restraint,
+	.fini = fini,
+};

@@ -1,0 +1,170 @@
+/* Fix spring: a spring between the centre of mass of a group and a point or another group. */
+#include "core/plan.h"
+#include "energy/potential_energy.h"
+
+#include <math.h>
+
+#include "math/vec3.h"
+#include "particle/moments.h"
+
+#include "base/banned.h"
+
+enum { TETHER, COUPLE };
+
+struct state {
+	int mode, partner;
+	double stiffness, rest;
+	struct ts_number at[3]; /* NULL: free in this direction */
+	double force[4], energy; /* saved: on the group, and its size with sign */
+};
+
+/* Spreads a force over a group by mass: all get the same acceleration. */
+static void spread(struct tsim *sim, int group, const double force[3], double sign)
+{
+	struct ts_particles *p = sim->particles;
+	double mass = ts_group_mass(sim, group);
+
+#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
+	for (size_t i = 0; i < p->n; i++)
+		for (int k = 0; ts_in_group(p, i, group) && k < 3; k++)
+			p->f[i][k] += sign * force[k] * (p->mass[i] / mass);
+}
+
+/* From where the spring pulls to, to the centre of the group; 0 in free directions. */
+static enum ts_status arm(struct ts_instance *self, struct tsim *sim, double d[3])
+{
+	const struct state *s = self->state;
+	double other[3];
+
+	ts_group_centre(sim, self->group, d);
+	if (s->mode == COUPLE)
+		ts_group_centre(sim, s->partner, other);
+	for (int k = 0; k < 3; k++) {
+		double at = 0;
+
+		if (!s->at[k].null)
+			TS_TRY(ts_number_now(sim, &s->at[k], &self->where, &at));
+		d[k] -= s->mode == COUPLE ? other[k] - at : at;
+		if (s->at[k].null)
+			d[k] = 0;
+	}
+	return TS_OK;
+}
+
+static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	double d[3], length, stretch;
+
+	TS_TRY(arm(self, sim, d));
+	length = ts_norm(d);
+	stretch = length - s->rest;
+	for (int k = 0; k < 3; k++)
+		s->force[k] = length > 0 ? -s->stiffness * stretch * d[k] / length : 0;
+	s->force[3] = length > 0 ? s->stiffness * stretch : 0;
+	s->energy = 0.5 * s->stiffness * stretch * stretch;
+	spread(sim, self->group, s->force, 1);
+	if (s->mode == COUPLE)
+		spread(sim, s->partner, s->force, -1);
+	return TS_OK;
+}
+
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
+			   struct ts_plan_report *report)
+{
+	const struct state *s = self->state;
+	double mass = ts_group_mass(sim, self->group), other;
+
+	if (s->mode == COUPLE) {
+		other = ts_group_mass(sim, s->partner);
+		mass = mass * other / (mass + other);
+	}
+	if (!(mass > 0))
+		return TS_OK;
+	return ts_report_limit(report, 2 * sqrt(mass / s->stiffness), true, &self->where,
+			       "fix spring, 2 sqrt(m/K)");
+}
+
+static enum ts_status eval_energy(struct ts_instance *self, const struct tsim *sim,
+				  struct ts_table *out)
+{
+	(void)sim;
+	out->data[0] = ((const struct state *)self->state)->energy;
+	return TS_OK;
+}
+
+static enum ts_status eval_force(struct ts_instance *self, const struct tsim *sim,
+				 struct ts_table *out)
+{
+	(void)sim;
+	for (int k = 0; k < 4; k++)
+		out->data[k] = ((const struct state *)self->state)->force[k];
+	return TS_OK;
+}
+
+#define K_ROW                                                                                      \
+	TS_REAL("K", struct state, stiffness, .flags = TS_POSITIONAL, .range = TS_POSITIVE,        \
+		.unit = "force/length", .help = "spring constant")
+#define END_ROWS(help_)                                                                            \
+	TS_NUMBER("x", struct state, at[0], .flags = TS_POSITIONAL | TS_NULLABLE, .unit = "length", \
+		  .help = help_ ", a number or v_NAME; NULL: no force in x"),                      \
+		TS_NUMBER("y", struct state, at[1], .flags = TS_POSITIONAL | TS_NULLABLE,          \
+			  .unit = "length", .help = "y"),                                          \
+		TS_NUMBER("z", struct state, at[2], .flags = TS_POSITIONAL | TS_NULLABLE,          \
+			  .unit = "length", .help = "z"),                                          \
+		TS_REAL("R0", struct state, rest, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE, \
+			.unit = "length", .help = "length without force")
+static const struct ts_arg tether_args[] = { K_ROW, END_ROWS("x of the point it pulls to"),
+					     TS_ARGS_END };
+static const struct ts_arg couple_args[] = {
+	TS_GROUP("partner", struct state, partner, .flags = TS_POSITIONAL,
+		 .help = "the other group"),
+	K_ROW,
+	END_ROWS("x of the partner relative to the group at rest"),
+	TS_ARGS_END,
+};
+
+static const struct ts_mode modes[] = {
+	[TETHER] = { "tether", "to a point", tether_args },
+	[COUPLE] = { "couple", "to another group", couple_args },
+	{ .name = NULL },
+};
+
+static const struct ts_arg args[] = {
+	TS_MODE("style", struct state, mode, modes, .help = "what is at the other end"),
+	TS_ARGS_END,
+};
+
+static const char *const components[] = { "x", "y", "z", "size" };
+static const struct ts_value values[] = {
+	{ "energy", "energy", "energy of the spring", TS_SCALAR, 1, NULL, eval_energy },
+	{ "force", "force", "force on the group, and its size, < 0 where it pushes", TS_VECTOR, 4,
+	  components, eval_force },
+	{ .name = NULL },
+};
+
+static const struct ts_saved saved[] = {
+	TS_SAVE_F64(struct state, force),
+	TS_SAVE_F64(struct state, energy),
+	TS_SAVED_ROWS_END,
+};
+
+TS_STYLE(fix, ts_style, ts_fix_spring)
+const struct ts_style ts_fix_spring = {
+	.name = "spring",
+	.kind = TS_KIND_FIX,
+	.summary = "A spring on the centre of mass of a group",
+	.doc = "F = -K (|d| - R0) d/|d|, where d leads from the point, or from the centre of mass of the partner\n"
+	       "minus (x, y, z), to the centre of mass of the group, positions not wrapped. The force is shared out by\n"
+	       "mass, so it moves the group as a whole and does not turn it; a partner gets the opposite.\n"
+	       "Stable with velocity Verlet for steps below 2 sqrt(m/K).",
+	.example = "fix tow ball spring tether 25 0.5 NULL v_height 0.0\n"
+		   "fix rope left spring couple right 25 0 0 0 2.385",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.saved = saved,
+	.values = values,
+	.energy = ts_energy_output,
+	.hook[TS_STAGE_POST_FORCE] = post_force,
+	.plan = plan,
+};

@@ -1,0 +1,151 @@
+/* Fix spring/self: a spring from each particle to where it was. */
+#include "core/plan.h"
+#include "energy/potential_energy.h"
+
+#include <math.h>
+
+#include "average/particle_tally.h"
+#include "math/vec3.h"
+#include "particle/moments.h"
+#include "particle/reference.h"
+
+#include "base/banned.h"
+
+enum { ENERGY = 0 };
+
+struct state {
+	double stiffness;
+	int direction;
+	struct ts_reference anchor;
+	struct ts_tally energy;
+};
+
+static const char *const directions[] = { "xyz", "xy", "yz", "xz", "x", "y", "z", NULL };
+
+static bool acts(const struct state *s, int k)
+{
+	for (const char *c = directions[s->direction]; *c; c++)
+		if (*c == "xyz"[k])
+			return true;
+	return false;
+}
+
+static void place(const struct ts_instance *self, const struct tsim *sim, size_t i, double now[3])
+{
+	(void)self;
+	ts_unwrapped(sim, i, now);
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	return ts_reference_init(self, sim, &s->anchor, place);
+}
+
+static enum ts_status take_in(struct ts_instance *self, struct tsim *sim)
+{
+	const struct state *s = self->state;
+
+	ts_reference_add(sim, &s->anchor);
+	return TS_OK;
+}
+
+static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	struct ts_particles *p = sim->particles;
+
+	TS_TRY(ts_tally_start(sim, &s->energy));
+#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
+	for (size_t i = 0; i < p->n; i++) {
+		double d[3];
+
+		if (!ts_in_group(p, i, self->group))
+			continue;
+		ts_unwrapped(sim, i, d);
+		ts_sub(d, ts_reference_of(sim, &s->anchor, i), d);
+		for (int k = 0; k < 3; k++) {
+			if (!acts(s, k))
+				continue;
+			p->f[i][k] -= s->stiffness * d[k];
+			s->energy.note[i][ENERGY] += 0.5 * s->stiffness * d[k] * d[k];
+		}
+	}
+	return TS_OK;
+}
+
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
+			   struct ts_plan_report *report)
+{
+	const struct state *s = self->state;
+	const struct ts_particles *p = sim->particles;
+	double lightest = INFINITY;
+
+	for (size_t i = 0; i < p->n; i++)
+		if (ts_in_group(p, i, self->group))
+			lightest = fmin(lightest, p->mass[i]);
+	if (isinf(lightest))
+		return TS_OK;
+	return ts_report_limit(report, 2 * sqrt(lightest / s->stiffness), true, &self->where,
+			       "fix spring/self, 2 sqrt(m/K)");
+}
+
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	struct state *s = self->state;
+
+	TS_TRY(ts_tally_archive(a, &s->energy));
+	return ts_reference_archive(a, sim, &s->anchor);
+}
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	struct state *s = self->state;
+
+	(void)sim;
+	out->data[0] = ts_tally_sums(&s->energy)[ENERGY];
+	return TS_OK;
+}
+
+static void fini(struct ts_instance *self)
+{
+	struct state *s = self->state;
+
+	ts_tally_release(&s->energy);
+}
+
+static const struct ts_arg args[] = {
+	TS_REAL("K", struct state, stiffness, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+		.unit = "force/length", .help = "spring constant"),
+	TS_ENUM("dir", struct state, direction, directions, .flags = TS_POSITIONAL,
+		.fallback = "xyz", .help = "directions in which it pulls"),
+	TS_ARGS_END,
+};
+
+static const struct ts_value values[] = {
+	{ "energy", "energy", "energy of all springs", TS_SCALAR, 1, NULL, eval },
+	{ .name = NULL },
+};
+
+TS_STYLE(fix, ts_style, ts_fix_spring_self)
+const struct ts_style ts_fix_spring_self = {
+	.name = "spring/self",
+	.kind = TS_KIND_FIX,
+	.summary = "A spring from each particle to where it was",
+	.doc = "f -= K (x - x0) with x0 the place, not wrapped, when the fix was made, or when the particle came.\n"
+	       "Stable with velocity Verlet for steps below 2 sqrt(m/K).",
+	.example = "fix hold frame spring/self 2.5 xy",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.archive = archive,
+	.values = values,
+	.energy = ts_energy_output,
+	.init = init,
+	.hook = {
+		[TS_STAGE_POST_BUILD] = take_in,
+		[TS_STAGE_POST_FORCE] = post_force,
+	},
+	.plan = plan,
+	.fini = fini,
+};

@@ -1,0 +1,96 @@
+#include "core/plan.h"
+
+#include <math.h>
+
+#include "base/clones.h"
+#include "base/four.h"
+#include "core/sweep.h"
+#include "particle/particles.h"
+#include "particle/type_factors.h"
+
+#include "base/banned.h"
+
+struct viscous {
+	double gamma;
+	struct ts_words scale;
+	double *factor; /* by type */
+};
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct viscous *s = self->state;
+
+	if (s->factor)
+		return TS_OK;
+	return ts_type_factors(sim, "fix viscous", &self->arena, s->scale, &s->factor);
+}
+
+struct task {
+	const struct ts_particles *p;
+	const double *factor;
+	double gamma;
+	int group;
+};
+
+TS_CLONES static void share(void *context, size_t from, size_t to)
+{
+	const struct task t = *(const struct task *)context;
+	double (*restrict f)[3] = t.p->f, (*restrict v)[3] = t.p->v;
+	const int32_t *restrict type = t.p->type;
+	bool all = ts_group_members(t.p, t.group, from, to) == to - from;
+
+	for (size_t i = from; i < to; i++) {
+		ts_four sum;
+
+		if (!all && !ts_in_group(t.p, i, t.group))
+			continue;
+		sum = TS_FOUR_AT(f[i]) - TS_FOUR_ALL(t.gamma * t.factor[type[i]]) * TS_FOUR_AT(v[i]);
+		ts_four_keep(&sum, 3, f[i]);
+	}
+}
+
+static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+{
+	const struct viscous *s = self->state;
+	struct task task = { sim->particles, s->factor, s->gamma, self->group };
+
+	TS_SWEEP_ADD(sim, sim->particles->n, share, &task);
+	return TS_OK;
+}
+
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
+			   struct ts_plan_report *report)
+{
+	const struct viscous *s = self->state;
+	const struct ts_particles *p = sim->particles;
+	double least = INFINITY;
+
+	for (size_t i = 0; i < p->n; i++)
+		if (ts_in_group(p, i, self->group))
+			least = fmin(least, p->mass[i] / (s->gamma * s->factor[p->type[i]]));
+	if (!isfinite(least))
+		return TS_OK;
+	return ts_report_limit(report, 2 * least, true, &self->where, "fix viscous, 2 m/gamma");
+}
+
+static const struct ts_arg args[] = {
+	TS_REAL("gamma", struct viscous, gamma, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
+		.unit = "force/velocity", .help = "damping constant"),
+	TS_TYPE_FACTORS(struct viscous, scale, "the constant"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(fix, ts_style, ts_fix_viscous)
+const struct ts_style ts_fix_viscous = {
+	.name = "viscous",
+	.kind = TS_KIND_FIX,
+	.summary = "damping proportional to velocity",
+	.doc = "f -= gamma v. Stable for steps below 2 m/gamma.",
+	.example = "fix calm all viscous 0.2\nfix calm all viscous 0.2 scale 2 2.385",
+	.args = args,
+	.state_size = sizeof(struct viscous),
+	.init = init,
+	.hook = { [TS_STAGE_POST_FORCE] = post_force },
+	.waits = TS_WAITS(POST_FORCE),
+	.plan = plan,
+};

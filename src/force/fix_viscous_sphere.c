@@ -1,0 +1,74 @@
+/* Fix viscous/sphere: damping of the spin. */
+#include "core/plan.h"
+
+#include <math.h>
+
+#include "particle/body.h"
+#include "particle/type_factors.h"
+
+#include "base/banned.h"
+
+struct state {
+	double gamma;
+	struct ts_words scale;
+	double *factor; /* by type */
+};
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	if (s->factor)
+		return TS_OK;
+	return ts_type_factors(sim, "fix viscous/sphere", &self->arena, s->scale, &s->factor);
+}
+
+static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+{
+	const struct state *s = self->state;
+	struct ts_particles *p = sim->particles;
+
+#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
+	for (size_t i = 0; i < p->n; i++)
+		for (int k = 0; ts_in_group(p, i, self->group) && k < 3; k++)
+			p->torque[i][k] -= s->gamma * s->factor[p->type[i]] * p->omega[i][k];
+	return TS_OK;
+}
+
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
+			   struct ts_plan_report *report)
+{
+	const struct state *s = self->state;
+	const struct ts_particles *p = sim->particles;
+	double least = INFINITY;
+
+	for (size_t i = 0; i < p->n; i++)
+		if (ts_in_group(p, i, self->group))
+			least = fmin(least, ts_inertia(sim, i) / (s->gamma * s->factor[p->type[i]]));
+	if (!isfinite(least))
+		return TS_OK;
+	return ts_report_limit(report, 2 * least, true, &self->where,
+			       "fix viscous/sphere, 2 I/gamma");
+}
+
+static const struct ts_arg args[] = {
+	TS_REAL("gamma", struct state, gamma, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
+		.unit = "torque/angular velocity", .help = "damping constant"),
+	TS_TYPE_FACTORS(struct state, scale, "the constant"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(fix, ts_style, ts_fix_viscous_sphere)
+const struct ts_style ts_fix_viscous_sphere = {
+	.name = "viscous/sphere",
+	.kind = TS_KIND_FIX,
+	.summary = "Damping proportional to the spin",
+	.doc = "T -= gamma omega. Stable for steps below 2 I/gamma.",
+	.example = "fix calm all viscous/sphere 1e-6 scale 2 2.385",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.columns = TS_NEED(OMEGA) | TS_NEED(TORQUE),
+	.init = init,
+	.hook[TS_STAGE_POST_FORCE] = post_force,
+	.plan = plan,
+};

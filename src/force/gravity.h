@@ -1,0 +1,15 @@
+/* Gravity, for those who need its direction and size: fix gravity gives it. */
+#ifndef TS_FORCE_GRAVITY_H
+#define TS_FORCE_GRAVITY_H
+
+#include "core/sim.h"
+
+#define TS_FAMILY_GRAVITY "gravity"
+
+/* First member of the state of that family. */
+struct ts_gravity {
+	struct ts_number magnitude;
+	double direction[3]; /* unit vector */
+};
+
+#endif

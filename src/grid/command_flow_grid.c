@@ -1,0 +1,267 @@
+/* Command flow_grid: cells of different widths along an axis. */
+#include "flow/projection.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "region/region.h"
+
+#include "base/banned.h"
+
+enum { UNIFORM, GEOMETRIC, TANH, AROUND, FACES };
+enum { FINE_LOW, FINE_HIGH, FINE_BOTH };
+static const char *const fine_names[] = { "lo", "hi", "both", NULL };
+
+struct state {
+	int axis, mode, fine;
+	double ratio, strength, lo, hi;
+	int64_t before, inside;
+	struct ts_words faces;
+};
+
+/* Faces from 0 to 1 whose widths grow by the same factor, in all by `ratio`. */
+static void geometric(double *face, int n, double ratio)
+{
+	double factor = n > 1 ? pow(ratio, 1.0 / (n - 1)) : 1, width = 1;
+
+	face[0] = 0;
+	for (int i = 0; i < n; i++, width *= factor)
+		face[i + 1] = face[i] + width;
+	for (int i = 0; i <= n; i++)
+		face[i] /= face[n];
+}
+
+static void mirror(double *face, int n)
+{
+	for (int i = 0; i <= n / 2; i++) {
+		double low = face[i];
+
+		face[i] = 1 - face[n - i];
+		face[n - i] = 1 - low;
+	}
+}
+
+static enum ts_status make_geometric(struct tsim *sim, const struct state *s, double *face, int n,
+				     const struct ts_place *where)
+{
+	int half = n / 2;
+
+	if (s->fine != FINE_BOTH) {
+		geometric(face, n, s->ratio);
+		if (s->fine == FINE_HIGH)
+			mirror(face, n);
+		return TS_OK;
+	}
+	if (n % 2)
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "flow_grid: fine at both ends takes an even number of cells, not %d", n);
+	geometric(face, half, s->ratio);
+	for (int i = 0; i <= half; i++)
+		face[i] *= 0.5;
+	for (int i = 0; i < half; i++)
+		face[n - i] = 1 - face[i];
+	return TS_OK;
+}
+
+static void make_tanh(const struct state *s, double *face, int n)
+{
+	for (int i = 0; i <= n; i++)
+		face[i] = 0.5 + 0.5 * tanh(s->strength * (2.0 * i / n - 1)) / tanh(s->strength);
+	face[0] = 0;
+	face[n] = 1;
+}
+
+/* The factor q for which h (q + q^2 + ... + q^n) = length, by bisection; NaN where there is none. */
+static double growth(double h, int64_t n, double length)
+{
+	double lo = 0.2, hi = 5;
+
+	if (n == 0)
+		return fabs(length) <= 1e-9 * h ? 1 : NAN;
+	for (int k = 0; k < 100; k++) {
+		double q = 0.5 * (lo + hi), width = h, sum = 0;
+
+		for (int64_t i = 0; i < n && sum <= length; i++)
+			sum += width *= q;
+		*(sum < length ? &lo : &hi) = q;
+	}
+	return lo > 0.21 && hi < 4.9 ? 0.5 * (lo + hi) : NAN;
+}
+
+/* `n` faces from face[0] on, steps of `way` (1 or -1) in memory and in space, the first wider than h by q. */
+static void grow(double *face, int64_t n, int way, double h, double q)
+{
+	for (int64_t i = 1; i <= n; i++)
+		face[way * i] = face[way * (i - 1)] + way * (h *= q);
+}
+
+/* Even cells from lo to hi; on both sides each wider than the one before it by the factor that fills the rest. */
+static enum ts_status make_around(struct tsim *sim, const struct state *s, const struct ts_grid *grid,
+				  double *face, const struct ts_place *where)
+{
+	int d = s->axis, n = grid->n[d];
+	double origin = grid->face[d][0], length = grid->face[d][n] - origin;
+	double lo = (s->lo - origin) / length, hi = (s->hi - origin) / length;
+	double h = (hi - lo) / (double)s->inside, below, above;
+	int64_t after = n - s->before - s->inside;
+
+	if (!(lo >= 0 && hi <= 1 && hi > lo) || after < 0)
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "flow_grid: %g to %g with %lld cells before and %lld inside do not fit into the "
+			       "%d cells from %g to %g",
+			       s->lo, s->hi, (long long)s->before, (long long)s->inside, n, origin,
+			       origin + length);
+	below = growth(h, s->before, lo);
+	above = growth(h, after, 1 - hi);
+	if (isnan(below) || isnan(above))
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "flow_grid: the %lld cells %s %g cannot fill the rest of the axis",
+			       (long long)(isnan(below) ? s->before : after),
+			       isnan(below) ? "before" : "after", isnan(below) ? s->lo : s->hi);
+	for (int64_t i = 0; i <= s->inside; i++)
+		face[s->before + i] = lo + (double)i * h;
+	grow(face + s->before, s->before, -1, h, below);
+	grow(face + s->before + s->inside, after, 1, h, above);
+	face[0] = 0;
+	face[n] = 1;
+	return TS_OK;
+}
+
+static enum ts_status read_faces(struct tsim *sim, const struct state *s, const struct ts_grid *grid,
+				 double *face, const struct ts_place *where)
+{
+	int d = s->axis, n = grid->n[d];
+	double lo = grid->face[d][0], length = grid->face[d][n] - lo;
+
+	if (s->faces.n != (size_t)n + 1)
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "flow_grid: %d cells along %s have %d faces, and %zu are given", n,
+			       ts_region_axes[d], n + 1, s->faces.n);
+	for (int i = 0; i <= n; i++) {
+		const struct ts_word *word = &s->faces.word[i];
+
+		if (!ts_parse_real(word->text, &face[i]))
+			return ts_fail(&sim->error, TS_SYNTAX, &word->place,
+				       "flow_grid: expected a coordinate instead of '%s'", word->text);
+		face[i] = (face[i] - lo) / length;
+		if (i > 0 && !(face[i] > face[i - 1]))
+			return ts_fail(&sim->error, TS_RANGE, &word->place,
+				       "flow_grid: the faces must increase");
+	}
+	if (fabs(face[0]) > 1e-9 || fabs(face[n] - 1) > 1e-9)
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "flow_grid: the grid goes from %g to %g along %s: the first and the last face "
+			       "must lie there",
+			       lo, lo + length, ts_region_axes[d]);
+	face[0] = 0;
+	face[n] = 1;
+	return TS_OK;
+}
+
+static enum ts_status make(struct tsim *sim, const struct state *s, const struct ts_grid *grid,
+			   double *face, const struct ts_place *where)
+{
+	int n = grid->n[s->axis];
+
+	if (s->mode == GEOMETRIC)
+		return make_geometric(sim, s, face, n, where);
+	if (s->mode == AROUND)
+		return make_around(sim, s, grid, face, where);
+	if (s->mode == TANH)
+		make_tanh(s, face, n);
+	return s->mode == FACES ? read_faces(sim, s, grid, face, where) : TS_OK;
+}
+
+static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	const struct state *s = state;
+	struct ts_projection *p;
+	struct ts_instance *flow;
+	enum ts_status status;
+	double *face = NULL;
+
+	TS_TRY(ts_projection_require(sim, "flow_grid", where, &flow, &p));
+	if (s->axis >= p->fluid.grid.dimensions)
+		return ts_fail(&sim->error, TS_RANGE, where, "flow_grid: there is one cell along %s",
+			       ts_region_axes[s->axis]);
+	if (s->mode != UNIFORM) {
+		face = ts_alloc((size_t)p->fluid.grid.n[s->axis] + 1, sizeof *face);
+		if (!face)
+			return ts_nomem(&sim->error);
+		status = make(sim, s, &p->fluid.grid, face, where);
+		if (status != TS_OK) {
+			ts_free(face);
+			return status;
+		}
+	}
+	ts_free(p->graded[s->axis]);
+	p->graded[s->axis] = face;
+	return ts_projection_prepare(flow, sim);
+}
+
+static const struct ts_arg geometric_args[] = {
+	TS_REAL("ratio", struct state, ratio, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+		.help = "width of the widest cell to that of the narrowest"),
+	TS_ENUM("fine", struct state, fine, fine_names, .fallback = "lo",
+		.help = "where the narrowest cell is; both: at either end"),
+	TS_ARGS_END,
+};
+
+static const struct ts_arg tanh_args[] = {
+	TS_REAL("strength", struct state, strength, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+		.help = "b of x = 1/2 + tanh(b (2 i/n - 1))/(2 tanh b): fine at both ends"),
+	TS_ARGS_END,
+};
+
+static const struct ts_arg around_args[] = {
+	TS_REAL("lo", struct state, lo, .flags = TS_POSITIONAL, .unit = "length",
+		.help = "where the even cells begin"),
+	TS_REAL("hi", struct state, hi, .flags = TS_POSITIONAL, .unit = "length",
+		.help = "and end"),
+	TS_INT("before", struct state, before, .range = TS_NOT_NEGATIVE,
+	       .help = "number of cells before lo"),
+	TS_INT("inside", struct state, inside, .range = TS_POSITIVE,
+	       .help = "number of even cells; the others come after hi"),
+	TS_ARGS_END,
+};
+
+static const struct ts_arg faces_args[] = {
+	TS_REST("faces", struct state, faces, .help = "coordinates of all faces, one more than cells"),
+	TS_ARGS_END,
+};
+
+static const struct ts_mode modes[] = {
+	[UNIFORM] = { "uniform", "all cells alike", NULL },
+	[GEOMETRIC] = { "geometric", "each cell wider than the one before by the same factor",
+			geometric_args },
+	[TANH] = { "tanh", "fine at both ends, smooth", tanh_args },
+	[AROUND] = { "around",
+		     "even between two places, as around a body; growing by a constant factor on both sides",
+		     around_args },
+	[FACES] = { "faces", "as listed", faces_args },
+	{ .name = NULL },
+};
+
+static const struct ts_arg args[] = {
+	TS_ENUM("axis", struct state, axis, ts_region_axes, .flags = TS_POSITIONAL, .help = "which one"),
+	TS_MODE("spacing", struct state, mode, modes, .help = "how the cells follow each other"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(command, ts_command_style, ts_command_flow_grid)
+const struct ts_command_style ts_command_flow_grid = {
+	.style = { .name = "flow_grid",
+		   .kind = TS_KIND_COMMAND,
+		   .summary = "Sets the widths of the fluid's cells along an axis",
+		   .doc = "After flow_style projection, which says how many cells there are. Without it all are "
+			  "of the same width. Each axis is graded by itself, so cells line up.\n\n"
+			  "Schemes are of second order where widths change smoothly: by a few per cent from cell "
+			  "to cell.",
+		   .example = "flow_grid y tanh 1.7\nflow_grid x geometric 4.0 fine hi\n"
+			      "flow_grid x around -1 2 before 40 inside 90\n"
+			      "flow_grid z faces 0 0.1 0.25 0.5 1.0",
+		   .args = args,
+		   .state_size = sizeof(struct state) },
+	.needs_box = true,
+	.run = run,
+};

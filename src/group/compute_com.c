@@ -1,0 +1,58 @@
+/* Compute: center of mass. */
+#include "core/sim.h"
+
+#include "box/domain.h"
+#include "math/exactsum.h"
+#include "particle/particles.h"
+
+#include "base/banned.h"
+
+/* Of positions as they would be without periodic wrapping. */
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	const struct ts_particles *p = sim->particles;
+	struct ts_exactsum mass = ts_exactsum_start(), moment[3];
+
+	for (int d = 0; d < 3; d++)
+		moment[d] = ts_exactsum_start();
+	for (size_t i = 0; i < p->n; i++) {
+		if (!ts_in_group(p, i, self->group))
+			continue;
+		ts_exactsum_add(&mass, p->mass[i]);
+		for (int d = 0; d < 3; d++)
+			ts_exactsum_add(&moment[d],
+					p->mass[i] * (p->x[i][d] +
+						      p->image[i][d] *
+							      ts_box_length(&sim->domain->box, d)));
+	}
+	for (int d = 0; d < 3; d++)
+		out->data[d] = ts_exactsum_value(&mass) > 0
+				       ? ts_exactsum_value(&moment[d]) / ts_exactsum_value(&mass)
+				       : 0;
+	return TS_OK;
+}
+
+static const char *const names[] = { "x", "y", "z", NULL };
+
+static const struct ts_value values[] = {
+	{ .name = "center",
+	  .unit = "length",
+	  .help = "center of mass of the group",
+	  .shape = TS_VECTOR,
+	  .columns = 3,
+	  .column_names = names,
+	  .eval = eval },
+	{ .name = NULL },
+};
+
+TS_STYLE(compute, ts_style, ts_compute_com)
+const struct ts_style ts_compute_com = {
+	.name = "com",
+	.kind = TS_KIND_COMPUTE,
+	.summary = "Center of mass",
+	.doc = "c_ID[1], c_ID[2], c_ID[3] are the sums of m x over the group divided by its mass, "
+	       "with x as\n"
+	       "it would be without periodic wrapping. An empty group has its center at 0.",
+	.example = "compute center all com",
+	.values = values,
+};

@@ -1,0 +1,32 @@
+/* Compute: kinetic energy of rotation. */
+#include "group/kinetic_energy.h"
+
+#include "base/banned.h"
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	out->data[0] = ts_group_rotation_energy(sim, self->group);
+	return TS_OK;
+}
+
+static const struct ts_value values[] = {
+	{ .name = "energy",
+	  .unit = "energy",
+	  .help = "kinetic energy of rotation of the group",
+	  .shape = TS_SCALAR,
+	  .eval = eval },
+	{ .name = NULL },
+};
+
+TS_STYLE(compute, ts_style, ts_compute_erotate_sphere)
+const struct ts_style ts_compute_erotate_sphere = {
+	.name = "erotate/sphere",
+	.kind = TS_KIND_COMPUTE,
+	.summary = "Kinetic energy of rotation",
+	.doc = "The sum of I omega^2 / 2 over the group with I = 0.4 m R^2 (0.5 m R^2 for discs), rounded once. It is 0 where "
+	       "nothing\n"
+	       "makes particles rotate. The spheres of a clump of fix multisphere are not counted: see compute\n"
+	       "erotate/multisphere.",
+	.example = "compute rotation all erotate/sphere",
+	.values = values,
+};

@@ -1,0 +1,127 @@
+/* Dynamic groups: their members are chosen anew every so many steps. */
+#include "group/group_dynamic.h"
+
+#include <string.h>
+
+#include "core/sweep.h"
+#include "core/value.h"
+#include "particle/particles.h"
+#include "region/region.h"
+
+#include "base/banned.h"
+
+static struct ts_instance *region_of(struct tsim *sim, int bit)
+{
+	return ts_sim_find(sim, TS_KIND_REGION, sim->particles->dynamic[bit].region);
+}
+
+enum ts_status ts_group_variable(struct tsim *sim, const char *name, const struct ts_place *where,
+				 struct ts_table *out)
+{
+	struct ts_str text = { 0 };
+	struct ts_ref ref;
+	enum ts_status status;
+
+	/* LAMMPS writes the bare name */
+	ts_str_addf(&text, "%s%s", strncmp(name, "v_", 2) == 0 ? "" : "v_", name);
+	status = text.failed ? ts_nomem(&sim->error)
+			     : ts_ref_resolve(sim, ts_str_text(&text), where, &ref);
+	if (status == TS_OK)
+		status = ts_ref_peratom(sim, &ref, where, out);
+	ts_str_release(&text);
+	return status;
+}
+
+static enum ts_status check(struct tsim *sim, int bit)
+{
+	const struct ts_particles *p = sim->particles;
+	const struct ts_dynamic_group *g = &p->dynamic[bit];
+
+	if (!p->group[g->parent])
+		return ts_fail(&sim->error, TS_STATE, NULL,
+			       "dynamic group %s: its parent group is gone", p->group[bit]);
+	if (g->region && !region_of(sim, bit))
+		return ts_fail(&sim->error, TS_STATE, NULL,
+			       "dynamic group %s: there is no region %s", p->group[bit], g->region);
+	return TS_OK;
+}
+
+enum ts_status ts_group_choose(struct tsim *sim, int bit)
+{
+	struct ts_particles *p = sim->particles;
+	const struct ts_dynamic_group *g = &p->dynamic[bit];
+	struct ts_instance *region;
+	struct ts_table value = { 0 };
+	enum ts_status status = TS_OK;
+
+	TS_TRY(check(sim, bit));
+	region = g->region ? region_of(sim, bit) : NULL;
+	TS_TRY(ts_region_update(region, sim));
+	if (g->variable)
+		status = ts_group_variable(sim, g->variable, NULL, &value);
+	for (size_t i = 0; status == TS_OK && i < p->n; i++) {
+		bool in = ts_in_group(p, i, g->parent) &&
+			  (!region || ts_region_contains(region, p->x[i])) &&
+			  (!g->variable || value.data[i] != 0);
+
+		p->mask[i] = (p->mask[i] & ~(1u << bit)) | (uint32_t)in << bit;
+	}
+	ts_table_release(&value);
+	return status;
+}
+
+static enum ts_status choose_due(struct tsim *sim, bool all)
+{
+	const struct ts_particles *p = sim->particles;
+
+	for (int bit = 1; bit < TS_MAX_GROUPS; bit++)
+		if (p->dynamic[bit].every &&
+		    (all || sim->clock.step % p->dynamic[bit].every == 0)) {
+			ts_sweep(sim);
+			TS_TRY(ts_group_choose(sim, bit));
+		}
+	return TS_OK;
+}
+
+enum ts_status ts_group_step(struct ts_instance *self, struct tsim *sim)
+{
+	(void)self;
+	return choose_due(sim, false);
+}
+
+/* Exchange comes before the first step only if something has changed since the last: then the members
+ * are chosen anew. A run that goes on keeps those it has. */
+enum ts_status ts_group_start(struct ts_instance *self, struct tsim *sim)
+{
+	(void)self;
+	return sim->clock.step == sim->clock.first_step ? choose_due(sim, true) : TS_OK;
+}
+
+enum ts_status ts_group_archive_dynamic(struct tsim *sim, struct ts_archive *a)
+{
+	struct ts_particles *p = sim->particles;
+
+	for (int bit = 1; bit < TS_MAX_GROUPS; bit++) {
+		struct ts_dynamic_group *g = &p->dynamic[bit];
+		const char *region = g->region ? g->region : "";
+		const char *variable = g->variable ? g->variable : "";
+		int64_t numbers[2] = { g->every, g->parent };
+		char name[40];
+
+		snprintf(name, sizeof name, "dynamic%d", bit);
+		if (!ts_archive_has(a, name) || (ts_archive_writing(a) && !g->every))
+			continue;
+		TS_TRY(ts_archive_fixed(a, name, TS_SAVED_I64, numbers, 2));
+		snprintf(name, sizeof name, "dynamic%d_region", bit);
+		TS_TRY(ts_archive_string(a, name, &region));
+		snprintf(name, sizeof name, "dynamic%d_variable", bit);
+		TS_TRY(ts_archive_string(a, name, &variable));
+		if (numbers[0] < 1 || numbers[1] < 0 || numbers[1] >= TS_MAX_GROUPS)
+			return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible dynamic group");
+		*g = (struct ts_dynamic_group){ .every = numbers[0],
+						.parent = (int)numbers[1],
+						.region = *region ? region : NULL,
+						.variable = *variable ? variable : NULL };
+	}
+	return TS_OK;
+}

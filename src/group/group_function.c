@@ -1,0 +1,398 @@
+/* Functions of formulas that sum over a group, or over the part of it in a region. As in LAMMPS positions
+ * count without the wrapping at periodic faces, and particles as points. */
+#include <math.h>
+
+#include "box/domain.h"
+#include "group/kinetic_energy.h"
+#include "material/property.h"
+#include "math/exactsum.h"
+#include "particle/particles.h"
+#include "region/region.h"
+
+#include "base/banned.h"
+
+/* Whom a function sums over, and what it needs to know of them. */
+struct chosen {
+	struct tsim *sim;
+	const struct ts_particles *p;
+	const struct ts_instance *region; /* NULL: everywhere */
+	int group;
+	double mass, centre[3];
+};
+
+typedef double term_fn(const struct chosen *c, size_t i, int a, int b);
+
+static bool is_chosen(const struct chosen *c, size_t i)
+{
+	return ts_in_group(c->p, i, c->group) &&
+	       (!c->region || ts_region_contains(c->region, c->p->x[i]));
+}
+
+/* Exactly rounded, so that it does not depend on the order of particles. */
+static double sum(const struct chosen *c, term_fn *term, int a, int b)
+{
+	struct ts_exactsum sum = { 0 };
+
+	for (size_t i = 0; i < c->p->n; i++)
+		if (is_chosen(c, i))
+			ts_exactsum_add(&sum, term(c, i, a, b));
+	return ts_exactsum_value(&sum);
+}
+
+static enum ts_status choose_region(struct chosen *c, const struct ts_word *name)
+{
+	struct ts_instance *region = NULL;
+
+	TS_TRY(ts_sim_require(c->sim, TS_KIND_REGION, name, &region));
+	TS_TRY(ts_region_update(region, c->sim));
+	c->region = region;
+	return TS_OK;
+}
+
+/* The group is the first word, the region the last of `most`, if there are so many. */
+static enum ts_status choose(struct tsim *sim, struct ts_words args, size_t most, struct chosen *c)
+{
+	*c = (struct chosen){ .sim = sim, .p = sim->particles };
+	TS_TRY(ts_group_require(sim, &args.word[0], &c->group));
+	return args.n == most ? choose_region(c, &args.word[most - 1]) : TS_OK;
+}
+
+/* Position without wrapping. */
+static double unwrapped(const struct chosen *c, size_t i, int dim)
+{
+	return c->p->x[i][dim] +
+	       c->p->image[i][dim] * ts_box_length(&c->sim->domain->box, dim);
+}
+
+static double one(const struct chosen *c, size_t i, int a, int b)
+{
+	(void)c, (void)i, (void)a, (void)b;
+	return 1;
+}
+
+static double mass(const struct chosen *c, size_t i, int a, int b)
+{
+	(void)a, (void)b;
+	return c->p->mass[i];
+}
+
+static double mass_x(const struct chosen *c, size_t i, int a, int b)
+{
+	(void)b;
+	return c->p->mass[i] * unwrapped(c, i, a);
+}
+
+static double mass_v(const struct chosen *c, size_t i, int a, int b)
+{
+	(void)b;
+	return c->p->mass[i] * c->p->v[i][a];
+}
+
+static double kinetic(const struct chosen *c, size_t i, int a, int b)
+{
+	(void)a, (void)b;
+	return ts_kinetic_energy(c->sim, i);
+}
+
+static double force(const struct chosen *c, size_t i, int a, int b)
+{
+	(void)b;
+	return c->p->f[i][a];
+}
+
+static void arm(const struct chosen *c, size_t i, double d[3])
+{
+	for (int k = 0; k < 3; k++)
+		d[k] = unwrapped(c, i, k) - c->centre[k];
+}
+
+static double mass_r2(const struct chosen *c, size_t i, int a, int b)
+{
+	double d[3];
+
+	(void)a, (void)b;
+	arm(c, i, d);
+	return c->p->mass[i] * (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+}
+
+static double inertia(const struct chosen *c, size_t i, int a, int b)
+{
+	double d[3];
+
+	arm(c, i, d);
+	if (a != b)
+		return -c->p->mass[i] * d[a] * d[b];
+	return c->p->mass[i] * (d[(a + 1) % 3] * d[(a + 1) % 3] + d[(a + 2) % 3] * d[(a + 2) % 3]);
+}
+
+static double moment_of_momentum(const struct chosen *c, size_t i, int a, int b)
+{
+	int u = (a + 1) % 3, w = (a + 2) % 3;
+	double d[3];
+
+	(void)b;
+	arm(c, i, d);
+	return c->p->mass[i] * (d[u] * c->p->v[i][w] - d[w] * c->p->v[i][u]);
+}
+
+static double moment_of_force(const struct chosen *c, size_t i, int a, int b)
+{
+	int u = (a + 1) % 3, w = (a + 2) % 3;
+	double d[3];
+
+	(void)b;
+	arm(c, i, d);
+	return d[u] * c->p->f[i][w] - d[w] * c->p->f[i][u];
+}
+
+static enum ts_status find_centre(struct chosen *c, const struct ts_word *name)
+{
+	c->mass = sum(c, mass, 0, 0);
+	if (!(c->mass > 0))
+		return ts_fail(&c->sim->error, TS_STATE, &name->place,
+			       "group '%s' has no particles%s: its centre is not defined",
+			       name->text, c->region ? " in that region" : "");
+	for (int k = 0; k < 3; k++)
+		c->centre[k] = sum(c, mass_x, k, 0) / c->mass;
+	return TS_OK;
+}
+
+/* A word such as "x" or "yz": one of a list of names; its number. */
+static enum ts_status pick(struct tsim *sim, const struct ts_word *word, const char *const *names,
+			   const char *expected, int *out)
+{
+	for (*out = 0; names[*out]; ++*out)
+		if (ts_streq(word->text, names[*out]))
+			return TS_OK;
+	return ts_fail(&sim->error, TS_SYNTAX, &word->place, "expected %s, found '%s'", expected,
+		       word->text);
+}
+
+static enum ts_status read_dim(struct tsim *sim, const struct ts_word *word, int *dim)
+{
+	static const char *const names[] = { "x", "y", "z", NULL };
+
+	return pick(sim, word, names, "x, y or z", dim);
+}
+
+static enum ts_status plain(struct tsim *sim, struct ts_words args, term_fn *term, double *out)
+{
+	struct chosen c;
+
+	TS_TRY(choose(sim, args, 2, &c));
+	*out = sum(&c, term, 0, 0);
+	return TS_OK;
+}
+
+static enum ts_status eval_count(struct tsim *sim, struct ts_words args, double *out)
+{
+	return plain(sim, args, one, out);
+}
+
+static enum ts_status eval_mass(struct tsim *sim, struct ts_words args, double *out)
+{
+	return plain(sim, args, mass, out);
+}
+
+static enum ts_status eval_ke(struct tsim *sim, struct ts_words args, double *out)
+{
+	return plain(sim, args, kinetic, out);
+}
+
+/* (group,dim[,region]); about: relative to the centre of mass. */
+static enum ts_status component(struct tsim *sim, struct ts_words args, term_fn *term, bool about,
+				double *out)
+{
+	struct chosen c;
+	int dim;
+
+	TS_TRY(choose(sim, args, 3, &c));
+	TS_TRY(read_dim(sim, &args.word[1], &dim));
+	if (about)
+		TS_TRY(find_centre(&c, &args.word[0]));
+	*out = sum(&c, term, dim, 0);
+	return TS_OK;
+}
+
+static enum ts_status per_mass(struct tsim *sim, struct ts_words args, term_fn *term, double *out)
+{
+	struct chosen c;
+
+	TS_TRY(component(sim, args, term, false, out));
+	TS_TRY(choose(sim, args, 3, &c));
+	TS_TRY(find_centre(&c, &args.word[0]));
+	*out /= c.mass;
+	return TS_OK;
+}
+
+static enum ts_status eval_xcm(struct tsim *sim, struct ts_words args, double *out)
+{
+	return per_mass(sim, args, mass_x, out);
+}
+
+static enum ts_status eval_vcm(struct tsim *sim, struct ts_words args, double *out)
+{
+	return per_mass(sim, args, mass_v, out);
+}
+
+static enum ts_status eval_fcm(struct tsim *sim, struct ts_words args, double *out)
+{
+	return component(sim, args, force, false, out);
+}
+
+static enum ts_status eval_angmom(struct tsim *sim, struct ts_words args, double *out)
+{
+	return component(sim, args, moment_of_momentum, true, out);
+}
+
+static enum ts_status eval_torque(struct tsim *sim, struct ts_words args, double *out)
+{
+	return component(sim, args, moment_of_force, true, out);
+}
+
+static enum ts_status eval_gyration(struct tsim *sim, struct ts_words args, double *out)
+{
+	struct chosen c;
+
+	TS_TRY(choose(sim, args, 2, &c));
+	TS_TRY(find_centre(&c, &args.word[0]));
+	*out = sqrt(sum(&c, mass_r2, 0, 0) / c.mass);
+	return TS_OK;
+}
+
+static enum ts_status eval_inertia(struct tsim *sim, struct ts_words args, double *out)
+{
+	static const char *const names[] = { "xx", "yy", "zz", "xy", "yz", "xz", NULL };
+	static const int first[] = { 0, 1, 2, 0, 1, 0 }, second[] = { 0, 1, 2, 1, 2, 2 };
+	struct chosen c;
+	int k;
+
+	TS_TRY(choose(sim, args, 3, &c));
+	TS_TRY(pick(sim, &args.word[1], names, "xx, yy, zz, xy, yz or xz", &k));
+	TS_TRY(find_centre(&c, &args.word[0]));
+	*out = sum(&c, inertia, first[k], second[k]);
+	return TS_OK;
+}
+
+static double determinant(double m[3][3])
+{
+	double value = 0;
+
+	for (int k = 0; k < 3; k++) {
+		int u = (k + 1) % 3, w = (k + 2) % 3;
+
+		value += m[0][k] * (m[1][u] * m[2][w] - m[1][w] * m[2][u]);
+	}
+	return value;
+}
+
+/* Solves inertia omega = angular momentum by Cramer's rule. */
+static enum ts_status eval_omega(struct tsim *sim, struct ts_words args, double *out)
+{
+	double tensor[3][3], whole, trace;
+	struct chosen c;
+	int dim;
+
+	TS_TRY(choose(sim, args, 3, &c));
+	TS_TRY(read_dim(sim, &args.word[1], &dim));
+	TS_TRY(find_centre(&c, &args.word[0]));
+	for (int a = 0; a < 3; a++)
+		for (int b = 0; b < 3; b++)
+			tensor[a][b] = sum(&c, inertia, a, b);
+	whole = determinant(tensor);
+	trace = tensor[0][0] + tensor[1][1] + tensor[2][2];
+	if (!(whole > 1e-12 * trace * trace * trace))
+		return ts_fail(&sim->error, TS_STATE, &args.word[0].place,
+			       "the particles of group '%s' stand on one line: the angular velocity "
+			       "about it is not defined",
+			       args.word[0].text);
+	for (int a = 0; a < 3; a++)
+		tensor[a][dim] = sum(&c, moment_of_momentum, a, 0);
+	*out = determinant(tensor) / whole;
+	return TS_OK;
+}
+
+static enum ts_status eval_bound(struct tsim *sim, struct ts_words args, double *out)
+{
+	static const char *const names[] = { "xmin", "xmax", "ymin", "ymax", "zmin", "zmax", NULL };
+	struct chosen c;
+	bool found = false;
+	int side;
+
+	TS_TRY(choose(sim, args, 3, &c));
+	TS_TRY(pick(sim, &args.word[1], names, "xmin, xmax, ymin, ymax, zmin or zmax", &side));
+	for (size_t i = 0; i < c.p->n; i++) {
+		double x = c.p->x[i][side / 2];
+
+		if (!is_chosen(&c, i))
+			continue;
+		if (!found || (side % 2 ? x > *out : x < *out))
+			*out = x;
+		found = true;
+	}
+	if (!found)
+		return ts_fail(&sim->error, TS_STATE, &args.word[0].place,
+			       "group '%s' has no particles%s", args.word[0].text,
+			       c.region ? " in that region" : "");
+	return TS_OK;
+}
+
+static enum ts_status mask(const struct chosen *c, struct ts_table *out)
+{
+	if (ts_table_resize(out, c->p->n, 1) != TS_OK)
+		return ts_nomem(&c->sim->error);
+	for (size_t i = 0; i < c->p->n; i++)
+		out->data[i] = is_chosen(c, i);
+	return TS_OK;
+}
+
+static enum ts_status each_gmask(struct tsim *sim, struct ts_words args, struct ts_table *out)
+{
+	struct chosen c;
+
+	TS_TRY(choose(sim, args, 2, &c)); /* grmask too */
+	return mask(&c, out);
+}
+
+static enum ts_status each_rmask(struct tsim *sim, struct ts_words args, struct ts_table *out)
+{
+	struct chosen c = { .sim = sim, .p = sim->particles };
+
+	TS_TRY(choose_region(&c, &args.word[0]));
+	return mask(&c, out);
+}
+
+#define WHOLE(name_, f, help_)                                                                     \
+	{ .name = (name_), .arguments = "group[,region]", .help = (help_), .least = 1, .most = 2,  \
+	  .eval = (f) }
+#define PART(name_, part, f, help_)                                                                \
+	{ .name = (name_), .arguments = "group," part "[,region]", .help = (help_), .least = 2,    \
+	  .most = 3, .eval = (f) }
+
+const struct ts_function ts_group_functions[] = {
+	WHOLE("count", eval_count, "number of particles"),
+	WHOLE("mass", eval_mass, "total mass"),
+	WHOLE("ke", eval_ke, "kinetic energy of translation"),
+	WHOLE("gyration", eval_gyration, "radius of gyration: root of the mean of m r^2"),
+	PART("xcm", "x|y|z", eval_xcm, "centre of mass"),
+	PART("vcm", "x|y|z", eval_vcm, "velocity of the centre of mass"),
+	PART("fcm", "x|y|z", eval_fcm, "total force"),
+	PART("angmom", "x|y|z", eval_angmom,
+	     "angular momentum about the centre of mass, without spin"),
+	PART("torque", "x|y|z", eval_torque, "torque of the forces about the centre of mass"),
+	PART("inertia", "xx|yy|zz|xy|yz|xz", eval_inertia,
+	     "tensor of inertia about the centre of mass, of points"),
+	PART("omega", "x|y|z", eval_omega, "angular velocity: inertia omega = angmom"),
+	PART("bound", "xmin|xmax|ymin|ymax|zmin|zmax", eval_bound, "extreme coordinate of centres"),
+	{ .name = "property", .arguments = "name,type[,type]",
+	  .help = "property of a material or of a pair of materials, see fix property/global",
+	  .least = 2, .most = 3, .eval = ts_property_eval },
+	{ .name = "gmask", .arguments = "group", .help = "1 for particles of the group, else 0",
+	  .least = 1, .most = 1, .peratom = each_gmask },
+	{ .name = "rmask", .arguments = "region", .help = "1 for particles in the region, else 0",
+	  .least = 1, .most = 1, .peratom = each_rmask },
+	{ .name = "grmask", .arguments = "group,region",
+	  .help = "1 for particles of the group in the region, else 0", .least = 2, .most = 2,
+	  .peratom = each_gmask },
+	{ .name = NULL },
+};

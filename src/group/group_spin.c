@@ -1,0 +1,57 @@
+#include "group/group_spin.h"
+
+#include "math/vec3.h"
+#include "particle/moments.h"
+
+#include "base/banned.h"
+
+/* A body is taken for a line if det I is less than this part of (trace I)^3. */
+static const double FLAT = 1e-12;
+
+static void angular_momentum(const struct tsim *sim, size_t i, void *context, double *term)
+{
+	const struct ts_particles *p = sim->particles;
+	double arm[3];
+
+	ts_unwrapped(sim, i, arm);
+	ts_sub(arm, context, arm);
+	ts_cross(arm, p->v[i], term);
+	ts_scale(p->mass[i], term, term);
+}
+
+/* xx, yy, zz, xy, xz, yz of sum m (r^2 - r r). */
+static void inertia(const struct tsim *sim, size_t i, void *context, double *term)
+{
+	double r[3], m = sim->particles->mass[i];
+
+	ts_unwrapped(sim, i, r);
+	ts_sub(r, context, r);
+	term[0] = m * (r[1] * r[1] + r[2] * r[2]);
+	term[1] = m * (r[0] * r[0] + r[2] * r[2]);
+	term[2] = m * (r[0] * r[0] + r[1] * r[1]);
+	term[3] = -m * r[0] * r[1];
+	term[4] = -m * r[0] * r[2];
+	term[5] = -m * r[1] * r[2];
+}
+
+void ts_group_spin(const struct tsim *sim, int group, double centre[3], double omega[3])
+{
+	double l[3], t[6], a[3], b[3], c[3], bc[3], ca[3], ab[3], det, trace;
+
+	ts_group_centre(sim, group, centre);
+	ts_group_sum(sim, group, 3, angular_momentum, centre, l);
+	ts_group_sum(sim, group, 6, inertia, centre, t);
+	trace = t[0] + t[1] + t[2];
+	a[0] = t[0], a[1] = b[0] = t[3], a[2] = c[0] = t[4];
+	b[1] = t[1], b[2] = c[1] = t[5], c[2] = t[2];
+	ts_cross(b, c, bc);
+	ts_cross(c, a, ca);
+	ts_cross(a, b, ab);
+	det = ts_dot(a, bc);
+	for (int k = 0; k < 3; k++) {
+		if (det > FLAT * trace * trace * trace) /* the inverse by cofactors */
+			omega[k] = (bc[k] * l[0] + ca[k] * l[1] + ab[k] * l[2]) / det;
+		else /* I = (1 - e e) trace/2 */
+			omega[k] = trace > 0 ? 2 * l[k] / trace : 0;
+	}
+}

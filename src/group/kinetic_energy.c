@@ -1,0 +1,62 @@
+#include "group/kinetic_energy.h"
+
+#include "math/vec3.h"
+#include "particle/body.h"
+#include "particle/moments.h"
+#include "rigid/rigid.h"
+
+#include "base/banned.h"
+
+/* The clump that particle i belongs to, or NULL. */
+static const struct ts_body *clump_of(const struct tsim *sim, size_t i)
+{
+	const struct ts_body *body = ts_rigid_body_of(sim, i);
+
+	return body && body->kind > 0 ? body : NULL;
+}
+
+double ts_kinetic_energy(const struct tsim *sim, size_t i)
+{
+	const struct ts_particles *p = sim->particles;
+	const struct ts_body *clump = clump_of(sim, i);
+	const double *v = clump ? clump->v : p->v[i];
+
+	return 0.5 * p->mass[i] * ts_dot(v, v);
+}
+
+double ts_rotation_energy(const struct tsim *sim, size_t i)
+{
+	const struct ts_particles *p = sim->particles;
+
+	if (!p->omega || clump_of(sim, i))
+		return 0;
+	return 0.5 * ts_inertia(sim, i) * ts_dot(p->omega[i], p->omega[i]);
+}
+
+static void kinetic_term(const struct tsim *sim, size_t i, void *context, double *term)
+{
+	(void)context;
+	term[0] = ts_kinetic_energy(sim, i);
+}
+
+static void rotation_term(const struct tsim *sim, size_t i, void *context, double *term)
+{
+	(void)context;
+	term[0] = ts_rotation_energy(sim, i);
+}
+
+double ts_group_kinetic_energy(const struct tsim *sim, int group)
+{
+	double sum;
+
+	ts_group_sum(sim, group, 1, kinetic_term, NULL, &sum);
+	return sum;
+}
+
+double ts_group_rotation_energy(const struct tsim *sim, int group)
+{
+	double sum;
+
+	ts_group_sum(sim, group, 1, rotation_term, NULL, &sum);
+	return sum;
+}

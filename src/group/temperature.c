@@ -1,0 +1,57 @@
+#include "group/temperature.h"
+
+#include "core/units.h"
+#include "math/vec3.h"
+
+#include "base/banned.h"
+
+static void kinetic(const struct tsim *sim, size_t i, void *context, double *term)
+{
+	double v[3];
+
+	ts_sub(sim->particles->v[i], context, v);
+	for (int k = 0; k < 6; k++)
+		term[k] = sim->particles->mass[i] * v[ts_tensor_row[k]] * v[ts_tensor_column[k]];
+	term[6] = 1;
+}
+
+void ts_kinetic_tensor(const struct tsim *sim, int group, const double mean[3], double out[7])
+{
+	double shift[3] = { 0 };
+
+	for (int d = 0; mean && d < 3; d++)
+		shift[d] = mean[d];
+	ts_group_sum(sim, group, 7, kinetic, shift, out);
+}
+
+enum ts_status ts_freedom_read(struct ts_freedom *freedom, struct tsim *sim, struct ts_words words,
+			       size_t *used)
+{
+	bool extra = ts_streq(words.word[0].text, "extra");
+
+	*used = 0;
+	if (!extra && !ts_streq(words.word[0].text, "extra/dof"))
+		return TS_OK;
+	if (words.n < 2 || !ts_parse_real(words.word[1].text, &freedom->missing))
+		return ts_fail(&sim->error, TS_SYNTAX, &words.word[words.n > 1].place,
+			       "compute_modify: %s takes the number of degrees of freedom that do not count",
+			       words.word[0].text);
+	freedom->given = true;
+	*used = 2;
+	return TS_OK;
+}
+
+enum ts_status ts_freedom_modify(struct ts_instance *self, struct tsim *sim, struct ts_words words,
+				 size_t *used)
+{
+	return ts_freedom_read(self->state, sim, words, used);
+}
+
+double ts_temperature(const struct tsim *sim, const double t[7], const struct ts_freedom *f)
+{
+	double missing = f && f->given ? f->missing : sim->dimension;
+	double freedom = sim->dimension * t[6] - missing;
+	double twice_energy = t[0] + t[1] + (sim->dimension == 3 ? t[2] : 0);
+
+	return freedom > 0 ? twice_energy / (freedom * ts_boltzmann(sim)) : 0;
+}

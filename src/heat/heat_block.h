@@ -1,0 +1,186 @@
+/* Contacts that conduct heat, some dozens at once: what the law needs is brought into columns, as in row_batch.h. */
+#ifndef TS_HEAT_HEAT_BLOCK_H
+#define TS_HEAT_HEAT_BLOCK_H
+
+#include <math.h>
+
+#include "base/four.h"
+#include "base/inline.h"
+#include "heat/heat.h"
+#include "law/conduction.h"
+
+/* What rows are read by, out of the structures: nothing that is written can change it. */
+struct ts_heat_task {
+	const struct ts_heat *h;
+	const struct ts_particles *p;
+	const struct ts_heat_pairs *pairs;
+	int group;
+	const double *temperature;
+	const double (*x)[3];
+	const double *radius;
+	const int *type;
+	bool keeps; /* conductances of rows */
+};
+
+/* Of list 0 or 1. */
+static inline struct ts_heat_task ts_heat_task(const struct ts_instance *self, int list)
+{
+	const struct ts_heat *h = self->state;
+	const struct ts_particles *p = h->sim->particles;
+
+	return (struct ts_heat_task){ h, p, &h->pairs[list], self->group, ts_heat_column(h->sim, h->temperature),
+				      (const double (*)[3])p->x, p->radius, p->type, h->keeps };
+}
+
+TS_INLINE size_t ts_heat_types(const struct ts_heat_task *t, size_t i, size_t j)
+{
+	return (size_t)(t->type[i] * (t->h->ntypes + 1) + t->type[j]);
+}
+
+/* The area of contact; 0: they do not touch. */
+TS_INLINE double ts_heat_area(const struct ts_heat_task *t, size_t i, size_t j)
+{
+	double sum = t->radius[i] + t->radius[j], d[3], d2;
+
+	for (int k = 0; k < 3; k++)
+		d[k] = t->x[i][k] - t->x[j][k];
+	d2 = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+	return d2 < sum * sum
+		       ? ts_heat_area_of_spheres(&t->h->contact, sqrt(d2), t->radius[i], t->radius[j],
+						 t->h->softening ? t->h->softening[ts_heat_types(t, i, j)] : 1)
+		       : 0;
+}
+
+/* Rows, filled up to whole vectors with the last one. */
+struct ts_heat_block {
+	double d[4][TS_COLUMN], other[TS_COLUMN];     /* vector from j to i and radius of i; radius of j */
+	double pair[TS_COLUMN], softening[TS_COLUMN]; /* by types */
+	double h[TS_COLUMN], rise[TS_COLUMN];	      /* conductance; T_j - T_i */
+	double flow[4][TS_COLUMN];
+	const struct ts_row_near *near; /* n rows */
+	size_t n, whole;
+	struct ts_row_near tail[8]; /* the last, not whole vector */
+} __attribute__((aligned(64)));
+
+TS_INLINE const struct ts_row_near *ts_heat_row(const struct ts_heat_block *b, size_t k)
+{
+	size_t full = b->n & ~(size_t)7;
+
+	return k < full ? &b->near[k] : &b->tail[k - full];
+}
+
+/* The rows near[0 .. n-1], n at least 1. */
+TS_INLINE void ts_heat_list(struct ts_heat_block *b, const struct ts_row_near *near, size_t n)
+{
+	size_t full = n & ~(size_t)7;
+
+	b->near = near;
+	b->n = n;
+	b->whole = (n + 7) & ~(size_t)7;
+	for (size_t k = full; k < b->whole; k++)
+		b->tail[k - full] = near[k < n ? k : n - 1];
+}
+
+/* Row k of those listed, by the types of its partners. */
+TS_INLINE void ts_heat_constants(const struct ts_heat_task *t, size_t types, struct ts_heat_block *b, size_t k)
+{
+	b->pair[k] = t->h->pair[types];
+	b->softening[k] = t->h->softening ? t->h->softening[types] : 1;
+}
+
+/* Where they are, and how warm; `placed`: the rows' own places are those of now. */
+TS_INLINE void ts_heat_load(const struct ts_heat_task *t, bool placed, struct ts_heat_block *b)
+{
+	const struct ts_row_sphere *sphere = t->pairs->rows->sphere;
+
+	for (size_t at = 0; at < b->whole; at += 4) {
+		const struct ts_row_near *near = ts_heat_row(b, at);
+		ts_four d[4];
+
+		for (size_t k = 0; k < 4; k++) {
+			size_t i = (size_t)near[k].i, j = (size_t)near[k].j;
+
+			if (placed) {
+				const ts_four *place = (const ts_four *)sphere[i].place;
+
+				d[k] = TS_FOUR_LAST(*place - *(const ts_four *)sphere[j].place, *place);
+			} else {
+				d[k] = TS_FOUR_AT(t->x[i]) - TS_FOUR_AT(t->x[j]);
+				d[k][3] = t->radius[i];
+			}
+			b->other[at + k] = placed ? sphere[j].place[3] : t->radius[j];
+			b->rise[at + k] = t->temperature[j] - t->temperature[i];
+		}
+		ts_four_columns(d, b->d, at);
+	}
+}
+
+/* Where surfaces cut each other, in a loop without branches; the same numbers as ts_heat_area. */
+TS_INLINE void ts_heat_overlaps(struct ts_heat_block *b)
+{
+#pragma omp simd
+	for (size_t k = 0; k < b->whole; k++) {
+		double ri = b->d[3][k], rj = b->other[k], sum = ri + rj;
+		double square = b->d[0][k] * b->d[0][k] + b->d[1][k] * b->d[1][k] + b->d[2][k] * b->d[2][k];
+		double distance = sum - b->softening[k] * (sum - sqrt(square));
+		double larger = ri > rj ? ri : rj, smaller = ri > rj ? rj : ri;
+		double lens = ts_lens_of_spheres(distance, ri, rj);
+		double area = distance < larger ? TS_PI * smaller * smaller : lens;
+
+		area = square < sum * sum ? area : 0;
+		b->h[k] = ts_heat_conductance(b->pair[k], area > 0 ? area : 0);
+	}
+}
+
+/* Only particles of the group change, but they exchange heat with all. */
+TS_INLINE bool ts_heat_counts(const struct ts_heat_task *t, const struct ts_row_near *near)
+{
+	return ts_in_group(t->p, (size_t)near->i, t->group) || ts_in_group(t->p, (size_t)near->j, t->group);
+}
+
+TS_INLINE void ts_heat_find_block(const struct ts_heat_task *t, struct ts_heat_block *b)
+{
+	if (t->h->contact.kind == TS_HEAT_OVERLAP) {
+		ts_heat_overlaps(b);
+	} else {
+		for (size_t k = 0; k < b->whole; k++) {
+			const struct ts_row_near *row = ts_heat_row(b, k);
+
+			b->h[k] = ts_heat_conductance(b->pair[k], ts_heat_area(t, (size_t)row->i, (size_t)row->j));
+		}
+	}
+	for (size_t k = 0; k < b->whole && t->group; k++)
+		b->h[k] = ts_heat_counts(t, ts_heat_row(b, k)) ? b->h[k] : 0;
+	for (size_t k = 0; k < b->n && t->keeps; k++)
+		t->pairs->conductance[b->near[k].row] = b->h[k];
+}
+
+/* What is done with each block of rows once their conductances are known. */
+typedef void ts_heat_block_fn(const struct ts_heat_task *t, struct ts_heat_block *b);
+
+/* The rows from .. to-1 of a list, whether they touch or not. Their slots have their numbers. */
+TS_INLINE void ts_heat_scan(const struct ts_heat_task *t, size_t from, size_t to, ts_heat_block_fn *then)
+{
+	const struct ts_rows *rows = t->pairs->rows;
+	struct ts_row_near near[TS_COLUMN];
+	struct ts_heat_block b;
+
+	for (size_t n; from < to; from += n) {
+		n = to - from < TS_COLUMN ? to - from : TS_COLUMN;
+		for (size_t k = 0; k < n; k++)
+			near[k] = (struct ts_row_near){ (uint32_t)(from + k), (uint32_t)(from + k), rows->i[from + k],
+							rows->j[from + k] };
+		ts_heat_list(&b, near, n);
+		for (size_t k = 0; k < b.whole; k++) {
+			const struct ts_row_near *row = ts_heat_row(&b, k);
+
+			ts_heat_constants(t, ts_heat_types(t, (size_t)row->i, (size_t)row->j), &b, k);
+		}
+		ts_heat_load(t, false, &b);
+		ts_heat_find_block(t, &b);
+		if (then)
+			then(t, &b);
+	}
+}
+
+#endif

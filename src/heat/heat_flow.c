@@ -1,0 +1,257 @@
+/* The heat that flows through contacts, and what of it comes to each particle.
+ *
+ * Temperatures change at the end of a step alone, so heat flows as soon as the forces of a block of rows have been
+ * computed (row_walk.h): it is known then which of them touch, and they are near in the caches. It waits for its stage
+ * in a column of its own, for walls may act before. Without a pair style, and for partners that are both held, all
+ * rows are looked at. */
+#include "base/clones.h"
+TS_UNROLLED
+
+#include "heat/heat.h"
+
+#include <string.h>
+
+#include "base/parallel.h"
+#include "contact/row_walk.h"
+#include "core/sweep.h"
+#include "heat/heat_block.h"
+
+#include "base/banned.h"
+
+/* ---- through rows */
+
+/* What flows into i; half of it along the line of centres is either partner's share of the vector, since flux and line
+ * change sign together. */
+TS_INLINE void flow_block(const struct ts_heat_task *t, struct ts_heat_block *b)
+{
+	ts_four *flow = (ts_four *)t->pairs->flow;
+
+#pragma omp simd
+	for (size_t k = 0; k < b->whole; k++) {
+		double q = b->h[k] * b->rise[k];
+
+		b->flow[0][k] = q;
+		for (int c = 0; c < 3; c++)
+			b->flow[1 + c][k] = 0.5 * q * b->d[c][k];
+	}
+	for (size_t at = 0; at < b->whole; at += 4) {
+		const struct ts_row_near *near = ts_heat_row(b, at);
+		ts_four row[4];
+
+		ts_four_rows((const double (*)[TS_COLUMN])b->flow, at, row);
+		for (size_t k = 0; k < 4; k++)
+			flow[near[k].slot] = row[k];
+	}
+}
+
+/* All rows from .. to-1 of a list. */
+TS_CLONES static void scan_share(void *context, size_t from, size_t to)
+{
+	const struct ts_heat_task t = *(const struct ts_heat_task *)context;
+
+	ts_heat_scan(&t, from, to, flow_block);
+}
+
+/* What the active rows of a block will need, so that it comes together; first partners follow each other in memory. */
+TS_INLINE void send_for(const struct ts_heat_task *t, const struct ts_row_block *block)
+{
+	const struct ts_row_near *near = t->pairs->rows->near + block->first, *end = near + block->active;
+	const struct ts_row_sphere *sphere = t->pairs->rows->sphere;
+	const double *temperature = t->temperature;
+	const struct ts_heat_flow *flow = t->pairs->flow;
+
+	for (; near < end; near++) {
+		__builtin_prefetch(sphere[near->j].place);
+		__builtin_prefetch(temperature + near->j);
+		__builtin_prefetch(flow + near->slot, 1);
+	}
+}
+
+/* The rows of the blocks from .. to-1. */
+TS_CLONES static void blocks_share(void *context, size_t from, size_t to)
+{
+	const struct ts_heat_task t = ts_heat_task(context, 0);
+	const struct ts_rows *rows = t.pairs->rows;
+	struct ts_heat_block b;
+
+	for (size_t l = from; l < to; l++) {
+		const struct ts_row_block *block = &rows->block[l];
+		const struct ts_row_near *near = rows->near + block->first;
+		size_t types = (size_t)(block->type[0] * (t.h->ntypes + 1) + block->type[1]);
+
+		send_for(&t, block + 1);
+		for (size_t k = 0; k < TS_COLUMN; k++)
+			ts_heat_constants(&t, types, &b, k);
+		for (size_t at = 0; at < block->active; at += TS_COLUMN) {
+			ts_heat_list(&b, near + at, block->active - at < TS_COLUMN ? block->active - at : TS_COLUMN);
+			ts_heat_load(&t, true, &b);
+			ts_heat_find_block(&t, &b);
+			flow_block(&t, &b);
+		}
+		for (size_t at = block->active; at < block->n; at++)
+			t.pairs->flow[near[at].slot] = (struct ts_heat_flow){ { 0 } };
+	}
+}
+
+/* ---- into particles */
+
+/* `entry`: 2 slot + side. */
+TS_INLINE void add_flows(const struct ts_heat_flow *flow, const uint32_t *entry, size_t n, ts_four *sum)
+{
+	static const ts_four signs[2] = { { 1, 1, 1, 1 }, { -1, 1, 1, 1 } };
+	const ts_four *flows = (const ts_four *)flow;
+
+	for (size_t k = 0; k < n; k++)
+		*sum += signs[entry[k] & 1] * flows[entry[k] >> 1];
+}
+
+TS_INLINE void add_list(const struct ts_heat_pairs *pairs, size_t i, ts_four *sum)
+{
+	const struct ts_gather *g = &pairs->rows->gather;
+
+	if (pairs->rows->n)
+		add_flows(pairs->flow, g->entry + g->first[i], g->first[i + 1] - g->first[i], sum);
+}
+
+/* What comes to the particles from .. to-1. */
+TS_CLONES static void sum_share(void *context, size_t from, size_t to)
+{
+	const struct ts_heat *h = ((const struct ts_instance *)context)->state;
+	const struct ts_heat_pairs *pairs = h->pairs;
+	const uint32_t *first = pairs->rows->sum_first, *sums = pairs->rows->sum;
+	double *inner = h->inner, *directed = ts_heat_column(h->sim, h->directed);
+	bool known = h->follower.begun, held = pairs[1].rows->n > 0;
+
+	for (size_t i = from; i < to; i++) {
+		ts_four sum = { 0 };
+
+		if (known)
+			add_flows(pairs->flow, sums + first[i], first[i + 1] - first[i], &sum);
+		else
+			add_list(&pairs[0], i, &sum);
+		if (held)
+			add_list(&pairs[1], i, &sum);
+		inner[i] = sum[0];
+		for (int c = 0; c < 3; c++)
+			directed[3 * i + (size_t)c] = sum[1 + c];
+	}
+}
+
+/* ---- stages */
+
+struct columns {
+	double *flux, *wall_conductance, *wall_flux; /* wall_flux: NULL if it is not stored */
+	const double *inner;
+};
+
+static struct columns columns_of(const struct ts_heat *h)
+{
+	return (struct columns){ ts_heat_column(h->sim, h->flux), ts_heat_column(h->sim, h->wall_conductance),
+				 h->store ? ts_heat_column(h->sim, h->wall_flux) : NULL, h->inner };
+}
+
+static void clear_share(void *context, size_t from, size_t to)
+{
+	const struct columns c = *(const struct columns *)context;
+	size_t bytes = (to - from) * sizeof *c.flux;
+
+	memset(c.flux + from, 0, bytes);
+	memset(c.wall_conductance + from, 0, bytes);
+	if (c.wall_flux)
+		memset(c.wall_flux + from, 0, bytes);
+}
+
+static void add_share(void *context, size_t from, size_t to)
+{
+	const struct columns c = *(const struct columns *)context;
+
+	for (size_t i = from; i < to; i++)
+		c.flux[i] += c.inner[i];
+}
+
+/* Room for the flows of a list, and no conductances but those that are found now. */
+static enum ts_status clear_list(const struct ts_heat *h, struct ts_heat_pairs *pairs, size_t slots)
+{
+	size_t n = pairs->rows->n;
+
+	if (h->keeps && n)
+		memset(pairs->conductance, 0, n * sizeof *pairs->conductance);
+	return TS_RENEW(pairs->flow, pairs->flow_capacity, slots);
+}
+
+/* Flows of held partners are in no walk over rows. */
+static enum ts_status start(struct tsim *sim, void *context)
+{
+	const struct ts_instance *self = context;
+	struct ts_heat *h = self->state;
+	const struct ts_rows *rows = h->pairs[0].rows;
+	struct ts_heat_task held;
+	size_t n = h->held.n;
+
+	h->keeps = h->scheme == TS_HEAT_EXACT || h->store || sim->complete;
+	if (TS_RENEW(h->inner, h->inner_capacity, sim->particles->n) != TS_OK ||
+	    clear_list(h, &h->pairs[0], h->follower.begun ? rows->room / (size_t)rows->parts : rows->n) != TS_OK ||
+	    clear_list(h, &h->pairs[1], n) != TS_OK)
+		return ts_nomem(&sim->error);
+	held = ts_heat_task(self, 1);
+	ts_parallel(ts_team(sim, n), n, scan_share, &held);
+	return TS_OK;
+}
+
+/* Walls may act before or after this fix. */
+enum ts_status ts_heat_clear(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_heat *h = self->state;
+	struct columns c = columns_of(h);
+
+	TS_TRY(ts_heat_look(self, sim)); /* of the step before */
+	if (sim->in_setup) /* before a run the fluxes stay those of the last step, as in LIGGGHTS */
+		return TS_OK;
+	h->follower = (struct ts_row_follower){ { blocks_share, sum_share, self, true }, start, false };
+	ts_rows_follow(sim, &h->follower);
+	TS_SWEEP_ADD(sim, sim->particles->n, clear_share, &c);
+	return TS_OK;
+}
+
+/* Heat through all rows: no forces have been computed. */
+static enum ts_status conduct_alone(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_heat *h = self->state;
+	size_t rows = h->pairs[0].rows->n, n = sim->particles->n;
+	struct ts_heat_task task;
+
+	TS_TRY(start(sim, self));
+	task = ts_heat_task(self, 0);
+	ts_parallel(ts_team(sim, rows), rows, scan_share, &task);
+	ts_parallel(ts_team(sim, n), n, sum_share, self);
+	return TS_OK;
+}
+
+enum ts_status ts_heat_conduct(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_heat *h = self->state;
+	struct columns c;
+
+	if (sim->in_setup)
+		return TS_OK;
+	if (!h->follower.begun)
+		TS_TRY(conduct_alone(self, sim));
+	c = columns_of(h);
+	TS_SWEEP_ADD(sim, sim->particles->n, add_share, &c);
+	if (h->store)
+		ts_heat_store_contacts(self, sim);
+	return TS_OK;
+}
+
+void ts_heat_from_wall(const struct ts_heat *h, struct tsim *sim, size_t i, double conductance,
+		       double temperature)
+{
+	double q = conductance * (temperature - ts_heat_column(sim, h->temperature)[i]);
+
+	if (sim->in_setup)
+		return;
+	ts_heat_column(sim, h->flux)[i] += q;
+	ts_heat_column(sim, h->wall_conductance)[i] += conductance;
+	if (h->store)
+		ts_heat_column(sim, h->wall_flux)[i] += q;
+}

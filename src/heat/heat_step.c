@@ -1,0 +1,269 @@
+/* Temperatures over a step in which the contacts stand still: m c dT_i/dt = sum_j h_ij (T_j - T_i) + sum_w
+ * h_iw (T_w - T_i) + S_i for the particles of the group; the others keep theirs.
+ *
+ * euler   T += dt r, r the right-hand side by m c: first order; stable, and without swings, for dt below the
+ *         least m c / sum h (see law/conduction.h).
+ * exact   The system is linear, dT/dt = A T + b, so r = A T + b obeys dr/dt = A r and
+ *         T(t + s) = T + s sum_k (sA)^k r / (k + 1)!. The step is cut into parts s with ||A|| s <= 1, of
+ *         which a fixed number of terms leaves nothing of double precision. No limit. */
+#include "heat/heat.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <string.h>
+
+#include "base/parallel.h"
+#include "core/plan.h"
+#include "core/sweep.h"
+#include "particle/exchange.h"
+
+#include "base/banned.h"
+
+static double heat_capacity(const struct ts_heat *h, const struct ts_particles *p, size_t i)
+{
+	return p->mass[i] * h->capacity[p->type[i]];
+}
+
+/* The least m c / sum h of the group; infinite where nothing touches. */
+static double limit_of(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct ts_heat *h = self->state;
+	const struct ts_particles *p = sim->particles;
+	double least = INFINITY;
+
+	for (size_t i = 0; i < p->n; i++) {
+		double sum;
+
+		if (!ts_in_group(p, i, self->group))
+			continue;
+		sum = ts_heat_conductances(h, sim, i);
+		if (sum > 0)
+			least = fmin(least, heat_capacity(h, p, i) / sum);
+	}
+	return least;
+}
+
+enum ts_status ts_heat_plan(struct ts_instance *self, struct tsim *sim,
+			    struct ts_plan_report *report)
+{
+	struct ts_heat *h = self->state;
+	double limit;
+
+	if (h->scheme == TS_HEAT_EXACT || report->limits_only) /* it looks itself: examine below */
+		return TS_OK;
+	ts_heat_find(self, sim);
+	limit = limit_of(self, sim);
+	h->warned = !(sim->clock.dt < limit);
+	return isfinite(limit) ? ts_report_limit(report, limit, false, &self->where,
+						 "explicit conduction of heat, m c / sum h")
+			       : TS_OK;
+}
+
+/* ---- explicit Euler ---- */
+
+struct task {
+	const struct ts_instance *self;
+	struct ts_heat *h;
+	struct ts_particles *p;
+	double dt;
+};
+
+static void euler_share(void *context, size_t from, size_t to)
+{
+	const struct task t = *(const struct task *)context;
+	const struct ts_particles *p = t.p;
+	double *temperature = p->column[t.h->temperature].data, bound = t.h->bound;
+	const double *flux = p->column[t.h->flux].data, *source = p->column[t.h->source].data;
+	long beyond = 0;
+
+	for (size_t i = from; i < to; i++) {
+		if (!ts_in_group(p, i, t.self->group))
+			continue;
+		temperature[i] += (flux[i] + source[i]) * t.dt / heat_capacity(t.h, p, i);
+		beyond += !(fabs(temperature[i]) <= bound);
+	}
+	if (beyond) {
+#pragma omp atomic
+		t.h->beyond += beyond;
+	}
+}
+
+static size_t hottest(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct ts_heat *h = self->state;
+	const double *temperature = ts_heat_column(sim, h->temperature);
+	size_t most = 0;
+
+	for (size_t i = 0; i < sim->particles->n && isfinite(temperature[most]); i++)
+		if (ts_in_group(sim->particles, i, self->group) &&
+		    !(fabs(temperature[i]) <= fabs(temperature[most])))
+			most = i;
+	return most;
+}
+
+/* Large temperatures are a fault only if they come of the scheme. */
+enum ts_status ts_heat_look(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_heat *h = self->state;
+	double limit, temperature;
+	size_t i;
+
+	if (!h->beyond || !sim->particles->n)
+		return TS_OK;
+	h->beyond = 0;
+	ts_heat_find(self, sim);
+	limit = limit_of(self, sim);
+	i = hottest(self, sim);
+	temperature = ts_heat_column(sim, h->temperature)[i];
+	h->bound = 1e6 * fabs(temperature);
+	if (isfinite(temperature) && sim->clock.dt < limit)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_PHYSICS, &self->where,
+		       "fix %s: particle %d has reached the temperature %g at step %" PRId64 "; %s",
+		       self->style->name, sim->particles->tag[i], temperature, h->advanced,
+		       sim->clock.dt < limit
+			       ? "a source, a wall or a value that was set is not finite"
+			       : "the time step is beyond what explicit conduction of heat bears: use "
+				 "a smaller one, a smaller thermalConductivity or `scheme exact`");
+}
+
+static void examine(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_heat *h = self->state;
+	double limit;
+
+	h->examine = false;
+	if (h->warned)
+		return;
+	ts_heat_find(self, sim);
+	limit = limit_of(self, sim);
+	h->warned = !(sim->clock.dt < limit);
+	if (h->warned)
+		ts_warn(&sim->log, &self->where,
+			"fix %s: at step %" PRId64 " the time step %g is larger than %g, the limit of "
+			"explicit conduction of heat (m c / sum h)",
+			self->style->name, sim->clock.step, sim->clock.dt, limit);
+}
+
+/* What comes out is looked at when it is there: before the next step, or at once if this may be the last. */
+static enum ts_status euler(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_heat *h = self->state;
+	struct task task = { self, h, sim->particles, sim->clock.dt };
+
+	if (h->examine)
+		examine(self, sim);
+	h->advanced = sim->clock.step;
+	TS_SWEEP_ADD(sim, sim->particles->n, euler_share, &task);
+	if (!sim->complete)
+		return TS_OK;
+	ts_sweep(sim);
+	return ts_heat_look(self, sim);
+}
+
+/* ---- exact over the step ---- */
+
+/* r = (flux + source) / (m c); 0 for those that keep their temperature. */
+static void first_rate(const struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_heat *h = self->state;
+	const struct ts_particles *p = sim->particles;
+	const double *flux = ts_heat_column(sim, h->flux);
+	const double *source = ts_heat_column(sim, h->source);
+	double *rate = ts_heat_column(sim, h->rate);
+
+	for (size_t i = 0; i < p->n; i++)
+		rate[i] = ts_in_group(p, i, self->group)
+				  ? (flux[i] + source[i]) / heat_capacity(h, p, i)
+				  : 0;
+}
+
+struct stage {
+	struct task task;
+	const double *before; /* (sA)^k r / k!, ghosts included */
+	double *after;	      /* the next one */
+	double factor;	      /* s / (k + 1) */
+};
+
+static void stage_share(void *context, size_t from, size_t to)
+{
+	const struct stage s = *(const struct stage *)context;
+	const struct ts_heat *h = s.task.h;
+	const struct ts_particles *p = s.task.p;
+	const double *wall = p->column[h->wall_conductance].data;
+
+	for (size_t i = from; i < to; i++)
+		s.after[i] = ts_in_group(p, i, s.task.self->group)
+				     ? s.factor *
+					       (ts_heat_sum(h, i, s.before) -
+						wall[i] * s.before[i]) /
+					       heat_capacity(h, p, i)
+				     : 0;
+}
+
+/* Terms 0 .. MOST of e^x, x <= 1, leave 1/(MOST + 2)! < 2^-62. */
+enum { MOST = 18 };
+
+/* Advances T by s, and r to what it is then. */
+static void advance_part(const struct task *task, struct tsim *sim, double s)
+{
+	const struct ts_heat *h = task->h;
+	size_t n = sim->particles->n;
+	double *temperature = ts_heat_column(sim, h->temperature);
+	double *term = ts_heat_column(sim, h->rate), *sum = h->work, *after = h->work + n;
+
+	memcpy(sum, term, n * sizeof *sum);
+	for (int k = 0; k <= MOST; k++) {
+		struct stage stage = { *task, term, after, s / (k + 1) };
+
+		for (size_t i = 0; i < n; i++)
+			temperature[i] += term[i] * s / (k + 1);
+		ts_exchange_forward(sim); /* the ghosts' terms */
+		ts_parallel(ts_team(sim, n), n, stage_share, &stage);
+		for (size_t i = 0; i < n; i++)
+			sum[i] += term[i] = after[i];
+	}
+	memcpy(term, sum, n * sizeof *term);
+}
+
+static enum ts_status exact(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_heat *h = self->state;
+	struct task task = { self, h, sim->particles, sim->clock.dt };
+	/* ||A|| <= 2 / limit */
+	double parts = ceil(2 * sim->clock.dt / limit_of(self, sim)), s;
+
+	if (!(parts <= 1e6))
+		return ts_fail(&sim->error, TS_PHYSICS, &self->where,
+			       "fix %s: the time step %g is more than 500000 times the time that "
+			       "heat takes from one particle to the next",
+			       self->style->name, sim->clock.dt);
+	parts = fmax(parts, 1);
+	s = sim->clock.dt / parts;
+	if (TS_GROW(h->work, h->work_capacity, 2 * sim->particles->n) != TS_OK)
+		return ts_nomem(&sim->error);
+	ts_sweep(sim);
+	first_rate(self, sim);
+	for (int64_t k = 0; k < (int64_t)parts; k++)
+		advance_part(&task, sim, s);
+	return TS_OK;
+}
+
+/* ---- stages ---- */
+
+/* The state that a run starts from is believed. */
+enum ts_status ts_heat_start(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_heat *h = self->state;
+
+	h->bound = 1;
+	for (size_t i = 0; i < sim->particles->n; i++)
+		h->bound = fmax(h->bound, 1e6 * fabs(ts_heat_column(sim, h->temperature)[i]));
+	return TS_OK;
+}
+
+enum ts_status ts_heat_advance(struct ts_instance *self, struct tsim *sim)
+{
+	return ((const struct ts_heat *)self->state)->scheme == TS_HEAT_EXACT ? exact(self, sim)
+									       : euler(self, sim);
+}

@@ -1,0 +1,81 @@
+/* Compute: force of the fluid on a face of its grid. */
+#include "flow/flow.h"
+#include "flow/measure.h"
+#include "math/vec3.h"
+#include "region/region.h"
+
+#include "base/banned.h"
+
+struct state {
+	int side;
+	struct ts_instance *region;
+	struct tsim *sim;
+};
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	struct ts_fluid *fluid;
+
+	s->sim = sim;
+	TS_TRY(ts_flow_require_fluid(sim, "compute flow/force", &self->where, &fluid));
+	if (fluid->face[s->side / 2][s->side % 2] != TS_FLOW_PERIODIC && s->side / 2 < fluid->grid.dimensions)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, ts_flow_side_names[s->side]),
+		       "compute flow/force: nothing bounds the fluid at %s, %s", ts_flow_side_names[s->side],
+		       s->side / 2 < fluid->grid.dimensions ? "which is periodic" : "the flow is in two dimensions");
+}
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	struct state *s = self->state;
+	struct ts_flow_push push;
+	struct ts_fluid *fluid;
+
+	(void)sim;
+	TS_TRY(ts_flow_require_fluid(s->sim, "compute flow/force", &self->where, &fluid));
+	TS_TRY(ts_flow_face_force(fluid, s->sim, s->side / 2, (enum ts_side)(s->side % 2), s->region,
+				  &push));
+	for (int d = 0; d < 3; d++) {
+		out->data[d] = push.pressure[d] + push.shear[d];
+		out->data[3 + d] = push.pressure[d];
+		out->data[6 + d] = push.shear[d];
+	}
+	out->data[9] = push.area;
+	return TS_OK;
+}
+
+static const char *const columns[] = { "fx",  "fy",  "fz",  "fpx", "fpy",
+				       "fpz", "fsx", "fsy", "fsz", "area" };
+
+static const struct ts_value values[] = {
+	{ "force", "force", "force (3 numbers), its part of pressure (3), of shear (3); area", TS_VECTOR, 10,
+	  columns, eval },
+	{ .name = NULL },
+};
+
+static const struct ts_arg args[] = {
+	TS_ENUM("face", struct state, side, ts_flow_side_names, .flags = TS_POSITIONAL,
+		.help = "face of the grid"),
+	TS_REGION("region", struct state, region, .flags = TS_OPTIONAL,
+		  .help = "only what has its middle in this region"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(compute, ts_style, ts_compute_flow_force)
+const struct ts_style ts_compute_flow_force = {
+	.name = "flow/force",
+	.kind = TS_KIND_COMPUTE,
+	.summary = "Force of the fluid on a face of its grid",
+	.doc = "What the fluid does to a wall, lid, inlet or outlet: c_ID[1] to [3] the force, [4] to [6] its part of "
+	       "the pressure,\n[7] to [9] that of the shear, mu du/dn, [10] the area. The pressure on the face is "
+	       "extrapolated from the two cells before\nit; shear is what the fluid loses there in the same step, so "
+	       "in a steady flow the balance of momentum along the face holds\nto the last digits. Without an "
+	       "outlet the level of the pressure is not known: its mean is zero. Bodies in the fluid report\n"
+	       "their forces themselves.",
+	.example = "compute lid all flow/force yhi\nthermo_style custom step c_lid[7]",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.values = values,
+	.init = init,
+};

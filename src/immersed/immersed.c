@@ -1,0 +1,283 @@
+#include "immersed/immersed.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "math/vec3.h"
+
+#include "base/alloc.h"
+#include "base/parallel.h"
+
+#include "base/banned.h"
+
+/* How much of the pressure before the velocities beside the surface get in advance. They are not exactly free
+ * of divergence, as those inside are: with all of it, their pressure would grow in each step. */
+static const double BAND_PRESSURE = 0.5;
+
+/* What a point of the band takes of a thread's time, in simple rounds. */
+enum { BAND_ROUNDS = 8 };
+
+/* What u at a point of component c has to have more than the velocity wanted, so that this share of the gradient
+ * of the pressure before, dt/rho dp/dx, which the projection will take from it again, is allowed for.
+ * Predictors that have that gradient in them already have too little of it, for shares below 1. */
+static double pressure_part(const struct ts_fluid *fluid, int c, size_t at, int index, double dt,
+			    double share)
+{
+	const struct ts_grid *grid = &fluid->grid;
+
+	share = fluid->pressure_ahead ? 0 : share;
+	return share * dt / fluid->density * (fluid->p[at] - fluid->p[at - (size_t)grid->stride[c]]) /
+	       grid->gap[c][index];
+}
+
+/* Velocity at a place, linear between the points around, less the pressure's part. */
+static double outer_velocity(const struct ts_fluid *fluid, int c, const struct ts_immersed_place *b,
+			     double dt)
+{
+	const struct ts_grid *grid = &fluid->grid;
+	double sum = 0;
+
+	for (int k = 0; k <= (grid->dimensions > 2); k++)
+		for (int j = 0; j < 2; j++)
+			for (int i = 0; i < 2; i++) {
+				const int step[3] = { i, j, k };
+				size_t at = b->corner;
+				double w = 1;
+
+				for (int d = 0; d < grid->dimensions; d++) {
+					w *= step[d] ? b->t[d] : 1 - b->t[d];
+					at += (size_t)(step[d] * grid->stride[d]);
+				}
+				if (w != 0)
+					sum += w * (fluid->u[c][at] -
+						    pressure_part(fluid, c, at, b->index + step[c], dt,
+								  1));
+			}
+	return sum;
+}
+
+static void force_inside(struct ts_immersed *ib, struct ts_fluid *fluid, int c, double dt)
+{
+#pragma omp parallel for num_threads(ts_fluid_team(fluid, ib->first[c + 1] - ib->first[c])) schedule(static)
+	for (size_t k = ib->first[c]; k < ib->first[c + 1]; k++) {
+		struct ts_immersed_point *p = &ib->point[k];
+
+		p->before = fluid->u[c][p->at];
+		if (!p->outside)
+			fluid->u[c][p->at] =
+				p->target + pressure_part(fluid, c, p->at, p->index, dt, p->deep ? 0 : 1);
+	}
+}
+
+static double band_velocity(const struct ts_immersed *ib, const struct ts_fluid *fluid, int c, double dt,
+			    const struct ts_immersed_band *b)
+{
+	const struct ts_immersed_point *p = &ib->point[b->point];
+	double u = b->surface + pressure_part(fluid, c, p->at, p->index, dt, BAND_PRESSURE);
+
+	for (int m = 0; m < 2; m++)
+		u += b->out[m].count * (outer_velocity(fluid, c, &b->out[m], dt) - b->surface);
+	return p->before + b->weight * (u - p->before);
+}
+
+/* All from the velocities before: a band may lie among the points of another. */
+static void force_band(struct ts_immersed *ib, struct ts_fluid *fluid, int c, double dt)
+{
+	size_t first = ib->band_first[c], end = ib->band_first[c + 1];
+
+#pragma omp parallel num_threads(ts_fluid_team(fluid, BAND_ROUNDS * (end - first)))
+	{
+#pragma omp for schedule(static)
+		for (size_t k = first; k < end; k++)
+			ib->band[k].next = band_velocity(ib, fluid, c, dt, &ib->band[k]);
+#pragma omp for schedule(static)
+		for (size_t k = first; k < end; k++)
+			fluid->u[c][ib->point[ib->band[k].point].at] = ib->band[k].next;
+	}
+}
+
+/* Impulse of the forcing at one point and its moment, to the part. */
+static void add_up(struct ts_immersed *ib, const struct ts_fluid *fluid, int c, size_t k)
+{
+	const struct ts_immersed_point *p = &ib->point[k];
+	double *sum = ib->sums[p->part].stage, e = fluid->empty ? fluid->empty_face[c][p->at] : 1;
+	double impulse = fluid->density * e * p->volume * (fluid->u[c][p->at] - p->before);
+	int a = (c + 1) % 3, b = (c + 2) % 3;
+
+	sum[c] += impulse;
+	sum[3 + a] += p->arm[b] * impulse;
+	sum[3 + b] -= p->arm[a] * impulse;
+}
+
+/* The first point of component c whose part is not below this one: points are in the order of their parts. */
+static size_t first_of(const struct ts_immersed *ib, int c, size_t part)
+{
+	size_t low = ib->first[c], high = ib->first[c + 1];
+
+	while (low < high) {
+		size_t middle = low + (high - low) / 2;
+
+		if ((size_t)ib->point[middle].part < part)
+			low = middle + 1;
+		else
+			high = middle;
+	}
+	return low;
+}
+
+/* Sums of parts go to threads, each part as a whole, so that its sum has one order. */
+struct part_task {
+	struct ts_immersed *ib;
+	const struct ts_fluid *fluid;
+};
+
+static void share_parts(struct ts_immersed *ib, const struct ts_fluid *fluid, size_t parts,
+			ts_share_fn *share, void *task)
+{
+	int team = ts_fluid_team(fluid, ib->npoints);
+
+	ts_parallel(parts < (size_t)team ? (int)parts : team, parts, share, task);
+}
+
+static void add_up_parts(void *context, size_t from, size_t to)
+{
+	const struct part_task *task = context;
+
+	for (int c = 0; c < task->fluid->grid.dimensions; c++)
+		for (size_t k = first_of(task->ib, c, from), end = first_of(task->ib, c, to); k < end; k++)
+			add_up(task->ib, task->fluid, c, k);
+}
+
+void ts_immersed_begin(struct ts_immersed *ib, size_t parts)
+{
+	if (parts)
+		memset(ib->sums, 0, parts * sizeof *ib->sums);
+	ib->first_dt = 0;
+}
+
+void ts_immersed_keep(struct ts_immersed *ib, size_t parts)
+{
+	for (size_t k = 0; k < parts; k++) {
+		struct ts_immersed_sums *s = &ib->sums[k];
+
+		ts_add(s->impulse, s->stage, s->impulse);
+		ts_add(s->twist, s->stage + 3, s->twist);
+		memset(s->stage, 0, sizeof s->stage);
+	}
+	ib->first_dt = 0;
+}
+
+/* A step of several stages s, each u <- keep_s u_0 + take_s (u + dt ...) with dt_s = take_s dt and take_0 = 1:
+ * what was given before counts take_s times. */
+static void fade_sums(struct ts_immersed *ib, double dt, size_t parts)
+{
+	if (!(ib->first_dt > 0))
+		ib->first_dt = dt;
+	for (size_t k = 0; k < parts; k++)
+		for (int d = 0; d < 6; d++)
+			ib->sums[k].stage[d] *= dt / ib->first_dt;
+}
+
+void ts_immersed_force(struct ts_immersed *ib, struct ts_fluid *fluid, size_t parts, double dt,
+		       int iterations)
+{
+	const int dimensions = fluid->grid.dimensions;
+
+	fade_sums(ib, dt, parts);
+	for (int c = 0; c < dimensions; c++)
+		force_inside(ib, fluid, c, dt);
+	for (int m = 0; m < iterations && ib->nbands; m++) {
+		ts_fluid_fill_velocity(fluid, fluid->u);
+		for (int c = 0; c < dimensions; c++)
+			force_band(ib, fluid, c, dt);
+	}
+	share_parts(ib, fluid, parts, add_up_parts, &(struct part_task){ ib, fluid });
+}
+
+/* Means over the fluid inside one part, of one component. */
+struct mean {
+	double volume, u, x[3], xu[3];
+};
+
+static void mean_of(const struct ts_immersed *ib, const struct ts_fluid *fluid, int c, size_t from, size_t to,
+		    struct mean *mean)
+{
+	for (size_t k = first_of(ib, c, from), end = first_of(ib, c, to); k < end; k++) {
+		const struct ts_immersed_point *p = &ib->point[k];
+		struct mean *m = &mean[p->part];
+		double volume = p->solid * p->volume, u = fluid->u[c][p->at];
+
+		m->volume += volume;
+		m->u += volume * u;
+		for (int d = 0; d < 3; d++) {
+			m->x[d] += volume * p->arm[d];
+			m->xu[d] += volume * p->arm[d] * u;
+		}
+	}
+}
+
+/* (x - X) x u, X the mean place of the points of each component: of a uniform flow exactly 0. */
+static void take_mean(struct ts_immersed_sums *s, int c, const struct mean *m, int dimensions)
+{
+	int a = (c + 1) % 3, b = (c + 2) % 3;
+	double v = m->volume;
+
+	if (!(v > 0))
+		return;
+	s->volume += v / dimensions;
+	s->velocity[c] = m->u / v;
+	s->spin[a] += m->xu[b] / v - m->x[b] / v * (m->u / v);
+	s->spin[b] -= m->xu[a] / v - m->x[a] / v * (m->u / v);
+}
+
+struct mean_task {
+	struct ts_immersed *ib;
+	const struct ts_fluid *fluid;
+	struct mean *mean;
+};
+
+static void mean_parts(void *context, size_t from, size_t to)
+{
+	const struct mean_task *task = context;
+	const int dimensions = task->fluid->grid.dimensions;
+
+	for (size_t k = from; k < to; k++) {
+		struct ts_immersed_sums *s = &task->ib->sums[k];
+
+		s->volume = 0;
+		memset(s->velocity, 0, sizeof s->velocity);
+		memset(s->spin, 0, sizeof s->spin);
+	}
+	for (int c = 0; c < dimensions; c++) {
+		memset(task->mean + from, 0, (to - from) * sizeof *task->mean);
+		mean_of(task->ib, task->fluid, c, from, to, task->mean);
+		for (size_t k = from; k < to; k++)
+			take_mean(&task->ib->sums[k], c, &task->mean[k], dimensions);
+	}
+}
+
+enum ts_status ts_immersed_inside(struct ts_immersed *ib, const struct ts_fluid *fluid, size_t parts)
+{
+	struct mean *mean = ts_alloc(parts, sizeof *mean);
+
+	if (!mean)
+		return TS_NOMEM;
+	share_parts(ib, fluid, parts, mean_parts, &(struct mean_task){ ib, fluid, mean });
+	ts_free(mean);
+	return TS_OK;
+}
+
+double ts_immersed_slip(const struct ts_immersed *ib, const struct ts_fluid *fluid)
+{
+	double most = 0;
+
+	for (int c = 0; c < fluid->grid.dimensions; c++)
+#pragma omp parallel for num_threads(ts_fluid_team(fluid, ib->npoints / 3)) schedule(static) reduction(max : most)
+		for (size_t k = ib->first[c]; k < ib->first[c + 1]; k++) {
+			const struct ts_immersed_point *p = &ib->point[k];
+
+			if (!p->outside && !p->deep)
+				most = fmax(most, fabs(fluid->u[c][p->at] - p->target));
+		}
+	return most;
+}

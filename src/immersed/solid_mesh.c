@@ -1,0 +1,170 @@
+/* Closed meshes as solids. */
+#include "immersed/solid.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "math/vec3.h"
+#include "mesh/mesh_distance.h"
+#include "mesh/mesh_surface.h"
+
+#include "base/banned.h"
+
+struct closed {
+	struct ts_solid solid; /* first */
+	struct ts_mesh_surface *surface;
+	struct ts_mesh_tree tree;
+	struct ts_mesh_list *near; /* scratch of each worker */
+	size_t workers;
+	const struct ts_solid_given *given;
+	uint64_t moves; /* of the surface, when the tree was built */
+	double lo[3], hi[3];
+};
+
+/* Solves a x = b, a symmetric; false if a is singular. Cramer. */
+static bool solve(const double a[3][3], const double b[3], double x[3])
+{
+	double minor[3], det;
+
+	ts_cross(a[1], a[2], minor);
+	det = ts_dot(a[0], minor);
+	if (!(fabs(det) > 0))
+		return false;
+	x[0] = ts_dot(b, minor) / det;
+	ts_cross(a[2], a[0], minor);
+	x[1] = ts_dot(b, minor) / det;
+	ts_cross(a[0], a[1], minor);
+	x[2] = ts_dot(b, minor) / det;
+	return true;
+}
+
+/* The rigid motion nearest to the velocities of the corners in the least squares: with arms r from their mean,
+ * v the mean velocity, and sum (r^2 1 - r r) omega = sum r x v. */
+static void fit(const struct ts_mesh_surface *s, struct ts_solid_motion *m)
+{
+	size_t corners = 3 * s->mesh.n;
+	double a[3][3] = { { 0 } }, b[3] = { 0 };
+
+	memset(m, 0, sizeof *m);
+	for (size_t c = 0; c < corners; c++) {
+		ts_axpy(1.0 / (double)corners, s->mesh.x[c / 3][c % 3], m->centre);
+		if (s->v)
+			ts_axpy(1.0 / (double)corners, s->v[c / 3][c % 3], m->velocity);
+	}
+	for (size_t c = 0; s->v && c < corners; c++) {
+		double r[3], turn[3];
+
+		ts_sub(s->mesh.x[c / 3][c % 3], m->centre, r);
+		ts_cross(r, s->v[c / 3][c % 3], turn);
+		for (int i = 0; i < 3; i++) {
+			b[i] += turn[i];
+			for (int j = 0; j < 3; j++)
+				a[i][j] += (i == j ? ts_dot(r, r) : 0) - r[i] * r[j];
+		}
+	}
+	if (s->v && !solve((const double(*)[3])a, b, m->omega))
+		memset(m->omega, 0, sizeof m->omega);
+}
+
+/* The same motion told about another point. */
+static void recentre(struct ts_solid_motion *m, const double centre[3])
+{
+	double v[3];
+
+	ts_solid_velocity(m, centre, v);
+	memcpy(m->velocity, v, sizeof v);
+	memcpy(m->centre, centre, sizeof m->centre);
+}
+
+static enum ts_status update(struct ts_solid *solid, struct tsim *sim)
+{
+	struct closed *s = (struct closed *)solid;
+	struct ts_solid_motion *m = solid->motion;
+
+	solid->moved = s->tree.n == 0 || s->moves != s->surface->moves;
+	fit(s->surface, m);
+	if (s->given->centre)
+		recentre(m, s->given->motion.centre);
+	if (s->given->velocity)
+		memcpy(m->velocity, s->given->motion.velocity, sizeof m->velocity);
+	if (s->given->omega)
+		memcpy(m->omega, s->given->motion.omega, sizeof m->omega);
+	if (!solid->moved)
+		return TS_OK;
+	s->moves = s->surface->moves;
+	ts_mesh_bounds(&s->surface->mesh, s->lo, s->hi);
+	ts_mesh_tree_release(&s->tree);
+	return ts_mesh_tree_build(&s->tree, &s->surface->mesh) == TS_OK ? TS_OK
+									: ts_nomem(&sim->error);
+}
+
+static void bounds(const struct ts_solid *solid, size_t part, double lo[3], double hi[3])
+{
+	const struct closed *s = (const struct closed *)solid;
+
+	(void)part;
+	memcpy(lo, s->lo, sizeof s->lo);
+	memcpy(hi, s->hi, sizeof s->hi);
+}
+
+static enum ts_status team(struct ts_solid *solid, size_t workers)
+{
+	struct closed *s = (struct closed *)solid;
+
+	return TS_GROW(s->near, s->workers, workers);
+}
+
+static enum ts_status look(struct ts_solid *solid, size_t worker, size_t part, const double x[3],
+			   double reach, enum ts_solid_side *side, struct ts_solid_spot *spot)
+{
+	struct closed *s = (struct closed *)solid;
+	struct ts_mesh_distance d;
+	bool near;
+
+	(void)part;
+	TS_TRY(ts_mesh_signed_distance(&s->surface->mesh, &s->tree, x, reach, &s->near[worker], &near, &d));
+	*side = near ? TS_SOLID_NEAR : TS_SOLID_FAR;
+	if (!near)
+		return TS_OK;
+	spot->distance = d.distance;
+	memcpy(spot->n, d.n, sizeof d.n);
+	ts_solid_rigid_spot(solid->motion, x, spot);
+	if (spot->distance > 0 && s->surface->v && !s->given->velocity && !s->given->omega)
+		ts_mesh_surface_velocity(s->surface, (size_t)d.triangle, d.weight, spot->v);
+	return TS_OK;
+}
+
+static bool inside(const struct ts_solid *solid, size_t part, const double x[3])
+{
+	(void)part;
+	return ts_mesh_inside(&((const struct closed *)solid)->surface->mesh, x);
+}
+
+static void release(struct ts_solid *solid)
+{
+	struct closed *s = (struct closed *)solid;
+
+	ts_mesh_tree_release(&s->tree);
+	for (size_t k = 0; k < s->workers; k++)
+		ts_free(s->near[k].item);
+	ts_free(s->near);
+}
+
+static const struct ts_solid_kind kind = { update, bounds, look, inside, release, team };
+
+struct ts_solid *ts_solid_of_mesh(struct ts_mesh_surface *surface, int dimensions,
+				  const struct ts_solid_given *given)
+{
+	struct closed *s = ts_alloc(1, sizeof *s);
+
+	if (!s)
+		return NULL;
+	s->solid = (struct ts_solid){ .kind = &kind, .parts = 1, .dimensions = dimensions };
+	s->surface = surface;
+	s->given = given;
+	if (TS_GROW(s->solid.motion, s->solid.motion_capacity, 1) == TS_OK && team(&s->solid, 1) == TS_OK)
+		return &s->solid;
+	ts_free(s->solid.motion);
+	ts_free(s);
+	return NULL;
+}

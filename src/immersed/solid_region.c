@@ -1,0 +1,181 @@
+/* Regions as solids: distance from their surface, normal by differences of it. */
+#include "immersed/solid.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "math/vec3.h"
+#include "region/region.h"
+
+#include "base/banned.h"
+
+struct region {
+	struct ts_solid solid; /* first */
+	struct ts_instance *instance;
+	const struct ts_solid_given *given;
+	struct ts_solid_stand *before;
+};
+
+static struct ts_solid_stand stand_of(const struct ts_region *r, double time)
+{
+	struct ts_solid_stand s = { .time = time, .seen = true };
+
+	memcpy(s.shift, r->shift, sizeof s.shift);
+	memcpy(s.turn, r->turn, sizeof s.turn);
+	return s;
+}
+
+/* A point y of the shape is at turn (y - pivot) + pivot + shift. */
+static void place(const struct ts_region *r, const struct ts_solid_stand *s, const double y[3], double x[3])
+{
+	double arm[3];
+
+	ts_sub(y, r->pivot, arm);
+	for (int k = 0; k < 3; k++)
+		x[k] = ts_dot(s->turn[k], arm) + r->pivot[k] + s->shift[k];
+}
+
+/* Mean velocity and angular velocity between two stands: the turn between them by its angle and axis. */
+static void motion_between(const struct ts_region *r, const struct ts_solid_stand *a, const struct ts_solid_stand *b,
+			   const double home[3], struct ts_solid_motion *m)
+{
+	double x[2][3], q[3][3] = { { 0 } }, axis[3], angle, dt = b->time - a->time;
+
+	place(r, a, home, x[0]);
+	place(r, b, home, x[1]);
+	for (int i = 0; i < 3; i++)
+		for (int j = 0; j < 3; j++)
+			q[i][j] = ts_dot(b->turn[i], a->turn[j]);
+	axis[0] = 0.5 * (q[2][1] - q[1][2]);
+	axis[1] = 0.5 * (q[0][2] - q[2][0]);
+	axis[2] = 0.5 * (q[1][0] - q[0][1]);
+	angle = atan2(ts_norm(axis), 0.5 * (q[0][0] + q[1][1] + q[2][2] - 1));
+	for (int k = 0; k < 3; k++) {
+		m->velocity[k] = (x[1][k] - x[0][k]) / dt;
+		m->omega[k] = ts_norm(axis) > 0 ? axis[k] / ts_norm(axis) * angle / dt : 0;
+	}
+}
+
+/* The middle of the shape where it was defined. */
+static void home_of(const struct region *s, double home[3])
+{
+	const struct ts_region_style *style =
+		(const struct ts_region_style *)s->instance->style;
+	double lo[3], hi[3];
+
+	style->bounds(s->instance, lo, hi);
+	for (int k = 0; k < 3; k++)
+		home[k] = isfinite(lo[k]) && isfinite(hi[k]) ? 0.5 * (lo[k] + hi[k]) : 0;
+	if (s->given->centre)
+		memcpy(home, s->given->motion.centre, sizeof s->given->motion.centre);
+}
+
+/* Whether its shape hangs on variables, or that of a region of which it is made. */
+static bool varies(const struct tsim *sim, const struct ts_instance *region)
+{
+	for (size_t k = 0; k < region->words.n; k++) {
+		const char *word = region->words.word[k].text;
+		const struct ts_instance *member = ts_sim_find(sim, TS_KIND_REGION, word);
+
+		if (strncmp(word, "v_", 2) == 0 || (member && member != region && varies(sim, member)))
+			return true;
+	}
+	return false;
+}
+
+static enum ts_status update(struct ts_solid *solid, struct tsim *sim)
+{
+	struct region *s = (struct region *)solid;
+	const struct ts_region *r = s->instance->state;
+	const struct ts_region_style *style = (const struct ts_region_style *)s->instance->style;
+	struct ts_solid_motion *m = solid->motion;
+	double home[3];
+	struct ts_solid_stand now;
+
+	TS_TRY(ts_region_update(s->instance, sim));
+	now = stand_of(r, ts_sim_time(sim));
+	home_of(s, home);
+	place(r, &now, home, m->centre);
+	solid->moved = !s->before->seen || (style->update && varies(sim, s->instance)) ||
+		       memcmp(&now, s->before, offsetof(struct ts_solid_stand, time)) != 0;
+	memset(m->velocity, 0, sizeof m->velocity);
+	memset(m->omega, 0, sizeof m->omega);
+	if (r->moves && s->before->seen && now.time > s->before->time)
+		motion_between(r, s->before, &now, home, m);
+	if (s->given->velocity)
+		memcpy(m->velocity, s->given->motion.velocity, sizeof m->velocity);
+	if (s->given->omega)
+		memcpy(m->omega, s->given->motion.omega, sizeof m->omega);
+	*s->before = now;
+	return TS_OK;
+}
+
+static void bounds(const struct ts_solid *solid, size_t part, double lo[3], double hi[3])
+{
+	(void)part;
+	ts_region_bounds(((const struct region *)solid)->instance, lo, hi);
+}
+
+/* The distance falls at the rate 1 along the normal: central differences over a small part of the reach. */
+static void normal(const struct region *s, const double x[3], double reach, double n[3])
+{
+	double step = 1e-4 * reach, length;
+
+	for (int k = 0; k < 3; k++) {
+		double a[3] = { x[0], x[1], x[2] }, b[3] = { x[0], x[1], x[2] };
+
+		a[k] -= step;
+		b[k] += step;
+		n[k] = k < s->solid.dimensions ? ts_region_depth(s->instance, a) -
+							ts_region_depth(s->instance, b)
+					       : 0;
+	}
+	length = ts_norm(n);
+	if (!(length > 0)) { /* on a ridge of the distance, deep inside */
+		n[0] = 1;
+		length = 1;
+	}
+	ts_scale(1 / length, n, n);
+}
+
+static enum ts_status look(struct ts_solid *solid, size_t worker, size_t part, const double x[3],
+			   double reach, enum ts_solid_side *side, struct ts_solid_spot *spot)
+{
+	const struct region *s = (const struct region *)solid;
+
+	(void)worker;
+	(void)part;
+	spot->distance = -ts_region_depth(s->instance, x);
+	*side = fabs(spot->distance) > reach ? TS_SOLID_FAR : TS_SOLID_NEAR;
+	if (*side == TS_SOLID_FAR)
+		return TS_OK;
+	normal(s, x, reach, spot->n);
+	ts_solid_rigid_spot(solid->motion, x, spot);
+	return TS_OK;
+}
+
+static bool inside(const struct ts_solid *solid, size_t part, const double x[3])
+{
+	(void)part;
+	return ts_region_depth(((const struct region *)solid)->instance, x) > 0;
+}
+
+static const struct ts_solid_kind kind = { update, bounds, look, inside, NULL, NULL };
+
+struct ts_solid *ts_solid_of_region(struct ts_instance *instance, int dimensions,
+				    const struct ts_solid_given *given,
+				    struct ts_solid_stand *before)
+{
+	struct region *s = ts_alloc(1, sizeof *s);
+
+	if (!s)
+		return NULL;
+	s->solid = (struct ts_solid){ .kind = &kind, .parts = 1, .dimensions = dimensions };
+	s->instance = instance;
+	s->given = given;
+	s->before = before;
+	if (TS_GROW(s->solid.motion, s->solid.motion_capacity, 1) == TS_OK)
+		return &s->solid;
+	ts_free(s);
+	return NULL;
+}

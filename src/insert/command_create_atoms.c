@@ -1,0 +1,509 @@
+/* Command create_atoms: makes particles, on a lattice, at random or one. */
+#include "core/sim.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include "base/clock.h"
+#include "box/domain.h"
+#include "geom/pointhash.h"
+#include "insert/sites.h"
+#include "math/rng.h"
+#include "particle/particles.h"
+#include "region/region.h"
+
+#include "base/banned.h"
+
+enum { BOX, REGION, SINGLE, RANDOM, MESH };
+enum { LOOK = 1024 }; /* tries until a request to stop is heard */
+
+struct state {
+	int64_t type;
+	int mode, units;
+	struct ts_instance *region;
+	double x[3];
+	int64_t count, seed, most_tries;
+	double distance; /* NaN: none asked for */
+	struct ts_words basis, ratio, subset, set, mesh, molecule, rotate;
+	const char *variable; /* NULL: none */
+	bool remap;
+};
+
+/* Reads the words of a keyword, of a repeated one from the k-th on. */
+static enum ts_status read_part(struct tsim *sim, const char *what, const struct ts_arg *rows,
+				struct ts_words words, size_t k, size_t n,
+				const struct ts_place *where, struct ts_arena *arena, void *out)
+{
+	struct ts_words part = ts_words_from(words, k);
+
+	if (part.n > n)
+		part.n = n;
+	return ts_args_parse(sim, what, rows, part, where, arena, out);
+}
+
+/* ---- positions */
+
+static enum ts_status single(struct tsim *sim, const struct state *s, struct ts_sites *to,
+			     const struct ts_place *where)
+{
+	const struct ts_box *box = &sim->domain->box;
+	double x[3];
+	int32_t turns = 0;
+
+	ts_domain_units_said(sim, s->units, where);
+	for (int d = 0; d < 3; d++) {
+		x[d] = ts_domain_scale(sim, s->units, d) * s->x[d];
+		if (s->remap && ts_box_periodic(box, d))
+			ts_box_wrap(box, d, &x[d], &turns);
+	}
+	if (ts_sites_in_box(sim, x))
+		return ts_sites_add(sim, to, x, (int)s->type);
+	ts_warn(&sim->log, where, "(%g %g %g) lies outside the box: no particle is created", x[0],
+		x[1], x[2]);
+	return TS_OK;
+}
+
+static enum ts_status add_existing(struct tsim *sim, struct ts_pointhash *hash)
+{
+	const struct ts_particles *p = sim->particles;
+
+	for (size_t i = 0; i < p->n; i++)
+		if (ts_pointhash_add(hash, p->x[i]) != TS_OK)
+			return ts_nomem(&sim->error);
+	return TS_OK;
+}
+
+/* One position uniform in the region; the k-th particle has a random stream of its own, so what is
+ * drawn for it depends on the seed and k only. False: all tries failed. */
+static enum ts_status place_one(struct tsim *sim, const struct state *s, struct ts_pointhash *hash,
+				struct ts_rng rng, struct ts_sites *to, bool *placed)
+{
+	const struct ts_box *box = &sim->domain->box;
+	double lo[3], hi[3], x[3];
+
+	ts_sites_limits(sim, s->region, lo, hi);
+	*placed = false;
+	for (int64_t try = 0; try < s->most_tries && !(sim->stop && try % LOOK == 0); try++) {
+		for (int d = 0; d < 3; d++)
+			x[d] = lo[d] + (hi[d] - lo[d]) * ts_rng_uniform(&rng);
+		if (sim->dimension == 2)
+			x[2] = 0;
+		if (!ts_sites_in_box(sim, x) || (s->region && !ts_region_contains(s->region, x)))
+			continue;
+		if (hash->cell > 0 && ts_pointhash_near_periodic(hash, box, x, s->distance))
+			continue;
+		if (hash->cell > 0 && ts_pointhash_add(hash, x) != TS_OK)
+			return ts_nomem(&sim->error);
+		*placed = true;
+		return ts_sites_add(sim, to, x, (int)s->type);
+	}
+	return TS_OK;
+}
+
+static void tell_progress(struct tsim *sim, int64_t done, int64_t placed, int64_t count, double *next)
+{
+	char text[128];
+
+	if (!sim->log.progress || ts_clock() < *next)
+		return;
+	*next = ts_clock() + 0.2;
+	snprintf(text, sizeof text, "create_atoms: %lld of %lld tried, %lld placed", (long long)done, (long long)count,
+		 (long long)placed);
+	ts_log_progress(&sim->log, text);
+}
+
+static enum ts_status at_random(struct tsim *sim, const struct state *s, struct ts_sites *to,
+				const struct ts_place *where)
+{
+	struct ts_pointhash hash = { 0 };
+	enum ts_status status = TS_OK;
+	int64_t missing = 0;
+	double next = ts_clock() + 1;
+
+	if (s->distance > 0) {
+		status = ts_pointhash_start(&hash, s->distance) == TS_OK ? add_existing(sim, &hash)
+									 : ts_nomem(&sim->error);
+	}
+	for (int64_t k = 0; k < s->count && status == TS_OK; k++) {
+		bool placed = false;
+
+		status = place_one(sim, s, &hash, ts_rng_start((uint64_t)s->seed, (uint64_t)k), to,
+				   &placed);
+		missing += !placed;
+		tell_progress(sim, k + 1, k + 1 - missing, s->count, &next);
+		if (status == TS_OK && sim->stop && k + 1 < s->count)
+			status = ts_fail(&sim->error, TS_STOPPED, where,
+					 "stopped on request: %lld of %lld particles had been placed, none is made",
+					 (long long)(k + 1 - missing), (long long)s->count);
+	}
+	ts_log_progress(&sim->log, "");
+	ts_pointhash_release(&hash);
+	if (status == TS_OK && missing)
+		ts_warn(&sim->log, where,
+			"only %lld of %lld particles could be placed, with %lld tries each",
+			(long long)(s->count - missing), (long long)s->count,
+			(long long)s->most_tries);
+	return status;
+}
+
+/* ---- on a lattice: types by the point of the cell, a share of the points, points by a formula */
+
+struct basis_type {
+	int64_t point, type;
+};
+
+static const struct ts_arg basis_rows[] = {
+	TS_INT("M", struct basis_type, point, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+	       .help = "number of a point of the unit cell"),
+	TS_INT("itype", struct basis_type, type, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+	       .help = "type of the particles there"),
+	TS_ARGS_END,
+};
+
+static enum ts_status read_basis(struct tsim *sim, const struct state *s,
+				 const struct ts_place *where, struct ts_arena *arena, int *type)
+{
+	size_t nbasis = sim->domain->lattice.nbasis;
+
+	for (size_t k = 0; k < nbasis; k++)
+		type[k] = (int)s->type;
+	for (size_t k = 0; k < s->basis.n; k += 2) {
+		struct basis_type b = { 0 };
+
+		TS_TRY(read_part(sim, "create_atoms: basis", basis_rows, s->basis, k, 2, where,
+				 arena, &b));
+		if (b.point > (int64_t)nbasis || b.type > sim->particles->ntypes)
+			return ts_fail(&sim->error, TS_RANGE, &s->basis.word[k].place,
+				       "create_atoms: basis %lld %lld: the unit cell has %zu points, "
+				       "and types go from 1 to %d",
+				       (long long)b.point, (long long)b.type, nbasis,
+				       sim->particles->ntypes);
+		type[b.point - 1] = (int)b.type;
+	}
+	return TS_OK;
+}
+
+struct share {
+	double ratio;
+	int64_t count, seed;
+};
+
+static const struct ts_arg ratio_rows[] = {
+	TS_REAL("fraction", struct share, ratio, .flags = TS_POSITIONAL, .range = TS_FRACTION,
+		.help = "share of the points that is filled"),
+	TS_INT("seed", struct share, seed, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+	       .help = "seed of the random choice"),
+	TS_ARGS_END,
+};
+
+static const struct ts_arg subset_rows[] = {
+	TS_INT("count", struct share, count, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
+	       .help = "number of points that are filled"),
+	TS_INT("seed", struct share, seed, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+	       .help = "seed of the random choice"),
+	TS_ARGS_END,
+};
+
+static enum ts_status choose(struct tsim *sim, const struct state *s, struct ts_sites *sites,
+			     const struct ts_place *where, struct ts_arena *arena)
+{
+	struct share share = { 0 };
+
+	if (s->ratio.n && s->subset.n)
+		return ts_fail(&sim->error, TS_SYNTAX, where,
+			       "create_atoms: ratio and subset exclude each other");
+	if (s->ratio.n) {
+		TS_TRY(read_part(sim, "create_atoms: ratio", ratio_rows, s->ratio, 0, s->ratio.n,
+				 where, arena, &share));
+		share.count = (int64_t)(share.ratio * (double)sites->n);
+	} else if (s->subset.n) {
+		TS_TRY(read_part(sim, "create_atoms: subset", subset_rows, s->subset, 0,
+				 s->subset.n, where, arena, &share));
+		if ((size_t)share.count > sites->n)
+			return ts_fail(&sim->error, TS_RANGE, &s->subset.word[0].place,
+				       "create_atoms: subset asks for %lld of %zu lattice points",
+				       (long long)share.count, sites->n);
+	} else {
+		return TS_OK;
+	}
+	return ts_sites_choose(sim, sites, (size_t)share.count, (uint64_t)share.seed);
+}
+
+struct setting {
+	int dim;
+	const char *name;
+};
+
+static const struct ts_arg setting_rows[] = {
+	TS_ENUM("dim", struct setting, dim, ts_region_axes, .flags = TS_POSITIONAL,
+		.help = "coordinate"),
+	TS_WORD("name", struct setting, name, .flags = TS_POSITIONAL,
+		.help = "internal-style variable that gets it"),
+	TS_ARGS_END,
+};
+
+/* Keeps the sites for which the variable is not zero. */
+static enum ts_status filter(struct tsim *sim, const struct state *s, struct ts_sites *sites,
+			     const struct ts_place *where, struct ts_arena *arena)
+{
+	const char *name[3] = { NULL, NULL, NULL };
+	size_t kept = 0;
+
+	if (!s->variable && s->set.n)
+		return ts_fail(&sim->error, TS_SYNTAX, where,
+			       "create_atoms: set x|y|z is of use together with var only");
+	for (size_t k = 0; k < s->set.n; k += 2) {
+		struct setting one = { 0 };
+
+		TS_TRY(read_part(sim, "create_atoms: set", setting_rows, s->set, k, 2, where, arena,
+				 &one));
+		name[one.dim] = one.name;
+	}
+	for (size_t k = 0; k < sites->n && s->variable; k++) {
+		double wanted;
+
+		for (int d = 0; d < 3; d++)
+			if (name[d])
+				TS_TRY(sim->host->set(sim->host_data, name[d], where,
+						      sites->site[k].x[d]));
+		TS_TRY(sim->host->scalar(sim->host_data, s->variable, where, &wanted));
+		if (wanted != 0)
+			sites->site[kept++] = sites->site[k];
+	}
+	if (s->variable)
+		sites->n = kept;
+	return TS_OK;
+}
+
+static enum ts_status on_lattice(struct tsim *sim, const struct state *s, struct ts_sites *to,
+				 const struct ts_place *where)
+{
+	struct ts_arena arena = { 0 };
+	int *type = ts_arena_alloc(&arena, sim->domain->lattice.nbasis + 1, sizeof *type);
+	enum ts_status status = type ? TS_OK : ts_nomem(&sim->error);
+
+	if (!sim->domain->lattice.nbasis)
+		status = ts_fail(
+			&sim->error, TS_STATE, where,
+			"create_atoms needs lattice points: use the lattice command first");
+	if (status == TS_OK)
+		status = read_basis(sim, s, where, &arena, type);
+	if (status == TS_OK)
+		status = ts_sites_on_lattice(sim, s->region, type, where, to);
+	if (status == TS_OK)
+		status = filter(sim, s, to, where, &arena);
+	if (status == TS_OK)
+		status = choose(sim, s, to, where, &arena);
+	ts_arena_release(&arena);
+	return status;
+}
+
+/* ---- particles */
+
+/* Numbers of a particle in all columns that there are. */
+static double bytes_of_one(const struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+	double bytes = 0;
+
+	for (size_t k = 0; k < p->ncolumns; k++)
+		if (p->column[k].active)
+			bytes += (double)(p->column[k].width * p->column[k].element);
+	return bytes;
+}
+
+/* The memory of this machine, or what the process may take of it. */
+static double memory_there_is(void)
+{
+	double all = (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
+	struct rlimit limit;
+
+	if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+		all = fmin(all, (double)limit.rlim_cur);
+	return all;
+}
+
+/* Says what n particles take before it is taken, and refuses what there is not: the system grants more than it has, and
+ * ends the process when it is used. */
+static enum ts_status weigh(struct tsim *sim, const struct state *s, double n, const struct ts_place *where)
+{
+	static const double MUCH = 1e9;
+	double hash = s->mode == RANDOM && s->distance > 0 ? 4 * sizeof(double) + 2 * sizeof(int32_t) : 0;
+	double bytes = n * (bytes_of_one(sim) + sizeof(struct ts_site) + hash), there = memory_there_is();
+
+	if (bytes > there && there > 0)
+		return ts_fail(&sim->error, TS_NOMEM, where,
+			       "create_atoms: out of memory: %.10g particles take %.3g GB, and there are %.3g GB; create "
+			       "fewer",
+			       n, bytes / 1e9, there / 1e9);
+	if (bytes > MUCH)
+		ts_log(&sim->log, "create_atoms: %.10g particles take %.3g GB\n", n, bytes / 1e9);
+	return TS_OK;
+}
+
+static enum ts_status make(struct tsim *sim, const struct ts_sites *from)
+{
+	struct ts_particles *p = sim->particles;
+	size_t first;
+
+	TS_TRY(ts_particles_add(sim, from->n, &first));
+	for (size_t k = 0; k < from->n; k++) {
+		const struct ts_site *site = &from->site[k];
+		double mass = p->type_mass[site->type];
+
+		for (int d = 0; d < 3; d++)
+			p->x[first + k][d] = site->x[d];
+		p->type[first + k] = (int32_t)site->type;
+		if (mass > 0)
+			p->mass[first + k] = mass;
+		p->imass[first + k] = 1 / p->mass[first + k];
+	}
+	ts_log(&sim->log, "Created %zu atoms\n", from->n);
+	return TS_OK;
+}
+
+static enum ts_status refuse(struct tsim *sim, const struct state *s, const struct ts_place *where)
+{
+	bool lattice = s->mode == BOX || s->mode == REGION;
+
+	if (s->type > sim->particles->ntypes)
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "create_atoms: there is no type %lld, types go from 1 to %d",
+			       (long long)s->type, sim->particles->ntypes);
+	if (s->mode == MESH)
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "create_atoms mesh is known, but not built");
+	if (s->molecule.n || s->rotate.n)
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "create_atoms: molecules are not built; make particles and bond them "
+			       "with create_bonds");
+	if (!lattice && (s->basis.n || s->ratio.n || s->subset.n))
+		return ts_fail(&sim->error, TS_SYNTAX, where,
+			       "create_atoms: basis, ratio and subset are for box and region");
+	return TS_OK;
+}
+
+static enum ts_status random_ones(struct tsim *sim, const struct state *s, struct ts_sites *to,
+				  const struct ts_place *where)
+{
+	TS_TRY(weigh(sim, s, (double)s->count, where));
+	return at_random(sim, s, to, where);
+}
+
+static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	const struct state *s = state;
+	struct ts_sites to = { 0 };
+	enum ts_status status;
+
+	TS_TRY(refuse(sim, s, where));
+	TS_TRY(ts_region_update(s->region, sim));
+	if (s->mode == SINGLE)
+		status = single(sim, s, &to, where);
+	else if (s->mode == RANDOM)
+		status = random_ones(sim, s, &to, where);
+	else
+		status = on_lattice(sim, s, &to, where);
+	if (status == TS_OK && s->mode != RANDOM)
+		status = weigh(sim, s, (double)to.n, where);
+	if (status == TS_OK)
+		status = make(sim, &to);
+	ts_sites_release(&to);
+	return status;
+}
+
+static const struct ts_arg region_args[] = {
+	TS_REGION("region", struct state, region, .flags = TS_POSITIONAL,
+		  .help = "where lattice points are filled"),
+	TS_ARGS_END,
+};
+
+static const struct ts_arg single_args[] = {
+	TS_VEC3("position", struct state, x, .flags = TS_POSITIONAL, .unit = "length",
+		.help = "the center"),
+	TS_BOOL("remap", struct state, remap, .fallback = "no",
+		.help = "wrap a position outside a periodic box into it"),
+	TS_ARGS_END,
+};
+
+static const struct ts_arg random_args[] = {
+	TS_INT("count", struct state, count, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 0,
+	       .hi = 1e9, .help = "number of particles"),
+	TS_INT("seed", struct state, seed, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+	       .help = "seed of the random numbers"),
+	TS_REGION("region", struct state, region, .flags = TS_POSITIONAL | TS_NULLABLE,
+		  .help = "where they are placed; NULL: in the whole box"),
+	TS_REAL("overlap", struct state, distance, .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE,
+		.unit = "length", .help = "least distance between centers, old and new"),
+	TS_INT("maxtry", struct state, most_tries, .fallback = "1000", .range = TS_POSITIVE,
+	       .help = "tries for each particle before it is given up"),
+	TS_ARGS_END,
+};
+
+static const struct ts_arg mesh_args[] = {
+	TS_REST("file", struct state, mesh, .help = "known, but not built"),
+	TS_ARGS_END,
+};
+
+static const struct ts_mode modes[] = {
+	[BOX] = { "box", "on all lattice points in the box", NULL },
+	[REGION] = { "region", "on all lattice points in a region", region_args },
+	[SINGLE] = { "single", "one particle", single_args },
+	[RANDOM] = { "random", "at random positions", random_args },
+	[MESH] = { "mesh", "on a surface: known, but not built", mesh_args },
+	{ .name = NULL },
+};
+
+static const struct ts_arg args[] = {
+	TS_INT("type", struct state, type, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+	       .help = "their type"),
+	TS_MODE("style", struct state, mode, modes, .help = "where they stand"),
+	TS_ENUM("units", struct state, units, ts_region_units, .flags = TS_OPTIONAL,
+		.help = "whether the position of a single one is in lattice spacings or as it is"),
+	TS_SOME_KEYWORD("basis", struct state, basis, TS_REPEAT,
+			.help = "M itype: particles on point M of the unit cell have this type; may be "
+				"repeated"),
+	TS_SOME_KEYWORD("ratio", struct state, ratio, 0,
+			.help = "fraction seed: only this share of the lattice points, at random"),
+	TS_SOME_KEYWORD("subset", struct state, subset, 0,
+			.help = "count seed: only so many of the lattice points, at random"),
+	TS_WORD("var", struct state, variable, .flags = TS_OPTIONAL,
+		.help = "equal-style variable; lattice points where it is 0 stay empty"),
+	TS_SOME_KEYWORD("set", struct state, set, TS_REPEAT,
+			.help = "x|y|z name: internal-style variable that gets the coordinate before "
+				"var is evaluated; may be repeated"),
+	TS_SOME_KEYWORD("mol", struct state, molecule, 0, .help = "known, but not built"),
+	TS_SOME_KEYWORD("rotate", struct state, rotate, 0, .help = "of molecules: not built"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(command, ts_command_style, ts_command_create_atoms)
+const struct ts_command_style ts_command_create_atoms = {
+	.style = {
+		.name = "create_atoms",
+		.kind = TS_KIND_COMMAND,
+		.summary = "Makes particles",
+		.doc = "New particles are at rest, with diameter 1 and density 1 or the mass given by the mass\n"
+		       "command; use set to change them. Their identities go on from the largest there is, on\n"
+		       "a lattice in the order z, y, x of unit cells, then of the points in the cell.\n"
+		       "Positions lie in the box if lo <= x < hi. Across a periodic face lattice points nearer\n"
+		       "to the upper face than 2e-6 lengths are left out, for they are those of the lower one.\n\n"
+		       "var and set choose lattice points by a formula: `variable v equal \"v_xx^2+v_yy^2<4\"`\n"
+		       "with internal-style variables xx and yy and `var v set x xx set y yy`.\n\n"
+		       "random draws the tries for its k-th particle from a random stream of its own, keyed by\n"
+		       "seed and k, and with overlap rejects positions that are too near to a particle. That\n"
+		       "fills space up to about a third.\n\n"
+		       "More than 1 GB of memory for the particles is told before it is taken; more than the machine has, or\n"
+		       "the process may take, is refused.",
+		.example = "create_atoms 1 box\n"
+			   "create_atoms 1 region bed basis 2 3 ratio 0.5 7919\n"
+			   "create_atoms 1 single 0.5 0.5 0.9 units box\n"
+			   "create_atoms 1 random 3000 86028157 bed overlap 0.011 maxtry 5000",
+		.args = args,
+		.state_size = sizeof(struct state),
+	},
+	.needs_box = true,
+	.run = run,
+};

@@ -1,0 +1,159 @@
+/* Compute nparticles/tracer/region: counts the marked particles in a region. */
+#include "box/domain.h"
+#include "insert/tracer.h"
+#include "math/exactsum.h"
+#include "region/region.h"
+
+#include "base/banned.h"
+
+enum { NUMBER, MARKED, MASS, MARKED_MASS, NVALUES };
+
+struct state {
+	/* arguments */
+	struct ts_instance *region;
+	const char *tracer_id;
+	struct ts_words periodic;
+	bool reset;
+
+	struct tsim *sim;
+	struct ts_tracer *tracer;
+	int dim;       /* in which only one image counts; -1: all count */
+	int64_t image;
+	/* saved: in one step the answer stays */
+	double answer[NVALUES];
+	int64_t answered; /* the step + 1 */
+};
+
+/* x|y|z IMAGE; of several the last counts. */
+static enum ts_status read_periodic(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	size_t n = s->periodic.n;
+	const struct ts_word *dim = n > 1 ? &s->periodic.word[n - 2] : s->periodic.word;
+
+	s->dim = -1;
+	if (!n)
+		return TS_OK;
+	for (int k = 0; k < 3; k++)
+		if (ts_streq(dim->text, ts_region_axes[k]))
+			s->dim = k;
+	if (n % 2 || s->dim < 0)
+		return ts_fail(&sim->error, TS_SYNTAX, &dim->place,
+			       "compute nparticles/tracer/region: expected periodic x|y|z IMAGE");
+	if (!ts_box_periodic(&sim->domain->box, s->dim))
+		return ts_fail(&sim->error, TS_STATE, &dim->place,
+			       "compute nparticles/tracer/region: the box is not periodic in %s", dim->text);
+	if (ts_streq(dim[1].text, "all"))
+		s->dim = -1;
+	else if (!ts_parse_int(dim[1].text, &s->image))
+		return ts_fail(&sim->error, TS_SYNTAX, &dim[1].place,
+			       "compute nparticles/tracer/region: found '%s', expected a whole number or all",
+			       dim[1].text);
+	return TS_OK;
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	struct ts_word tracer = { .text = s->tracer_id,
+				  .place = *ts_instance_word(self, s->tracer_id) };
+
+	s->sim = sim;
+	TS_TRY(read_periodic(self, sim));
+	return ts_tracer_require(sim, &tracer, &s->tracer);
+}
+
+static bool counts(const struct ts_instance *self, const struct ts_particles *p, size_t i)
+{
+	const struct state *s = self->state;
+
+	return ts_in_group(p, i, self->group) && (s->dim < 0 || p->image[i][s->dim] == s->image) &&
+	       ts_region_contains(s->region, p->x[i]);
+}
+
+static void count(struct ts_instance *self, const struct tsim *sim, double result[NVALUES])
+{
+	struct state *s = self->state;
+	const struct ts_particles *p = sim->particles;
+	double *mark = ts_tracer_marks(sim, s->tracer);
+	struct ts_exactsum mass = ts_exactsum_start(), marked = ts_exactsum_start();
+
+	result[NUMBER] = result[MARKED] = 0;
+	for (size_t i = 0; i < p->n; i++) {
+		if (!counts(self, p, i))
+			continue;
+		result[NUMBER]++;
+		ts_exactsum_add(&mass, p->mass[i]);
+		if (mark[i] == 0)
+			continue;
+		result[MARKED]++;
+		ts_exactsum_add(&marked, p->mass[i]);
+		if (s->reset && !sim->looking)
+			mark[i] = 0;
+	}
+	result[MASS] = ts_exactsum_value(&mass);
+	result[MARKED_MASS] = ts_exactsum_value(&marked);
+}
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	struct state *s = self->state;
+
+	if (sim->running && s->answered == sim->clock.step + 1) {
+		for (int k = 0; k < NVALUES; k++)
+			out->data[k] = s->answer[k];
+		return TS_OK;
+	}
+	TS_TRY(ts_region_update(s->region, s->sim));
+	count(self, sim, out->data);
+	for (int k = 0; !sim->looking && k < NVALUES; k++)
+		s->answer[k] = out->data[k];
+	if (!sim->looking)
+		s->answered = sim->clock.step + 1;
+	return TS_OK;
+}
+
+static const struct ts_arg args[] = {
+	TS_REGION("region_count", struct state, region, .help = "where particles are counted"),
+	TS_WORD("tracer", struct state, tracer_id,
+		.help = "the fix property/atom/tracer or property/atom/tracer/stream that marks"),
+	TS_SOME_KEYWORD("periodic", struct state, periodic, TS_REPEAT,
+			.help = "x|y|z IMAGE: only particles that have crossed the periodic faces so often "
+				"count, upwards less downwards; all: whatever they have crossed; of several the last counts"),
+	TS_BOOL("reset_marker", struct state, reset, .fallback = "yes",
+		.help = "who has been counted loses the mark"),
+	TS_ARGS_END,
+};
+
+static const char *const names[] = { "number", "marked", "mass", "marked_mass" };
+static const struct ts_value values[] = {
+	{ "particles", "1, 1, mass, mass",
+	  "number of particles in the region, marked ones among them, their masses", TS_VECTOR, NVALUES,
+	  names, eval },
+	{ .name = NULL },
+};
+
+static const struct ts_saved saved[] = {
+	TS_SAVE_F64(struct state, answer),
+	TS_SAVE_I64(struct state, answered),
+	TS_SAVED_ROWS_END,
+};
+
+TS_STYLE(compute, ts_style, ts_compute_nparticles_tracer_region)
+const struct ts_style ts_compute_nparticles_tracer_region = {
+	.name = "nparticles/tracer/region",
+	.kind = TS_KIND_COMPUTE,
+	.summary = "Counts the particles in a region, and those that a tracer has marked",
+	.doc = "c_ID[1], c_ID[2]: number of particles of the group in the region, and of marked ones among\n"
+	       "them; c_ID[3], c_ID[4]: their masses. With reset_marker yes a marked particle is counted once:\n"
+	       "it loses the mark when the value is asked for. In one step all who ask get the same answer.\n"
+	       "Rows of the table that only begin or end a run take no marks away.\n\n"
+	       "LIGGGHTS 3.8 counts nothing where `periodic` says all; here that is no restriction.",
+	.example = "compute passed all nparticles/tracer/region region_count outlet tracer tr periodic z -1\n"
+		   "fix times all ave/time 100 1 100 c_passed[2] file post/residence.txt",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.saved = saved,
+	.values = values,
+	.init = init,
+};

@@ -1,0 +1,154 @@
+/* Fix evaporate: particles vanish at random. */
+#include "core/sim.h"
+
+#include <stdlib.h>
+
+#include "group/chosen.h"
+#include "math/rng.h"
+
+#include "base/banned.h"
+
+struct lot {
+	double number;
+	int32_t tag;
+	size_t row;
+};
+
+struct state {
+	int64_t every, number, seed;
+	struct ts_instance *region;
+	bool molecule;
+	struct lot *lot;
+	size_t capacity;
+	int64_t gone; /* saved: ever */
+};
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	const struct state *s = self->state;
+
+	if (!s->molecule)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, &self->where,
+		       "fix evaporate: there are no molecules, molecule yes has no meaning");
+}
+
+static int by_number(const void *a, const void *b)
+{
+	const struct lot *s = a, *t = b;
+
+	if (s->number < t->number || s->number > t->number)
+		return s->number < t->number ? -1 : 1;
+	return (s->tag > t->tag) - (s->tag < t->tag);
+}
+
+/* Each particle draws a number of its own for this step; those with the least go. */
+static enum ts_status draw(struct ts_instance *self, struct tsim *sim, size_t *n)
+{
+	struct state *s = self->state;
+	const struct ts_particles *p = sim->particles;
+
+	TS_TRY(ts_region_update(s->region, sim));
+	if (TS_GROW(s->lot, s->capacity, p->n) != TS_OK)
+		return ts_nomem(&sim->error);
+	*n = 0;
+	for (size_t i = 0; i < p->n; i++) {
+		struct ts_rng rng = ts_rng_start((uint64_t)s->seed, (uint64_t)p->tag[i]);
+
+		if (!ts_chosen(p, i, self->group, s->region))
+			continue;
+		rng.counter = (uint64_t)sim->clock.step;
+		s->lot[*n] = (struct lot){ ts_rng_uniform(&rng), p->tag[i], i };
+		++*n;
+	}
+	if (*n)
+		qsort(s->lot, *n, sizeof *s->lot, by_number);
+	if (*n > (size_t)s->number)
+		*n = (size_t)s->number;
+	return TS_OK;
+}
+
+static enum ts_status post_integrate(struct ts_instance *self, struct tsim *sim)
+{
+	const struct state *s = self->state;
+
+	sim->rebuild |= sim->clock.step % s->every == 0;
+	return TS_OK;
+}
+
+static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	unsigned char *flag;
+	enum ts_status status;
+	size_t n = 0;
+
+	if (!sim->rebuild || sim->clock.step % s->every != 0)
+		return TS_OK;
+	TS_TRY(draw(self, sim, &n));
+	if (!n)
+		return TS_OK;
+	flag = ts_alloc(sim->particles->n, 1);
+	if (!flag)
+		return ts_nomem(&sim->error);
+	for (size_t k = 0; k < n; k++)
+		flag[s->lot[k].row] = 1;
+	status = ts_particles_delete(sim, flag);
+	ts_free(flag);
+	s->gone += (int64_t)n;
+	return status;
+}
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	(void)sim;
+	out->data[0] = (double)((const struct state *)self->state)->gone;
+	return TS_OK;
+}
+
+static void fini(struct ts_instance *self)
+{
+	ts_free(((struct state *)self->state)->lot);
+}
+
+static const struct ts_arg args[] = {
+	TS_INT("N", struct state, every, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1,
+	       .hi = 1e15, .help = "steps between"),
+	TS_INT("M", struct state, number, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1,
+	       .hi = 1e9, .help = "how many particles vanish each time"),
+	TS_REGION("region", struct state, region, .flags = TS_POSITIONAL,
+		  .help = "where they must be"),
+	TS_INT("seed", struct state, seed, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+	       .help = "seed of the random numbers"),
+	TS_BOOL("molecule", struct state, molecule, .fallback = "no",
+		.help = "only no: there are no molecules"),
+	TS_ARGS_END,
+};
+
+static const struct ts_value values[] = {
+	{ "gone", "", "how many have vanished, ever", TS_SCALAR, 1, NULL, eval },
+	{ .name = NULL },
+};
+
+static const struct ts_saved saved[] = { TS_SAVE_I64(struct state, gone), TS_SAVED_ROWS_END };
+
+TS_STYLE(fix, ts_style, ts_fix_evaporate)
+const struct ts_style ts_fix_evaporate = {
+	.name = "evaporate",
+	.kind = TS_KIND_FIX,
+	.summary = "Lets particles vanish at random",
+	.doc = "In each step that is a multiple of N, M particles of the group whose centres are in the region are\n"
+	       "chosen at random and deleted; all of them if there are fewer. Each particle's lot depends on seed, step\n"
+	       "and identity only, so the choice is the same on any number of threads and after a restart.",
+	.example = "fix dry all evaporate 1000 10 top 49892",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.saved = saved,
+	.values = values,
+	.init = init,
+	.hook = {
+		[TS_STAGE_POST_INTEGRATE] = post_integrate,
+		[TS_STAGE_EXCHANGE] = exchange,
+	},
+	.fini = fini,
+};

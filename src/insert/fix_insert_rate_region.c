@@ -1,0 +1,83 @@
+/* Fix insert/rate/region: particles come into a region at a rate. */
+#include "insert/insertion_rate.h"
+#include "insert/insertion_region.h"
+
+#include "base/banned.h"
+
+struct state {
+	union {
+		struct ts_insertion base;
+		struct ts_insertion_region place;
+	};
+	struct ts_insertion_rate rate;
+};
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	TS_TRY(ts_insertion_region_init(self, sim));
+	if (s->base.every < 1)
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "insert_every"),
+			       "fix insert/rate/region: insert_every is '%s', expected a number of "
+			       "steps > 0",
+			       s->base.every_word);
+	return ts_insertion_rate_init(self, sim, &s->rate);
+}
+
+static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	ts_insertion_rate_tell(self, sim, &s->rate);
+	return TS_OK;
+}
+
+static enum ts_status pre_exchange(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	struct ts_region_content now;
+	int64_t n;
+
+	if (!s->base.due)
+		return TS_OK;
+	n = ts_insertion_rate_count(self, sim, &s->rate);
+	TS_TRY(ts_insertion_region_content(self, sim, &now));
+	if (n > 0)
+		TS_TRY(ts_insertion_region_event(self, sim, n, n * s->base.maxattempt));
+	ts_insertion_rate_next(self, &s->rate);
+	return TS_OK;
+}
+
+static const struct ts_arg args[] = {
+	TS_INSERTION_ARGS(struct state),
+	TS_INSERTION_RATE_ARGS(struct state),
+	TS_WORD("insert_every", struct state, base.every_word, .help = "steps between events"),
+	TS_INSERTION_REGION_ARGS(struct state),
+	TS_ARGS_END,
+};
+
+static const struct ts_saved saved[] = { TS_INSERTION_REGION_SAVED(struct state),
+					 TS_SAVED_ROWS_END };
+
+TS_STYLE(fix, ts_style, ts_fix_insert_rate_region)
+const struct ts_style ts_fix_insert_rate_region = {
+	.name = "insert/rate/region",
+	.kind = TS_KIND_FIX,
+	.summary = "Particles come into a region at a rate",
+	.doc = "Every insert_every steps, the first time in the step after the definition or at the step start, as many\n"
+	       "particles are made at random places of a region as the rate gives in that time, rounded up or down by\n"
+	       "lot, until a number or a mass is reached. Particles that find no place come later. The rest is as with\n"
+	       "fix insert/pack.",
+	.example = "fix rain all insert/rate/region seed 32452867 distributiontemplate mix nparticles 1000 particlerate 5000 insert_every 1000 overlapcheck yes region sky",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.saved = saved,
+	.archive = ts_insertion_region_archive,
+	.values = ts_insertion_values,
+	.init = init,
+	.hook = { [TS_STAGE_CHECK] = ts_insertion_check,
+		  [TS_STAGE_PRE_EXCHANGE] = pre_exchange,
+		  [TS_STAGE_SETUP] = setup },
+	.fini = ts_insertion_fini,
+};

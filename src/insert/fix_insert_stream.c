@@ -1,0 +1,571 @@
+/* Fix insert/stream: particles come through a face, in a stream. */
+#include "core/sim.h"
+#include "core/sweep.h"
+
+#include "box/domain.h"
+#include "insert/insertion_rate.h"
+#include "insert/stream.h"
+#include "math/rigid_turn.h"
+#include "math/vec3.h"
+#include "mesh/mesh_surface.h"
+#include "particle/particles.h"
+#include "rigid/rigid_motion.h"
+
+#include "base/banned.h"
+
+struct state {
+	union {
+		struct ts_insertion base;
+		struct ts_stream stream;
+	};
+	struct ts_insertion_rate rate;
+	const char *face_id;
+	double given_length;
+	int64_t duration;
+	bool parallel;
+
+	struct ts_mesh_surface *face;
+	double length;	  /* of the space behind the face that is filled */
+	double normal[3]; /* of the face, against the stream */
+	double speed;	  /* through the face */
+	int32_t *way;	  /* the particles on their way to the face, maybe some who are free; of this generation */
+	size_t nway, way_capacity;
+	uint64_t generation;
+	/* saved */
+	int64_t release; /* age at which the last one is free */
+	int32_t measured;
+};
+
+/* LIGGGHTS seeds the stream of points on a mesh with this; fixes with the same face share it. */
+static const int64_t MESH_SEED = 179424799;
+/* A quotient this near to the next integer is taken as this, so that a stream of 1 m/s takes 1500 steps of 2e-5 s for
+ * 0.03 m. LIGGGHTS adds 1e-14 in units of length to the length. */
+static const double ROUNDING = 1e-13;
+/* A stream whose velocity includes a smaller angle with the face, in radian, does not go through it. */
+static const double ALONG = 1e-6;
+/* As many points show how much of the space behind the face is in the box. */
+enum { NMEASURE = 100000 };
+
+/* ---- set-up */
+
+static enum ts_status face_of(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	struct ts_word id = { .text = s->face_id, .place = *ts_instance_word(self, s->face_id) };
+	const struct ts_mesh *mesh;
+	double through;
+
+	TS_TRY(ts_mesh_surface_require(sim, &id, &s->face));
+	mesh = &s->face->mesh;
+	for (size_t t = 1; t < mesh->n; t++)
+		if (fabs(ts_dot(mesh->normal[t], mesh->normal[0])) < 1 - 1e-6)
+			return ts_fail(&sim->error, TS_STATE, &id.place,
+				       "fix insert/stream: mesh %s is not plane: triangle %zu is inclined "
+				       "against the first one",
+				       s->face_id, t + 1);
+	if (!mesh->n)
+		return ts_fail(&sim->error, TS_STATE, &id.place,
+			       "fix insert/stream: mesh %s has no triangles", s->face_id);
+	through = ts_dot(s->base.velocity.mean, mesh->normal[0]);
+	s->speed = fabs(through);
+	if (!(s->speed > ALONG * ts_norm(s->base.velocity.mean)))
+		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "vel"),
+			       "fix insert/stream: the velocity through the face is %g, expected a stream "
+			       "through it: say `vel constant vx vy vz`, not along the face",
+			       s->speed);
+	ts_scale(through > 0 ? -1 : 1, mesh->normal[0], s->normal);
+	ts_scale(-s->speed, s->normal, s->stream.drift);
+	return TS_OK;
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	char name[80];
+	bool first;
+
+	TS_TRY(ts_insertion_init(self, sim, &first));
+	TS_TRY(ts_insertion_rate_init(self, sim, &s->rate));
+	TS_TRY(face_of(self, sim));
+	if ((s->base.every_word != NULL) == !isnan(s->given_length))
+		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+			       "fix insert/stream: expected one of insert_every and extrude_length");
+	if (s->base.every_word && s->base.every < 1)
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "insert_every"),
+			       "fix insert/stream: insert_every is '%s', expected a number of steps > 0",
+			       s->base.every_word);
+	if (s->duration != INT64_MIN && (!s->base.every_word || s->duration > s->base.every))
+		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "duration"),
+			       "fix insert/stream: duration is a part of insert_every");
+	if (!s->face->random.state)
+		s->face->random = ts_minstd_start(MESH_SEED);
+	snprintf(name, sizeof name, "stream %s", self->id);
+	return ts_particles_add_column(sim, name, TS_STREAM_MEMORY, 0, &s->stream.column);
+}
+
+/* Interval and length belong together by the speed; the step may be another one in each run. */
+static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	const struct ts_distribution *d = s->base.distribution->state;
+	double travel = s->speed * sim->clock.dt;
+	int64_t steps = s->duration == INT64_MIN ? s->base.every : s->duration;
+	double least = (s->base.every_word ? 2 : 3) * d->largest;
+
+	if (s->base.every_word) {
+		s->length = (double)steps * sim->clock.dt * s->speed;
+	} else {
+		s->length = s->given_length;
+		s->base.every = (int64_t)fmin(s->length / travel * (1 + ROUNDING), 1e15);
+	}
+	if (s->length < least)
+		return ts_fail(&sim->error, TS_RANGE, &self->where,
+			       "fix insert/stream: the space behind the face is %g long, expected at least "
+			       "%g, %s radii of the largest particle; raise %s",
+			       s->length, least, s->base.every_word ? "two" : "three",
+			       s->base.every_word ? "insert_every" : "extrude_length");
+	if (s->base.every < 1)
+		return ts_fail(&sim->error, TS_RANGE, &self->where,
+			       "fix insert/stream: particles move %g in a step, the space behind the face "
+			       "is %g long; raise extrude_length or take a smaller step",
+			       travel, s->length);
+	ts_insertion_rate_tell(self, sim, &s->rate);
+	return TS_OK;
+}
+
+/* ---- places */
+
+/* Not nearer than radius to an outer edge of the face. */
+static bool inside_face(const struct ts_mesh *mesh, const double x[3], double radius)
+{
+	for (size_t t = 0; t < mesh->n; t++) {
+		for (int k = 0; k < 3; k++) {
+			double d[3], along;
+
+			if (mesh->neighbour[t][k] != -1)
+				continue;
+			ts_sub(x, mesh->x[t][k], d);
+			along = fmax(0, fmin(mesh->length[t][k], ts_dot(d, mesh->along[t][k])));
+			ts_axpy(-along, mesh->along[t][k], d);
+			if (ts_dot(d, d) < radius * radius)
+				return false;
+		}
+	}
+	return true;
+}
+
+/* A triangle by its area, then a point of a square until it lies in the half that is the triangle. */
+static void draw_on_face(struct ts_mesh_surface *face, double x[3])
+{
+	const struct ts_mesh *mesh = &face->mesh;
+	double total = 0, sum = mesh->area[0], r, u, v;
+	size_t t = 0;
+
+	for (size_t k = 0; k < mesh->n; k++)
+		total += mesh->area[k];
+	r = ts_minstd_uniform(&face->random) * total;
+	while (sum < r && t + 1 < mesh->n)
+		sum += mesh->area[++t];
+	do {
+		u = ts_minstd_uniform(&face->random);
+		v = ts_minstd_uniform(&face->random);
+	} while (u + v > 1);
+	for (int d = 0; d < 3; d++)
+		x[d] = (1 - u - v) * mesh->x[t][0][d] + v * mesh->x[t][1][d] + u * mesh->x[t][2][d];
+}
+
+static const int64_t MOST_POINTS = 10000000;
+
+/* From radius behind the face on; where overlaps are not looked for, wholly within the length. */
+static enum ts_status draw_place(struct ts_instance *self, struct tsim *sim, double radius, double x[3])
+{
+	struct state *s = self->state;
+	double depth, length = s->base.overlapcheck ? s->length : s->length - 2 * radius;
+	int64_t k = 0;
+
+	do {
+		draw_on_face(s->face, x);
+		if (k++ == MOST_POINTS)
+			return ts_fail(&sim->error, TS_RANGE, &self->where,
+				       "fix insert/stream: no point of the face is %g from its edge, the "
+				       "radius of a particle; take a larger face, or all_in no",
+				       radius);
+	} while (s->base.all_in && !inside_face(&s->face->mesh, x, radius));
+	depth = ts_minstd_uniform(&s->base.random) * length + radius;
+	ts_axpy(depth, s->normal, x);
+	return TS_OK;
+}
+
+static bool in_box(const struct ts_box *box, const double x[3], double radius)
+{
+	for (int d = 0; d < 3; d++)
+		if (x[d] - box->lo[d] < radius || box->hi[d] - x[d] < radius)
+			return false;
+	return true;
+}
+
+/* In the first event, and in all if the box moves: the points drawn here move the streams on. */
+static enum ts_status measure(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	const struct ts_box *box = &sim->domain->box;
+	bool moves = false;
+	int outside = 0;
+
+	for (int k = 0; k < 6; k++)
+		moves |= box->face[k / 2][k % 2] >= TS_FACE_SHRINK;
+	if (s->measured && !moves)
+		return TS_OK;
+	s->measured = 1;
+	for (int k = 0; k < NMEASURE; k++) {
+		double x[3];
+
+		draw_on_face(s->face, x);
+		ts_axpy(ts_minstd_uniform(&s->base.random) * s->length, s->normal, x);
+		outside += !in_box(box, x, 0);
+	}
+	if (outside > NMEASURE / 10)
+		return ts_fail(&sim->error, TS_RANGE, &self->where,
+			       "fix insert/stream: %.0f%% of the space behind the face, %g long, are "
+			       "outside the box; make the box larger, or extrude_length smaller",
+			       100.0 * outside / NMEASURE, s->length);
+	if (outside && !s->base.warned)
+		ts_warn(&sim->log, &self->where,
+			"fix insert/stream: %.2f%% of the space behind the face, %g long, are outside "
+			"the box: no particle will come from there",
+			100.0 * outside / NMEASURE, s->length);
+	return TS_OK;
+}
+
+struct search {
+	const struct ts_box *box;
+	struct ts_spherehash crowd;
+	int64_t tries, most_tries;
+};
+
+static enum ts_status place(struct ts_instance *self, struct tsim *sim, struct search *search,
+			    struct ts_newcomer *one)
+{
+	struct state *s = self->state;
+
+	while (!one->placed && search->tries < search->most_tries) {
+		do {
+			TS_TRY(draw_place(self, sim, one->radius, one->x));
+			search->tries++;
+		} while (search->tries < search->most_tries &&
+			 !in_box(search->box, one->x, one->radius));
+		if (search->tries == search->most_tries)
+			return TS_OK;
+		ts_insertion_draw_orientation(&s->base, one);
+		one->placed = !ts_insertion_overlaps(sim, &search->crowd, one);
+	}
+	return one->placed ? ts_insertion_join(sim, &search->crowd, one) : TS_OK;
+}
+
+static enum ts_status place_all(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	struct ts_newcomers *list = &s->base.list;
+	struct search search = { .box = &sim->domain->box,
+				 .most_tries = (int64_t)list->n * s->base.maxattempt };
+	enum ts_status status = TS_OK;
+
+	if (s->base.overlapcheck)
+		status = ts_insertion_crowd(sim, &search.crowd);
+	for (size_t k = 0; status == TS_OK && k < list->n; k++) {
+		if (s->base.overlapcheck) {
+			status = place(self, sim, &search, &list->item[k]);
+			continue;
+		}
+		status = draw_place(self, sim, list->item[k].radius, list->item[k].x);
+		ts_insertion_draw_orientation(&s->base, &list->item[k]);
+		list->item[k].placed = true;
+	}
+	ts_spherehash_release(&search.crowd);
+	return status;
+}
+
+/* ---- the stream */
+
+/* The spheres of a body go together: what it remembers is with the first of them. */
+static bool leads(const struct ts_particles *p, size_t from, size_t i)
+{
+	return i == from || !ts_rigid_same(p, i - 1, i);
+}
+
+static struct ts_body *body_of(struct tsim *sim, size_t i)
+{
+	const struct ts_body *body = ts_rigid_body_of(sim, i);
+
+	return body ? &sim->rigid->body[body - sim->rigid->body] : NULL;
+}
+
+/* On its way to the face a body does not turn, nor does it in LIGGGHTS when it is let go. */
+static void steer_body(const struct state *s, const struct tsim *sim, struct ts_body *body,
+		       const double *memory, bool free)
+{
+	double time = ((double)s->stream.age - memory[TS_STREAM_START]) * sim->clock.dt;
+
+	for (int k = 0; k < 3; k++) {
+		double v = -s->speed * s->normal[k];
+
+		if (!free)
+			body->x[k] = memory[TS_STREAM_PLACE + k] + time * v;
+		body->v[k] = free ? memory[TS_STREAM_VELOCITY + k] : v;
+		body->omega[k] = free && !sim->legacy ? s->base.omega[k] : 0;
+	}
+	ts_rigid_spin(body->q, body->inertia, body->omega, body->spin);
+}
+
+/* New particles move straight to the face; there they get the velocity that was asked for. */
+static void start(struct ts_instance *self, struct tsim *sim, size_t from)
+{
+	struct state *s = self->state;
+	struct ts_particles *p = sim->particles;
+
+	for (size_t i = from; i < p->n; i++) {
+		double *memory = ts_stream_memory(&s->stream, sim, i), d[3];
+		struct ts_body *body = body_of(sim, i);
+		struct ts_newcomer free = { 0 };
+
+		for (int k = 0; k < 3; k++)
+			p->v[i][k] = -s->speed * s->normal[k];
+		memory[TS_STREAM_RELEASE] = 0;
+		s->generation = 0;
+		if (!leads(p, from, i))
+			continue;
+		ts_insertion_draw_velocity(&s->base, &free);
+		ts_scale(1, body ? body->x : p->x[i], memory + TS_STREAM_PLACE);
+		ts_scale(1, free.v, memory + TS_STREAM_VELOCITY);
+		ts_sub(memory + TS_STREAM_PLACE, s->face->mesh.x[0][0], d);
+		memory[TS_STREAM_START] = (double)s->stream.age;
+		memory[TS_STREAM_WAY] = ts_dot(d, s->normal);
+		memory[TS_STREAM_RELEASE] =
+			(double)s->stream.age +
+			floor(memory[TS_STREAM_WAY] / (s->speed * sim->clock.dt));
+		s->release = (int64_t)fmax((double)s->release, memory[TS_STREAM_RELEASE]);
+		if (body)
+			steer_body(s, sim, body, memory, false);
+	}
+}
+
+static enum ts_status check(struct ts_instance *self, struct tsim *sim)
+{
+	((struct ts_stream *)self->state)->age++;
+	return ts_insertion_check(self, sim);
+}
+
+static enum ts_status pre_exchange(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	size_t from;
+	int64_t n;
+
+	if (!s->base.due)
+		return TS_OK;
+	n = ts_insertion_rate_count(self, sim, &s->rate);
+	if (n > 0) {
+		TS_TRY(measure(self, sim));
+		TS_TRY(ts_distribution_draw(s->base.distribution, sim, n,
+					    s->base.random_distribute == 0, &s->base.list));
+		TS_TRY(place_all(self, sim));
+		TS_TRY(ts_insertion_make(self, sim, &from));
+		start(self, sim, from);
+	}
+	ts_insertion_rate_next(self, &s->rate);
+	return TS_OK;
+}
+
+/* Counted from where it began: neither rounding nor the forces of a set-up push a particle off its way, as in
+ * LIGGGHTS. One that has been wrapped into a periodic box is left alone. */
+static void keep_on_its_way(struct ts_particles *p, size_t i, const double start[3],
+			    const double v[3], double time, double dt)
+{
+	for (int k = 0; k < 3; k++) {
+		double to = start[k] + time * v[k];
+
+		if (fabs(to - p->x[i][k]) <= dt * ts_norm(v))
+			p->x[i][k] = to;
+	}
+}
+
+static void steer_sphere(const struct state *s, struct tsim *sim, size_t i, const double *memory,
+			 bool free)
+{
+	struct ts_particles *p = sim->particles;
+	double v[3];
+
+	ts_scale(-s->speed, s->normal, v);
+	keep_on_its_way(p, i, memory + TS_STREAM_PLACE, v,
+			((double)s->stream.age - memory[TS_STREAM_START]) * sim->clock.dt,
+			sim->clock.dt);
+	for (int k = 0; k < 3; k++) {
+		p->v[i][k] = free ? memory[TS_STREAM_VELOCITY + k] : v[k];
+		p->f[i][k] = 0;
+		if (p->torque)
+			p->torque[i][k] = 0;
+		if (p->omega)
+			p->omega[i][k] = free ? s->base.omega[k] : 0;
+	}
+}
+
+static void steer(const struct state *s, struct tsim *sim, size_t i)
+{
+	double *memory = ts_stream_memory(&s->stream, sim, i);
+	bool free = (double)s->stream.age >= memory[TS_STREAM_RELEASE];
+	struct ts_body *body = body_of(sim, i);
+
+	if (!(memory[TS_STREAM_RELEASE] > 0))
+		return;
+	if (body) {
+		size_t first = sim->rigid->start[body - sim->rigid->body];
+		size_t end = sim->rigid->start[body - sim->rigid->body + 1];
+
+		steer_body(s, sim, body, memory, free);
+		if (!free || !sim->legacy) /* there its spheres learn of it in the next step */
+			ts_rigid_place(sim, body, sim->rigid->member + first, end - first);
+	} else {
+		steer_sphere(s, sim, i, memory, free);
+	}
+	if (free)
+		memory[TS_STREAM_RELEASE] *= -1;
+}
+
+struct steering {
+	const struct state *s;
+	struct tsim *sim;
+};
+
+/* The first in the list that stands at i in memory, or behind it. */
+static size_t first_from(const struct state *s, size_t i)
+{
+	size_t low = 0, high = s->nway;
+
+	while (low < high) {
+		size_t middle = (low + high) / 2;
+
+		if ((size_t)s->way[middle] < i)
+			low = middle + 1;
+		else
+			high = middle;
+	}
+	return low;
+}
+
+static void steer_share(void *context, size_t from, size_t to)
+{
+	const struct steering *t = context;
+
+	for (size_t k = first_from(t->s, from); k < t->s->nway && (size_t)t->s->way[k] < to; k++)
+		steer(t->s, t->sim, (size_t)t->s->way[k]);
+}
+
+/* Few of many are on their way: who they are changes with the rows of particles. */
+static enum ts_status list_way(struct state *s, struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+
+	if (s->generation == sim->generation)
+		return TS_OK;
+	if (TS_GROW(s->way, s->way_capacity, p->n) != TS_OK)
+		return ts_nomem(&sim->error);
+	s->nway = 0;
+	for (size_t i = 0; i < p->n; i++)
+		if (ts_stream_memory(&s->stream, sim, i)[TS_STREAM_RELEASE] > 0)
+			s->way[s->nway++] = (int32_t)i;
+	s->generation = sim->generation;
+	return TS_OK;
+}
+
+static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	struct steering task = { s, sim };
+
+	if (s->stream.age > s->release)
+		return TS_OK;
+	TS_TRY(list_way(s, sim));
+	if (!sim->rigid->n) {
+		TS_SWEEP_ADD(sim, sim->particles->n, steer_share, &task);
+		return TS_OK;
+	}
+	ts_sweep(sim); /* a body places spheres anywhere in memory */
+	TS_TRY(ts_rigid_list(sim));
+	steer_share(&task, 0, sim->particles->n);
+	return TS_OK;
+}
+
+static void fini(struct ts_instance *self)
+{
+	ts_free(((struct state *)self->state)->way);
+	ts_insertion_fini(self);
+}
+
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	struct state *s = self->state;
+
+	TS_TRY(ts_insertion_archive(self, sim, a));
+	TS_TRY(ts_minstd_archive(a, sim, "face", &s->face->random));
+	return ts_particles_archive_column(
+		a, sim, sim->particles->column[s->stream.column].name, s->stream.column);
+}
+
+static const struct ts_arg args[] = {
+	TS_INSERTION_ARGS(struct state),
+	TS_INSERTION_RATE_ARGS(struct state),
+	TS_WORD("insertion_face", struct state, face_id,
+		.help = "a plane mesh through which particles come"),
+	TS_REAL("extrude_length", struct state, given_length, .flags = TS_OPTIONAL,
+		.range = TS_POSITIVE, .unit = "length",
+		.help = "length of the space behind the face that an event fills; the next event comes "
+			"when the stream has left it"),
+	TS_WORD("insert_every", struct state, base.every_word, .flags = TS_OPTIONAL,
+		.help = "instead of extrude_length: steps between events"),
+	TS_INT("duration", struct state, duration, .flags = TS_OPTIONAL, .range = TS_POSITIVE,
+	       .help = "with insert_every: steps that it takes the particles of an event to go through "
+		       "the face; the rest is a pause"),
+	TS_BOOL("parallel", struct state, parallel, .fallback = "no", .help = "no effect"),
+	TS_ARGS_END,
+};
+
+static const struct ts_saved saved[] = {
+	TS_INSERTION_SAVED(struct state),	TS_SAVE_I64(struct state, stream.age),
+	TS_SAVE_I64(struct state, release), TS_SAVE_I32(struct state, measured),
+	TS_SAVED_ROWS_END,
+};
+
+TS_STYLE(fix, ts_style, ts_fix_insert_stream)
+const struct ts_style ts_fix_insert_stream = {
+	.name = "insert/stream",
+	.kind = TS_KIND_FIX,
+	.summary = "Particles come through a face, in a stream",
+	.doc = "As many particles as the rate gives in an interval are placed at random in the space behind a plane\n"
+	       "mesh: the face moved by the length L against the velocity. They move towards the face with the part of\n"
+	       "the velocity that is normal to it, whatever the forces on them, and when their centers reach it they get\n"
+	       "the velocity and the angular velocity asked for, and are free. The interval is L over the normal speed;\n"
+	       "extrude_length gives L, or insert_every the interval, of which only duration is filled.\n\n"
+	       "Places, numbers and velocities are drawn from the random streams of LIGGGHTS 3.8, in its order. With\n"
+	       "overlapcheck yes centers lie from R to L + R behind the face and are tried anew if particles overlap or\n"
+	       "reach out of the box; else from R to L - R. all_in yes keeps particles within the outer edges of the\n"
+	       "face. The number in an event is rounded up or down by lot. The face must not move.\n\n"
+	       "A rigid clump goes to the face by its centre of mass, without turning. LIGGGHTS gives it no angular\n"
+	       "velocity there either, which `legacy yes` follows.\n\n"
+	       "As in LIGGGHTS, f_release_fix_insert_stream[1] to [14] are of each particle: the place where it was\n"
+	       "inserted (1 to 3), the step of that (4), the step in which it is free (5), its velocity until then (6 to\n"
+	       "8), and the velocity (9 to 11) and angular velocity (12 to 14) that it gets then; 0 of other particles.",
+	.example = "fix pour all insert/stream seed 32452867 distributiontemplate mix nparticles 5000 vel constant 0 -0.5 -2 particlerate 1000 overlapcheck yes insertion_face hole extrude_length 0.6",
+	.family = TS_FAMILY_STREAM,
+	.args = args,
+	.state_size = sizeof(struct state),
+	.saved = saved,
+	.archive = archive,
+	.values = ts_insertion_values,
+	.init = init,
+	.hook = { [TS_STAGE_CHECK] = check,
+		  [TS_STAGE_PRE_EXCHANGE] = pre_exchange,
+		  [TS_STAGE_SETUP] = setup,
+		  [TS_STAGE_END_OF_STEP] = end_of_step },
+	.waits = TS_WAITS(END_OF_STEP),
+	.fini = fini,
+};

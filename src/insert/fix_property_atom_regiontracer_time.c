@@ -1,0 +1,168 @@
+/* Fix property/atom/regiontracer/time: how long particles have been in regions. */
+#include "math/exactsum.h"
+#include "particle/particles.h"
+#include "region/region.h"
+
+#include "base/banned.h"
+
+/* Which regions a particle was in at the last look is kept in the bits of a double. */
+enum { MOST_REGIONS = 53 };
+
+struct state {
+	struct ts_words region_words;
+	int64_t every;
+
+	struct ts_instance *region[MOST_REGIONS];
+	size_t width;	 /* of the times: the box, then the regions */
+	size_t time, in; /* columns */
+	bool started;
+};
+
+static double *times(const struct state *s, const struct tsim *sim, size_t i)
+{
+	return (double *)sim->particles->column[s->time].data + i * s->width;
+}
+
+static double *inside(const struct state *s, const struct tsim *sim, size_t i)
+{
+	return (double *)sim->particles->column[s->in].data + i;
+}
+
+static enum ts_status add_column(struct ts_instance *self, struct tsim *sim, const char *what,
+				 size_t width, size_t *column)
+{
+	struct ts_str name = { 0 };
+	enum ts_status status;
+
+	ts_str_addf(&name, "%s %s %s %zu", self->style->name, what, self->id, width);
+	status = ts_particles_add_column(sim, ts_str_text(&name), width, TS_COL_RESULT, column);
+	ts_str_release(&name);
+	return status;
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	if (s->region_words.n > MOST_REGIONS)
+		return ts_fail(&sim->error, TS_RANGE, &s->region_words.word[MOST_REGIONS].place,
+			       "fix property/atom/regiontracer/time: at most %d regions", MOST_REGIONS);
+	for (size_t k = 0; k < s->region_words.n; k++)
+		TS_TRY(ts_sim_require(sim, TS_KIND_REGION, &s->region_words.word[k], &s->region[k]));
+	s->width = 1 + s->region_words.n;
+	TS_TRY(add_column(self, sim, "times", s->width, &s->time));
+	TS_TRY(add_column(self, sim, "inside", 1, &s->in));
+	/* columns of these names may be left over from a fix that is gone */
+	for (size_t i = 0; !s->started && i < sim->particles->n; i++) {
+		*inside(s, sim, i) = 0;
+		for (size_t k = 0; k < s->width; k++)
+			times(s, sim, i)[k] = 0;
+	}
+	s->started = true;
+	return TS_OK;
+}
+
+static enum ts_status look(struct ts_instance *self, struct tsim *sim)
+{
+	const struct state *s = self->state;
+	const struct ts_particles *p = sim->particles;
+
+	for (size_t k = 0; k < s->region_words.n; k++)
+		TS_TRY(ts_region_update(s->region[k], sim));
+	for (size_t i = 0; i < p->n; i++) {
+		uint64_t in = 0;
+
+		for (size_t k = 0; k < s->region_words.n; k++)
+			in |= (uint64_t)ts_region_contains(s->region[k], p->x[i]) << k;
+		*inside(s, sim, i) = (double)in;
+	}
+	return TS_OK;
+}
+
+static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
+{
+	const struct state *s = self->state;
+	const struct ts_particles *p = sim->particles;
+
+	if (sim->clock.step % s->every == 0)
+		TS_TRY(look(self, sim));
+	for (size_t i = 0; i < p->n; i++) {
+		uint64_t in = (uint64_t)*inside(s, sim, i);
+
+		if (!ts_in_group(p, i, self->group))
+			continue;
+		times(s, sim, i)[0] += sim->clock.dt;
+		for (size_t k = 1; k < s->width; k++, in >>= 1)
+			if (in & 1)
+				times(s, sim, i)[k] += sim->clock.dt;
+	}
+	return TS_OK;
+}
+
+/* ---- outputs ---- */
+
+static enum ts_status eval_times(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	const struct state *s = self->state;
+
+	TS_TRY(ts_table_resize(out, sim->particles->n, s->width));
+	for (size_t i = 0; i < out->rows; i++)
+		for (size_t k = 0; k < s->width; k++)
+			out->data[i * s->width + k] = times(s, sim, i)[k];
+	return TS_OK;
+}
+
+static enum ts_status eval_means(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	const struct state *s = self->state;
+	size_t n = sim->particles->n;
+
+	TS_TRY(ts_table_resize(out, s->width, 1));
+	for (size_t k = 0; k < s->width; k++)
+		out->data[k] = n ? ts_exactsum_of(times(s, sim, 0) + k, n, s->width) / (double)n : 0;
+	return TS_OK;
+}
+
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	const struct state *s = self->state;
+
+	TS_TRY(ts_particles_archive_column(a, sim, "times", s->time));
+	return ts_particles_archive_column(a, sim, "inside", s->in);
+}
+
+static const struct ts_arg args[] = {
+	TS_LIST_KEYWORD("add_region", struct state, region_words,
+			.flags = TS_TO_KEYWORD | TS_OPTIONAL | TS_REPEAT | TS_STATEFUL,
+			.help = "a region to look at; again for more"),
+	TS_INT("check_region_every", struct state, every, .fallback = "10", .range = TS_POSITIVE,
+	       .help = "steps between looks, which are in steps that are multiples of it"),
+	TS_ARGS_END,
+};
+
+static const struct ts_value values[] = {
+	{ "times", "time", "of each particle: the time in the box, then in each region", TS_PERATOM, 0, NULL,
+	  eval_times },
+	{ "means", "time", "means of these times over all particles", TS_VECTOR, 0, NULL, eval_means },
+	{ .name = NULL },
+};
+
+TS_STYLE(fix, ts_style, ts_fix_property_atom_regiontracer_time)
+const struct ts_style ts_fix_property_atom_regiontracer_time = {
+	.name = "property/atom/regiontracer/time",
+	.kind = TS_KIND_FIX,
+	.summary = "How long particles have been in the box and in regions",
+	.doc = "Each step adds dt to the time in the box of the particles of the group, and to the time in a\n"
+	       "region of those that were there at the last look. Particles that come later start at 0.\n\n"
+	       "f_ID, or f_ID[1], f_ID[2] ... with regions, of a particle: time in the box and in the regions as\n"
+	       "they were given. f_ID[k] as numbers: their means over all particles, those outside the group,\n"
+	       "whose times are 0, included.",
+	.example = "fix stay all property/atom/regiontracer/time add_region mixer add_region chute check_region_every 5\n"
+		   "thermo_style custom step f_stay[1] f_stay[2]",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.archive = archive,
+	.values = values,
+	.init = init,
+	.hook = { [TS_STAGE_END_OF_STEP] = end_of_step },
+};

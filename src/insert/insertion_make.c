@@ -1,0 +1,227 @@
+/* Newcomers of the fixes that insert: their spheres, whether they overlap others, and the particles made of them. */
+#include "insert/insertion.h"
+
+#include <inttypes.h>
+
+#include "box/domain.h"
+#include "math/quaternion.h"
+#include "math/rigid_turn.h"
+#include "math/vec3.h"
+#include "particle/body.h"
+#include "particle/particles.h"
+
+#include "base/banned.h"
+
+static const struct ts_template *template_of(const struct ts_newcomer *one)
+{
+	return one->template ? one->template->state : NULL;
+}
+
+static const struct ts_clump *clump_of(const struct ts_newcomer *one)
+{
+	return one->template ? template_of(one)->clump : NULL;
+}
+
+static size_t spheres_of(const struct ts_newcomer *one)
+{
+	return clump_of(one) ? clump_of(one)->n : 1;
+}
+
+/* Where its k-th sphere is; returns the radius. */
+static double sphere_of(const struct ts_newcomer *one, size_t k, double x[3])
+{
+	const struct ts_template *t = template_of(one);
+	double m[3][3], d[3], arm[3];
+
+	ts_scale(1, one->x, x);
+	if (!clump_of(one))
+		return one->radius;
+	ts_sub(t->clump->sphere[k].x, t->origin, d);
+	ts_quaternion_matrix(one->q, m);
+	ts_rotate(m, d, arm);
+	ts_add(x, arm, x);
+	return t->clump->sphere[k].radius;
+}
+
+enum ts_status ts_insertion_crowd(struct tsim *sim, struct ts_spherehash *crowd)
+{
+	const struct ts_particles *p = sim->particles;
+
+	for (size_t i = 0; i < p->n; i++)
+		if (ts_spherehash_add(crowd, p->x[i], p->radius[i]) != TS_OK)
+			return ts_nomem(&sim->error);
+	return TS_OK;
+}
+
+bool ts_insertion_overlaps(const struct tsim *sim, const struct ts_spherehash *crowd,
+			   const struct ts_newcomer *one)
+{
+	for (size_t k = 0; k < spheres_of(one); k++) {
+		double x[3], radius = sphere_of(one, k, x);
+
+		if (ts_spherehash_overlaps_periodic(crowd, &sim->domain->box, x, radius))
+			return true;
+	}
+	return false;
+}
+
+enum ts_status ts_insertion_join(struct tsim *sim, struct ts_spherehash *crowd,
+				 const struct ts_newcomer *one)
+{
+	for (size_t k = 0; k < spheres_of(one); k++) {
+		double x[3], radius = sphere_of(one, k, x);
+
+		if (ts_spherehash_add(crowd, x, radius) != TS_OK)
+			return ts_nomem(&sim->error);
+	}
+	return TS_OK;
+}
+
+/* Rounded as LIGGGHTS rounds it, where particles are inserted. */
+static double sphere_mass(const struct tsim *sim, const struct ts_newcomer *one, double r)
+{
+	if (sim->dimension == 2)
+		return one->density * ts_body_volume(sim, r);
+	if (clump_of(one)) /* its 4 pi / 3 */
+		return one->density * (r * r * r * 4.18879020479);
+	return one->density * (r * r * r * 4 * TS_BODY_PI / 3);
+}
+
+static void fill_in(struct ts_instance *self, struct tsim *sim, const struct ts_newcomer *one,
+		    size_t k, size_t i)
+{
+	struct ts_particles *p = sim->particles;
+
+	p->type[i] = one->type;
+	p->mask[i] |= one->mask | 1u << self->group;
+	p->radius[i] = sphere_of(one, k, p->x[i]);
+	p->mass[i] = sphere_mass(sim, one, p->radius[i]);
+	p->imass[i] = 1 / p->mass[i];
+	for (int d = 0; d < 3; d++) {
+		p->v[i][d] = one->v[d];
+		if (p->omega)
+			p->omega[i][d] = one->omega[d];
+	}
+}
+
+/* Spheres of a rigid clump overlap: they share its mass by their volumes. */
+static void share_mass(struct ts_particles *p, double mass, size_t from, size_t n)
+{
+	double sum = 0;
+
+	for (size_t i = from; i < from + n; i++)
+		sum += p->mass[i];
+	for (size_t i = from; i < from + n; i++)
+		p->mass[i] *= mass / sum;
+}
+
+static enum ts_status make_body(struct ts_instance *self, struct tsim *sim,
+				const struct ts_newcomer *one, size_t from, size_t n)
+{
+	const struct ts_template *t = one->template->state;
+	const struct ts_instance *fix = NULL;
+	struct ts_body body = t->body;
+	int32_t *row;
+	enum ts_status status;
+
+	for (size_t k = 0; k < sim->instances[TS_KIND_FIX].n; k++)
+		if (ts_streq(sim->instances[TS_KIND_FIX].item[k]->style->name, "multisphere"))
+			fix = sim->instances[TS_KIND_FIX].item[k];
+	if (!fix)
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix %s: rigid clumps of fix %s need `fix ID all multisphere`",
+			       self->style->name, one->template->id);
+	ts_quaternion_multiply(one->q, t->body.q, body.q);
+	ts_quaternion_normalise(body.q);
+	for (int i = 0; i < 3; i++) {
+		body.x[i] = one->x[i];
+		body.v[i] = one->v[i];
+		body.omega[i] = one->omega[i];
+	}
+	ts_rigid_spin(body.q, body.inertia, one->omega, body.spin);
+	share_mass(sim->particles, body.mass, from, n);
+	row = ts_alloc(n, sizeof *row);
+	if (!row)
+		return ts_nomem(&sim->error);
+	for (size_t k = 0; k < n; k++)
+		row[k] = (int32_t)(from + k);
+	status = ts_rigid_add(sim, &body, ts_rigid_owner(fix->id), row, n);
+	ts_free(row);
+	return status;
+}
+
+static enum ts_status make_one(struct ts_instance *self, struct tsim *sim,
+			       const struct ts_newcomer *one, size_t from)
+{
+	const struct ts_template *t = template_of(one);
+	struct ts_insertion *s = self->state;
+
+	for (size_t k = 0; k < spheres_of(one); k++)
+		fill_in(self, sim, one, k, from + k);
+	s->mass += clump_of(one) ? t->mass : sim->particles->mass[from];
+	s->inserted++;
+	return t && t->rigid ? make_body(self, sim, one, from, t->clump->n) : TS_OK;
+}
+
+static enum ts_status set_property(struct ts_instance *self, struct tsim *sim, size_t from)
+{
+	struct ts_insertion *s = self->state;
+	const struct ts_word *name = s->property_words.word;
+	const struct ts_column *column;
+	size_t k;
+
+	if (!s->property_words.n)
+		return TS_OK;
+	column = ts_particles_named_column(sim->particles, name->text, &k);
+	if (!column)
+		return ts_fail(&sim->error, TS_UNKNOWN, &name->place,
+			       "fix %s: set_property: no fix property/atom gives particles '%s'",
+			       self->style->name, name->text);
+	for (size_t i = from; i < sim->particles->n; i++)
+		((double *)column->data)[i * column->width + k] = s->property;
+	return TS_OK;
+}
+
+static void report(struct ts_instance *self, struct tsim *sim, size_t made, double mass)
+{
+	struct ts_insertion *s = self->state;
+
+	if (s->verbose)
+		ts_log(&sim->log,
+		       "INFO: Particle insertion %s: inserted %zu particle templates (mass %e) at step "
+		       "%" PRId64 "\n - a total of %" PRId64
+		       " particle templates (mass %e) inserted so far.\n",
+		       self->id, made, mass, sim->clock.step, s->inserted, s->mass);
+	if (made >= s->list.n || s->warned)
+		return;
+	s->warned = true;
+	ts_warn(&sim->log, &self->where,
+		"fix %s %s: less insertions than requested: %zu of %zu particles found a place at step "
+		"%" PRId64 " with %" PRId64 " tries each on average; raise maxattempt, ask for less, or "
+		"give them more room (said once)",
+		self->style->name, self->id, made, s->list.n, sim->clock.step, s->maxattempt);
+}
+
+enum ts_status ts_insertion_make(struct ts_instance *self, struct tsim *sim, size_t *from)
+{
+	struct ts_insertion *s = self->state;
+	double before = s->mass;
+	size_t made = 0, spheres = 0, row;
+
+	for (size_t k = 0; k < s->list.n; k++) {
+		made += s->list.item[k].placed;
+		spheres += s->list.item[k].placed ? spheres_of(&s->list.item[k]) : 0;
+	}
+	TS_TRY(ts_particles_add(sim, spheres, from));
+	row = *from;
+	for (size_t k = 0; k < s->list.n; k++) {
+		if (!s->list.item[k].placed)
+			continue;
+		TS_TRY(make_one(self, sim, &s->list.item[k], row));
+		row += spheres_of(&s->list.item[k]);
+	}
+	TS_TRY(set_property(self, sim, *from));
+	if (s->list.n)
+		report(self, sim, made, s->mass - before);
+	return TS_OK;
+}

@@ -1,0 +1,287 @@
+#include "insert/insertion_region.h"
+
+#include <inttypes.h>
+
+#include "box/domain.h"
+#include "particle/body.h"
+#include "particle/particles.h"
+
+#include "base/banned.h"
+
+/* LIGGGHTS seeds the stream of the region with that of the fix plus this. */
+static const int64_t SEED_OFFSET = 12;
+/* So many points in a row without one where the particle fits: there is no such place. */
+static const int64_t MOST_POINTS = 20000000;
+/* After a request to stop so many tries are made before the step is given up. */
+static const int64_t PATIENCE = 500000;
+
+static struct ts_minstd *stream_of(const struct ts_insertion_region *s)
+{
+	return &((struct ts_region *)s->region->state)->random;
+}
+
+static void draw_point(struct ts_minstd *random, const double lo[3], const double hi[3], double x[3])
+{
+	for (int d = 0; d < 3; d++)
+		x[d] = lo[d] + ts_minstd_uniform(random) * (hi[d] - lo[d]);
+}
+
+static bool fits(const struct ts_insertion_region *s, const double x[3], double radius)
+{
+	return ts_region_contains(s->region, x) &&
+	       (!s->base.all_in || ts_region_depth(s->region, x) >= radius);
+}
+
+static enum ts_status no_volume(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_insertion_region *s = self->state;
+	const struct ts_distribution *d = s->base.distribution->state;
+
+	return ts_fail(&sim->error, TS_RANGE, &self->where,
+		       "fix %s: none of %lld random points in the box around region %s lies in it%s; %s "
+		       "a larger region or smaller particles (radius up to %g), or a larger ntry_mc",
+		       self->style->name, (long long)s->ntry_mc, s->region->id,
+		       s->base.all_in ? " and so deep that the largest particle fits" : "",
+		       s->base.all_in ? "take" : "it is too small:", d->largest);
+}
+
+/* By lot, since the numbers drawn here move the stream of places on. */
+static enum ts_status measure(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_insertion_region *s = self->state;
+	const struct ts_distribution *d = s->base.distribution->state;
+	struct ts_minstd *random = stream_of(s);
+	int64_t hits = 0, deep = 0;
+	double lo[3], hi[3], x[3];
+
+	ts_region_bounds(s->region, lo, hi);
+	for (int64_t k = 0; k < s->ntry_mc; k++) {
+		draw_point(random, lo, hi, x);
+		if (!ts_region_contains(s->region, x))
+			continue;
+		hits++;
+		deep += !deep && fits(s, x, d->largest);
+	}
+	if (!deep)
+		return no_volume(self, sim);
+	s->volume = (double)hits / (double)s->ntry_mc * (hi[0] - lo[0]) * (hi[1] - lo[1]) *
+		    (hi[2] - lo[2]);
+	if (s->volume >= ((const struct ts_region *)s->region->state)->volume_limit)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_RANGE, &s->region->where,
+		       "region %s has a volume of about %g, below its volume_limit", s->region->id,
+		       s->volume);
+}
+
+static bool box_moves(const struct ts_box *box)
+{
+	bool moves = false;
+
+	for (int k = 0; k < 6; k++)
+		moves |= box->face[k / 2][k % 2] >= TS_FACE_SHRINK;
+	return moves;
+}
+
+static enum ts_status refuse(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_insertion_region *s = self->state;
+	const struct ts_box *box = &sim->domain->box;
+	double lo[3], hi[3];
+
+	if (((const struct ts_region *)s->region->state)->moves)
+		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, s->region->id),
+			       "fix %s: region %s moves, expected one that stands still",
+			       self->style->name, s->region->id);
+	ts_region_bounds(s->region, lo, hi);
+	for (int d = 0; d < 3; d++) {
+		if (!isfinite(lo[d]) || !isfinite(hi[d]))
+			return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, s->region->id),
+				       "fix %s: region %s has no end in %c; give its faces numbers, or "
+				       "EDGE",
+				       self->style->name, s->region->id, 'x' + d);
+		if ((box->face[d][0] == TS_FACE_FIXED && lo[d] < box->lo[d]) ||
+		    (box->face[d][1] == TS_FACE_FIXED && hi[d] > box->hi[d]))
+			return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, s->region->id),
+				       "fix %s: region %s reaches from %c = %g to %g, beyond the fixed "
+				       "faces of the box at %g and %g; make it smaller, or the boundary m",
+				       self->style->name, s->region->id, 'x' + d, lo[d], hi[d],
+				       box->lo[d], box->hi[d]);
+	}
+	if (s->base.all_in && isnan(ts_region_depth(s->region, box->lo)))
+		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "all_in"),
+			       "fix %s: all_in yes is not possible with a region of style %s",
+			       self->style->name, s->region->style->name);
+	return TS_OK;
+}
+
+enum ts_status ts_insertion_region_init(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_insertion_region *s = self->state;
+	bool first;
+
+	TS_TRY(ts_insertion_init(self, sim, &first));
+	if (!first)
+		return TS_OK;
+	TS_TRY(ts_region_update(s->region, sim));
+	TS_TRY(refuse(self, sim));
+	*stream_of(s) = ts_minstd_start((s->base.seed + SEED_OFFSET - 1) % 2147483646 + 1);
+	return measure(self, sim);
+}
+
+enum ts_status ts_insertion_region_content(struct ts_instance *self, struct tsim *sim,
+					   struct ts_region_content *out)
+{
+	struct ts_insertion_region *s = self->state;
+	const struct ts_particles *p = sim->particles;
+
+	TS_TRY(ts_region_update(s->region, sim));
+	*out = (struct ts_region_content){ .room = s->volume };
+	for (size_t i = 0; i < p->n; i++) {
+		if (!ts_region_contains(s->region, p->x[i]))
+			continue;
+		out->number++;
+		out->mass += p->mass[i];
+		out->volume += ts_body_volume(sim, p->radius[i]);
+	}
+	/* in LIGGGHTS, too, this counts from the next event on */
+	return box_moves(&sim->domain->box) ? measure(self, sim) : TS_OK;
+}
+
+/* ---- places */
+
+struct search {
+	struct ts_insertion_region *s;
+	const struct ts_box *box;
+	double lo[3], hi[3]; /* where points are drawn */
+	struct ts_spherehash crowd;
+	int64_t tries, most_tries;
+	int64_t patience; /* until so many tries after a request to stop; 0: there was none */
+};
+
+static bool near_border(const struct ts_box *box, const double x[3], double radius)
+{
+	for (int d = 0; d < 3; d++)
+		if (x[d] - box->lo[d] < radius || box->hi[d] - x[d] < radius)
+			return true;
+	return false;
+}
+
+static enum ts_status draw_in_region(struct ts_instance *self, struct tsim *sim,
+				     const struct search *search, struct ts_newcomer *one)
+{
+	const struct ts_insertion_region *s = self->state;
+
+	for (int64_t k = 0; k < MOST_POINTS; k++) {
+		draw_point(stream_of(s), search->lo, search->hi, one->x);
+		if (fits(s, one->x, one->radius))
+			return TS_OK;
+	}
+	return ts_fail(&sim->error, TS_RANGE, &self->where,
+		       "fix %s: no place in region %s is %g deep, the radius of a particle; take a larger "
+		       "region, or all_in no",
+		       self->style->name, s->region->id, one->radius);
+}
+
+static void draw_motion(struct ts_insertion *s, struct ts_newcomer *one)
+{
+	ts_insertion_draw_velocity(s, one);
+	for (int d = 0; d < 3; d++)
+		one->omega[d] = s->omega[d];
+	ts_insertion_draw_orientation(s, one);
+}
+
+/* What ends within a second or so goes on: the step is finished then, and its state can be saved. */
+static enum ts_status look_for_stop(struct ts_instance *self, struct tsim *sim, struct search *search)
+{
+	if (!sim->stop)
+		return TS_OK;
+	if (!search->patience)
+		search->patience = search->tries + PATIENCE;
+	if (search->tries < search->patience)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STOPPED, &self->where,
+		       "fix %s: stopped on request while places were searched for, after %" PRId64
+		       " tries; the step is not finished, and no particle is made in it",
+		       self->style->name, search->tries);
+}
+
+/* Tries of all particles count together. */
+static enum ts_status place(struct ts_instance *self, struct tsim *sim, struct search *search,
+			    struct ts_newcomer *one)
+{
+	struct ts_insertion_region *s = self->state;
+
+	while (!one->placed && search->tries < search->most_tries) {
+		TS_TRY(look_for_stop(self, sim, search));
+		do {
+			TS_TRY(draw_in_region(self, sim, search, one));
+			search->tries++;
+		} while (search->tries < search->most_tries && s->check_border &&
+			 near_border(search->box, one->x, one->radius));
+		if (search->tries == search->most_tries)
+			return TS_OK;
+		draw_motion(&s->base, one);
+		one->placed = !ts_insertion_overlaps(sim, &search->crowd, one);
+	}
+	return one->placed ? ts_insertion_join(sim, &search->crowd, one) : TS_OK;
+}
+
+static enum ts_status place_anywhere(struct ts_instance *self, struct tsim *sim,
+				     struct search *search, struct ts_newcomer *one)
+{
+	struct ts_insertion_region *s = self->state;
+
+	TS_TRY(draw_in_region(self, sim, search, one));
+	draw_motion(&s->base, one);
+	one->placed = true;
+	return TS_OK;
+}
+
+static enum ts_status place_all(struct ts_instance *self, struct tsim *sim, int64_t most_tries)
+{
+	struct ts_insertion_region *s = self->state;
+	struct search search = { .s = s, .box = &sim->domain->box, .most_tries = most_tries };
+	enum ts_status status = TS_OK;
+
+	ts_region_bounds(s->region, search.lo, search.hi);
+	for (int d = 0; d < 3; d++) {
+		search.lo[d] = fmax(search.lo[d], search.box->lo[d]);
+		search.hi[d] = fmin(search.hi[d], search.box->hi[d]);
+	}
+	if (s->base.overlapcheck)
+		status = ts_insertion_crowd(sim, &search.crowd);
+	for (size_t k = 0; status == TS_OK && k < s->base.list.n; k++)
+		status = (s->base.overlapcheck ? place : place_anywhere)(self, sim, &search,
+									 &s->base.list.item[k]);
+	ts_spherehash_release(&search.crowd);
+	return status;
+}
+
+enum ts_status ts_insertion_region_event(struct ts_instance *self, struct tsim *sim, int64_t n,
+					 int64_t most_tries)
+{
+	struct ts_insertion *s = self->state;
+	size_t from;
+
+	TS_TRY(ts_distribution_draw(s->distribution, sim, n, s->random_distribute == 0, &s->list));
+	TS_TRY(place_all(self, sim, most_tries));
+	return ts_insertion_make(self, sim, &from);
+}
+
+enum ts_status ts_insertion_region_scatter(struct ts_instance *self, struct tsim *sim, int64_t n)
+{
+	struct ts_insertion *s = self->state;
+
+	s->overlapcheck = false;
+	TS_TRY(ts_distribution_draw(s->distribution, sim, n, s->random_distribute == 0, &s->list));
+	return place_all(self, sim, n);
+}
+
+enum ts_status ts_insertion_region_archive(struct ts_instance *self, struct tsim *sim,
+					   struct ts_archive *archive)
+{
+	const struct ts_insertion_region *s = self->state;
+
+	TS_TRY(ts_insertion_archive(self, sim, archive));
+	return ts_minstd_archive(archive, sim, "places", stream_of(s));
+}

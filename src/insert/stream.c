@@ -1,0 +1,54 @@
+#include "insert/stream.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/banned.h"
+
+enum { PLACE, START = 3, RELEASE, DRIFT, VELOCITY = 8, OMEGA = 11, NUMBERS = 14 };
+
+int ts_stream_quantity(const struct tsim *sim, const char *name)
+{
+	static const char ours[] = "release_fix_insert_stream[";
+	char index[4] = "";
+	size_t k = 0, digits;
+	int64_t column;
+
+	if (strncmp(name, ours, strlen(ours)) != 0)
+		return -1;
+	name += strlen(ours);
+	digits = strcspn(name, "]");
+	if (digits >= sizeof index || !ts_streq(name + digits, "]"))
+		return -1;
+	memcpy(index, name, digits);
+	if (!ts_parse_int(index, &column) || column < 1 || column > NUMBERS ||
+	    !ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_STREAM, &k))
+		return -1;
+	return (int)column - 1;
+}
+
+static double value_of(const struct ts_stream *stream, const struct tsim *sim, const double *memory, int k)
+{
+	double first = (double)(sim->clock.step - stream->age); /* step of age 0 */
+
+	return k < START     ? memory[TS_STREAM_PLACE + k]
+	       : k == START  ? first + memory[TS_STREAM_START]
+	       : k == RELEASE ? first + fabs(memory[TS_STREAM_RELEASE])
+	       : k < VELOCITY ? stream->drift[k - DRIFT]
+	       : k < OMEGA    ? memory[TS_STREAM_VELOCITY + k - VELOCITY]
+			      : stream->base.omega[k - OMEGA];
+}
+
+double ts_stream_value(const struct tsim *sim, size_t i, int k)
+{
+	const struct ts_instance *inst;
+
+	for (size_t n = 0; (inst = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_STREAM, &n));) {
+		const struct ts_stream *stream = inst->state;
+		const double *memory = ts_stream_memory(stream, sim, i);
+
+		if (memory[TS_STREAM_START] > 0)
+			return value_of(stream, sim, memory, k);
+	}
+	return 0;
+}

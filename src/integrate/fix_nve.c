@@ -1,0 +1,33 @@
+#include "integrate/integrate.h"
+
+#include "base/banned.h"
+
+static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *sim)
+{
+	double dt = sim->clock.dt;
+
+	ts_integrate(sim, self->group, &(struct ts_integration){ .kick = 0.5 * dt, .drift = dt });
+	return TS_OK;
+}
+
+static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim)
+{
+	ts_integrate(sim, self->group, &(struct ts_integration){ .kick = 0.5 * sim->clock.dt });
+	return TS_OK;
+}
+
+TS_STYLE(fix, ts_style, ts_fix_nve)
+const struct ts_style ts_fix_nve = {
+	.name = "nve",
+	.kind = TS_KIND_FIX,
+	.summary = "moves the particles of the group by velocity Verlet",
+	.doc = "v += h/2 f/m; x += h v; forces; v += h/2 f/m. Second order and symplectic; stable for "
+	       "h < 2/omega of the fastest oscillator. Contact forces see the half-step velocity, as in "
+	       "LIGGGHTS and LAMMPS.",
+	.example = "fix move rock nve",
+	.cite = "W. C. Swope et al., J. Chem. Phys. 76 (1982) 637",
+	.integrates = TS_MOVES | TS_OBEYS,
+	.hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,
+		  [TS_STAGE_FINAL_INTEGRATE] = final_integrate },
+	.waits = TS_WAITS(INITIAL_INTEGRATE) | TS_WAITS(FINAL_INTEGRATE),
+};

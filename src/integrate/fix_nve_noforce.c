@@ -1,0 +1,40 @@
+/* Fix nve/noforce: straight on, whatever the forces. */
+#include "force/restraint.h"
+#include "particle/particles.h"
+
+#include "base/banned.h"
+
+static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_particles *p = sim->particles;
+	double dt = sim->clock.dt;
+
+#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
+	for (size_t i = 0; i < p->n; i++)
+		for (int k = 0; ts_in_group(p, i, self->group) && k < 3; k++)
+			p->x[i][k] += dt * p->v[i][k];
+	return TS_OK;
+}
+
+static void leave(const struct ts_instance *self, const struct tsim *sim, size_t i, double f[3])
+{
+	(void)self;
+	(void)sim;
+	(void)i;
+	f[0] = f[1] = f[2] = 0;
+}
+
+static const struct ts_restraint restraint = { NULL, leave };
+
+TS_STYLE(fix, ts_style, ts_fix_nve_noforce)
+const struct ts_style ts_fix_nve_noforce = {
+	.name = "nve/noforce",
+	.kind = TS_KIND_FIX,
+	.summary = "moves the particles of the group without regard to forces",
+	.doc = "x += h v with the velocity as it is: for particles that push others but are not pushed. See "
+	       "fix move for prescribed paths.",
+	.example = "velocity piston set 0 0 -0.1\nfix push piston nve/noforce",
+	.integrates = TS_MOVES,
+	.hook[TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,
+	.restraint = &restraint,
+};

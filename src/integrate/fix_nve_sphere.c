@@ -1,0 +1,93 @@
+#include "integrate/integrate.h"
+#include "particle/particles.h"
+
+#include "base/banned.h"
+
+struct nve_sphere {
+	int inertia; /* enum ts_inertia; BY_DIMENSION: not said */
+	bool disc;   /* LAMMPS' word for inertia disc */
+	bool warned;
+};
+
+static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *sim)
+{
+	double dt = sim->clock.dt;
+
+	ts_integrate(sim, self->group,
+		     &(struct ts_integration){ .kick = 0.5 * dt, .turn = 0.5 * dt, .drift = dt });
+	return TS_OK;
+}
+
+static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim)
+{
+	double h = 0.5 * sim->clock.dt;
+
+	ts_integrate(sim, self->group, &(struct ts_integration){ .kick = h, .turn = h });
+	return TS_OK;
+}
+
+/* Particles turn in one way only: all fixes that say which must agree. */
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+	struct nve_sphere *s = self->state;
+	enum ts_inertia said;
+
+	if (s->disc)
+		s->inertia = TS_INERTIA_DISC;
+	if (s->inertia == TS_INERTIA_DISC && sim->dimension != 2)
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix nve/sphere: discs need `dimension 2`");
+	said = (enum ts_inertia)s->inertia;
+	for (size_t k = 0; k < fixes->n; k++) {
+		const struct nve_sphere *other = fixes->item[k]->state;
+
+		if (fixes->item[k]->style != self->style || !other->inertia)
+			continue;
+		if (said && other->inertia != (int)said && !ts_streq(fixes->item[k]->id, self->id))
+			return ts_fail(&sim->error, TS_STATE, &self->where,
+				       "fix nve/sphere: fix %s (line %d) says another inertia",
+				       fixes->item[k]->id, fixes->item[k]->where.line);
+		if (!said)
+			said = (enum ts_inertia)other->inertia;
+	}
+	sim->particles->inertia = said;
+	if (sim->dimension == 2 && !said && !s->warned)
+		ts_warn(&sim->log, &self->where,
+			"particles turn as discs, I = m r^2/2; say so with `inertia disc`, or "
+			"`inertia sphere`");
+	s->warned = true;
+	return TS_OK;
+}
+
+static const char *const inertias[] = { "by_dimension", "sphere", "disc", NULL };
+
+static const struct ts_arg args[] = {
+	TS_ENUM("inertia", struct nve_sphere, inertia, inertias, .fallback = "by_dimension",
+		.help = "moment of inertia: 2/5 m r^2 of a sphere, 1/2 m r^2 of a disc (in two "
+			"dimensions only); by dimension: disc in two"),
+	TS_FLAG("disc", struct nve_sphere, disc, .help = "the same as inertia disc"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(fix, ts_style, ts_fix_nve_sphere)
+const struct ts_style ts_fix_nve_sphere = {
+	.name = "nve/sphere",
+	.kind = TS_KIND_FIX,
+	.summary = "moves and turns the spheres of the group by velocity Verlet",
+	.doc = "As fix nve, and for the rotation omega += h/2 T/I before and after the forces, with\n"
+	       "I = 0.4 m r^2. Where no live style makes torques or reads the rotation, it is left\n"
+	       "out (it would stay as it is).\n\n"
+	       "In two dimensions particles turn as discs, I = 0.5 m r^2, and a warning says so unless\n"
+	       "the line does; `inertia sphere` lets spheres roll in a plane. The energy of rotation\n"
+	       "(thermo keyword erotate, compute erotate/sphere) uses the same I.",
+	.example = "fix move all nve/sphere\n"
+		   "fix move all nve/sphere inertia sphere",
+	.args = args,
+	.state_size = sizeof(struct nve_sphere),
+	.init = init,
+	.integrates = TS_MOVES | TS_OBEYS | TS_TURNS,
+	.hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,
+		  [TS_STAGE_FINAL_INTEGRATE] = final_integrate },
+	.waits = TS_WAITS(INITIAL_INTEGRATE) | TS_WAITS(FINAL_INTEGRATE),
+};

@@ -1,0 +1,115 @@
+#include "integrate/integrators.h"
+
+#include "core/review.h"
+#include "particle/particles.h"
+#include "rigid/rigid.h"
+
+#include "base/banned.h"
+
+uint32_t ts_integrated(const struct tsim *sim, unsigned what)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+	uint32_t groups = 0;
+
+	for (size_t k = 0; k < fixes->n; k++)
+		if ((fixes->item[k]->style->integrates & what) == what)
+			groups |= (uint32_t)1 << fixes->item[k]->group;
+	return groups;
+}
+
+/* The next fix from *k on that moves particle i; NULL: there are no more. */
+static const struct ts_instance *mover(const struct tsim *sim, size_t i, size_t *k)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+
+	while (*k < fixes->n) {
+		const struct ts_instance *fix = fixes->item[(*k)++];
+
+		if ((fix->style->integrates & TS_MOVES) && ts_in_group(sim->particles, i, fix->group))
+			return fix;
+	}
+	return NULL;
+}
+
+static enum ts_status refuse_two(struct tsim *sim, size_t i, const struct ts_instance *first,
+				 const struct ts_instance *second)
+{
+	return ts_fail(&sim->error, TS_STATE, &second->where,
+		       "fix %s (%s) moves particle %d (type %d), which fix %s (%s, line %d) moves, too: it would be moved "
+		       "twice in each step; give the fixes groups that share no particles, or `unfix` one of them",
+		       second->id, second->style->name, sim->particles->tag[i], sim->particles->type[i], first->id,
+		       first->style->name, first->where.line);
+}
+
+/* The body places its members anew in each step, so nothing adds up; but what the fix adds within the step is seen by
+ * contacts and outputs. LIGGGHTS and LAMMPS do the same, and scripts with clumps and single particles rely on it. */
+static enum ts_status tell_member(struct tsim *sim, size_t i, const struct ts_instance *fix)
+{
+	return ts_review_find(sim, "members", &fix->where,
+			      "fix %s (%s) moves particle %d, which belongs to a rigid body and moves with that: within a "
+			      "step it is moved twice, by one step more than the body; give the fix a group without the "
+			      "members of rigid bodies",
+			      fix->id, fix->style->name, sim->particles->tag[i]);
+}
+
+static enum ts_status check_one(struct tsim *sim, size_t i)
+{
+	size_t k = 0;
+	const struct ts_instance *first = mover(sim, i, &k);
+	const struct ts_instance *second = first ? mover(sim, i, &k) : NULL;
+
+	if (second)
+		return refuse_two(sim, i, first, second);
+	return first && ts_rigid_member(sim->particles, i) ? tell_member(sim, i, first) : TS_OK;
+}
+
+/* More than one bit of it. */
+static bool several(uint32_t bits)
+{
+	return (bits & (bits - 1)) != 0;
+}
+
+/* Two fixes for the same group. */
+static bool shared(const struct tsim *sim)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+	uint32_t groups = 0;
+	bool twice = false;
+
+	for (size_t k = 0; k < fixes->n; k++) {
+		uint32_t bit = (uint32_t)1 << fixes->item[k]->group;
+
+		if (!(fixes->item[k]->style->integrates & TS_MOVES))
+			continue;
+		twice |= (groups & bit) != 0;
+		groups |= bit;
+	}
+	return twice;
+}
+
+enum ts_status ts_integrators_check(struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+	uint32_t groups = ts_integrated(sim, TS_MOVES);
+	bool all = shared(sim);
+
+	if (!groups || (!all && !several(groups) && !sim->rigid->n))
+		return TS_OK;
+	for (size_t i = 0; i < p->n; i++) {
+		uint32_t in = p->mask[i] & groups;
+
+		if (in && (all || several(in) || ts_rigid_member(p, i)) && p->imass[i] > 0)
+			TS_TRY(check_one(sim, i));
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_integrators_check_members(struct tsim *sim, const int32_t *row, size_t n)
+{
+	uint32_t groups = ts_integrated(sim, TS_MOVES);
+
+	for (size_t m = 0; m < n && groups; m++)
+		if (sim->particles->mask[row[m]] & groups)
+			TS_TRY(check_one(sim, (size_t)row[m]));
+	return TS_OK;
+}

@@ -1,0 +1,73 @@
+/* Conduction of heat through a contact: Q = h (T_j - T_i) into i, the opposite into j, with
+ *
+ *   h = 4 k_i k_j / (k_i + k_j) sqrt(A),
+ *
+ * A the area of contact (B. Chaudhuri, F. J. Muzzio, M. S. Tomassone, Chem. Eng. Sci. 61 (2006) 6348; after
+ * G. K. Batchelor, R. W. O'Brien, Proc. R. Soc. London A 355 (1977) 313, whose 2 k* a with the radius a
+ * of that circle is smaller by sqrt(pi)).
+ *
+ * overlap     A = the circle in which the surfaces cut each other; pi min(R)^2 once the centre of the smaller
+ *             sphere is inside the larger one
+ * constant    A as given
+ * projection  A = pi R^2 of the larger sphere, as LIGGGHTS takes it (its manual says the smaller one)
+ *
+ * The flux of explicit Euler's step, dT_i = dt/(m c) sum_j h_ij (T_j - T_i), makes T_i a weighted mean of what
+ * T_i and T_j were as long as dt sum_j h_ij <= m c; beyond, temperatures swing past those of the
+ * neighbours, and by Gershgorin's theorem they cannot grow without bound before it. */
+#ifndef TS_LAW_CONDUCTION_H
+#define TS_LAW_CONDUCTION_H
+
+#include <math.h>
+
+#include "law/lens.h"
+
+enum ts_heat_area { TS_HEAT_OVERLAP, TS_HEAT_CONSTANT, TS_HEAT_PROJECTION };
+
+struct ts_heat_contact {
+	int kind; /* enum ts_heat_area */
+	double constant;
+};
+
+/* `softening` makes the overlap what it would be were the material as stiff as it is in nature:
+ * (Y* / Y*_original)^(1/a) where F ~ overlap^a. */
+static inline double ts_heat_area_of_spheres(const struct ts_heat_contact *c, double r, double ri,
+					     double rj, double softening)
+{
+	switch (c->kind) {
+	case TS_HEAT_CONSTANT:
+		return c->constant;
+	case TS_HEAT_PROJECTION:
+		return TS_PI * fmax(ri, rj) * fmax(ri, rj);
+	default:
+		r = ri + rj - softening * (ri + rj - r);
+		return r < fmax(ri, rj) ? TS_PI * fmin(ri, rj) * fmin(ri, rj)
+					: ts_lens_of_spheres(r, ri, rj);
+	}
+}
+
+/* r: distance of the centre from the wall. */
+static inline double ts_heat_area_at_wall(const struct ts_heat_contact *c, double r, double radius)
+{
+	switch (c->kind) {
+	case TS_HEAT_CONSTANT:
+		return c->constant;
+	case TS_HEAT_PROJECTION:
+		return TS_PI * radius * radius;
+	default:
+		return ts_lens_of_plane(r, radius);
+	}
+}
+
+/* 4 k_i k_j / (k_i + k_j); no heat passes an insulator. */
+static inline double ts_heat_pair_conductivity(double ki, double kj)
+{
+	return ki > 0 && kj > 0 ? 4 * ki * kj / (ki + kj) : 0;
+}
+
+/* h */
+static inline double ts_heat_conductance(double pair_conductivity, double area)
+{
+	return pair_conductivity * sqrt(area);
+}
+
+#endif

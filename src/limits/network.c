@@ -1,0 +1,537 @@
+/* The fastest mode sits where contacts are stiff and many and bodies are light: no squared frequency is larger than the
+ * largest s_a + s_b of partners,
+ *
+ *   s_a = sum over the contacts of a of k times the acceleration that a unit force there gives a
+ *
+ * (W. N. Anderson, T. D. Morley, Linear Multilinear Algebra 18 (1985) 141). So it is enough to look at a few places: about
+ * the bodies with the largest s the modes of those MOST bodies that are nearest, by contacts, are found with the
+ * others held (limits/linkage.h). */
+#include "limits/network.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/parallel.h"
+#include "bond/bonds.h"
+#include "contact/limits.h"
+#include "limits/linkage.h"
+#include "wall/wall.h"
+#include "particle/body.h"
+#include "box/domain.h"
+#include "rigid/rigid.h"
+#include "math/rigid_turn.h"
+
+#include "base/banned.h"
+
+enum { MOST = 512, PLACES = 2 };
+static const double SLIP = 1.9; /* slip is so much faster at most: k_t (1 + m R^2/I) <= 3.5 k_n */
+
+struct network {
+	struct tsim *sim;
+	const struct ts_pair *pair; /* or NULL */
+	const struct ts_instance *bond;
+	double *k;	    /* of each contact row, dashpot included; 0: it does not touch */
+	double *score;	    /* s of each node */
+	int32_t *place;	    /* of each node: in the list, counted from 1; 0: it is not there */
+	int32_t list[MOST]; /* nodes: particles, then rigid bodies */
+	int n;
+	uint32_t moving, prescribed; /* groups that integrators move, and those that go as they are told */
+	bool turns; /* contacts turn particles */
+	struct ts_linkage linkage;
+};
+
+/* ---- nodes ---- */
+
+/* 0: it is held, or moves as it is told. */
+static double inverse_mass(const struct network *w, size_t i)
+{
+	const struct ts_particles *p = w->sim->particles;
+
+	return p->mask[i] & w->moving && !(p->mask[i] & w->prescribed) ? p->imass[i] : 0;
+}
+
+static uint32_t moving_groups(const struct tsim *sim)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+	uint32_t groups = 0;
+
+	for (size_t k = 0; k < fixes->n; k++)
+		if (fixes->item[k]->style->hook[TS_STAGE_INITIAL_INTEGRATE])
+			groups |= (uint32_t)1 << fixes->item[k]->group;
+	return groups;
+}
+
+static size_t local_of(const struct ts_particles *p, size_t i)
+{
+	return i < p->n ? i : (size_t)p->ghost_owner[i - p->n];
+}
+
+/* The node that particle i, perhaps a ghost, belongs to. */
+static size_t node_of(const struct network *w, size_t i)
+{
+	const struct ts_particles *p = w->sim->particles;
+	const struct ts_body *body;
+
+	i = local_of(p, i);
+	body = ts_rigid_body_of(w->sim, i);
+	return body ? p->n + (size_t)(body - w->sim->rigid->body) : i;
+}
+
+/* The particles of a node. */
+static const int32_t *members_of(const struct network *w, const int32_t *node, size_t *n)
+{
+	const struct ts_rigid *r = w->sim->rigid;
+	size_t b = (size_t)*node - w->sim->particles->n;
+
+	*n = 1;
+	if ((size_t)*node < w->sim->particles->n)
+		return node;
+	*n = r->start[b + 1] - r->start[b];
+	return r->member + r->start[b];
+}
+
+/* From the centre of the body to that of particle i. */
+static void arm_to(const struct network *w, size_t i, double arm[3])
+{
+	const struct ts_particles *p = w->sim->particles;
+	const struct ts_body *body = ts_rigid_body_of(w->sim, local_of(p, i));
+	double m[3][3];
+
+	arm[0] = arm[1] = arm[2] = 0;
+	if (!body)
+		return;
+	ts_quaternion_matrix(body->q, m);
+	ts_rotate(m, p->body_x[local_of(p, i)], arm);
+}
+
+static struct ts_linkage_body body_of(const struct network *w, size_t node)
+{
+	const struct tsim *sim = w->sim;
+	const struct ts_particles *p = sim->particles;
+	struct ts_linkage_body b = { 0 };
+	double m[3][3];
+
+	if (node < p->n) {
+		b.inverse_mass = inverse_mass(w, node);
+		for (int d = 0; d < 3 && w->turns && b.inverse_mass > 0; d++)
+			b.inverse_inertia[d][d] = 1 / ts_inertia(sim, node);
+		return b;
+	}
+	b.inverse_mass = 1 / sim->rigid->body[node - p->n].mass;
+	ts_quaternion_matrix(sim->rigid->body[node - p->n].q, m);
+	for (int k = 0; k < 3; k++) {
+		double moment = sim->rigid->body[node - p->n].inertia[k];
+
+		for (int a = 0; a < 3 && moment > 0; a++)
+			for (int c = 0; c < 3; c++)
+				b.inverse_inertia[a][c] += m[a][k] * m[c][k] / moment;
+	}
+	return b;
+}
+
+/* ---- contacts ---- */
+
+/* Of row r: false, they do not touch. */
+static bool row_case(const struct network *w, size_t r, struct ts_contact_case *c, double n[3])
+{
+	const struct ts_particles *p = w->sim->particles;
+	const struct ts_rows *rows = &w->sim->neigh->rows;
+	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
+	double sum = p->radius[i] + p->radius[j], distance;
+
+	ts_sub(p->x[i], p->x[j], n);
+	distance = ts_dot(n, n);
+	if (!(distance < sum * sum) || !(distance > 0))
+		return false;
+	distance = sqrt(distance);
+	ts_scale(1 / distance, n, n);
+	*c = (struct ts_contact_case){ ts_pair_model(w->pair, p->type[i], p->type[j]),
+				       ts_pair_law(w->pair, p->type[i], p->type[j]),
+				       p->radius[i] * p->radius[j] / sum, 1 / (p->imass[i] + p->imass[j]),
+				       sum - distance, 0 };
+	return true;
+}
+
+static double effective(const struct network *w, const struct ts_normal *f)
+{
+	return f->kn + 2 * f->gamman / w->sim->clock.dt;
+}
+
+static void stiffness_share(void *context, size_t from, size_t to)
+{
+	const struct network *w = context;
+
+	for (size_t r = from; r < to; r++) {
+		struct ts_contact_case c;
+		struct ts_normal f;
+		double n[3];
+
+		w->k[r] = 0;
+		if (!row_case(w, r, &c, n))
+			continue;
+		f = ts_granular_at(c.model, c.law, c.r_eff, c.m_eff, c.overlap);
+		w->k[r] = effective(w, &f);
+	}
+}
+
+/* A bond as the spring and dashpot that have its limits: h = 2 (sqrt(k m + c^2/4) - c/2)/k for any m. */
+static void bond_spring(const struct network *w, size_t b, double *k, double *c)
+{
+	const struct ts_bond_style *style = ts_bond_style_of(w->bond);
+	const struct ts_bond *bond = w->bond->state;
+	const void *coeff = ts_coeff(&bond->coeffs, (size_t)w->sim->bonds->type[b]);
+	double h = style->limit(coeff, 1, false);
+
+	*k = style->stiffness(coeff);
+	*c = fmax((4 - h * h * *k) / (2 * h), 0);
+	if (*c < 1e-9 * h * *k) /* round-off */
+		*c = 0;
+}
+
+/* ---- where to look ---- */
+
+/* k times what a unit force on particle i gives its node. */
+static double share_of(const struct network *w, size_t i, double k)
+{
+	const struct ts_particles *p = w->sim->particles;
+	size_t node = node_of(w, i);
+	double arm[3], least;
+
+	if (node < p->n)
+		return k * inverse_mass(w, node);
+	arm_to(w, i, arm);
+	least = fmin(w->sim->rigid->body[node - p->n].inertia[1], w->sim->rigid->body[node - p->n].inertia[2]);
+	return k * (p->imass[local_of(p, i)] + (least > 0 ? ts_dot(arm, arm) / least : 0));
+}
+
+static void score_bonds(struct network *w)
+{
+	const struct ts_bonds *bonds = w->sim->bonds;
+
+	for (size_t b = 0; w->bond && b < bonds->n; b++) {
+		double k, c;
+
+		bond_spring(w, b, &k, &c);
+		for (int side = 0; side < 2; side++)
+			w->score[node_of(w, (size_t)bonds->row[b][side])] +=
+				share_of(w, (size_t)bonds->row[b][side], k + 2 * c / w->sim->clock.dt);
+	}
+}
+
+static void score_walls(struct network *w)
+{
+	const struct ts_wall *wall;
+
+	for (size_t at = 0; (wall = ts_walls_next(w->sim, &at, NULL));)
+		for (size_t k = 0; k < wall->contacts.n; k++) {
+			struct ts_contact_case c;
+			struct ts_normal f;
+
+			if (!ts_wall_case(wall, w->sim, k, &c))
+				continue;
+			f = ts_granular_at(c.model, c.law, c.r_eff, c.m_eff, c.overlap);
+			w->score[node_of(w, (size_t)wall->contacts.row[k])] +=
+				share_of(w, (size_t)wall->contacts.row[k], effective(w, &f));
+		}
+}
+
+/* Of the two rows of a pair across a periodic face each counts on its own side. */
+static void score_rows(struct network *w)
+{
+	const struct ts_rows *rows = &w->sim->neigh->rows;
+	size_t n = w->sim->particles->n;
+
+	for (size_t r = 0; w->pair && r < rows->n; r++) {
+		if (!(w->k[r] > 0))
+			continue;
+		w->score[node_of(w, (size_t)rows->i[r])] += share_of(w, (size_t)rows->i[r], w->k[r]);
+		if ((size_t)rows->j[r] < n)
+			w->score[node_of(w, (size_t)rows->j[r])] += share_of(w, (size_t)rows->j[r], w->k[r]);
+	}
+}
+
+static double seed(const struct network *w, size_t *at)
+{
+	size_t nodes = w->sim->particles->n + w->sim->rigid->n;
+	double most = 0;
+
+	for (size_t k = 0; k < nodes; k++)
+		if (w->score[k] > most) {
+			most = w->score[k];
+			*at = k;
+		}
+	return most;
+}
+
+/* ---- the bodies about a place ---- */
+
+static void take_node(struct network *w, size_t node)
+{
+	if (w->n == MOST || w->place[node])
+		return;
+	w->list[w->n++] = (int32_t)node;
+	w->place[node] = w->n;
+}
+
+static void take_partners(struct network *w, size_t i)
+{
+	const struct ts_rows *rows = &w->sim->neigh->rows;
+	const struct ts_bonds *bonds = w->sim->bonds;
+
+	for (size_t e = w->pair ? rows->gather.first[i] : 0; w->pair && e < rows->gather.first[i + 1]; e++) {
+		size_t r = rows->gather.entry[e] >> 1;
+
+		if (w->k[r] > 0)
+			take_node(w, node_of(w, (size_t)(rows->gather.entry[e] & 1 ? rows->i[r] : rows->j[r])));
+	}
+	for (size_t e = w->bond ? bonds->gather.first[i] : 0; w->bond && e < bonds->gather.first[i + 1]; e++)
+		take_node(w, node_of(w, (size_t)bonds->row[bonds->gather.entry[e] >> 1]
+							  [!(bonds->gather.entry[e] & 1)]));
+}
+
+/* ---- their links ---- */
+
+static enum ts_status add_link(struct network *w, struct ts_link link)
+{
+	struct ts_linkage *m = &w->linkage;
+
+	if (TS_GROW(m->link, m->link_capacity, m->nlinks + 1) != TS_OK)
+		return ts_nomem(&w->sim->error);
+	m->link[m->nlinks++] = link;
+	return TS_OK;
+}
+
+/* Springs of the laws. */
+static void take_law(const struct network *w, const struct ts_contact_case *c, size_t i, size_t j,
+		     struct ts_link *link)
+{
+	const struct ts_particles *p = w->sim->particles;
+	struct ts_normal f = ts_granular_at(c->model, c->law, c->r_eff, c->m_eff, c->overlap);
+	struct ts_touch t = { .r_eff = c->r_eff, .m_eff = c->m_eff, .overlap = c->overlap, .wall = i == j,
+			      .mass = { p->mass[i], p->mass[j] }, .radius = { p->radius[i], p->radius[j] } };
+
+	link->k[0] = f.kn;
+	link->c[0] = f.gamman;
+	if (c->model->tangential != TS_TANGENTIAL_OFF && c->law->friction > 0) {
+		link->k[1] = ts_tangential_remembers(c->model) ? f.kt : 0;
+		link->c[1] = f.gammat;
+	}
+	if (ts_rolling_remembers_torque(c->model) && c->law->rolling_friction > 0) {
+		f.kn = ts_granular_stiffens(c->model) ? f.kn / 1.5 : f.kn; /* the law's own number */
+		link->k[2] = ts_rolling_stiffness(c->model, c->law, &t, &f);
+		if (c->model->rolling != TS_ROLLING_EPSD2)
+			link->c[2] = 2 * c->law->rolling_viscosity *
+				     sqrt(ts_rolling_inertia(c->model, &t) * link->k[2]);
+	} else if (c->model->rolling == TS_ROLLING_SDS && c->law->rolling_friction > 0) {
+		link->k[2] = c->law->roll_stiffness * c->r_eff * c->r_eff;
+		link->c[2] = c->law->roll_damping * c->r_eff * c->r_eff;
+	}
+}
+
+static enum ts_status add_row(struct network *w, int a, size_t i, uint32_t entry)
+{
+	const struct ts_rows *rows = &w->sim->neigh->rows;
+	const struct ts_particles *p = w->sim->particles;
+	size_t r = entry >> 1, j = (size_t)(entry & 1 ? rows->i[r] : rows->j[r]);
+	struct ts_link link = { .a = a, .b = w->place[node_of(w, j)] - 1 };
+	struct ts_contact_case c;
+
+	if (!(w->k[r] > 0) || !row_case(w, r, &c, link.n))
+		return TS_OK;
+	if (entry & 1)
+		ts_scale(-1, link.n, link.n);
+	take_law(w, &c, i, local_of(p, j), &link);
+	arm_to(w, i, link.arm[0]);
+	arm_to(w, j, link.arm[1]);
+	ts_axpy(0.5 * c.overlap - p->radius[i], link.n, link.arm[0]);
+	ts_axpy(p->radius[j] - 0.5 * c.overlap, link.n, link.arm[1]);
+	return add_link(w, link);
+}
+
+static enum ts_status add_bond(struct network *w, int a, size_t i, uint32_t entry)
+{
+	const struct ts_bonds *bonds = w->sim->bonds;
+	size_t j = (size_t)bonds->row[entry >> 1][!(entry & 1)];
+	struct ts_link link = { .a = a, .b = w->place[node_of(w, j)] - 1 };
+	double length;
+
+	ts_bond_separation(w->sim, i, j, link.n);
+	length = ts_norm(link.n);
+	if (!(length > 0))
+		return TS_OK;
+	ts_scale(1 / length, link.n, link.n);
+	bond_spring(w, entry >> 1, &link.k[0], &link.c[0]);
+	arm_to(w, i, link.arm[0]);
+	arm_to(w, j, link.arm[1]);
+	return add_link(w, link);
+}
+
+static enum ts_status add_walls(struct network *w)
+{
+	const struct ts_particles *p = w->sim->particles;
+	const struct ts_wall *wall;
+
+	for (size_t at = 0; (wall = ts_walls_next(w->sim, &at, NULL));)
+		for (size_t k = 0; k < wall->contacts.n; k++) {
+			size_t i = (size_t)wall->contacts.row[k];
+			struct ts_link link = { .a = w->place[node_of(w, i)] - 1, .b = -1 };
+			struct ts_contact_case c;
+
+			if (link.a < 0 || !ts_wall_case(wall, w->sim, k, &c))
+				continue;
+			take_law(w, &c, i, i, &link);
+			memcpy(link.n, wall->contacts.seen[k].n, sizeof link.n);
+			arm_to(w, i, link.arm[0]);
+			ts_axpy(0.5 * c.overlap - p->radius[i], link.n, link.arm[0]);
+			TS_TRY(add_link(w, link));
+		}
+	return TS_OK;
+}
+
+static enum ts_status add_member(struct network *w, int a, size_t i)
+{
+	const struct ts_gather *rows = &w->sim->neigh->rows.gather, *bonds = &w->sim->bonds->gather;
+
+	for (size_t e = w->pair ? rows->first[i] : 0; w->pair && e < rows->first[i + 1]; e++)
+		TS_TRY(add_row(w, a, i, rows->entry[e]));
+	for (size_t e = w->bond ? bonds->first[i] : 0; w->bond && e < bonds->first[i + 1]; e++)
+		TS_TRY(add_bond(w, a, i, bonds->entry[e]));
+	return TS_OK;
+}
+
+/* Those about the node: it, its partners, theirs ... */
+static enum ts_status gather_place(struct network *w, size_t node)
+{
+	struct ts_linkage *m = &w->linkage;
+
+	ts_linkage_clear(m);
+	for (w->n = 0, take_node(w, node); m->nbodies < (size_t)w->n; m->nbodies++) {
+		size_t n;
+		const int32_t *member = members_of(w, &w->list[m->nbodies], &n);
+
+		for (size_t k = 0; k < n; k++)
+			take_partners(w, (size_t)member[k]);
+	}
+	if (TS_GROW(m->body, m->body_capacity, (size_t)w->n) != TS_OK)
+		return ts_nomem(&w->sim->error);
+	for (int a = 0; a < w->n; a++) {
+		size_t n;
+		const int32_t *member = members_of(w, &w->list[a], &n);
+
+		m->body[a] = body_of(w, (size_t)w->list[a]);
+		for (size_t k = 0; k < n && m->body[a].inverse_mass > 0; k++)
+			TS_TRY(add_member(w, a, (size_t)member[k]));
+	}
+	return add_walls(w);
+}
+
+/* ---- what comes out ---- */
+
+/* A pair alone has a limit of its own that says the same and more: ts_report_contact, a single bond. Not where
+ * it stiffens or resists rolling. */
+static bool tells_more(const struct network *w, bool slip)
+{
+	const struct ts_linkage *l = &w->linkage;
+	bool joined[MOST] = { false };
+
+	for (size_t k = 0; k < l->nlinks; k++) {
+		if (joined[l->link[k].a])
+			return true;
+		joined[l->link[k].a] = true;
+	}
+	return l->nlinks && (slip ? l->link->k[2] > 0 : w->pair && ts_granular_stiffens(&w->pair->model));
+}
+
+static enum ts_status report_place(struct network *w, struct ts_plan_report *report, bool slip)
+{
+	const struct ts_particles *p = w->sim->particles;
+	const struct ts_instance *by = w->pair ? ts_sim_only(w->sim, TS_KIND_PAIR) : w->bond;
+	double limit;
+	size_t n, i, links = 0;
+	int worst;
+
+	if (!tells_more(w, slip))
+		return TS_OK;
+	if (ts_linkage_limit(&w->linkage, slip, w->sim->clock.dt, &limit, &worst) != TS_OK)
+		return ts_nomem(&w->sim->error);
+	i = (size_t)*members_of(w, &w->list[worst], &n);
+	for (size_t k = 0; k < w->linkage.nlinks; k++)
+		links += w->linkage.link[k].a == worst;
+	return ts_report_limit(report, limit, !slip && !w->sim->clamped, &by->where,
+			       slip ? "all contacts with slip and rolling, about %s %d of type %d (%zu contacts) at (%.4g %.4g %.4g)"
+				    : "all contacts together, about %s %d of type %d (%zu contacts) at (%.4g %.4g %.4g)",
+			       n > 1 ? "the body of particle" : "particle", p->tag[i], p->type[i], links, p->x[i][0],
+			       p->x[i][1], p->x[i][2]);
+}
+
+/* Gershgorin: no squared frequency is larger than twice the largest s. */
+static enum ts_status report_bound(const struct network *w, struct ts_plan_report *report, double bound)
+{
+	const struct ts_instance *by = w->pair ? ts_sim_only(w->sim, TS_KIND_PAIR) : w->bond;
+
+	return ts_report_limit(report, bound, !w->sim->clamped, &by->where, "all contacts together, at least");
+}
+
+static enum ts_status look(struct network *w, struct ts_plan_report *report)
+{
+	const bool slip = w->turns && report->advice;
+
+	for (int k = 0; k < PLACES; k++) {
+		size_t node = 0;
+		double most = seed(w, &node), bound = 2 / sqrt(2 * most);
+
+		if (!(most > 0) || (k && bound > report->enough))
+			return TS_OK;
+		if (bound > report->enough && (!slip || bound / SLIP > report->enough))
+			return report_bound(w, report, bound);
+		TS_TRY(gather_place(w, node));
+		TS_TRY(report_place(w, report, false));
+		if (slip)
+			TS_TRY(report_place(w, report, true));
+		for (int a = 0; a < w->n; a++) {
+			w->score[w->list[a]] = 0;
+			w->place[w->list[a]] = 0;
+		}
+	}
+	return TS_OK;
+}
+
+static enum ts_status find(struct network *w)
+{
+	struct tsim *sim = w->sim;
+	size_t rows = w->pair ? sim->neigh->rows.n : 0, nodes = sim->particles->n + sim->rigid->n;
+
+	w->k = ts_alloc(rows, sizeof *w->k);
+	w->score = ts_alloc(nodes, sizeof *w->score);
+	w->place = ts_alloc(nodes, sizeof *w->place);
+	if (!w->k || !w->score || !w->place)
+		return ts_nomem(&sim->error);
+	ts_parallel(ts_team(sim, rows), rows, stiffness_share, w);
+	score_rows(w);
+	score_walls(w);
+	score_bonds(w);
+	return TS_OK;
+}
+
+enum ts_status ts_network_report(struct ts_plan_report *report, struct tsim *sim)
+{
+	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
+	struct network w = { .sim = sim, .pair = pair ? pair->state : NULL };
+	enum ts_status status;
+
+	w.bond = sim->bonds->n ? ts_sim_only(sim, TS_KIND_BOND) : NULL;
+	w.prescribed = ts_prescribed(sim);
+	w.moving = moving_groups(sim);
+	w.turns = sim->particles->omega && sim->particles->torque;
+	if (sim->explicit_euler || (!w.pair && !w.bond) || (w.pair && sim->neigh->rows.particles != sim->particles->n))
+		return TS_OK;
+	TS_TRY(ts_rigid_list(sim));
+	status = find(&w);
+	if (status == TS_OK)
+		status = look(&w, report);
+	ts_linkage_release(&w.linkage);
+	ts_free(w.k);
+	ts_free(w.score);
+	ts_free(w.place);
+	return status;
+}

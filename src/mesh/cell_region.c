@@ -1,0 +1,236 @@
+#include "mesh/cell_region.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "geom/motion.h"
+#include "mesh/mesh_read.h"
+
+#include "base/banned.h"
+
+enum { TETRAHEDRON = 10, HEXAHEDRON = 12 };
+
+/* A hexahedron is cut along the diagonal from its corner 0 to 6. */
+static const int whole[][4] = { { 0, 1, 2, 3 } };
+static const int sixth[][4] = { { 0, 1, 2, 6 }, { 0, 2, 3, 6 }, { 0, 3, 7, 6 },
+				{ 0, 7, 4, 6 }, { 0, 4, 5, 6 }, { 0, 5, 1, 6 } };
+
+static double volume_of(const double a[3], const double b[3], const double c[3], const double d[3])
+{
+	double u[3], v[3], w[3], across[3];
+
+	ts_sub(b, a, u);
+	ts_sub(c, a, v);
+	ts_sub(d, a, w);
+	ts_cross(u, v, across);
+	return ts_dot(across, w) / 6;
+}
+
+static void place(const struct ts_cell_region *r, const struct ts_motion turn[3], const double given[3],
+		  double x[3])
+{
+	for (int d = 0; d < 3; d++)
+		x[d] = r->factor * (given[d] * r->region.scale[d] +
+				    r->offset[d] * r->region.scale[d]);
+	for (int d = 0; d < 3; d++)
+		ts_motion_apply(&turn[d], x, x);
+}
+
+static enum ts_status add(struct ts_cell_region *r, struct tsim *sim, const struct ts_motion turn[3],
+			  const struct ts_vtk_cells *cells, size_t k, const int part[4])
+{
+	struct ts_cell_region_tet *t;
+
+	if (TS_GROW(r->tet, r->capacity, r->n + 1) != TS_OK)
+		return ts_nomem(&sim->error);
+	t = &r->tet[r->n++];
+	for (int c = 0; c < 4; c++) {
+		place(r, turn, cells->point[cells->corner[cells->offset[k] + part[c]]], t->x[c]);
+		for (int d = 0; d < 3; d++) {
+			r->lo[d] = fmin(r->lo[d], t->x[c][d]);
+			r->hi[d] = fmax(r->hi[d], t->x[c][d]);
+		}
+	}
+	r->volume += fabs(volume_of(t->x[0], t->x[1], t->x[2], t->x[3]));
+	return TS_OK;
+}
+
+/* VTK's points, lines and surfaces, which mesh makers write beside the cells. */
+static bool has_no_volume(int type)
+{
+	return type >= 1 && type <= 9;
+}
+
+static enum ts_status take(struct ts_instance *self, struct tsim *sim, const struct ts_vtk_cells *cells,
+			   int shape)
+{
+	struct ts_cell_region *r = self->state;
+	bool tet = shape == TETRAHEDRON;
+	struct ts_motion turn[3];
+
+	r->n = 0;
+	r->volume = 0;
+	for (int d = 0; d < 3; d++) {
+		turn[d] = ts_motion_none();
+		ts_motion_set_turn(&turn[d], (double[3]){ d == 0, d == 1, d == 2 },
+				   r->angle[d] * TS_REGION_PI / 180);
+		r->lo[d] = INFINITY;
+		r->hi[d] = -INFINITY;
+	}
+	for (size_t k = 0; k < cells->ncells; k++) {
+		if (has_no_volume(cells->type[k]))
+			continue;
+		if (cells->type[k] != shape ||
+		    cells->offset[k + 1] - cells->offset[k] != (tet ? 4 : 8))
+			return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, r->file),
+				       "region %s: cell %zu of '%s' is of type %d, expected %s only",
+				       self->style->name, k + 1, r->file, cells->type[k],
+				       tet ? "tetrahedra (10)" : "hexahedra (12)");
+		for (int p = 0; p < (tet ? 1 : 6); p++)
+			TS_TRY(add(r, sim, turn, cells, k, tet ? whole[p] : sixth[p]));
+	}
+	if (r->n)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_DAMAGED, ts_instance_word(self, r->file),
+		       "region %s: '%s' has no cell with a volume", self->style->name, r->file);
+}
+
+/* ---- the grid ---- */
+
+static int cell_of(const struct ts_cell_region *r, int d, double x)
+{
+	double length = r->hi[d] - r->lo[d];
+	double at = length > 0 ? (x - r->lo[d]) / length * r->grid[d] : 0;
+
+	return (int)fmin(fmax(at, 0), r->grid[d] - 1);
+}
+
+/* The cells that a tetrahedron may reach into are counted, or it is entered there. */
+static void enter(const struct ts_cell_region *r, size_t k, uint32_t *count, int32_t *item)
+{
+	int from[3], to[3], c[3];
+
+	for (int d = 0; d < 3; d++) {
+		double lo = INFINITY, hi = -INFINITY;
+
+		for (int p = 0; p < 4; p++) {
+			lo = fmin(lo, r->tet[k].x[p][d]);
+			hi = fmax(hi, r->tet[k].x[p][d]);
+		}
+		from[d] = cell_of(r, d, lo);
+		to[d] = cell_of(r, d, hi);
+	}
+	for (c[0] = from[0]; c[0] <= to[0]; c[0]++)
+		for (c[1] = from[1]; c[1] <= to[1]; c[1]++)
+			for (c[2] = from[2]; c[2] <= to[2]; c[2]++) {
+				size_t cell = ((size_t)c[0] * (size_t)r->grid[1] + (size_t)c[1]) *
+						      (size_t)r->grid[2] + (size_t)c[2];
+
+				if (item)
+					item[count[cell]++] = (int32_t)k;
+				else
+					count[cell]++;
+			}
+}
+
+/* Starts are counted two places ahead, so that entering leaves them where they belong. */
+static enum ts_status make_grid(struct ts_cell_region *r, struct tsim *sim)
+{
+	int side = (int)fmin(fmax(cbrt((double)r->n), 1), 100);
+	size_t cells = (size_t)(side * side * side);
+
+	for (int d = 0; d < 3; d++)
+		r->grid[d] = side;
+	ts_free(r->start);
+	r->start = ts_alloc(cells + 2, sizeof *r->start);
+	if (!r->start)
+		return ts_nomem(&sim->error);
+	for (size_t k = 0; k < r->n; k++)
+		enter(r, k, r->start + 2, NULL);
+	for (size_t k = 2; k < cells + 2; k++)
+		r->start[k] += r->start[k - 1];
+	r->item = ts_alloc(r->start[cells + 1], sizeof *r->item);
+	if (!r->item)
+		return ts_nomem(&sim->error);
+	for (size_t k = 0; k < r->n; k++)
+		enter(r, k, r->start + 1, r->item);
+	return TS_OK;
+}
+
+/* ---- slots ---- */
+
+enum ts_status ts_cell_region_init(struct ts_instance *self, struct tsim *sim, int shape)
+{
+	struct ts_cell_region *r = self->state;
+	struct ts_vtk_cells cells = { 0 };
+	enum ts_status status;
+
+	TS_TRY(ts_region_init(self, sim));
+	r->closed = shape == HEXAHEDRON;
+	if (r->item)
+		return TS_OK;
+	status = ts_vtk_cells_read(&cells, &sim->files, &sim->error, sim->pool, ts_instance_word(self, r->file),
+				   r->file);
+	if (status == TS_OK)
+		status = take(self, sim, &cells, shape);
+	ts_vtk_cells_release(&cells);
+	return status == TS_OK ? make_grid(r, sim) : status;
+}
+
+/* On the same side of each face as the corner across; `closed`: or in the face. */
+static bool in_tet(const struct ts_cell_region_tet *t, const double x[3], bool closed)
+{
+	double all = volume_of(t->x[0], t->x[1], t->x[2], t->x[3]);
+	const double *c[4] = { t->x[0], t->x[1], t->x[2], t->x[3] };
+
+	for (int k = 0; k < 4; k++) {
+		const double *was = c[k];
+		double part;
+
+		c[k] = x;
+		part = volume_of(c[0], c[1], c[2], c[3]);
+		c[k] = was;
+		part *= all < 0 ? -1 : 1;
+		if (part < 0 || (part <= 0 && !closed))
+			return false;
+	}
+	return true;
+}
+
+bool ts_cell_region_contains(const struct ts_instance *self, const double x[3])
+{
+	const struct ts_cell_region *r = self->state;
+	size_t cell = 0;
+
+	for (int d = 0; d < 3; d++) {
+		if (!(x[d] >= r->lo[d] && x[d] <= r->hi[d]))
+			return false;
+		cell = cell * (size_t)r->grid[d] + (size_t)cell_of(r, d, x[d]);
+	}
+	for (uint32_t k = r->start[cell]; k < r->start[cell + 1]; k++)
+		if (in_tet(&r->tet[r->item[k]], x, r->closed))
+			return true;
+	return false;
+}
+
+void ts_cell_region_bounds(const struct ts_instance *self, double lo[3], double hi[3])
+{
+	const struct ts_cell_region *r = self->state;
+
+	memcpy(lo, r->lo, sizeof r->lo);
+	memcpy(hi, r->hi, sizeof r->hi);
+}
+
+double ts_cell_region_volume(const struct ts_instance *self)
+{
+	return ((const struct ts_cell_region *)self->state)->volume;
+}
+
+void ts_cell_region_fini(struct ts_instance *self)
+{
+	struct ts_cell_region *r = self->state;
+
+	ts_free(r->tet);
+	ts_free(r->start);
+	ts_free(r->item);
+}

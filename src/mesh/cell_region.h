@@ -1,0 +1,45 @@
+/* Regions made of cells: the tetrahedra or hexahedra of a VTK file. */
+#ifndef TS_MESH_CELL_REGION_H
+#define TS_MESH_CELL_REGION_H
+
+#include "region/region.h"
+
+struct ts_cell_region_tet {
+	double x[4][3];
+};
+
+/* State of these region styles. */
+struct ts_cell_region {
+	struct ts_region region;
+	const char *file;
+	double factor, offset[3], angle[3];
+
+	struct ts_cell_region_tet *tet;
+	size_t n, capacity;
+	bool closed; /* the faces of tetrahedra belong to them; else not, as LIGGGHTS has it */
+	double lo[3], hi[3], volume;
+	/* the tetrahedra by the cells of a grid over lo..hi */
+	int grid[3];
+	uint32_t *start; /* cells + 1 */
+	int32_t *item;
+};
+
+#define TS_CELL_REGION_ARGS                                                                        \
+	TS_WORD("file", struct ts_cell_region, file, .help = "legacy VTK file with the cells"),    \
+		TS_REAL("scale", struct ts_cell_region, factor, .fallback = "1",                   \
+			.range = TS_POSITIVE, .help = "factor, after the shift"),                  \
+		TS_VEC3("move", struct ts_cell_region, offset, .fallback = "0 0 0",                \
+			.unit = "length", .help = "shift, before all else"),                       \
+		TS_VEC3("rotate", struct ts_cell_region, angle, .fallback = "0 0 0",               \
+			.unit = "degrees",                                                         \
+			.help = "angles of turns about the axes x, then y, then z, after scale"),  \
+		TS_REGION_SIDE_ARGS(struct ts_cell_region)
+
+/* `shape`: VTK's number of the cells it takes, 10 tetrahedra, 12 hexahedra. */
+enum ts_status ts_cell_region_init(struct ts_instance *self, struct tsim *sim, int shape);
+bool ts_cell_region_contains(const struct ts_instance *self, const double x[3]);
+void ts_cell_region_bounds(const struct ts_instance *self, double lo[3], double hi[3]);
+double ts_cell_region_volume(const struct ts_instance *self);
+void ts_cell_region_fini(struct ts_instance *self);
+
+#endif

@@ -1,0 +1,532 @@
+/* Fix massflow/mesh: counts the particles that pass a mesh. */
+#include "io/textfile.h"
+#include "mesh/mesh_surface.h"
+#include "mesh/mesh_touch.h"
+#include "mesh/mesh_tree.h"
+#include "neigh/neigh.h"
+#include "particle/particles.h"
+#include "rigid/rigid.h"
+#include "thermo/thermo.h"
+
+#include <inttypes.h>
+#include <stdlib.h>
+
+#include "core/plan.h"
+
+#include "base/banned.h"
+
+/* What had passed at a time. */
+struct mark {
+	double mass, number, time;
+};
+
+/* A particle has passed this triangle. */
+struct passage {
+	int32_t triangle, tag;
+	size_t i;
+};
+
+struct state {
+	/* arguments */
+	const char *mesh, *file, *append, *property;
+	double side[3], outlet[3];
+	int count;
+	int64_t interval;
+	bool inside_out, screen, write_time, deletes;
+
+	struct ts_mesh_surface *surface;
+	struct ts_mesh_tree tree;
+	uint64_t moves; /* surface->moves when the tree was built */
+	struct ts_mesh_list list;
+	struct passage *passage; /* of this step */
+	size_t npassages, passage_capacity;
+	size_t column; /* of the marks of particles */
+	size_t summed, component; /* of the property */
+	struct ts_textfile out;
+	/* saved */
+	double mass, number, deleted_mass, deleted_number, sum;
+	struct mark before; /* when the present interval began */
+	int64_t *doomed;	 /* particles that have passed and are deleted at the next rebuild */
+	size_t ndoomed, capacity;
+};
+
+enum { ONCE, MULTIPLE };
+static const char *const count_names[] = { "once", "multiple", NULL };
+
+/* Marks of particles, readable as f_massflow_ID. */
+enum { UNKNOWN = -1, INSIDE = 0, OUTSIDE = 1, DONE = 2 };
+
+/* ---- before a run ---- */
+
+static bool has_side(const struct state *s)
+{
+	return !isnan(s->side[0]);
+}
+
+static enum ts_status check_words(struct ts_instance *self, struct tsim *sim)
+{
+	const struct state *s = self->state;
+	bool point = !isnan(s->outlet[0]);
+
+	if (has_side(s) == point)
+		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+			       "fix massflow/mesh: expected one of vec_side, point_at_outlet, found %s",
+			       point ? "both" : "none");
+	if (point && s->count != ONCE)
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "point_at_outlet"),
+			       "fix massflow/mesh: point_at_outlet requires `count once`");
+	if (s->inside_out && !point)
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "inside_out"),
+			       "fix massflow/mesh: inside_out has a meaning with point_at_outlet only");
+	if (s->deletes && s->count != ONCE)
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "delete_atoms"),
+			       "fix massflow/mesh: delete_atoms requires `count once`");
+	if (s->file && s->append)
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "append"),
+			       "fix massflow/mesh: expected either file or append, found both");
+	return TS_OK;
+}
+
+static enum ts_status check_side(struct ts_instance *self, struct tsim *sim)
+{
+	const struct state *s = self->state;
+	const struct ts_mesh *m = &s->surface->mesh;
+	double length = ts_norm(s->side);
+	size_t bend;
+
+	if (!(length > 0))
+		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "vec_side"),
+			       "fix massflow/mesh: vec_side has no length");
+	if (!ts_mesh_planar(m, &bend))
+		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, s->mesh),
+			       "fix massflow/mesh: mesh %s is not planar (see its triangle %zu), which "
+			       "vec_side needs; for others use point_at_outlet",
+			       s->mesh, bend / 3 + 1);
+	for (size_t t = 0; t < m->n; t++)
+		if (!(fabs(ts_dot(m->normal[t], s->side)) > 1e-5 * length))
+			return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "vec_side"),
+				       "fix massflow/mesh: vec_side lies in the plane of the mesh and does "
+				       "not say which of its sides is meant");
+	return TS_OK;
+}
+
+static enum ts_status add_column(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	struct ts_particles *p = sim->particles;
+	const double first = UNKNOWN;
+	size_t known = p->ncolumns;
+	char name[128];
+
+	snprintf(name, sizeof name, "massflow_%.100s", self->id);
+	TS_TRY(ts_particles_add_column(sim, name, 1, TS_COL_NAMED, &s->column));
+	TS_TRY(ts_particles_column_initial(sim, s->column, &first));
+	if (s->column == known)
+		ts_particles_fill_initial(&p->column[s->column], 0, p->n);
+	return TS_OK;
+}
+
+static enum ts_status find_property(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	const struct ts_column *column;
+
+	if (!s->property)
+		return TS_OK;
+	column = ts_particles_named_column(sim->particles, s->property, &s->component);
+	if (!column)
+		return ts_fail(&sim->error, TS_UNKNOWN, ts_instance_word(self, s->property),
+			       "fix massflow/mesh: no fix property/atom keeps a number '%s'", s->property);
+	s->summed = (size_t)(column - sim->particles->column);
+	return TS_OK;
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	struct ts_word mesh = { .text = s->mesh, .place = *ts_instance_word(self, s->mesh) };
+
+	if (!s->surface)
+		s->before.time = ts_sim_time(sim);
+	TS_TRY(check_words(self, sim));
+	sim->neigh->skin_counts |= s->deletes; /* at rebuilds */
+	TS_TRY(ts_mesh_surface_require(sim, &mesh, &s->surface));
+	ts_mesh_tree_release(&s->tree);
+	if (has_side(s))
+		TS_TRY(check_side(self, sim));
+	TS_TRY(add_column(self, sim));
+	return find_property(self, sim);
+}
+
+static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	const char *path = s->file ? s->file : s->append;
+
+	if (!path || ts_textfile_is_open(&s->out))
+		return TS_OK;
+	TS_TRY(ts_textfile_open(&s->out, sim, ts_instance_word(self, path), path, s->append != NULL));
+	TS_TRY(ts_textfile_printf(&s->out, "# ID %sdiameter x y z u v w  (ex ey ez, color)\n",
+				  s->write_time ? "time  " : ""));
+	return ts_textfile_flush(&s->out);
+}
+
+/* ---- counting ---- */
+
+static enum ts_status write_passage(struct state *s, struct tsim *sim, size_t i)
+{
+	const struct ts_particles *p = sim->particles;
+	char text[256], time[40] = "";
+
+	snprintf(text, sizeof text, "%4.4g %4.4g %4.4g %4.4g %4.4g %4.4g %4.4g", 2 * p->radius[i],
+		 p->x[i][0], p->x[i][1], p->x[i][2], p->v[i][0], p->v[i][1], p->v[i][2]);
+	if (s->write_time)
+		snprintf(time, sizeof time, " %4.4g  ", ts_sim_time(sim));
+	if (s->screen)
+		ts_log(&sim->log, " %" PRId32 " %s%s \n", p->tag[i], time, text);
+	if (!ts_textfile_is_open(&s->out))
+		return TS_OK;
+	TS_TRY(ts_textfile_printf(&s->out, "%" PRId32 " %s%s\n", p->tag[i], time, text));
+	return ts_textfile_flush(&s->out);
+}
+
+static double *mark_of(const struct state *s, const struct tsim *sim, size_t i)
+{
+	return (double *)sim->particles->column[s->column].data + i;
+}
+
+/* A sphere of a body is the part of it that its mass is. */
+static double part_of(const struct tsim *sim, size_t i)
+{
+	const struct ts_body *body = ts_rigid_body_of(sim, i);
+
+	return body ? sim->particles->mass[i] / body->mass : 1;
+}
+
+static double property_of(const struct state *s, const struct tsim *sim, size_t i)
+{
+	const struct ts_column *column = &sim->particles->column[s->summed];
+
+	return ((const double *)column->data)[i * column->width + s->component];
+}
+
+static enum ts_status doom_one(struct state *s, struct tsim *sim, size_t i)
+{
+	if (TS_GROW(s->doomed, s->capacity, s->ndoomed + 1) != TS_OK)
+		return ts_nomem(&sim->error);
+	s->doomed[s->ndoomed++] = sim->particles->tag[i];
+	return TS_OK;
+}
+
+/* A body is deleted when all of it has passed. */
+static enum ts_status doom(struct state *s, struct tsim *sim, size_t i)
+{
+	const struct ts_rigid *r = sim->rigid;
+	size_t b;
+
+	if (!ts_rigid_member(sim->particles, i))
+		return doom_one(s, sim, i);
+	TS_TRY(ts_rigid_list(sim));
+	b = (size_t)(ts_rigid_body_of(sim, i) - r->body);
+	for (size_t k = r->start[b]; k < r->start[b + 1]; k++)
+		if (*mark_of(s, sim, (size_t)r->member[k]) < DONE - 0.5)
+			return TS_OK;
+	for (size_t k = r->start[b]; k < r->start[b + 1]; k++)
+		TS_TRY(doom_one(s, sim, (size_t)r->member[k]));
+	return TS_OK;
+}
+
+static enum ts_status pass(struct state *s, struct tsim *sim, size_t i)
+{
+	double part = part_of(sim, i);
+
+	s->mass += sim->particles->mass[i];
+	s->number += part;
+	if (s->property)
+		s->sum += part * property_of(s, sim, i);
+	TS_TRY(write_passage(s, sim, i));
+	return s->deletes ? doom(s, sim, i) : TS_OK;
+}
+
+/* On the side where particles that have passed are? `at`: the point of the mesh that is nearest to x. */
+static bool is_outside(const struct state *s, const double x[3], const struct ts_mesh_spot *at)
+{
+	double towards[3], side;
+
+	if (has_side(s))
+		return at->distance * ts_dot(at->n, s->side) > 0;
+	ts_sub(s->outlet, x, towards);
+	side = at->distance * ts_dot(at->n, towards);
+	return s->inside_out ? side < 0 : side > 0;
+}
+
+/* The particle is near a triangle. Beside the mesh, at a rim, it may come to the inner side, but it does not pass
+ * there. */
+static bool meet(const struct state *s, double *mark, enum ts_mesh_part part, bool outside)
+{
+	bool inside_before = *mark > INSIDE - 0.5 && *mark < INSIDE + 0.5;
+
+	if (*mark > DONE - 0.5)
+		return false;
+	if (!outside) {
+		*mark = INSIDE;
+		return false;
+	}
+	if (part == TS_MESH_FACE) {
+		*mark = s->count == ONCE ? DONE : OUTSIDE;
+		return inside_before;
+	}
+	if (*mark < INSIDE - 0.5)
+		*mark = OUTSIDE;
+	return false;
+}
+
+static enum ts_status note(struct state *s, struct tsim *sim, int32_t triangle, size_t i)
+{
+	if (TS_GROW(s->passage, s->passage_capacity, s->npassages + 1) != TS_OK)
+		return ts_nomem(&sim->error);
+	s->passage[s->npassages++] = (struct passage){ triangle, sim->particles->tag[i], i };
+	return TS_OK;
+}
+
+/* Near is what is not farther than the radius and half of the skin of the neighbour list. */
+static enum ts_status look(struct state *s, struct tsim *sim, size_t i)
+{
+	const struct ts_particles *p = sim->particles;
+	double *mark = mark_of(s, sim, i);
+	double reach = p->radius[i] + 0.5 * sim->neigh->built_skin;
+
+	if (*mark > DONE - 0.5)
+		return TS_OK;
+	if (ts_mesh_tree_near(&s->tree, &s->surface->mesh, p->x[i], reach, &s->list) != TS_OK)
+		return ts_nomem(&sim->error);
+	for (size_t k = 0; k < s->list.n; k++) {
+		struct ts_mesh_spot at;
+		enum ts_mesh_part part =
+			ts_mesh_nearest(&s->surface->mesh, (size_t)s->list.item[k], p->x[i], &at);
+
+		if (part != TS_MESH_NOTHING && at.distance <= reach)
+			if (meet(s, mark, part, is_outside(s, p->x[i], &at)))
+				TS_TRY(note(s, sim, s->list.item[k], i));
+	}
+	return TS_OK;
+}
+
+/* As LIGGGHTS lists them. */
+static int by_triangle(const void *a, const void *b)
+{
+	const struct passage *p = a, *q = b;
+
+	if (p->triangle != q->triangle)
+		return p->triangle < q->triangle ? -1 : 1;
+	return (p->tag > q->tag) - (p->tag < q->tag);
+}
+
+static int by_tag(const void *a, const void *b)
+{
+	const int64_t *p = a, *q = b;
+
+	return (*p > *q) - (*p < *q);
+}
+
+/* Whether the step before this one ended an interval: as `interval` says, else a row of the table that is asked for;
+ * where only the ends of runs are, the run began. Reading the rates does not matter. */
+static bool ended(const struct state *s, const struct tsim *sim)
+{
+	const struct ts_thermo *t = sim->thermo;
+	int64_t last = sim->clock.step - 1;
+
+	if (s->interval > 0)
+		return last % s->interval == 0;
+	return t->every || t->variable ? t->counted == last + 1 : last == sim->clock.first_step;
+}
+
+static enum ts_status post_integrate(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	const struct ts_particles *p = sim->particles;
+
+	if (ended(s, sim))
+		s->before = (struct mark){ s->mass, s->number, ts_sim_time(sim) - sim->clock.dt };
+	s->npassages = 0;
+	if (!s->tree.n || s->moves != s->surface->moves) {
+		ts_mesh_tree_release(&s->tree);
+		if (ts_mesh_tree_build(&s->tree, &s->surface->mesh) != TS_OK)
+			return ts_nomem(&sim->error);
+		s->moves = s->surface->moves;
+	}
+	for (size_t i = 0; i < p->n; i++)
+		if (ts_in_group(p, i, self->group))
+			TS_TRY(look(s, sim, i));
+	if (s->npassages)
+		qsort(s->passage, s->npassages, sizeof *s->passage, by_triangle);
+	for (size_t k = 0; k < s->npassages; k++)
+		TS_TRY(pass(s, sim, s->passage[k].i));
+	return TS_OK;
+}
+
+/* ---- deleting ---- */
+
+static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	const struct ts_particles *p = sim->particles;
+	unsigned char *flag;
+	enum ts_status status;
+
+	if (!s->ndoomed)
+		return TS_OK;
+	flag = ts_alloc(p->n, 1);
+	if (!flag)
+		return ts_nomem(&sim->error);
+	qsort(s->doomed, s->ndoomed, sizeof *s->doomed, by_tag);
+	for (size_t i = 0; i < p->n; i++) {
+		int64_t tag = p->tag[i];
+
+		flag[i] = bsearch(&tag, s->doomed, s->ndoomed, sizeof tag, by_tag) != NULL;
+		s->deleted_number += flag[i] ? part_of(sim, i) : 0;
+		s->deleted_mass += flag[i] ? p->mass[i] : 0;
+	}
+	status = ts_particles_delete(sim, flag);
+	ts_free(flag);
+	s->ndoomed = 0;
+	return status;
+}
+
+/* ---- outputs ---- */
+
+static double per_time(const struct state *s, const struct tsim *sim, double before, double now)
+{
+	double time = ts_sim_time(sim) - s->before.time;
+
+	return time > 0.5 * sim->clock.dt ? (now - before) / time : 0;
+}
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	const struct state *s = self->state;
+
+	TS_TRY(ts_table_resize(out, s->property ? 7 : 6, 1));
+	out->data[0] = s->mass;
+	out->data[1] = s->number;
+	out->data[2] = per_time(s, sim, s->before.mass, s->mass);
+	out->data[3] = per_time(s, sim, s->before.number, s->number);
+	out->data[4] = s->deleted_mass;
+	out->data[5] = s->deleted_number;
+	if (s->property)
+		out->data[6] = s->sum;
+	return TS_OK;
+}
+
+/* Older files have the step instead. */
+static enum ts_status archive_time(struct state *s, const struct tsim *sim, struct ts_archive *a)
+{
+	int64_t step;
+
+	if (ts_archive_writing(a) || ts_archive_has(a, "before.time"))
+		return ts_archive_fixed(a, "before.time", TS_SAVED_F64, &s->before.time, 1);
+	TS_TRY(ts_archive_fixed(a, "before.step", TS_SAVED_I64, &step, 1));
+	s->before.time = ts_sim_time(sim) - (double)(sim->clock.step - step) * sim->clock.dt;
+	return TS_OK;
+}
+
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	struct state *s = self->state;
+	void *doomed = s->doomed;
+	enum ts_status status;
+
+	TS_TRY(archive_time(s, sim, a));
+	TS_TRY(ts_particles_archive_column(a, sim, "marks", s->column));
+	status = ts_archive_array(a, "doomed", TS_SAVED_I64, &doomed, &s->capacity, &s->ndoomed);
+	s->doomed = doomed;
+	return status;
+}
+
+static void fini(struct ts_instance *self)
+{
+	struct state *s = self->state;
+
+	ts_mesh_tree_release(&s->tree);
+	ts_textfile_close(&s->out);
+	ts_free(s->list.item);
+	ts_free(s->passage);
+	ts_free(s->doomed);
+}
+
+static const struct ts_arg args[] = {
+	TS_WORD("mesh", struct state, mesh, .help = "ID of the fix mesh/surface"),
+	TS_VEC3("vec_side", struct state, side, .flags = TS_OPTIONAL,
+		.help = "points to the outer side of a planar mesh"),
+	TS_ENUM("count", struct state, count, count_names, .fallback = "multiple",
+		.flags = TS_STATEFUL,
+		.help = "once: no particle counts twice; multiple: it does if it comes back and passes again"),
+	TS_VEC3("point_at_outlet", struct state, outlet, .flags = TS_OPTIONAL, .unit = "length",
+		.help = "a point on the outer side of any mesh"),
+	TS_FLAG("inside_out", struct state, inside_out, .help = "the point is on the inner side"),
+	TS_WORD("file", struct state, file, .flags = TS_OPTIONAL | TS_WRITES,
+		.help = "file for a line about each particle that passes"),
+	TS_WORD("append", struct state, append, .flags = TS_OPTIONAL | TS_WRITES,
+		.help = "the same, added to what is in the file"),
+	TS_BOOL("screen", struct state, screen, .fallback = "no", .help = "the same to screen and log"),
+	TS_FLAG("writeTime", struct state, write_time, .help = "these lines tell the time"),
+	TS_BOOL("delete_atoms", struct state, deletes, .fallback = "no",
+		.help = "whether particles that pass are deleted, when neighbours are next listed anew"),
+	TS_INT("interval", struct state, interval, .flags = TS_OPTIONAL | TS_STATEFUL, .range = TS_POSITIVE,
+	       .help = "f_ID[3], f_ID[4] are rates since the last multiple of so many steps, before this one; without it, "
+		       "since the last row of the table in the log"),
+	TS_WORD("sum_property", struct state, property, .flags = TS_OPTIONAL | TS_STATEFUL,
+		.help = "NAME or NAME[k], a number of fix property/atom that is summed over the particles that pass"),
+	TS_ARGS_END,
+};
+
+static const struct ts_value values[] = {
+	{ "passed", "mass, 1, mass/time, 1/time, mass, 1, that of the property",
+	  "mass and number that have passed, both per time since the last row of the table, mass and number deleted; with "
+	  "sum_property its sum",
+	  TS_VECTOR, 0, NULL, eval },
+	{ .name = NULL },
+};
+
+static const struct ts_saved saved[] = {
+	TS_SAVE_F64(struct state, mass),
+	TS_SAVE_F64(struct state, number),
+	TS_SAVE_F64(struct state, deleted_mass),
+	TS_SAVE_F64(struct state, deleted_number),
+	TS_SAVE_F64(struct state, sum),
+	TS_SAVE_F64(struct state, before.mass),
+	TS_SAVE_F64(struct state, before.number),
+	TS_SAVED_ROWS_END,
+};
+
+TS_STYLE(fix, ts_style, ts_fix_massflow_mesh)
+const struct ts_style ts_fix_massflow_mesh = {
+	.name = "massflow/mesh",
+	.kind = TS_KIND_FIX,
+	.summary = "Counts the particles that pass a mesh, with their mass",
+	.doc = "A particle of the group passes when it is before a face of the mesh with its centre on the outer\n"
+	       "side, having been on the inner side when it was near the mesh last. Near is what is not farther\n"
+	       "than the radius and half of the skin of the neighbour list. The mesh is no wall for it, unless a fix\n"
+	       "wall/gran makes it one. Who gets round the rim does not count. The outer side is where vec_side points to, or, for any\n"
+	       "mesh, where (x - p).(point_at_outlet - x) > 0 for a centre x and the nearest point p of the mesh.\n\n"
+	       "f_ID[1], f_ID[2]: mass and number that have passed; f_ID[3], f_ID[4]: the same per time, over the\n"
+	       "steps since the last row of the table in the log that `thermo N` asked for, before this step (thermo 0: since\n"
+	       "the run began), or since the last multiple of `interval`. In rows of the table these are LIGGGHTS' numbers;\n"
+	       "there, who reads them in between begins a new interval for all, here reading changes nothing.\n"
+	       "f_ID[5], f_ID[6]: mass and number deleted;\n"
+	       "f_ID[7]: with sum_property, its sum over what has passed. A sphere of a rigid body counts as the\n"
+	       "part of the body that its mass is; delete_atoms deletes a body when all of it has passed.\n"
+	       "f_massflow_ID of a particle: -1 not met, 0 last on the inner side, 1 on the outer side, 2 done\n"
+	       "with (count once).",
+	.example = "fix outlet all massflow/mesh mesh gate vec_side 0 0 -1 count once file post/outlet.txt",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.saved = saved,
+	.archive = archive,
+	.values = values,
+	.init = init,
+	.hook = { [TS_STAGE_POST_INTEGRATE] = post_integrate,
+		  [TS_STAGE_EXCHANGE] = exchange,
+		  [TS_STAGE_SETUP] = setup },
+	.fini = fini,
+};

@@ -1,0 +1,407 @@
+/* Fix move/mesh: meshes that move as a whole. */
+#include <inttypes.h>
+#include <math.h>
+
+#include "box/domain.h"
+#include "mesh/mesh_motion.h"
+
+#include "base/banned.h"
+
+#define PI 3.14159265358979323846
+
+enum { MOST_TERMS = 30 };
+
+struct term {
+	double amplitude, phase, omega;
+};
+
+struct state {
+	struct ts_mesh_mover mover;
+	int what, mode;
+	double velocity[3], amplitude[3], axis[3], period, swing;
+	struct ts_number rate[3], omega;
+	int64_t nterms;
+	struct ts_words amplitudes, phases, periods;
+	struct term term[MOST_TERMS];
+	double unit[3]; /* along the axis */
+	/* saved: the time since the fix was made is base + steps dt; the motion so far */
+	double base, dt, shift[3], angle;
+	int64_t steps;
+};
+
+/* How a mesh moves at a time t after the fix was made: velocity, and angular velocity about the axis. */
+struct rate {
+	double drift[3], spin;
+};
+typedef enum ts_status rate_fn(struct ts_instance *self, struct tsim *sim, double t, struct rate *r);
+
+static enum ts_status linear(struct ts_instance *self, struct tsim *sim, double t, struct rate *r)
+{
+	const struct state *s = self->state;
+
+	(void)sim;
+	(void)t;
+	ts_scale(1, s->velocity, r->drift);
+	return TS_OK;
+}
+
+static enum ts_status linear_variable(struct ts_instance *self, struct tsim *sim, double t,
+				      struct rate *r)
+{
+	struct state *s = self->state;
+
+	(void)t;
+	for (int k = 0; k < 3; k++)
+		TS_TRY(ts_number_now(sim, &s->rate[k], &self->where, &r->drift[k]));
+	return TS_OK;
+}
+
+static enum ts_status rotate(struct ts_instance *self, struct tsim *sim, double t, struct rate *r)
+{
+	const struct state *s = self->state;
+
+	(void)sim;
+	(void)t;
+	r->spin = 2 * PI / s->period;
+	return TS_OK;
+}
+
+static enum ts_status rotate_variable(struct ts_instance *self, struct tsim *sim, double t,
+				      struct rate *r)
+{
+	struct state *s = self->state;
+
+	(void)t;
+	return ts_number_now(sim, &s->omega, &self->where, &r->spin);
+}
+
+static enum ts_status wiggle(struct ts_instance *self, struct tsim *sim, double t, struct rate *r)
+{
+	const struct state *s = self->state;
+	double omega = 2 * PI / s->period;
+
+	(void)sim;
+	ts_scale(omega * cos(omega * t), s->amplitude, r->drift);
+	return TS_OK;
+}
+
+static enum ts_status riggle(struct ts_instance *self, struct tsim *sim, double t, struct rate *r)
+{
+	const struct state *s = self->state;
+	double omega = 2 * PI / s->period;
+
+	(void)sim;
+	r->spin = s->swing * PI / 180 * omega * cos(omega * t);
+	return TS_OK;
+}
+
+static double vibration(const struct state *s, double t)
+{
+	double sum = 0;
+
+	for (int64_t k = 0; k < s->nterms; k++) {
+		const struct term *term = &s->term[k];
+
+		sum -= term->amplitude * term->omega * sin(term->omega * t + term->phase);
+	}
+	return sum;
+}
+
+static enum ts_status viblin(struct ts_instance *self, struct tsim *sim, double t, struct rate *r)
+{
+	const struct state *s = self->state;
+
+	(void)sim;
+	ts_scale(vibration(s, t), s->unit, r->drift);
+	return TS_OK;
+}
+
+static enum ts_status vibrot(struct ts_instance *self, struct tsim *sim, double t, struct rate *r)
+{
+	(void)sim;
+	r->spin = vibration(self->state, t);
+	return TS_OK;
+}
+
+/* In the order of the modes. */
+static const struct kind {
+	rate_fn *rate;
+	bool steady, turns, vibrates;
+} kinds[] = {
+	{ linear, true, false, false },	   { linear_variable, false, false, false },
+	{ rotate, true, true, false },	   { rotate_variable, false, true, false },
+	{ wiggle, false, false, false },   { riggle, false, true, false },
+	{ viblin, false, false, true },	   { vibrot, false, true, true },
+};
+enum { NKINDS = sizeof kinds / sizeof *kinds };
+
+static const struct kind *kind_of(const struct state *s)
+{
+	return &kinds[s->mode % NKINDS];
+}
+
+static enum ts_status read_list(struct ts_instance *self, struct tsim *sim, const char *name,
+				struct ts_words words, size_t offset)
+{
+	struct state *s = self->state;
+
+	if (words.n != (size_t)s->nterms)
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, name),
+			       "fix move/mesh: %s has %zu numbers, expected one for each of the %d "
+			       "terms of `order`",
+			       name, words.n, (int)s->nterms);
+	for (size_t k = 0; k < words.n; k++) {
+		double *out = (double *)(void *)((char *)&s->term[k] + offset);
+
+		if (!ts_parse_real(words.word[k].text, out) || !isfinite(*out))
+			return ts_fail(&sim->error, TS_SYNTAX, &words.word[k].place,
+				       "fix move/mesh: %s: expected a number, found '%s'", name,
+				       words.word[k].text);
+	}
+	return TS_OK;
+}
+
+static enum ts_status read_terms(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	TS_TRY(read_list(self, sim, "amplitude", s->amplitudes, offsetof(struct term, amplitude)));
+	TS_TRY(read_list(self, sim, "phase", s->phases, offsetof(struct term, phase)));
+	TS_TRY(read_list(self, sim, "period", s->periods, offsetof(struct term, omega)));
+	for (int64_t k = 0; k < s->nterms; k++) {
+		if (!(s->term[k].omega > 0))
+			return ts_fail(&sim->error, TS_RANGE, &s->periods.word[k].place,
+				       "fix move/mesh: a period must be > 0");
+		s->term[k].omega = 2 * PI / s->term[k].omega;
+	}
+	return TS_OK;
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	const struct kind *kind = kind_of(s);
+	double length = ts_norm(s->axis);
+
+	if (kind->turns || kind->vibrates) {
+		if (!(length > 0))
+			return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "axis"),
+				       "fix move/mesh: the axis has no length");
+		ts_scale(1 / length, s->axis, s->unit);
+	}
+	for (int k = 0; k < 3 && !kind->turns; k++)
+		s->mover.origin[k] = 0;
+	if (kind->vibrates)
+		TS_TRY(read_terms(self, sim));
+	return ts_mesh_mover_check(self, sim);
+}
+
+static double elapsed(const struct state *s)
+{
+	return s->base + (double)s->steps * s->dt;
+}
+
+/* Exact for a constant step, whatever the number of steps. */
+static void pass_time(struct state *s, double dt)
+{
+	if (s->dt < dt || s->dt > dt) {
+		s->base = elapsed(s);
+		s->steps = 0;
+		s->dt = dt;
+	}
+	s->steps++;
+}
+
+static void go_on(struct state *s, const struct rate *r, double dt)
+{
+	double span = kind_of(s)->steady ? elapsed(s) : dt;
+
+	for (int k = 0; k < 3; k++)
+		s->shift[k] = (kind_of(s)->steady ? 0 : s->shift[k]) + span * r->drift[k];
+	s->angle = (kind_of(s)->steady ? 0 : s->angle) + span * r->spin;
+}
+
+static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	struct ts_mesh_motion m = { .now = ts_motion_none() };
+	struct rate r = { 0 };
+
+	pass_time(s, sim->clock.dt);
+	TS_TRY(kind_of(s)->rate(self, sim, elapsed(s), &r));
+	go_on(s, &r, sim->clock.dt);
+	for (int k = 0; k < 3; k++) {
+		m.now.shift[k] = s->shift[k];
+		m.drift[k] = r.drift[k];
+		if (kind_of(s)->turns) {
+			m.now.origin[k] = s->mover.origin[k];
+			m.spin[k] = r.spin * s->unit[k];
+		}
+	}
+	if (kind_of(s)->turns)
+		ts_motion_set_turn(&m.now, s->unit, s->angle);
+	return ts_mesh_mover_move(self, sim, &m);
+}
+
+/* Whether another fix moves the mesh, too: where it goes is not said by this one alone. */
+static bool is_alone(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct state *s = self->state;
+	const struct ts_instance *other;
+
+	for (size_t k = 0; (other = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_MESH_MOVER, &k));)
+		if (other != self && ts_streq(((const struct ts_mesh_mover *)other->state)->mesh, s->mover.mesh))
+			return false;
+	return true;
+}
+
+/* The first time at which a place that moves leaves the box through a fixed face; infinite: it does not. */
+static double exit_time(const struct ts_box *box, const double x[3], const double v[3])
+{
+	double first = INFINITY;
+
+	for (int d = 0; d < 3; d++) {
+		if (v[d] > 0 && box->face[d][1] == TS_FACE_FIXED)
+			first = fmin(first, (box->hi[d] - x[d]) / v[d]);
+		if (v[d] < 0 && box->face[d][0] == TS_FACE_FIXED)
+			first = fmin(first, (box->lo[d] - x[d]) / v[d]);
+	}
+	return first;
+}
+
+static enum ts_status review(struct ts_instance *self, struct tsim *sim)
+{
+	const struct state *s = self->state;
+	const struct ts_mesh_surface *surface = ts_mesh_surface_find(sim, s->mover.mesh);
+	double first = INFINITY, time = (double)sim->review.steps * sim->clock.dt;
+
+	if (!surface || kind_of(s)->rate != linear || !is_alone(self, sim) || sim->review.stale || sim->in_pieces)
+		return TS_OK;
+	for (size_t t = 0; t < surface->mesh.n; t++)
+		first = fmin(first, exit_time(&sim->domain->box, surface->mesh.centre[t], s->velocity));
+	if (!(first < time))
+		return TS_OK;
+	return ts_review_find(sim, "mesh_leaves", &self->where,
+			      "mesh %s leaves the box %g from now, after %.0f of the %" PRId64 " steps of this run, which stops "
+			      "there; make the run shorter, the box larger, or its face `m`, which follows the mesh",
+			      s->mover.mesh, first, floor(first / sim->clock.dt + 1e-6), sim->review.steps);
+}
+
+#define VELOCITY_ROW                                                                               \
+	TS_VEC3("velocity", struct state, velocity, .flags = TS_POSITIONAL, .unit = "velocity",    \
+		.help = "Vx Vy Vz")
+#define RATE_ROW(k, c)                                                                             \
+	TS_NUMBER("V" c, struct state, rate[k], .flags = TS_POSITIONAL, .unit = "velocity",        \
+		  .help = c " velocity, usually a variable")
+#define ORIGIN_ROW                                                                                 \
+	TS_VEC3("origin", struct state, mover.origin, .unit = "length", .help = "a point of the axis")
+#define AXIS_ROW(help_) TS_VEC3("axis", struct state, axis, .help = help_)
+#define PERIOD_ROW                                                                                 \
+	TS_REAL("period", struct state, period, .range = TS_POSITIVE, .unit = "time",              \
+		.help = "time of one turn or oscillation")
+#define TERM_ROWS                                                                                  \
+	TS_INT("order", struct state, nterms, .range = TS_WITHIN, .lo = 1, .hi = MOST_TERMS,       \
+	       .help = "number of terms"),                                                         \
+		TS_SOME_KEYWORD("amplitude", struct state, amplitudes, 0,                          \
+				.help = "of each term: length, or radian"),                        \
+		TS_SOME_KEYWORD("phase", struct state, phases, 0, .help = "of each term, radian"),  \
+		TS_SOME_KEYWORD("period", struct state, periods, 0, .help = "of each term")
+
+static const struct ts_arg linear_rows[] = { VELOCITY_ROW, TS_ARGS_END };
+static const struct ts_arg linear_variable_rows[] = { RATE_ROW(0, "x"), RATE_ROW(1, "y"),
+						      RATE_ROW(2, "z"), TS_ARGS_END };
+static const struct ts_arg rotate_rows[] = {
+	ORIGIN_ROW,
+	AXIS_ROW("direction of the axis; turns by the right hand"),
+	PERIOD_ROW,
+	TS_ARGS_END,
+};
+static const struct ts_arg rotate_variable_rows[] = {
+	ORIGIN_ROW,
+	AXIS_ROW("direction of the axis"),
+	TS_NUMBER("omega", struct state, omega, .unit = "radian/time",
+		  .help = "angular velocity, usually a variable"),
+	TS_ARGS_END,
+};
+static const struct ts_arg wiggle_rows[] = {
+	TS_VEC3("amplitude", struct state, amplitude, .unit = "length", .help = "Ax Ay Az"),
+	PERIOD_ROW,
+	TS_ARGS_END,
+};
+static const struct ts_arg riggle_rows[] = {
+	ORIGIN_ROW,
+	AXIS_ROW("direction of the axis"),
+	PERIOD_ROW,
+	TS_REAL("amplitude", struct state, swing, .unit = "degrees", .help = "largest angle"),
+	TS_ARGS_END,
+};
+static const struct ts_arg viblin_rows[] = {
+	AXIS_ROW("direction of the vibration"),
+	TERM_ROWS,
+	TS_ARGS_END,
+};
+static const struct ts_arg vibrot_rows[] = {
+	ORIGIN_ROW,
+	AXIS_ROW("direction of the axis"),
+	TERM_ROWS,
+	TS_ARGS_END,
+};
+
+#define MODES(ending)                                                                              \
+	{ "linear" ending, "at constant velocity", linear_rows },                                  \
+		{ "linear/variable" ending, "as variables say", linear_variable_rows },            \
+		{ "rotate" ending, "around an axis", rotate_rows },                                \
+		{ "rotate/variable" ending, "around an axis, as a variable says",                  \
+		  rotate_variable_rows },                                                          \
+		{ "wiggle" ending, "to and fro", wiggle_rows },                                    \
+		{ "riggle" ending, "to and fro around an axis", riggle_rows },                     \
+		{ "viblin" ending, "a sum of oscillations along a line", viblin_rows },            \
+		{ "vibrot" ending, "a sum of oscillations around an axis", vibrot_rows }
+static const struct ts_mode modes[] = { MODES(""), MODES("/superposable"), { .name = NULL } };
+
+static const char *const movable[] = { "mesh", NULL };
+static const struct ts_arg args[] = {
+	TS_ENUM("what", struct state, what, movable, .flags = TS_POSITIONAL, .help = "what moves"),
+	TS_WORD("mesh-ID", struct state, mover.mesh, .flags = TS_POSITIONAL,
+		.help = "ID of a fix mesh/surface"),
+	TS_MODE("style", struct state, mode, modes, .help = "kind of motion"),
+	TS_ARGS_END,
+};
+
+static const struct ts_saved saved[] = {
+	TS_SAVE_I64(struct state, mover.serial), TS_SAVE_F64(struct state, base),
+	TS_SAVE_F64(struct state, dt),		 TS_SAVE_F64(struct state, shift),
+	TS_SAVE_F64(struct state, angle),	 TS_SAVE_I64(struct state, steps),
+	TS_SAVED_ROWS_END,
+};
+
+TS_STYLE(fix, ts_style, ts_fix_move_mesh)
+const struct ts_style ts_fix_move_mesh = {
+	.name = "move/mesh",
+	.kind = TS_KIND_FIX,
+	.summary = "Moves a mesh",
+	.doc = "Moves the mesh of a `fix mesh/surface` as a rigid body; t is the time since the fix was made.\n\n"
+	       "    linear           x = x0 + V t\n"
+	       "    rotate           turned about the axis by 2 pi t/period\n"
+	       "    wiggle           velocity A w cos(w t), w = 2 pi/period\n"
+	       "    riggle           angular velocity A w cos(w t)\n"
+	       "    viblin, vibrot   velocity along, angular velocity about the axis: -sum C_n w_n sin(w_n t + phase_n),\n"
+	       "                     w_n = 2 pi/period_n\n"
+	       "    linear/variable, rotate/variable   velocity, angular velocity as variables say\n\n"
+	       "linear and rotate are exact at any time. The others advance the mesh in each step by the velocity at\n"
+	       "its end times the time step, as LIGGGHTS does, so that wiggle differs from A sin(w t) in the\n"
+	       "order of the time step. Particles see the velocity of the surface where they touch it.\n\n"
+	       "Several fixes may move one mesh: they act one after the other in each step, and each carries the\n"
+	       "origins of those after it along. Where a fix is deleted, the mesh stays where it is. A mesh with surface_vel or surface_ang_vel cannot move.",
+	.example = "fix lift all move/mesh mesh cad linear 0 0 0.1\n"
+		   "fix spin all move/mesh mesh cad rotate origin 0 0 0 axis 0 0 1 period 2.385\n"
+		   "fix shake all move/mesh mesh cad viblin axis 0 0 1 order 2 amplitude 0.01 0.002 phase 0 1.3 "
+		   "period 0.1 0.031",
+	.args = args,
+	.family = TS_FAMILY_MESH_MOVER,
+	.state_size = sizeof(struct state),
+	.saved = saved,
+	.init = init,
+	.review = review,
+	.hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate },
+};

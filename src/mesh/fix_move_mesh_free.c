@@ -1,0 +1,347 @@
+/* Fix move/mesh/free: closed meshes that move as free rigid bodies. */
+#include <math.h>
+#include <string.h>
+
+#include "core/plan.h"
+#include "flow/flow.h"
+#include "flow/fluid.h"
+#include "force/gravity.h"
+#include "immersed/virtual_mass.h"
+#include "math/rigid_turn.h"
+#include "mesh/mesh_distance.h"
+#include "mesh/mesh_motion.h"
+#include "mesh/mesh_volume.h"
+#include "rigid/rigid_motion.h"
+#include "wall/mesh_stress.h"
+
+#include "base/banned.h"
+
+struct state {
+	struct ts_mesh_mover mover;
+	int what;
+	double density, mass, velocity[3], omega[3]; /* one of density and mass is NaN */
+	bool falls;
+	bool due; /* forces have been computed since the body took them */
+	/* saved */
+	struct ts_body body;
+	double q0[4]; /* its orientation when the fix was made; the centre then is mover.origin */
+	int64_t made;
+	struct ts_net_force net;
+	int64_t fluid_steps; /* of the fluid, when the body last took notice */
+};
+
+/* ---- before a run */
+
+static enum ts_status fails(struct ts_instance *self, struct tsim *sim, const char *what)
+{
+	const struct state *s = self->state;
+
+	return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, s->mover.mesh),
+		       "fix move/mesh/free: mesh %s %s", s->mover.mesh, what);
+}
+
+static enum ts_status check(struct ts_instance *self, struct tsim *sim,
+			    const struct ts_mesh_surface *surface)
+{
+	const struct state *s = self->state;
+	const struct ts_instance *inst;
+
+	if (!surface->stress)
+		return fails(self, sim,
+			     "does not know what particles do to it; make it by fix mesh/surface/stress");
+	for (size_t k = 0; (inst = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_MESH_MOVER, &k));)
+		if (inst != self && ts_streq(((const struct ts_mesh_mover *)inst->state)->mesh, s->mover.mesh))
+			return fails(self, sim, "is moved by another fix, too; a body that is free is "
+						"moved by this one alone");
+	if (isnan(s->density) == isnan(s->mass))
+		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+			       "fix move/mesh/free: say either `density` or `mass`");
+	return TS_OK;
+}
+
+/* Nothing leaves the plane: z is a principal axis, and nothing moves the body along z or turns it about
+ * another axis. */
+static void flatten(struct state *s, double inertia[6])
+{
+	inertia[4] = inertia[5] = 0;
+	s->velocity[2] = s->omega[0] = s->omega[1] = 0;
+}
+
+/* Mass, centre, moments from the space that the mesh encloses. */
+static enum ts_status make_body(struct ts_instance *self, struct tsim *sim,
+				const struct ts_mesh_surface *surface)
+{
+	struct state *s = self->state;
+	struct ts_body *b = &s->body;
+	struct ts_mesh_volume v;
+	size_t t;
+
+	if (!ts_mesh_closed(&surface->mesh, &t))
+		return fails(self, sim, "is not closed: what it encloses has no mass");
+	if (!ts_mesh_measure_volume(&surface->mesh, &v))
+		return fails(self, sim,
+			     "does not enclose a volume: some of its normals point inwards, others "
+			     "outwards, or it is closed through periodic faces only");
+	*b = (struct ts_body){ .free = { 1, 1, 1, 1, 1, 1 } };
+	b->mass = isnan(s->mass) ? s->density * fabs(v.volume) : s->mass;
+	b->density = b->mass / fabs(v.volume);
+	for (int k = 0; k < 6; k++)
+		v.inertia[k] *= b->mass / v.volume;
+	if (sim->dimension == 2)
+		flatten(s, v.inertia);
+	ts_rigid_principal(b, v.inertia);
+	memcpy(b->x, v.centre, sizeof b->x);
+	memcpy(s->mover.origin, v.centre, sizeof v.centre);
+	memcpy(s->q0, b->q, sizeof b->q);
+	memcpy(b->v, s->velocity, sizeof b->v);
+	memcpy(b->omega, s->omega, sizeof b->omega);
+	ts_rigid_spin(b->q, b->inertia, b->omega, b->spin);
+	s->made = 1;
+	return TS_OK;
+}
+
+static enum ts_status surface_of(struct ts_instance *self, struct tsim *sim,
+				 struct ts_mesh_surface **out)
+{
+	const char *mesh = ((const struct state *)self->state)->mover.mesh;
+	struct ts_word id = { .text = mesh, .place = *ts_instance_word(self, mesh) };
+
+	return ts_mesh_surface_require(sim, &id, out);
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	const struct state *s = self->state;
+	struct ts_mesh_surface *surface;
+
+	TS_TRY(ts_mesh_mover_check(self, sim));
+	TS_TRY(surface_of(self, sim, &surface));
+	TS_TRY(check(self, sim, surface));
+	return s->made ? TS_OK : make_body(self, sim, surface);
+}
+
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
+{
+	const struct state *s = self->state;
+	const struct ts_body *b = &s->body;
+
+	(void)sim;
+	ts_report_line(report, "free mesh", "%s: mass %.6g, density %.6g, principal moments %.6g %.6g %.6g",
+		       s->mover.mesh, b->mass, b->density, b->inertia[0], b->inertia[1], b->inertia[2]);
+	return TS_OK;
+}
+
+/* ---- in a step */
+
+static enum ts_status weigh(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_body *b = &((struct state *)self->state)->body;
+	const struct ts_instance *inst;
+
+	for (size_t k = 0; (inst = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_GRAVITY, &k));) {
+		const struct ts_gravity *g = inst->state;
+		double magnitude;
+
+		TS_TRY(ts_number_now(sim, &g->magnitude, &inst->where, &magnitude));
+		ts_axpy(b->mass * magnitude, g->direction, b->force);
+	}
+	return TS_OK;
+}
+
+/* What particles and fluids do, both with torques about the mesh's anchor; and gravity. */
+static enum ts_status act(struct ts_instance *self, struct tsim *sim, bool in_setup)
+{
+	struct state *s = self->state;
+	struct ts_body *b = &s->body;
+	const struct ts_instance *inst;
+	struct ts_mesh_surface *surface;
+	double load[2][3], arm[3], virtual_density = 0;
+
+	TS_TRY(surface_of(self, sim, &surface));
+	s->due = false;
+	memcpy(load, surface->stress->sum, sizeof load);
+	for (size_t k = 0; (inst = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));) {
+		const struct ts_flow_part *part = inst->state;
+
+		if (part->load)
+			part->load(inst, surface, load, &virtual_density);
+	}
+	memcpy(b->force, load[0], sizeof b->force);
+	ts_sub(surface->anchor, b->x, arm);
+	ts_cross(arm, load[0], b->torque);
+	ts_add(b->torque, load[1], b->torque);
+	if (s->falls)
+		TS_TRY(weigh(self, sim));
+	if (sim->dimension == 2)
+		b->force[2] = b->torque[0] = b->torque[1] = 0;
+	if (virtual_density > 0) {
+		ts_net_force_blend(&s->net, ts_virtual_share(b->density, 1, virtual_density), b->force, b->torque);
+		ts_net_force_note(&s->net, in_setup, b->force, b->torque);
+	}
+	return TS_OK;
+}
+
+/* The velocity of the body where its centre was at first. */
+static void drift_of(const struct state *s, double drift[3])
+{
+	double arm[3];
+
+	ts_sub(s->mover.origin, s->body.x, arm);
+	ts_cross(s->body.omega, arm, drift);
+	ts_add(drift, s->body.v, drift);
+}
+
+static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	struct ts_mesh_motion m = { .now = ts_motion_none() };
+	double first[3][3], now[3][3];
+
+	ts_body_kick(&s->body, 0.5 * sim->clock.dt);
+	ts_body_move(&s->body, sim->clock.dt);
+	ts_quaternion_matrix(s->q0, first);
+	ts_quaternion_matrix(s->body.q, now);
+	for (int i = 0; i < 3; i++)
+		for (int j = 0; j < 3; j++)
+			m.now.turn[i][j] = ts_dot(now[i], first[j]);
+	memcpy(m.now.origin, s->mover.origin, sizeof m.now.origin);
+	ts_sub(s->body.x, s->mover.origin, m.now.shift);
+	drift_of(s, m.drift);
+	memcpy(m.spin, s->body.omega, sizeof m.spin);
+	return ts_mesh_mover_move(self, sim, &m);
+}
+
+static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	double drift[3];
+
+	TS_TRY(act(self, sim, false));
+	ts_body_kick(&s->body, 0.5 * sim->clock.dt);
+	drift_of(s, drift);
+	return ts_mesh_mover_drift(self, sim, drift, s->body.omega);
+}
+
+static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+{
+	(void)sim;
+	((struct state *)self->state)->due = true;
+	return TS_OK;
+}
+
+/* What acts at the start. A run that goes on computes no forces before its first step: the body has what acted
+ * in the last one. */
+static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
+{
+	return ((struct state *)self->state)->due ? act(self, sim, true) : TS_OK;
+}
+
+/* The fluid makes its step before. */
+static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	const struct ts_fluid *fluid = ts_flow_fluid(sim);
+
+	if (!fluid || fluid->steps == s->fluid_steps)
+		return TS_OK;
+	s->fluid_steps = fluid->steps;
+	ts_net_force_settle(&s->net);
+	return TS_OK;
+}
+
+/* Files from before have no such numbers. */
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	struct state *s = self->state;
+
+	(void)sim;
+	if (!ts_archive_has(a, "net force"))
+		return TS_OK;
+	TS_TRY(ts_archive_fixed(a, "fluid steps", TS_SAVED_I64, &s->fluid_steps, 1));
+	return ts_archive_fixed(a, "net force", TS_SAVED_F64, &s->net, TS_NET_FORCE_NUMBERS);
+}
+
+/* ---- outputs */
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	const struct ts_body *b = &((const struct state *)self->state)->body;
+	const double *const each[] = { b->x, b->v, b->omega, b->spin, b->force, b->torque };
+
+	(void)sim;
+	for (size_t k = 0; k < 18; k++)
+		out->data[k] = each[k / 3][k % 3];
+	out->data[18] = b->mass;
+	out->data[19] = 0.5 * (b->mass * ts_dot(b->v, b->v) + ts_dot(b->spin, b->omega));
+	return TS_OK;
+}
+
+static const char *const columns[] = { "x",  "y",  "z",	 "vx", "vy", "vz", "wx", "wy", "wz",   "lx", "ly",
+				       "lz", "fx", "fy", "fz", "tx", "ty", "tz", "mass", "ke", NULL };
+static const struct ts_value values[] = {
+	{ "motion", "",
+	  "[1..3] centre of mass, not wrapped, [4..6] velocity, [7..9] angular velocity, [10..12] angular momentum "
+	  "about the centre, [13..15] force, [16..18] torque about the centre, [19] mass, [20] kinetic energy",
+	  TS_VECTOR, 20, columns, eval },
+	{ .name = NULL },
+};
+
+static const char *const movable[] = { "mesh", NULL };
+static const struct ts_arg args[] = {
+	TS_ENUM("what", struct state, what, movable, .flags = TS_POSITIONAL, .help = "what moves"),
+	TS_WORD("mesh-ID", struct state, mover.mesh, .flags = TS_POSITIONAL,
+		.help = "ID of a fix mesh/surface/stress, a closed surface"),
+	TS_REAL("density", struct state, density, .flags = TS_OPTIONAL | TS_STATEFUL,
+		.range = TS_POSITIVE, .unit = "density", .help = "of what fills it"),
+	TS_REAL("mass", struct state, mass, .flags = TS_OPTIONAL | TS_STATEFUL, .range = TS_POSITIVE,
+		.unit = "mass", .help = "instead of density: spread evenly through it"),
+	TS_VEC3("velocity", struct state, velocity, .fallback = "0 0 0", .unit = "velocity",
+		.help = "of the centre of mass when the fix is made"),
+	TS_VEC3("omega", struct state, omega, .fallback = "0 0 0", .unit = "radian/time",
+		.help = "angular velocity then"),
+	TS_BOOL("gravity", struct state, falls, .fallback = "yes",
+		.help = "whether each fix gravity, of any group, acts on it"),
+	TS_ARGS_END,
+};
+
+static const struct ts_saved saved[] = {
+	TS_SAVE_I64(struct state, mover.serial), TS_SAVE_F64(struct state, mover.origin),
+	TS_SAVED_BODY(struct state, body),	 TS_SAVE_F64(struct state, q0),
+	TS_SAVE_I64(struct state, made),	 TS_SAVED_ROWS_END,
+};
+
+TS_STYLE(fix, ts_style, ts_fix_move_mesh_free)
+const struct ts_style ts_fix_move_mesh_free = {
+	.name = "move/mesh/free",
+	.kind = TS_KIND_FIX,
+	.summary = "A closed mesh that moves as a free rigid body",
+	.doc = "The body that the mesh of a `fix mesh/surface/stress` encloses moves as contacts with particles, fluids\n"
+	       "and gravity make it:\n\n"
+	       "    m dv/dt = F,  dL/dt = T,  omega = R I^-1 R^T L\n\n"
+	       "by velocity Verlet, the orientation as with fix rigid. Mass m, centre and moments I are the integrals over the\n"
+	       "tetrahedra of each triangle and a place amid them, exact to round-off, for an even density.\n\n"
+	       "F and T are those of the particles that touch it by `fix wall/gran ... mesh`; those of each `fix\n"
+	       "immersed/boundary mesh` made of the mesh, of the last step of the fluid, with its virtual mass\n"
+	       "beside the body's; and the weight. Buoyancy is that of the script: the\n"
+	       "pressure of the fluid is without the hydrostatic part, unless flow_style has a body_force.\n\n"
+	       "A contact damps as between the grain and a wall that does not give way, with the grain's mass alone. With\n"
+	       "friction the grain's lever ends between its surface and that of the mesh, the mesh's at its own\n"
+	       "surface, so angular momentum is kept to half an overlap, else to round-off.\n\n"
+	       "Meshes do not feel each other, nor walls. In two dimensions the body keeps to the plane, with the\n"
+	       "mass of all of the mesh, also of what is beyond the box along z (say `mass` then). No other fix may move it.",
+	.example = "fix box all mesh/surface/stress file box.stl type 2\n"
+		   "fix free all move/mesh/free mesh box density 700 velocity 0.1 0 0",
+	.args = args,
+	.family = TS_FAMILY_MESH_MOVER,
+	.state_size = sizeof(struct state),
+	.saved = saved,
+	.archive = archive,
+	.values = values,
+	.init = init,
+	.plan = plan,
+	.hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,
+		  [TS_STAGE_POST_FORCE] = post_force,
+		  [TS_STAGE_FINAL_INTEGRATE] = final_integrate,
+		  [TS_STAGE_END_OF_STEP] = end_of_step,
+		  [TS_STAGE_SETUP] = setup },
+};

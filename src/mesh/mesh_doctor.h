@@ -1,0 +1,64 @@
+/* What is wrong with a mesh, which triangles have it, and what helps. */
+#ifndef TS_MESH_MESH_DOCTOR_H
+#define TS_MESH_MESH_DOCTOR_H
+
+#include "mesh/mesh.h"
+
+/* Limits of angles in degrees: beyond the first a triangle has no usable plane. */
+#define TS_MESH_HARD_ANGLE 0.0181185
+#define TS_MESH_SOFT_ANGLE 0.5
+
+/* name, what it is, unit of the amount ("": none), what helps */
+#define TS_MESH_ILL_LIST(X)                                                                        \
+	X(COLLAPSED, "has two corners at the same place and is left out", "",                      \
+	  "take a smaller `precision`, or export the surface with more digits")                    \
+	X(NEEDLE, "has hardly any area: its smallest angle is below 0.0181185 degrees", "degrees",  \
+	  "mesh that part anew, or remove the triangle")                                           \
+	X(SHARP, "has an angle smaller than `curvature`", "degrees",                               \
+	  "mesh that part anew, reduce `curvature`, or say `curvature_tolerant yes`")              \
+	X(SLIVER, "has an angle below 0.5 degrees", "degrees", "mesh that part anew")              \
+	X(DUPLICATE, "has the same corners as another", "",                                        \
+	  "remove it, or say `heal auto_remove_duplicates`")                                       \
+	X(CROWDED, "shares its edges with more than 5 others", "neighbours",                       \
+	  "remove walls inside of the surface")                                                    \
+	X(FOLDED, "lies upon a neighbour", "", "remove the part that overlaps")                    \
+	X(BRANCHED, "has an edge that more than two triangles share", "triangles",                 \
+	  "remove walls inside of the surface, if there should be none")                           \
+	X(FLIPPED, "has its normal on the other side than its neighbours", "",                     \
+	  "turn its corners round, if the side matters (stress, insertion, counting)")             \
+	X(CRACKED, "nearly touches the edge of another, without a corner there", "wide",           \
+	  "join the corners, or take a larger `precision`")                                        \
+	X(OPEN, "has an edge without neighbour", "", "nothing, if the surface should have a rim there")
+
+#define TS_MESH_ILL_ENUM(name, what, unit, helps) TS_MESH_##name,
+enum ts_mesh_ill { TS_MESH_ILL_LIST(TS_MESH_ILL_ENUM) TS_NMESH_ILLS };
+#undef TS_MESH_ILL_ENUM
+
+struct ts_mesh_finding {
+	enum ts_mesh_ill ill;
+	int32_t triangle, other; /* -1: no other */
+	double at[3];
+	double amount; /* angle in degrees, number of neighbours, or width of the crack */
+};
+
+/* Zero-initialise. Sorted by ill, then triangle; one finding for a triangle and ill. */
+struct ts_mesh_findings {
+	size_t n, capacity;
+	struct ts_mesh_finding *list;
+	size_t count[TS_NMESH_ILLS];
+};
+
+/* `curvature` in degrees, as the mesh was built with. */
+enum ts_status ts_mesh_examine(const struct ts_mesh *mesh, double curvature,
+			       struct ts_mesh_findings *out);
+void ts_mesh_findings_release(struct ts_mesh_findings *findings);
+
+struct ts_mesh_ill_text {
+	const char *what, *unit, *helps;
+};
+extern const struct ts_mesh_ill_text ts_mesh_ill_texts[TS_NMESH_ILLS];
+
+/* Of a mesh without rims; by the divergence theorem, positive if the normals point outwards. */
+double ts_mesh_volume(const struct ts_mesh *mesh);
+
+#endif

@@ -1,0 +1,195 @@
+#include "mesh/mesh_load.h"
+
+#include <math.h>
+
+#include "box/domain.h"
+#include "math/vec3.h"
+#include "mesh/mesh_admit.h"
+#include "mesh/mesh_motion.h"
+#include "mesh/mesh_read.h"
+#include "mesh/mesh_soup.h"
+
+#include "base/banned.h"
+
+const char *const ts_mesh_heal_names[] = { "no", "auto_remove_duplicates", NULL };
+
+struct conveyor {
+	double velocity[3], origin[3], axis[3], omega;
+};
+static const struct ts_arg linear_rows[] = {
+	TS_VEC3("velocity", struct conveyor, velocity, .flags = TS_POSITIONAL, .help = "vx vy vz"),
+	TS_ARGS_END,
+};
+static const struct ts_arg angular_rows[] = {
+	TS_VEC3("origin", struct conveyor, origin, .help = "a point of the axis"),
+	TS_VEC3("axis", struct conveyor, axis, .help = "direction of the axis"),
+	TS_REAL("omega", struct conveyor, omega, .help = "radian/time"),
+	TS_ARGS_END,
+};
+
+/* A velocity v becomes its part in the plane of the triangle, made as long as v. */
+static void lay_down(const double normal[3], double v[3])
+{
+	double speed = ts_norm(v), length;
+
+	ts_axpy(-ts_dot(v, normal), normal, v);
+	length = ts_norm(v);
+	ts_scale(length > 0 ? speed / length : 0, v, v);
+}
+
+static void corner_velocity(const struct conveyor *c, const struct ts_mesh *m, size_t t, int k,
+			    double v[3])
+{
+	double arm[3];
+
+	ts_sub(m->x[t][k], c->origin, arm);
+	ts_cross(c->axis, arm, v);
+	for (int d = 0; d < 3; d++)
+		v[d] = c->omega * v[d] + c->velocity[d];
+	lay_down(m->normal[t], v);
+}
+
+/* A surface that moves in itself. */
+static enum ts_status convey(struct ts_instance *self, struct tsim *sim,
+			     const struct ts_mesh_words *w, struct ts_mesh_surface *s)
+{
+	struct conveyor c = { 0 };
+	double length;
+
+	if (!w->surface_vel.n && !w->surface_ang_vel.n)
+		return TS_OK;
+	if (w->surface_vel.n && w->surface_ang_vel.n)
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "surface_ang_vel"),
+			       "fix %s: one of surface_vel and surface_ang_vel", self->style->name);
+	if (w->surface_vel.n)
+		TS_TRY(ts_args_parse(sim, "surface_vel", linear_rows, w->surface_vel, &self->where,
+				     &self->arena, &c));
+	else
+		TS_TRY(ts_args_parse(sim, "surface_ang_vel", angular_rows, w->surface_ang_vel,
+				     &self->where, &self->arena, &c));
+	length = ts_norm(c.axis);
+	ts_scale(length > 0 ? 1 / length : 0, c.axis, c.axis);
+	s->v = ts_alloc(s->mesh.n, sizeof *s->v);
+	if (!s->v)
+		return ts_nomem(&sim->error);
+	for (size_t t = 0; t < s->mesh.n; t++)
+		for (int k = 0; k < 3; k++)
+			corner_velocity(&c, &s->mesh, t, k, s->v[t][k]);
+	return TS_OK;
+}
+
+/* The list of triangles that are refused: written if that is asked for. */
+static const char *list_to_write(const struct ts_mesh_words *w)
+{
+	bool writes = w->exclusion.n == 2 && ts_streq(w->exclusion.word[0].text, "write");
+
+	return writes ? w->exclusion.word[1].text : NULL;
+}
+
+/* Where the triangles come from. */
+static struct ts_word source_of(const struct ts_instance *self, const struct ts_mesh_words *w)
+{
+	const char *text = w->file ? w->file : w->other;
+
+	return (struct ts_word){ .text = text, .place = *ts_instance_word(self, text) };
+}
+
+static enum ts_status read_soup(struct ts_instance *self, struct tsim *sim,
+				const struct ts_mesh_words *w, struct ts_triangles *soup)
+{
+	struct ts_word source;
+
+	if (!w->file == !w->other)
+		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+			       "fix %s: expected one of `file NAME` and `fix ID`, found %s",
+			       self->style->name, w->file ? "both" : "none");
+	source = source_of(self, w);
+	if (w->file)
+		TS_TRY(ts_mesh_read(soup, &sim->files, &sim->error, sim->pool, &source.place, w->file));
+	else
+		TS_TRY(ts_mesh_soup_extrude(self, sim, &source, soup));
+	TS_TRY(ts_mesh_soup_choose(self, sim, w, soup));
+	if (!soup->n)
+		return ts_fail(&sim->error, TS_RANGE, &source.place,
+			       "mesh %s: there is no triangle in %s", self->id, source.text);
+	return ts_mesh_soup_transform(self, sim, soup);
+}
+
+/* What is to be extruded is plane. */
+static enum ts_status check_extrusion(struct ts_instance *self, struct tsim *sim,
+				      const struct ts_mesh_surface *surface)
+{
+	size_t bend;
+
+	if (isnan(surface->extrusion) || ts_mesh_planar(&surface->mesh, &bend))
+		return TS_OK;
+	return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "extrude_planar"),
+		       "mesh %s is not planar, see its triangle %zu: only planar meshes are extruded",
+		       self->id, bend / 3 + 1);
+}
+
+/* Corners nearer to each other than this are the same. Without the word it goes with the size of the mesh: as files in
+ * single precision round (LIGGGHTS: 1e-8 in units of length, too much for a mesh of micrometres in m). */
+static double precision_of(const struct ts_mesh_words *w, const struct ts_triangles *soup)
+{
+	double lo[3] = { INFINITY, INFINITY, INFINITY }, hi[3] = { -INFINITY, -INFINITY, -INFINITY }, longest = 0;
+
+	if (!isnan(w->precision))
+		return w->precision;
+	for (size_t t = 0; t < soup->n; t++)
+		for (int k = 0; k < 9; k++) {
+			lo[k % 3] = fmin(lo[k % 3], soup->t[t].v[k / 3][k % 3]);
+			hi[k % 3] = fmax(hi[k % 3], soup->t[t].v[k / 3][k % 3]);
+		}
+	for (int d = 0; d < 3; d++)
+		longest = fmax(longest, hi[d] - lo[d]);
+	return longest > 0 ? 1e-7 * longest : 1;
+}
+
+static enum ts_status load(struct ts_instance *self, struct tsim *sim,
+			   const struct ts_mesh_words *w, struct ts_mesh_surface *surface)
+{
+	struct ts_mesh_admission how = {
+		.curvature = w->curvature,
+		.curvature_tolerant = w->curvature_tolerant,
+		.heal = w->heal,
+		.verbose = w->verbose,
+		.exclude = list_to_write(w),
+	};
+	struct ts_triangles soup = { 0 };
+	struct ts_word source;
+	enum ts_status status = read_soup(self, sim, w, &soup);
+
+	if (status == TS_OK) {
+		source = source_of(self, w);
+		how.precision = precision_of(w, &soup);
+		if (sim->stop)
+			status = ts_fail(&sim->error, TS_STOPPED, &source.place, "stopped on request before the mesh was built");
+	}
+	if (status == TS_OK) {
+		status = ts_mesh_admit(sim, &source.place, &how, &soup, &surface->mesh);
+	}
+	ts_triangles_release(&soup);
+	if (status == TS_OK)
+		status = check_extrusion(self, sim, surface);
+	if (status == TS_OK && ts_mesh_link_images(&surface->mesh, &sim->domain->box,
+						   how.precision) != TS_OK)
+		status = ts_nomem(&sim->error);
+	if (status == TS_OK)
+		status = convey(self, sim, w, surface);
+	if (status != TS_OK)
+		ts_mesh_surface_release(surface);
+	return status;
+}
+
+enum ts_status ts_mesh_surface_init(struct ts_instance *self, struct tsim *sim,
+				    const struct ts_mesh_words *words)
+{
+	struct ts_mesh_surface *surface = self->state;
+
+	if (!surface->mesh.n)
+		TS_TRY(load(self, sim, words, surface));
+	surface->mesh.legacy = sim->legacy;
+	ts_mesh_motions_settle(self, sim);
+	return ts_mesh_surface_check_box(self, sim, surface);
+}

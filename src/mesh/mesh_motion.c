@@ -1,0 +1,356 @@
+#include "base/clones.h"
+TS_UNROLLED
+
+#include "mesh/mesh_motion.h"
+
+#include <math.h>
+
+#include "base/inline.h"
+#include "base/parallel.h"
+
+#include "base/banned.h"
+
+void ts_mesh_motions_release(struct ts_mesh_surface *s)
+{
+	ts_free(s->home);
+	ts_free(s->motion);
+	ts_free(s->serial);
+	s->home = NULL;
+	s->motion = NULL;
+	s->serial = NULL;
+	s->nmotions = s->motion_capacity = s->serial_capacity = 0;
+}
+
+static const struct ts_motion *motion_of(const struct ts_mesh_surface *s)
+{
+	return s->nmotions == 1 ? &s->motion[0].now : &s->carried;
+}
+
+/* Brings a corner to its place; returns how far it has gone, squared. */
+TS_INLINE double place_corner(const struct ts_motion *m, const double *home, double *x)
+{
+	double now[3], far;
+
+	ts_motion_apply(m, home, now);
+	far = ts_distance2(now, x);
+	for (int d = 0; d < 3; d++)
+		x[d] = now[d];
+	return far;
+}
+
+/* Corners from .. to-1; returns how far one has gone, at most, squared. */
+TS_CLONES static double place_corners(const struct ts_motion *motion, const double *restrict home, double *restrict x,
+				      size_t from, size_t to)
+{
+	const struct ts_motion m = *motion;
+	double most = 0;
+
+#pragma omp simd reduction(max : most)
+	for (size_t c = from; c < to; c++) {
+		double far = place_corner(&m, home + 3 * c, x + 3 * c);
+
+		most = far > most ? far : most;
+	}
+	return most;
+}
+
+struct placing {
+	struct ts_mesh_surface *s;
+	double most;
+};
+
+static void place_share(void *context, size_t from, size_t to)
+{
+	struct placing *g = context;
+	struct ts_mesh_surface *s = g->s;
+	double most = place_corners(motion_of(s), s->home[0][0], s->mesh.x[0][0], 3 * from, 3 * to);
+
+	ts_mesh_triangles_moved(&s->mesh, from, to);
+#pragma omp critical
+	g->most = fmax(g->most, most);
+}
+
+/* Returns how far a corner has gone, at most. */
+static double place(const struct tsim *sim, struct ts_mesh_surface *s)
+{
+	struct placing g = { s, 0 };
+
+	ts_parallel(ts_team(sim, 8 * s->mesh.n), s->mesh.n, place_share, &g);
+	ts_motion_apply(motion_of(s), s->anchor_home, s->anchor);
+	s->moves++;
+	return sqrt(g.most);
+}
+
+/* The mesh is at home where it stands now; a single mover goes on with its own motion. */
+static void settle(struct ts_mesh_surface *s)
+{
+	static const struct ts_motion none = { .turn = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } };
+	const struct ts_motion *m = s->nmotions == 1 ? &s->motion[0].now : &none;
+
+	s->carried = none;
+	for (size_t c = 0; c < 3 * s->mesh.n; c++)
+		ts_motion_undo(m, s->mesh.x[c / 3][c % 3], s->home[c / 3][c % 3]);
+	ts_motion_undo(m, s->anchor, s->anchor_home);
+}
+
+/* What motion k does in a step, to the mesh and to the centres of those after it. */
+static void advance(struct ts_mesh_surface *s, size_t k, double dt)
+{
+	const struct ts_mesh_motion *m = &s->motion[k];
+	struct ts_motion step = ts_motion_none();
+	double speed = ts_norm(m->spin), axis[3];
+
+	ts_scale(speed > 0 ? 1 / speed : 0, m->spin, axis);
+	ts_motion_set_turn(&step, axis, speed * dt);
+	ts_scale(1, m->centre, step.origin);
+	ts_scale(dt, m->drift, step.shift);
+	s->carried = ts_motion_after(&s->carried, &step);
+	while (++k < s->nmotions)
+		ts_motion_apply(&step, s->motion[k].centre, s->motion[k].centre);
+}
+
+/* Adds the velocity of a motion at x, or sets it where that is the first. */
+TS_INLINE void add_at_corner(const struct ts_mesh_motion *m, bool first, const double *x, double *v)
+{
+	double arm[3], turning[3];
+
+	ts_sub(x, m->centre, arm);
+	ts_cross(m->spin, arm, turning);
+	for (int d = 0; d < 3; d++)
+		v[d] = (first ? 0 : v[d]) + m->drift[d] + turning[d];
+}
+
+TS_CLONES static void add_at_corners(const struct ts_mesh_motion *motion, bool first, const double *restrict x,
+				     double *restrict v, size_t n)
+{
+	const struct ts_mesh_motion m = *motion;
+
+#pragma omp simd
+	for (size_t c = 0; c < n; c++)
+		add_at_corner(&m, first, x + 3 * c, v + 3 * c);
+}
+
+/* Motion k adds its velocity where the corners are now: later ones have not moved in this step yet. */
+static void add_velocity(struct ts_mesh_surface *s, size_t k)
+{
+	add_at_corners(&s->motion[k], k == 0, s->mesh.x[0][0], s->v[0][0], 3 * s->mesh.n);
+}
+
+static enum ts_status leave_home(struct ts_mesh_surface *s)
+{
+	if (!s->home) {
+		s->home = ts_alloc(s->mesh.n, sizeof *s->home);
+		for (size_t t = 0; s->home && t < s->mesh.n; t++)
+			for (int k = 0; k < 3; k++)
+				ts_scale(1, s->mesh.x[t][k], s->home[t][k]);
+		ts_scale(1, s->anchor, s->anchor_home);
+	}
+	if (!s->v)
+		s->v = ts_alloc(s->mesh.n, sizeof *s->v);
+	return s->home && s->v ? TS_OK : TS_NOMEM;
+}
+
+static size_t find(const struct ts_mesh_surface *s, int64_t serial)
+{
+	size_t k = 0;
+
+	while (k < s->nmotions && s->serial[k] != serial)
+		k++;
+	return k;
+}
+
+static enum ts_status enter(struct ts_mesh_surface *s, struct ts_mesh_mover *mover)
+{
+	size_t n = s->nmotions + 1;
+	struct ts_mesh_motion *m;
+
+	TS_TRY(leave_home(s));
+	TS_TRY(TS_GROW(s->motion, s->motion_capacity, n));
+	TS_TRY(TS_GROW(s->serial, s->serial_capacity, n));
+	mover->serial = s->serial[s->nmotions] = ++s->serials;
+	m = &s->motion[s->nmotions];
+	*m = (struct ts_mesh_motion){ .now = ts_motion_none() };
+	ts_scale(1, mover->origin, m->centre);
+	s->nmotions = n;
+	if (n == 2) /* the first was alone until now */
+		settle(s);
+	return TS_OK;
+}
+
+/* All movers of the mesh that are new, in script order. */
+static enum ts_status enter_new(struct tsim *sim, struct ts_mesh_surface *s, const char *mesh)
+{
+	const struct ts_instance *inst;
+
+	for (size_t k = 0; (inst = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_MESH_MOVER, &k));) {
+		struct ts_mesh_mover *mover = inst->state;
+
+		if (ts_streq(mover->mesh, mesh) && find(s, mover->serial) == s->nmotions)
+			TS_TRY(enter(s, mover));
+	}
+	return TS_OK;
+}
+
+static enum ts_status mesh_of(struct ts_instance *self, struct tsim *sim,
+			      struct ts_mesh_surface **out)
+{
+	const struct ts_mesh_mover *mover = self->state;
+	struct ts_word id = { .text = mover->mesh, .place = *ts_instance_word(self, mover->mesh) };
+
+	return ts_mesh_surface_require(sim, &id, out);
+}
+
+enum ts_status ts_mesh_mover_check(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_mesh_surface *s;
+
+	TS_TRY(mesh_of(self, sim, &s));
+	if (s->v && !s->nmotions)
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix %s: a mesh with surface_vel or surface_ang_vel cannot move, and one "
+			       "that is a servo moves by itself",
+			       self->style->name);
+	return TS_OK;
+}
+
+enum ts_status ts_mesh_mover_move(struct ts_instance *self, struct tsim *sim,
+				  const struct ts_mesh_motion *m)
+{
+	struct ts_mesh_mover *mover = self->state;
+	struct ts_mesh_surface *s;
+	double centre[3];
+	size_t k;
+
+	TS_TRY(mesh_of(self, sim, &s));
+	if (find(s, mover->serial) == s->nmotions && enter_new(sim, s, mover->mesh) != TS_OK)
+		return ts_nomem(&sim->error);
+	k = find(s, mover->serial);
+	ts_scale(1, s->motion[k].centre, centre);
+	s->motion[k] = *m;
+	ts_scale(1, centre, s->motion[k].centre);
+	if (s->nmotions > 1)
+		advance(s, k, sim->clock.dt);
+	s->travelled += place(sim, s);
+	add_velocity(s, k);
+	return TS_OK;
+}
+
+enum ts_status ts_mesh_mover_drift(struct ts_instance *self, struct tsim *sim, const double drift[3],
+				   const double spin[3])
+{
+	const struct ts_mesh_mover *mover = self->state;
+	struct ts_mesh_surface *s;
+	size_t k;
+
+	TS_TRY(mesh_of(self, sim, &s));
+	k = find(s, mover->serial);
+	if (k == s->nmotions)
+		return TS_OK;
+	ts_scale(1, drift, s->motion[k].drift);
+	ts_scale(1, spin, s->motion[k].spin);
+	for (k = 0; k < s->nmotions; k++)
+		add_velocity(s, k);
+	return TS_OK;
+}
+
+enum ts_status ts_mesh_surface_carry(struct tsim *sim, struct ts_mesh_surface *s,
+				     const struct ts_motion *motion)
+{
+	if (leave_home(s) != TS_OK)
+		return ts_nomem(&sim->error);
+	s->carried = *motion;
+	s->travelled += place(sim, s);
+	return TS_OK;
+}
+
+static bool has_mover(const struct ts_instance *by, const struct tsim *sim, int64_t serial)
+{
+	const struct ts_instance *inst;
+
+	for (size_t k = 0; (inst = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_MESH_MOVER, &k));) {
+		const struct ts_mesh_mover *mover = inst->state;
+
+		if (mover->serial == serial && ts_streq(mover->mesh, by->id))
+			return true;
+	}
+	return false;
+}
+
+static void end_motion(struct ts_mesh_surface *s, size_t k)
+{
+	for (s->nmotions--; k < s->nmotions; k++) {
+		s->motion[k] = s->motion[k + 1];
+		s->serial[k] = s->serial[k + 1];
+	}
+}
+
+void ts_mesh_motions_settle(const struct ts_instance *by, struct tsim *sim)
+{
+	struct ts_mesh_surface *s = by->state;
+	size_t before = s->nmotions;
+
+	for (size_t k = s->nmotions; k-- > 0;)
+		if (!has_mover(by, sim, s->serial[k]))
+			end_motion(s, k);
+	if (s->nmotions == before)
+		return;
+	settle(s);
+	for (size_t k = 0; k < s->nmotions; k++)
+		add_velocity(s, k);
+	if (s->nmotions)
+		return;
+	ts_free(s->v); /* at rest */
+	s->v = NULL;
+}
+
+static enum ts_status damaged(struct tsim *sim)
+{
+	return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible motions of a mesh");
+}
+
+static enum ts_status archive_list(struct ts_mesh_surface *s, struct tsim *sim, struct ts_archive *a)
+{
+	size_t numbers = s->nmotions * TS_MESH_MOTION, count = s->nmotions;
+	size_t capacity = s->motion_capacity * TS_MESH_MOTION;
+	void *motion = s->motion, *serial = s->serial;
+	enum ts_status status;
+
+	status = ts_archive_array(a, "motions", TS_SAVED_F64, &motion, &capacity, &numbers);
+	s->motion = motion;
+	s->motion_capacity = capacity / TS_MESH_MOTION;
+	TS_TRY(status);
+	status = ts_archive_array(a, "serials", TS_SAVED_I64, &serial, &s->serial_capacity, &count);
+	s->serial = serial;
+	TS_TRY(status);
+	s->nmotions = count;
+	return numbers == count * TS_MESH_MOTION ? TS_OK : damaged(sim);
+}
+
+enum ts_status ts_mesh_motions_archive(struct ts_mesh_surface *s, struct tsim *sim,
+				       struct ts_archive *a)
+{
+	bool writing = ts_archive_writing(a), moving;
+
+	if (writing ? !s->home : !ts_archive_has(a, "home"))
+		return TS_OK;
+	if (!writing && leave_home(s) != TS_OK)
+		return ts_nomem(&sim->error);
+	TS_TRY(ts_archive_fixed(a, "home", TS_SAVED_F64, s->home, 9 * s->mesh.n));
+	TS_TRY(ts_archive_fixed(a, "given", TS_SAVED_I64, &s->serials, 1));
+	TS_TRY(ts_archive_fixed(a, "travelled", TS_SAVED_F64, &s->travelled, 1));
+	TS_TRY(ts_archive_fixed(a, "anchor", TS_SAVED_F64, s->anchor_home, 3));
+	TS_TRY(ts_archive_fixed(a, "carried", TS_SAVED_F64, &s->carried,
+				sizeof s->carried / sizeof(double)));
+	TS_TRY(archive_list(s, sim, a));
+	moving = writing ? s->v != NULL : ts_archive_has(a, "velocity");
+	if (moving)
+		TS_TRY(ts_archive_fixed(a, "velocity", TS_SAVED_F64, s->v, 9 * s->mesh.n));
+	if (writing)
+		return TS_OK;
+	if (!moving) {
+		ts_free(s->v);
+		s->v = NULL;
+	}
+	place(sim, s);
+	return TS_OK;
+}

@@ -1,0 +1,247 @@
+#include "mesh/mesh_tree.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/alloc.h"
+#include "math/vec3.h"
+
+#include "base/banned.h"
+
+enum { LEAF = 4, BITS = 21, STACK = 64 };
+
+struct on_curve {
+	uint64_t code;
+	int32_t triangle;
+};
+
+static int by_code(const void *a, const void *b)
+{
+	const struct on_curve *p = a, *q = b;
+
+	if (p->code != q->code)
+		return p->code < q->code ? -1 : 1;
+	return (p->triangle > q->triangle) - (p->triangle < q->triangle);
+}
+
+/* The bits of the three coordinates in turn. */
+static uint64_t morton(const double x[3], const double lo[3], const double hi[3])
+{
+	uint64_t code = 0, cell[3];
+
+	for (int d = 0; d < 3; d++) {
+		double part = hi[d] > lo[d] ? (x[d] - lo[d]) / (hi[d] - lo[d]) : 0;
+
+		cell[d] = (uint64_t)(fmax(0, fmin(1, part)) * ((1 << BITS) - 1));
+	}
+	for (int b = BITS - 1; b >= 0; b--)
+		for (int d = 0; d < 3; d++)
+			code = code << 1 | (cell[d] >> b & 1);
+	return code;
+}
+
+static enum ts_status sort_along_curve(struct ts_mesh_tree *tree, const struct ts_mesh *m)
+{
+	struct on_curve *list = ts_alloc(m->n, sizeof *list);
+	double lo[3], hi[3];
+
+	if (!list)
+		return TS_NOMEM;
+	ts_mesh_bounds(m, lo, hi);
+	for (size_t t = 0; t < m->n; t++)
+		list[t] = (struct on_curve){ morton(m->centre[t], lo, hi), (int32_t)t };
+	qsort(list, m->n, sizeof *list, by_code);
+	for (size_t t = 0; t < m->n; t++)
+		tree->triangle[t] = list[t].triangle;
+	ts_free(list);
+	return TS_OK;
+}
+
+static void bound(const struct ts_mesh *m, size_t t, double lo[3], double hi[3])
+{
+	for (int k = 0; k < 3; k++) {
+		for (int d = 0; d < 3; d++) {
+			double x = m->x[t][k][d];
+
+			lo[d] = x < lo[d] ? x : lo[d];
+			hi[d] = x > hi[d] ? x : hi[d];
+		}
+	}
+}
+
+static void bound_all(struct ts_mesh_tree *tree, const struct ts_mesh *m)
+{
+	for (size_t k = 2 * tree->leaves; k-- > 1;) {
+		for (int d = 0; d < 3; d++) {
+			tree->lo[k][d] = k < tree->leaves ? fmin(tree->lo[2 * k][d], tree->lo[2 * k + 1][d])
+							  : INFINITY;
+			tree->hi[k][d] = k < tree->leaves ? fmax(tree->hi[2 * k][d], tree->hi[2 * k + 1][d])
+							  : -INFINITY;
+		}
+		for (size_t j = 0; k >= tree->leaves && j < LEAF; j++) {
+			size_t at = (k - tree->leaves) * LEAF + j;
+
+			if (at < tree->n)
+				bound(m, (size_t)tree->triangle[at], tree->lo[k], tree->hi[k]);
+		}
+	}
+}
+
+enum ts_status ts_mesh_tree_build(struct ts_mesh_tree *tree, const struct ts_mesh *m)
+{
+	*tree = (struct ts_mesh_tree){ .n = m->n, .leaves = 1 };
+	while (tree->leaves * LEAF < m->n)
+		tree->leaves *= 2;
+	tree->triangle = ts_alloc(m->n, sizeof *tree->triangle);
+	tree->lo = ts_alloc(2 * tree->leaves, sizeof *tree->lo);
+	tree->hi = ts_alloc(2 * tree->leaves, sizeof *tree->hi);
+	if (!tree->triangle || !tree->lo || !tree->hi || sort_along_curve(tree, m) != TS_OK) {
+		ts_mesh_tree_release(tree);
+		return TS_NOMEM;
+	}
+	bound_all(tree, m);
+	return TS_OK;
+}
+
+void ts_mesh_tree_release(struct ts_mesh_tree *tree)
+{
+	ts_free(tree->triangle);
+	ts_free(tree->lo);
+	ts_free(tree->hi);
+	*tree = (struct ts_mesh_tree){ 0 };
+}
+
+static bool apart(const double lo[3], const double hi[3], const double x[3], double distance)
+{
+	bool is = false;
+
+	for (int d = 0; d < 3; d++)
+		is |= !(lo[d] - distance <= x[d] && x[d] <= hi[d] + distance);
+	return is;
+}
+
+/* Neither its box nor its plane is further away. */
+static bool may_reach(const struct ts_mesh *m, size_t t, const double x[3], double distance)
+{
+	double lo[3] = { INFINITY, INFINITY, INFINITY }, hi[3] = { -INFINITY, -INFINITY, -INFINITY };
+	double arm[3];
+
+	ts_sub(x, m->x[t][0], arm);
+	if (!(fabs(ts_dot(arm, m->normal[t])) <= distance * (1 + 1e-9)))
+		return false;
+	bound(m, t, lo, hi);
+	return !apart(lo, hi, x, distance);
+}
+
+static enum ts_status look_in_leaf(const struct ts_mesh_tree *tree, const struct ts_mesh *m,
+				   size_t leaf, const double x[3], double distance,
+				   struct ts_mesh_list *list)
+{
+	for (size_t at = leaf * LEAF; at < tree->n && at < (leaf + 1) * LEAF; at++) {
+		if (!may_reach(m, (size_t)tree->triangle[at], x, distance))
+			continue;
+		TS_TRY(TS_GROW(list->item, list->capacity, list->n + 1));
+		list->item[list->n++] = tree->triangle[at];
+	}
+	return TS_OK;
+}
+
+static int ascending(const void *a, const void *b)
+{
+	const int32_t *p = a, *q = b;
+
+	return (*p > *q) - (*p < *q);
+}
+
+/* Whether nothing between from and to is as near. */
+static bool all_apart(const double lo[3], const double hi[3], const double from[3], const double to[3], double distance)
+{
+	bool are = false;
+
+	for (int d = 0; d < 3; d++)
+		are |= !(lo[d] - distance <= to[d] && from[d] <= hi[d] + distance);
+	return are;
+}
+
+/* Half the edge of the box around a place, in distances that are asked for. */
+static const double AROUND = 4;
+
+static enum ts_status find_leaves(const struct ts_mesh_tree *tree, const double x[3], double distance,
+				  struct ts_mesh_vicinity *v)
+{
+	size_t stack[STACK], depth = 0;
+
+	v->distance = distance;
+	v->leaf.n = 0;
+	for (int d = 0; d < 3; d++) {
+		v->lo[d] = x[d] - AROUND * distance;
+		v->hi[d] = x[d] + AROUND * distance;
+	}
+	if (tree->n)
+		stack[depth++] = 1;
+	while (depth > 0) {
+		size_t k = stack[--depth];
+
+		if (all_apart(tree->lo[k], tree->hi[k], v->lo, v->hi, distance))
+			continue;
+		if (k >= tree->leaves) {
+			TS_TRY(TS_GROW(v->leaf.item, v->leaf.capacity, v->leaf.n + 1));
+			v->leaf.item[v->leaf.n++] = (int32_t)k;
+		} else {
+			stack[depth++] = 2 * k;
+			stack[depth++] = 2 * k + 1;
+		}
+	}
+	return TS_OK;
+}
+
+static bool covers(const struct ts_mesh_vicinity *v, const double x[3], double distance)
+{
+	bool does = distance <= v->distance;
+
+	for (int d = 0; d < 3; d++)
+		does &= v->lo[d] <= x[d] && x[d] <= v->hi[d];
+	return does;
+}
+
+enum ts_status ts_mesh_tree_near_again(const struct ts_mesh_tree *tree, const struct ts_mesh *m, const double x[3],
+				       double distance, struct ts_mesh_vicinity *v, struct ts_mesh_list *list)
+{
+	list->n = 0;
+	if (!covers(v, x, distance))
+		TS_TRY(find_leaves(tree, x, distance, v));
+	for (size_t j = 0; j < v->leaf.n; j++) {
+		size_t k = (size_t)v->leaf.item[j];
+
+		if (!apart(tree->lo[k], tree->hi[k], x, distance))
+			TS_TRY(look_in_leaf(tree, m, k - tree->leaves, x, distance, list));
+	}
+	if (list->n > 1)
+		qsort(list->item, list->n, sizeof *list->item, ascending);
+	return TS_OK;
+}
+
+enum ts_status ts_mesh_tree_near(const struct ts_mesh_tree *tree, const struct ts_mesh *m,
+				 const double x[3], double distance, struct ts_mesh_list *list)
+{
+	size_t stack[STACK], depth = 0;
+
+	list->n = 0;
+	if (tree->n)
+		stack[depth++] = 1;
+	while (depth > 0) {
+		size_t k = stack[--depth];
+
+		if (apart(tree->lo[k], tree->hi[k], x, distance))
+			continue;
+		if (k >= tree->leaves) {
+			TS_TRY(look_in_leaf(tree, m, k - tree->leaves, x, distance, list));
+		} else {
+			stack[depth++] = 2 * k;
+			stack[depth++] = 2 * k + 1;
+		}
+	}
+	if (list->n > 1)
+		qsort(list->item, list->n, sizeof *list->item, ascending);
+	return TS_OK;
+}

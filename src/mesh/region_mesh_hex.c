@@ -1,0 +1,34 @@
+/* Region: the hexahedra of a file. */
+#include "mesh/cell_region.h"
+
+#include "base/banned.h"
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	return ts_cell_region_init(self, sim, 12);
+}
+
+static const struct ts_arg args[] = {
+	TS_CELL_REGION_ARGS,
+	TS_ARGS_END,
+};
+
+TS_STYLE(region, ts_region_style, ts_region_mesh_hex)
+const struct ts_region_style ts_region_mesh_hex = {
+	.style = {
+		.name = "mesh/hex",
+		.kind = TS_KIND_REGION,
+		.summary = "The hexahedra of a file",
+		.doc = "All points in one of the cells of a legacy VTK file (text or binary) that has hexahedra\n"
+		       "only, each cut into six tetrahedra. The file's coordinates are shifted, then scaled, then turned about the axes x, y, z\n"
+		       "through the origin. The volume is the sum of those of the cells.",
+		.example = "region part mesh/hex file part.vtk scale 0.001 move 0 0 0 rotate 0 0 0 units box",
+		.args = args,
+		.state_size = sizeof(struct ts_cell_region),
+		.init = init,
+		.fini = ts_cell_region_fini,
+	},
+	.contains = ts_cell_region_contains,
+	.bounds = ts_cell_region_bounds,
+	.volume = ts_cell_region_volume,
+};

@@ -1,0 +1,35 @@
+/* Region: the tetrahedra of a file. */
+#include "mesh/cell_region.h"
+
+#include "base/banned.h"
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	return ts_cell_region_init(self, sim, 10);
+}
+
+static const struct ts_arg args[] = {
+	TS_CELL_REGION_ARGS,
+	TS_ARGS_END,
+};
+
+TS_STYLE(region, ts_region_style, ts_region_mesh_tet)
+const struct ts_region_style ts_region_mesh_tet = {
+	.style = {
+		.name = "mesh/tet",
+		.kind = TS_KIND_REGION,
+		.summary = "The tetrahedra of a file",
+		.doc = "All points in one of the cells of a legacy VTK file (text or binary) that has tetrahedra;\n"
+		       "points, lines and surfaces in it do not count. The file's coordinates are shifted, then scaled, then turned about the axes x, y, z\n"
+		       "through the origin. The volume is the sum of those of the cells. Points\n"
+		       "that lie exactly in a face do not belong to the cell.",
+		.example = "region part mesh/tet file part.vtk scale 0.001 move 0 0 0 rotate 0 0 0 units box",
+		.args = args,
+		.state_size = sizeof(struct ts_cell_region),
+		.init = init,
+		.fini = ts_cell_region_fini,
+	},
+	.contains = ts_cell_region_contains,
+	.bounds = ts_cell_region_bounds,
+	.volume = ts_cell_region_volume,
+};

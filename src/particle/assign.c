@@ -1,0 +1,171 @@
+/* Per-particle numbers written by the names scripts use. */
+#include "particle/particles.h"
+
+#include <math.h>
+
+#include "geom/box.h"
+
+#include "base/banned.h"
+
+typedef void assign_fn(struct ts_particles *p, size_t i, double value);
+
+static double volume(double radius)
+{
+	return 4.18879020478639098462 * radius * radius * radius; /* 4 pi / 3 */
+}
+
+static void set_type(struct ts_particles *p, size_t i, double value)
+{
+	p->type[i] = (int32_t)value;
+}
+
+static void set_radius(struct ts_particles *p, size_t i, double value)
+{
+	double density = p->mass[i] / volume(p->radius[i]);
+
+	p->radius[i] = value;
+	p->mass[i] = density * volume(value);
+}
+
+static void set_diameter(struct ts_particles *p, size_t i, double value)
+{
+	set_radius(p, i, 0.5 * value);
+}
+
+static void set_mass(struct ts_particles *p, size_t i, double value)
+{
+	p->mass[i] = value;
+}
+
+static void set_density(struct ts_particles *p, size_t i, double value)
+{
+	p->mass[i] = value * volume(p->radius[i]);
+}
+
+/* Either a component of a column or a function. */
+struct target {
+	const char *name;
+	enum ts_assign kind;
+	enum ts_column_id column;
+	int component;
+	assign_fn *assign;
+};
+
+#define VECTOR_TARGETS(x_, y_, z_, kind, id)                                                       \
+	{ x_, kind, TS_COL_##id, 0, NULL }, { y_, kind, TS_COL_##id, 1, NULL },                    \
+		{ z_, kind, TS_COL_##id, 2, NULL }
+
+static const struct target targets[] = {
+	VECTOR_TARGETS("x", "y", "z", TS_ASSIGN_MOTION, X),
+	VECTOR_TARGETS("vx", "vy", "vz", TS_ASSIGN_MOTION, V),
+	VECTOR_TARGETS("omegax", "omegay", "omegaz", TS_ASSIGN_MOTION, OMEGA),
+	VECTOR_TARGETS("ix", "iy", "iz", TS_ASSIGN_MOTION, IMAGE),
+	VECTOR_TARGETS("fx", "fy", "fz", TS_ASSIGN_FORCE, F),
+	VECTOR_TARGETS("tqx", "tqy", "tqz", TS_ASSIGN_FORCE, TORQUE),
+	{ "type", TS_ASSIGN_PROPERTY, TS_COL_TYPE, 0, set_type },
+	{ "radius", TS_ASSIGN_PROPERTY, TS_COL_RADIUS, 0, set_radius },
+	{ "diameter", TS_ASSIGN_PROPERTY, TS_COL_RADIUS, 0, set_diameter },
+	{ "mass", TS_ASSIGN_PROPERTY, TS_COL_MASS, 0, set_mass },
+	{ "density", TS_ASSIGN_PROPERTY, TS_COL_MASS, 0, set_density },
+};
+enum { NTARGETS = sizeof targets / sizeof *targets };
+
+static const struct target *find(const char *name)
+{
+	for (int k = 0; k < NTARGETS; k++)
+		if (ts_streq(targets[k].name, name))
+			return &targets[k];
+	return NULL;
+}
+
+enum ts_assign ts_particles_assignable(const struct tsim *sim, const char *name)
+{
+	const struct target *target = find(name);
+	size_t k;
+
+	if (target)
+		return target->kind;
+	return ts_particles_named_column(sim->particles, name, &k) ? TS_ASSIGN_MOTION
+								    : TS_ASSIGN_NOT;
+}
+
+/* What was expected instead of the value; NULL: it is good. */
+static const char *problem(const struct ts_particles *p, const struct target *target, double value)
+{
+	bool is_real = target->column != TS_COL_IMAGE && target->column != TS_COL_TYPE;
+
+	if (!isfinite(value))
+		return "a finite number";
+	if (!is_real && !(value == rint(value) && fabs(value) <= TS_TURNS_MOST))
+		return "a whole number";
+	if (target->column == TS_COL_TYPE && !(value >= 1 && value <= p->ntypes))
+		return "a type from 1 to the number in create_box";
+	if (target->kind == TS_ASSIGN_PROPERTY && !(value > 0))
+		return "a number > 0";
+	return NULL;
+}
+
+static void store(struct ts_particles *p, const struct target *target, size_t i, double value)
+{
+	if (target->assign)
+		target->assign(p, i, value);
+	else if (target->column == TS_COL_IMAGE)
+		p->image[i][target->component] = (int32_t)value;
+	else
+		((double *)p->column[target->column].data)[3 * i + (size_t)target->component] = value;
+}
+
+static enum ts_status unknown(struct tsim *sim, const char *name)
+{
+	struct ts_suggest suggest = ts_suggest_start(name);
+
+	if (ts_particles_has_quantity(sim, name))
+		return ts_fail(&sim->error, TS_STATE, NULL, "'%s' of particles cannot be written",
+			       name);
+	for (int k = 0; k < NTARGETS; k++)
+		ts_suggest_try(&suggest, targets[k].name);
+	return ts_fail(&sim->error, TS_UNKNOWN, NULL, "particles have no '%s' that can be written%s",
+		       name, ts_suggest_text(&suggest));
+}
+
+/* Columns of styles. */
+static enum ts_status assign_named(struct tsim *sim, const struct ts_column *c, size_t component,
+				   const int32_t *row, const double *value, size_t n)
+{
+	for (size_t k = 0; k < n; k++)
+		if (!isfinite(value[k]))
+			return ts_fail(&sim->error, TS_RANGE, NULL,
+				       "value %zu for '%s' is not finite", k, c->name);
+	for (size_t k = 0; k < n; k++)
+		((double *)c->data)[(row ? (size_t)row[k] : k) * c->width + component] = value[k];
+	return TS_OK;
+}
+
+enum ts_status ts_particles_assign(struct tsim *sim, const char *name, const int32_t *row,
+				   const double *value, size_t n)
+{
+	struct ts_particles *p = sim->particles;
+	const struct target *target = find(name);
+	size_t component;
+	const struct ts_column *named = ts_particles_named_column(p, name, &component);
+
+	if (named && !target)
+		return assign_named(sim, named, component, row, value, n);
+	if (!target)
+		return unknown(sim, name);
+	for (size_t k = 0; k < n; k++) {
+		size_t i = row ? (size_t)row[k] : k;
+		const char *expected = problem(p, target, value[k]);
+
+		if (expected)
+			return ts_fail(&sim->error, TS_RANGE, NULL,
+				       "%s of particle %d would be %g, expected %s", name, p->tag[i],
+				       value[k], expected);
+	}
+	TS_TRY(ts_particles_need(sim, 1u << target->column));
+	for (size_t k = 0; k < n; k++)
+		store(p, target, row ? (size_t)row[k] : k, value[k]);
+	if (target->column == TS_COL_MASS || target->column == TS_COL_RADIUS)
+		ts_particles_inverse_mass(p);
+	return TS_OK;
+}

@@ -1,0 +1,252 @@
+/* Storage of the particle columns: growth, adding, deleting, reordering of rows. */
+#include "particle/identity.h"
+#include "particle/particles.h"
+
+#include <string.h>
+
+#include "particle/body.h"
+
+#include "base/banned.h"
+
+static void *column_row(const struct ts_column *c, size_t row)
+{
+	return (char *)c->data + row * c->element * c->width;
+}
+
+static void bind(struct ts_column *c)
+{
+	if (c->bound)
+		*c->bound = c->data;
+}
+
+static enum ts_status enlarge(struct tsim *sim, struct ts_column *c, size_t rows, size_t capacity)
+{
+	void *data = ts_alloc_aligned(capacity * c->width, c->element);
+
+	if (!data)
+		return ts_nomem(&sim->error);
+	if (c->data)
+		memcpy(data, c->data, rows * c->width * c->element);
+	ts_hold_free(&sim->holds, c->data);
+	c->data = data;
+	bind(c);
+	sim->generation++;
+	return TS_OK;
+}
+
+enum ts_status ts_particles_reserve(struct tsim *sim, size_t rows)
+{
+	struct ts_particles *p = sim->particles;
+	size_t capacity = rows > 2 * p->capacity ? rows : 2 * p->capacity;
+
+	if (rows <= p->capacity)
+		return TS_OK;
+	if (capacity < 16)
+		capacity = 16;
+	for (size_t k = 0; k < p->ncolumns; k++)
+		if (p->column[k].active)
+			TS_TRY(enlarge(sim, &p->column[k], p->n + p->nghost, capacity));
+	p->capacity = capacity;
+	return TS_OK;
+}
+
+enum ts_status ts_particles_need(struct tsim *sim, unsigned columns)
+{
+	struct ts_particles *p = sim->particles;
+
+	for (size_t k = 0; k < TS_NCOLUMN_BUILTIN; k++) {
+		struct ts_column *c = &p->column[k];
+
+		if (c->active || !((columns >> k) & 1u || c->flags & TS_COL_ALWAYS))
+			continue;
+		c->active = true;
+		if (p->capacity)
+			TS_TRY(enlarge(sim, c, 0, p->capacity));
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_particles_add_column(struct tsim *sim, const char *name, size_t width,
+				       unsigned flags, size_t *index)
+{
+	struct ts_particles *p = sim->particles;
+	struct ts_column *c;
+
+	for (*index = 0; *index < p->ncolumns; ++*index)
+		if (ts_streq(p->column[*index].name, name))
+			break;
+	if (*index < p->ncolumns) {
+		if (p->column[*index].width == width)
+			return TS_OK;
+		return ts_fail(&sim->error, TS_STATE, NULL,
+			       "there is a column '%s' of %zu numbers per particle already, this "
+			       "one would have %zu; use another name",
+			       name, p->column[*index].width, width);
+	}
+	if (TS_GROW(p->column, p->column_capacity, p->ncolumns + 1) != TS_OK)
+		return ts_nomem(&sim->error);
+	c = &p->column[p->ncolumns];
+	*c = (struct ts_column){ .name = ts_pool_get(sim->pool, name), .type = TS_SAVED_F64,
+				 .element = sizeof(double), .width = width, .flags = flags,
+				 .active = true };
+	if (!c->name || (p->capacity && enlarge(sim, c, 0, p->capacity) != TS_OK))
+		return ts_nomem(&sim->error);
+	p->ncolumns++;
+	return TS_OK;
+}
+
+enum ts_status ts_particles_column_initial(struct tsim *sim, size_t index, const double *initial)
+{
+	struct ts_column *c = &sim->particles->column[index];
+
+	if (!c->initial)
+		c->initial = ts_alloc(c->width, sizeof *c->initial);
+	if (!c->initial)
+		return ts_nomem(&sim->error);
+	memcpy(c->initial, initial, c->width * sizeof *initial);
+	return TS_OK;
+}
+
+void ts_particles_fill_initial(struct ts_column *column, size_t from, size_t to)
+{
+	for (size_t i = from; column->initial && i < to; i++)
+		memcpy(column_row(column, i), column->initial, column->width * column->element);
+}
+
+/* Gives the numbers of each identity to the particle that has it now. */
+static enum ts_status distribute(struct tsim *sim, const struct ts_column *c, const int32_t *tag,
+				 size_t n, const double *data)
+{
+	struct ts_identities map;
+
+	TS_TRY(ts_identities(sim, false, &map));
+	for (size_t k = 0; k < n; k++)
+		if (ts_row_of(&map, tag[k]) >= 0)
+			memcpy(column_row(c, (size_t)ts_row_of(&map, tag[k])), data + k * c->width,
+			       c->width * c->element);
+	return TS_OK;
+}
+
+enum ts_status ts_particles_archive_column(struct ts_archive *archive, struct tsim *sim,
+					   const char *name, size_t index)
+{
+	struct ts_particles *p = sim->particles;
+	const struct ts_column *c = &p->column[index];
+	size_t tags = p->n, numbers = p->n * c->width, room = 0, space = 0;
+	struct ts_str key = { 0 };
+	int32_t *tag = NULL;
+	double *data = NULL;
+	enum ts_status status;
+
+	if (!ts_archive_writing(archive) && !ts_archive_has(archive, name))
+		return TS_OK; /* files of version 1 have no such columns */
+	ts_str_addf(&key, "%s of", name);
+	if (key.failed)
+		return ts_nomem(&sim->error);
+	if (ts_archive_writing(archive)) {
+		status = ts_archive_fixed(archive, ts_str_text(&key), TS_SAVED_I32, p->tag, p->n);
+		if (status == TS_OK)
+			status = ts_archive_fixed(archive, name, TS_SAVED_F64, c->data, numbers);
+	} else {
+		status = ts_archive_array(archive, ts_str_text(&key), TS_SAVED_I32, (void **)&tag,
+					  &room, &tags);
+		if (status == TS_OK)
+			status = ts_archive_array(archive, name, TS_SAVED_F64, (void **)&data,
+						  &space, &numbers);
+		if (status == TS_OK && numbers != tags * c->width)
+			status = ts_fail(&sim->error, TS_DAMAGED, NULL,
+					 "'%s' does not fit its particles", name);
+		if (status == TS_OK)
+			status = distribute(sim, c, tag, tags, data);
+	}
+	ts_str_release(&key);
+	ts_free(tag);
+	ts_free(data);
+	return status;
+}
+
+enum ts_status ts_particles_add(struct tsim *sim, size_t n, size_t *first)
+{
+	struct ts_particles *p = sim->particles;
+
+	p->nghost = 0;
+	if (n > (size_t)(INT32_MAX - p->max_tag))
+		return ts_fail(&sim->error, TS_RANGE, NULL, "too many particles");
+	TS_TRY(ts_particles_reserve(sim, p->n + n));
+	for (size_t k = 0; k < p->ncolumns && n; k++)
+		if (p->column[k].active)
+			memset(column_row(&p->column[k], p->n), 0,
+			       n * p->column[k].width * p->column[k].element);
+	for (size_t k = TS_NCOLUMN_BUILTIN; k < p->ncolumns; k++)
+		ts_particles_fill_initial(&p->column[k], p->n, p->n + n);
+	*first = p->n;
+	for (size_t i = p->n; i < p->n + n; i++) {
+		p->tag[i] = ++p->max_tag;
+		p->type[i] = 1;
+		p->mask[i] = 1;
+		p->radius[i] = 0.5;
+		p->mass[i] = ts_body_volume(sim, 0.5);
+	}
+	p->n += n;
+	if (sim->running) /* inserted, by who looks at overlaps himself */
+		p->settled = p->max_tag;
+	sim->generation++;
+	return TS_OK;
+}
+
+static void move_row(struct ts_particles *p, size_t from, size_t to)
+{
+	for (size_t k = 0; k < p->ncolumns; k++)
+		if (p->column[k].active)
+			memcpy(column_row(&p->column[k], to), column_row(&p->column[k], from),
+			       p->column[k].width * p->column[k].element);
+}
+
+enum ts_status ts_particles_delete(struct tsim *sim, const unsigned char *flag)
+{
+	struct ts_particles *p = sim->particles;
+	size_t kept = 0;
+
+	p->nghost = 0;
+	for (size_t i = 0; i < p->n; i++) {
+		if (flag[i])
+			continue;
+		if (kept != i)
+			move_row(p, i, kept);
+		kept++;
+	}
+	p->n = kept;
+	sim->generation++;
+	return TS_OK;
+}
+
+enum ts_status ts_particles_reorder(struct tsim *sim, const int32_t *order)
+{
+	struct ts_particles *p = sim->particles;
+
+	p->nghost = 0;
+	sim->generation++;
+	for (size_t k = 0; k < p->ncolumns; k++) {
+		struct ts_column *c = &p->column[k];
+		size_t row = c->width * c->element;
+		char *data;
+
+		if (!c->active || !p->capacity)
+			continue;
+		data = ts_alloc_aligned(p->capacity, row);
+		if (!data)
+			return ts_nomem(&sim->error);
+		for (size_t i = 0; i < p->n; i++)
+			memcpy(data + i * row, column_row(c, (size_t)order[i]), row);
+		ts_hold_free(&sim->holds, c->data);
+		c->data = data;
+		bind(c);
+	}
+	return TS_OK;
+}
+
+void ts_particles_inverse_mass(struct ts_particles *p)
+{
+	for (size_t i = 0; i < p->n; i++)
+		p->imass[i] = 1.0 / p->mass[i];
+}

@@ -1,0 +1,57 @@
+/* Command atom_style: the columns of data files. */
+#include "core/sim.h"
+
+#include "box/domain.h"
+#include "particle/particles.h"
+#include "restart/data.h"
+
+#include "base/banned.h"
+
+struct state {
+	struct ts_words words;
+};
+
+static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	const struct state *s = state;
+	struct ts_data_layout layout;
+	struct ts_str text = { 0 };
+	const char *kept;
+
+	if (sim->domain->exists)
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "atom_style must come before the simulation box is created");
+	for (size_t k = 0; k < s->words.n; k++)
+		ts_str_addf(&text, k ? " %s" : "%s", s->words.word[k].text);
+	kept = text.failed ? NULL : ts_pool_get(sim->pool, ts_str_text(&text));
+	ts_str_release(&text);
+	if (!kept)
+		return ts_nomem(&sim->error);
+	if (!ts_data_layout(kept, &layout))
+		return ts_data_refuse_style(sim, &s->words.word[0]);
+	sim->particles->atom_style = kept;
+	return TS_OK;
+}
+
+static const struct ts_arg args[] = {
+	TS_REST("style", struct state, words,
+		.help = "sphere, granular, bond, bond/gran, bpm/sphere, molecular, atomic, or hybrid and "
+			"several of them, with their settings; granular/omp is granular"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(command, ts_command_style, ts_command_atom_style)
+const struct ts_command_style ts_command_atom_style = {
+	.style = {
+		.name = "atom_style",
+		.kind = TS_KIND_COMMAND,
+		.summary = "Says which columns the particles of a data file have",
+		.doc = "Particles are spheres with a radius, mass and velocity. Rotation, bonds and all else\n"
+		       "exist as soon as something in the script needs them.",
+		.example = "atom_style granular\n"
+		       "atom_style hybrid granular bond/gran n_bondtypes 1 bonds_per_atom 6",
+		.args = args,
+		.state_size = sizeof(struct state),
+	},
+	.run = run,
+};

@@ -1,0 +1,273 @@
+/* Command delete_atoms: removes particles. */
+#include "core/sim.h"
+
+#include "box/domain.h"
+#include "core/group.h"
+#include "geom/pointhash.h"
+#include "group/group_dynamic.h"
+#include "particle/draw.h"
+#include "particle/identity.h"
+#include "particle/particles.h"
+#include "region/region.h"
+
+#include "base/banned.h"
+
+enum { GROUP, REGION, OVERLAP, POROSITY, RANDOM, VARIABLE };
+
+struct state {
+	int mode, group, other;
+	struct ts_instance *region;
+	double cutoff;
+	struct ts_words porosity;
+	int part; /* of random: enum part */
+	double amount;
+	bool exact, compress, bond, molecule;
+	int64_t seed;
+	const char *variable;
+};
+enum part { FRACTION, COUNT };
+
+/* In order of identity, so that the result does not depend on the order of rows: a member of
+ * `group` goes if a particle of `other` that stays is nearer than the cutoff. */
+static enum ts_status mark_overlaps(struct tsim *sim, const struct state *s,
+				    struct ts_pointhash *hash, unsigned char *flag)
+{
+	struct ts_particles *p = sim->particles;
+	struct ts_identities map;
+
+	TS_TRY(ts_identities(sim, true, &map));
+	for (size_t i = 0; i < p->n; i++)
+		if (ts_in_group(p, i, s->other) && !ts_in_group(p, i, s->group) &&
+		    ts_pointhash_add(hash, p->x[i]) != TS_OK)
+			return ts_nomem(&sim->error);
+	for (size_t k = 0; k < map.n; k++) {
+		size_t i = (size_t)map.row[k];
+
+		if (!ts_in_group(p, i, s->group))
+			continue;
+		flag[i] = ts_pointhash_near_periodic(hash, &sim->domain->box, p->x[i], s->cutoff);
+		if (!flag[i] && ts_in_group(p, i, s->other) &&
+		    ts_pointhash_add(hash, p->x[i]) != TS_OK)
+			return ts_nomem(&sim->error);
+	}
+	return TS_OK;
+}
+
+/* [GROUP] REGION FRACTION SEED: each goes with this probability. */
+static enum ts_status read_porosity(struct tsim *sim, struct state *s)
+{
+	struct ts_words w = s->porosity;
+
+	s->group = 0;
+	if (w.n == 4)
+		TS_TRY(ts_group_require(sim, &w.word[0], &s->group));
+	if (w.n == 4)
+		w = ts_words_from(w, 1);
+	if (w.n != 3)
+		return ts_fail(&sim->error, TS_SYNTAX, &s->porosity.word[0].place,
+			       "delete_atoms porosity: expected [GROUP] REGION FRACTION SEED");
+	s->region = NULL;
+	if (!ts_streq(w.word[0].text, "NULL"))
+		TS_TRY(ts_sim_require(sim, TS_KIND_REGION, &w.word[0], &s->region));
+	if (!ts_parse_real(w.word[1].text, &s->amount) || s->amount < 0 || s->amount > 1)
+		return ts_fail(&sim->error, TS_RANGE, &w.word[1].place,
+			       "delete_atoms porosity: '%s' is no fraction from 0 to 1",
+			       w.word[1].text);
+	if (!ts_parse_int(w.word[2].text, &s->seed) || s->seed < 1)
+		return ts_fail(&sim->error, TS_RANGE, &w.word[2].place,
+			       "delete_atoms porosity: '%s' is no seed, an integer > 0",
+			       w.word[2].text);
+	return TS_OK;
+}
+
+/* How many of those drawn go. */
+static enum ts_status wanted(struct tsim *sim, const struct state *s, const struct ts_draw *draw,
+			     size_t n, const struct ts_place *where, size_t *out)
+{
+	bool count = s->mode == RANDOM && s->part == COUNT;
+
+	if (count && s->amount > (double)n && s->exact)
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "delete_atoms random: %.0f are to go, but there are only %zu",
+			       s->amount, n);
+	if (count)
+		*out = s->amount < (double)n ? (size_t)s->amount : n;
+	else if (s->mode == RANDOM && s->exact)
+		*out = ts_draw_part(n, s->amount);
+	else
+		*out = ts_draw_below(draw, n, s->amount);
+	return TS_OK;
+}
+
+/* The flags say first who may go, then who goes. */
+static enum ts_status mark_random(struct tsim *sim, const struct state *s, unsigned char *flag,
+				  const struct ts_place *where)
+{
+	const struct ts_particles *p = sim->particles;
+	struct ts_draw *draw;
+	size_t n, gone = 0;
+	enum ts_status status;
+
+	for (size_t i = 0; i < p->n; i++)
+		flag[i] = ts_in_group(p, i, s->group) &&
+			  (!s->region || ts_region_contains(s->region, p->x[i]));
+	TS_TRY(ts_draw(sim, flag, s->seed, &draw, &n));
+	status = wanted(sim, s, draw, n, where, &gone);
+	for (size_t k = gone; status == TS_OK && k < n; k++)
+		flag[draw[k].row] = 0;
+	ts_free(draw);
+	return status;
+}
+
+static enum ts_status mark_variable(struct tsim *sim, const struct state *s, unsigned char *flag,
+				    const struct ts_place *where)
+{
+	struct ts_table value = { 0 };
+	enum ts_status status = ts_group_variable(sim, s->variable, where, &value);
+
+	for (size_t i = 0; status == TS_OK && i < sim->particles->n; i++)
+		flag[i] = value.data[i] != 0;
+	ts_table_release(&value);
+	return status;
+}
+
+static enum ts_status mark(struct tsim *sim, const struct state *s, unsigned char *flag,
+			   const struct ts_place *where)
+{
+	const struct ts_particles *p = sim->particles;
+	struct ts_pointhash hash;
+	enum ts_status status;
+
+	TS_TRY(ts_region_update(s->region, sim));
+	if (s->mode == POROSITY || s->mode == RANDOM)
+		return mark_random(sim, s, flag, where);
+	if (s->mode == VARIABLE)
+		return mark_variable(sim, s, flag, where);
+	if (s->mode == OVERLAP) {
+		if (ts_pointhash_start(&hash, s->cutoff) != TS_OK)
+			return ts_nomem(&sim->error);
+		status = mark_overlaps(sim, s, &hash, flag);
+		ts_pointhash_release(&hash);
+		return status;
+	}
+	for (size_t i = 0; i < p->n; i++)
+		flag[i] = s->mode == GROUP ? ts_in_group(p, i, s->group)
+					   : ts_region_contains(s->region, p->x[i]);
+	return TS_OK;
+}
+
+static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	struct state *s = state;
+	struct ts_particles *p = sim->particles;
+	size_t before = p->n;
+	unsigned char *flag;
+	enum ts_status status;
+
+	TS_TRY(ts_region_update(s->region, sim));
+	if (s->mode == POROSITY)
+		TS_TRY(read_porosity(sim, s));
+	if (s->mode == RANDOM && s->part == FRACTION && s->amount > 1)
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "delete_atoms random: %g is no fraction from 0 to 1", s->amount);
+	flag = ts_alloc(p->n, 1);
+	if (!flag)
+		return ts_nomem(&sim->error);
+	status = mark(sim, s, flag, where);
+	if (status == TS_OK)
+		status = ts_particles_delete(sim, flag);
+	ts_free(flag);
+	if (status == TS_OK)
+		ts_log(&sim->log, "Deleted %zu atoms, new total = %zu\n", before - p->n, p->n);
+	return status;
+}
+
+static const struct ts_arg group_args[] = {
+	TS_GROUP("group", struct state, group, .flags = TS_POSITIONAL, .help = "who is removed"),
+	TS_ARGS_END,
+};
+
+static const struct ts_arg region_args[] = {
+	TS_REGION("region", struct state, region, .flags = TS_POSITIONAL,
+		  .help = "where particles are removed"),
+	TS_ARGS_END,
+};
+
+static const struct ts_arg overlap_args[] = {
+	TS_REAL("cutoff", struct state, cutoff, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+		.unit = "length", .help = "distance of centers below which one is removed"),
+	TS_GROUP("group", struct state, group, .flags = TS_POSITIONAL,
+		 .help = "particles that may be removed"),
+	TS_GROUP("other", struct state, other, .flags = TS_POSITIONAL,
+		 .help = "particles that they may be too near to"),
+	TS_ARGS_END,
+};
+
+static const struct ts_arg porosity_args[] = {
+	TS_LIST("what", struct state, porosity,
+		.help = "[GROUP] REGION FRACTION SEED; the region may be NULL"),
+	TS_ARGS_END,
+};
+
+static const char *const parts[] = { "fraction", "count", NULL };
+static const struct ts_arg random_args[] = {
+	TS_ENUM("part", struct state, part, parts, .flags = TS_POSITIONAL,
+		.help = "whether a part or a number is given"),
+	TS_REAL("amount", struct state, amount, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
+		.help = "the part, or the number"),
+	TS_BOOL("exact", struct state, exact, .flags = TS_POSITIONAL,
+		.help = "fraction: exactly this part, not this probability; count: refuse if there "
+			"are not so many"),
+	TS_GROUP("group", struct state, group, .flags = TS_POSITIONAL, .help = "who may go"),
+	TS_REGION("region", struct state, region, .flags = TS_POSITIONAL | TS_NULLABLE,
+		  .help = "where; NULL: everywhere"),
+	TS_INT("seed", struct state, seed, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+	       .help = "seed of the random numbers, which are keyed by identity"),
+	TS_ARGS_END,
+};
+
+static const struct ts_arg variable_args[] = {
+	TS_REF("variable", struct state, variable, .flags = TS_POSITIONAL,
+	       .help = "an atom-style variable, NAME or v_NAME: those for which it is not 0"),
+	TS_ARGS_END,
+};
+
+static const struct ts_mode modes[] = {
+	[GROUP] = { "group", "all particles of a group", group_args },
+	[REGION] = { "region", "all particles whose centers lie in a region", region_args },
+	[OVERLAP] = { "overlap", "particles too near to others", overlap_args },
+	[POROSITY] = { "porosity", "a random part of a region", porosity_args },
+	[RANDOM] = { "random", "a random part, or a number", random_args },
+	[VARIABLE] = { "variable", "those that a variable names", variable_args },
+	{ .name = NULL },
+};
+
+static const struct ts_arg args[] = {
+	TS_MODE("style", struct state, mode, modes, .help = "which particles are removed"),
+	TS_BOOL("compress", struct state, compress, .fallback = "no",
+		.help = "no effect: identities are kept and never used again"),
+	TS_BOOL("bond", struct state, bond, .fallback = "yes",
+		.help = "no effect: bonds of removed particles always go with them"),
+	TS_BOOL("mol", struct state, molecule, .fallback = "no",
+		.help = "no effect: particles belong to no molecules"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(command, ts_command_style, ts_command_delete_atoms)
+const struct ts_command_style ts_command_delete_atoms = {
+	.style = {
+		.name = "delete_atoms",
+		.kind = TS_KIND_COMMAND,
+		.summary = "Removes particles",
+		.doc = "Bonds of removed particles go with them. overlap looks at the particles in the order\n"
+		       "of their identities; of two members of both groups that are too near the first stays.",
+		.example = "delete_atoms group loose\n"
+			   "delete_atoms region hole\n"
+			   "delete_atoms overlap 0.001 all all\n"
+			   "delete_atoms porosity bed 0.25 86028157",
+		.args = args,
+		.state_size = sizeof(struct state),
+	},
+	.needs_box = true,
+	.run = run,
+};

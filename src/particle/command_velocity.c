@@ -1,0 +1,399 @@
+/* Command velocity: gives particles velocities. */
+#include "core/sim.h"
+
+#include <math.h>
+
+#include "box/domain.h"
+#include "group/group_spin.h"
+#include "group/temperature.h"
+#include "math/rng.h"
+#include "math/vec3.h"
+#include "particle/moments.h"
+#include "particle/particles.h"
+#include "region/region.h"
+
+#include "base/banned.h"
+
+enum { SET, CREATE, SCALE, RAMP, ZERO };
+enum { LINEAR, ANGULAR, EACH };
+
+struct state {
+	int group, mode;
+	struct ts_number value[3];
+	bool sum;
+	double temperature;
+	int64_t seed;
+	bool momentum, rotation;
+	int gaussian, loop;
+	int component, dim; /* of ramp */
+	double v[2], x[2];
+	int zero, units;
+	const char *temp; /* name of the compute that measures temperatures; NULL: of the group */
+	bool bias;
+};
+
+/* Lengths of `units lattice` are lattice spacings. */
+static double scale_of(const struct tsim *sim, const struct state *s, int dim)
+{
+	return ts_domain_scale(sim, s->units, dim);
+}
+
+static void zero_momentum(struct tsim *sim, int group)
+{
+	struct ts_particles *p = sim->particles;
+	double v[3];
+
+	ts_group_velocity(sim, group, v);
+	for (size_t i = 0; i < p->n; i++)
+		for (int d = 0; ts_in_group(p, i, group) && d < 3; d++)
+			p->v[i][d] -= v[d];
+}
+
+/* The velocities of the rigid turn that has the group's angular momentum are taken away. */
+static void zero_rotation(struct tsim *sim, int group)
+{
+	struct ts_particles *p = sim->particles;
+	double centre[3], omega[3];
+
+	ts_group_spin(sim, group, centre, omega);
+	for (size_t i = 0; i < p->n; i++) {
+		double arm[3], turn[3];
+
+		if (!ts_in_group(p, i, group))
+			continue;
+		ts_unwrapped(sim, i, arm);
+		ts_sub(arm, centre, arm);
+		ts_cross(omega, arm, turn);
+		ts_sub(p->v[i], turn, p->v[i]);
+	}
+}
+
+static double temperature(const struct tsim *sim, int group, double *count)
+{
+	double tensor[7];
+
+	ts_kinetic_tensor(sim, group, NULL, tensor);
+	*count = tensor[6];
+	if (tensor[6] == 1) /* one particle has all its degrees of freedom */
+		tensor[6] = 2;
+	return ts_temperature(sim, tensor, NULL);
+}
+
+static enum ts_status thermometer(struct tsim *sim, const struct state *s,
+				  const struct ts_place *where, struct ts_instance **out)
+{
+	const struct ts_word id = { .text = s->temp, .place = *ts_sim_word_of(sim, s->temp, where) };
+	const struct ts_value *value;
+
+	TS_TRY(ts_sim_require(sim, TS_KIND_COMPUTE, &id, out));
+	value = ts_value_find(*out, TS_SCALAR);
+	if (!value || !ts_streq(value->unit, "temperature"))
+		return ts_fail(&sim->error, TS_RANGE, &id.place,
+			       "velocity: compute %s gives no temperature", s->temp);
+	if (s->bias && !ts_streq((*out)->style->name, "temp/com"))
+		return ts_fail(&sim->error, TS_RANGE, &id.place,
+			       "velocity: bias yes needs a temperature of what is left of the velocities "
+			       "without a part of them: compute temp/com; %s leaves out nothing",
+			       (*out)->style->name);
+	return TS_OK;
+}
+
+static enum ts_status measure(struct tsim *sim, const struct state *s, const struct ts_place *where,
+			      double *now)
+{
+	struct ts_instance *inst;
+
+	TS_TRY(thermometer(sim, s, where, &inst));
+	TS_TRY(ts_value_eval(inst, sim, ts_value_find(inst, TS_SCALAR), &inst->table));
+	*now = inst->table.data[0];
+	return TS_OK;
+}
+
+/* The velocity of the centre of mass, which temp/com leaves out, times `sign` onto its group. */
+static void shift(struct tsim *sim, const struct state *s, const double mean[3], double sign)
+{
+	struct ts_particles *p = sim->particles;
+	int group = ts_sim_find(sim, TS_KIND_COMPUTE, s->temp)->group;
+
+	for (size_t i = 0; i < p->n; i++)
+		if (ts_in_group(p, i, group))
+			ts_axpy(sign, mean, p->v[i]);
+}
+
+/* `alone`: as the group moves now, whatever compute there is. */
+static enum ts_status rescale(struct tsim *sim, const struct state *s, bool alone,
+			      const struct ts_place *where)
+{
+	struct ts_particles *p = sim->particles;
+	double count, now = temperature(sim, s->group, &count), factor;
+
+	if (count == 0)
+		return TS_OK;
+	if (s->temp && !alone)
+		TS_TRY(measure(sim, s, where, &now));
+	if (!(now > 0) && s->temperature > 0)
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "velocity: the group is at rest, so no factor gives it a temperature");
+	factor = now > 0 ? sqrt(s->temperature / now) : 0;
+	for (size_t i = 0; i < p->n; i++)
+		for (int d = 0; ts_in_group(p, i, s->group) && d < 3; d++)
+			p->v[i][d] *= factor;
+	return TS_OK;
+}
+
+static enum ts_status scale(struct tsim *sim, const struct state *s, const struct ts_place *where)
+{
+	struct ts_instance *inst;
+	double mean[3];
+	enum ts_status status;
+
+	if (!s->bias)
+		return rescale(sim, s, false, where);
+	TS_TRY(thermometer(sim, s, where, &inst));
+	ts_group_velocity(sim, inst->group, mean);
+	shift(sim, s, mean, -1);
+	status = rescale(sim, s, false, where);
+	shift(sim, s, mean, 1);
+	return status;
+}
+
+static enum ts_status set(struct tsim *sim, const struct state *s, const struct ts_place *where)
+{
+	struct ts_particles *p = sim->particles;
+	struct ts_table table = { 0 };
+	enum ts_status status = TS_OK;
+
+	for (int d = 0; d < 3 && status == TS_OK; d++) {
+		const char *variable = s->value[d].variable;
+		double constant = 0, scale = scale_of(sim, s, d);
+		bool each = variable && sim->host->is_peratom(sim->host_data, variable);
+
+		if (s->value[d].null)
+			continue;
+		status = each ? sim->host->peratom(sim->host_data, variable, where, &table)
+			      : ts_number_now(sim, &s->value[d], where, &constant);
+		for (size_t i = 0; i < p->n && status == TS_OK; i++)
+			if (ts_in_group(p, i, s->group))
+				p->v[i][d] = (s->sum ? p->v[i][d] : 0) +
+					     scale * (each ? table.data[i] : constant);
+	}
+	ts_table_release(&table);
+	return status;
+}
+
+/* Before the temperature is made exact: components of unit variance by the root of the mass. */
+static void draw(struct tsim *sim, const struct state *s)
+{
+	struct ts_particles *p = sim->particles;
+
+	for (size_t i = 0; i < p->n; i++) {
+		struct ts_rng rng = ts_rng_start((uint64_t)s->seed, (uint64_t)p->tag[i]);
+
+		if (!ts_in_group(p, i, s->group))
+			continue;
+		for (int d = 0; d < 3; d++) {
+			double u = s->gaussian ? ts_rng_normal(&rng)
+					       : sqrt(12) * (ts_rng_uniform(&rng) - 0.5);
+
+			p->v[i][d] = d < sim->dimension ? u / sqrt(p->mass[i]) : 0;
+		}
+	}
+}
+
+/* The numbers belong to the identities of the particles. With `bias` the mean velocity stays; with `sum`
+ * the old velocities come back on top. */
+static enum ts_status create(struct tsim *sim, const struct state *s, const struct ts_place *where)
+{
+	struct ts_particles *p = sim->particles;
+	double(*old)[3], mean[3] = { 0 };
+	struct ts_instance *inst = NULL;
+	enum ts_status status;
+
+	if (s->temp)
+		TS_TRY(thermometer(sim, s, where, &inst));
+	if (s->bias)
+		ts_group_velocity(sim, inst->group, mean);
+	old = ts_alloc(p->n, sizeof *old);
+	if (!old)
+		return ts_nomem(&sim->error);
+	for (size_t i = 0; i < p->n; i++)
+		for (int d = 0; d < 3; d++)
+			old[i][d] = p->v[i][d];
+	if (s->bias)
+		shift(sim, s, mean, -1);
+	draw(sim, s);
+	if (s->momentum && ts_group_count(sim, s->group) > 1)
+		zero_momentum(sim, s->group);
+	if (s->rotation)
+		zero_rotation(sim, s->group);
+	status = rescale(sim, s, s->bias, where);
+	if (s->bias)
+		shift(sim, s, mean, 1);
+	for (size_t i = 0; s->sum && status == TS_OK && i < p->n; i++)
+		for (int d = 0; ts_in_group(p, i, s->group) && d < 3; d++)
+			p->v[i][d] += old[i][d];
+	ts_free(old);
+	return status;
+}
+
+static enum ts_status ramp(struct tsim *sim, const struct state *s, const struct ts_place *where)
+{
+	struct ts_particles *p = sim->particles;
+	double scale = scale_of(sim, s, s->component), along = scale_of(sim, s, s->dim);
+
+	if (s->x[0] == s->x[1])
+		return ts_fail(&sim->error, TS_RANGE, where, "velocity ramp: both ends lie at %g",
+			       s->x[0]);
+	for (size_t i = 0; i < p->n; i++) {
+		double at = (p->x[i][s->dim] / along - s->x[0]) / (s->x[1] - s->x[0]);
+
+		at = fmin(1, fmax(0, at));
+		if (ts_in_group(p, i, s->group))
+			p->v[i][s->component] = (s->sum ? p->v[i][s->component] : 0) +
+						scale * (s->v[0] + at * (s->v[1] - s->v[0]));
+	}
+	return TS_OK;
+}
+
+static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	const struct state *s = state;
+	struct ts_particles *p = sim->particles;
+
+	if (s->bias && !s->temp)
+		return ts_fail(&sim->error, TS_SYNTAX, ts_sim_word_of(sim, "bias", where),
+			       "velocity: bias yes needs `temp` with the name of a compute temp/com");
+	if (s->mode == SET || s->mode == RAMP)
+		ts_domain_units_said(sim, s->units, where);
+	switch (s->mode) {
+	case SET:
+		return set(sim, s, where);
+	case CREATE:
+		return create(sim, s, where);
+	case SCALE:
+		return scale(sim, s, where);
+	case RAMP:
+		return ramp(sim, s, where);
+	default:
+		break;
+	}
+	if (s->zero == LINEAR)
+		zero_momentum(sim, s->group);
+	else if (s->zero == ANGULAR)
+		zero_rotation(sim, s->group);
+	for (size_t i = 0; s->zero == EACH && p->omega && i < p->n; i++)
+		for (int d = 0; ts_in_group(p, i, s->group) && d < 3; d++)
+			p->omega[i][d] = 0;
+	return TS_OK;
+}
+
+#define COMPONENT(name, d)                                                                         \
+	TS_NUMBER(name, struct state, value[d], .flags = TS_POSITIONAL | TS_NULLABLE,              \
+		  .unit = "velocity", .help = "component, v_name, or NULL: leave it")
+static const struct ts_arg set_args[] = {
+	COMPONENT("vx", 0),
+	COMPONENT("vy", 1),
+	COMPONENT("vz", 2),
+	TS_ARGS_END,
+};
+
+static const char *const distributions[] = { "uniform", "gaussian", NULL };
+static const char *const loops[] = { "all", "local", "geom", NULL };
+static const struct ts_arg create_args[] = {
+	TS_REAL("temperature", struct state, temperature, .flags = TS_POSITIONAL,
+		.range = TS_NOT_NEGATIVE, .unit = "temperature",
+		.help = "temperature of the translation"),
+	TS_INT("seed", struct state, seed, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+	       .help = "seed of the random numbers"),
+	TS_ARGS_END,
+};
+
+static const struct ts_arg scale_args[] = {
+	TS_REAL("temperature", struct state, temperature, .flags = TS_POSITIONAL,
+		.range = TS_NOT_NEGATIVE, .unit = "temperature",
+		.help = "temperature of the translation"),
+	TS_ARGS_END,
+};
+
+static const char *const components[] = { "vx", "vy", "vz", NULL };
+static const char *const dims[] = { "x", "y", "z", NULL };
+static const struct ts_arg ramp_args[] = {
+	TS_ENUM("component", struct state, component, components, .flags = TS_POSITIONAL,
+		.help = "component that is set"),
+	TS_REAL("vlo", struct state, v[0], .flags = TS_POSITIONAL, .unit = "velocity",
+		.help = "its value at the low end"),
+	TS_REAL("vhi", struct state, v[1], .flags = TS_POSITIONAL, .unit = "velocity",
+		.help = "its value at the high end"),
+	TS_ENUM("dim", struct state, dim, dims, .flags = TS_POSITIONAL,
+		.help = "coordinate along which it changes"),
+	TS_REAL("lo", struct state, x[0], .flags = TS_POSITIONAL, .unit = "length",
+		.help = "the low end"),
+	TS_REAL("hi", struct state, x[1], .flags = TS_POSITIONAL, .unit = "length",
+		.help = "the high end"),
+	TS_ARGS_END,
+};
+
+static const char *const zeros[] = { "linear", "angular", "angularIndividual", NULL };
+static const struct ts_arg zero_args[] = {
+	TS_ENUM("what", struct state, zero, zeros, .flags = TS_POSITIONAL,
+		.help = "linear: the momentum of the group; angular: its angular momentum; "
+			"angularIndividual: the spin of each particle"),
+	TS_ARGS_END,
+};
+
+static const struct ts_mode modes[] = {
+	[SET] = { "set", "the same velocity for all, or one from a variable", set_args },
+	[CREATE] = { "create", "random velocities of a temperature", create_args },
+	[SCALE] = { "scale", "one factor for all that gives a temperature", scale_args },
+	[RAMP] = { "ramp", "a component that changes linearly in space", ramp_args },
+	[ZERO] = { "zero", "take away momentum or spin", zero_args },
+	{ .name = NULL },
+};
+
+static const struct ts_arg args[] = {
+	TS_GROUP("group", struct state, group, .flags = TS_POSITIONAL,
+		 .help = "particles that are changed"),
+	TS_MODE("style", struct state, mode, modes, .help = "which velocities they get"),
+	TS_BOOL("sum", struct state, sum, .fallback = "no",
+		.help = "add to the velocities they have (not scale and zero)"),
+	TS_ENUM("dist", struct state, gaussian, distributions, .fallback = "uniform",
+		.help = "create: distribution of each component"),
+	TS_BOOL("mom", struct state, momentum, .fallback = "yes",
+		.help = "create: take away the momentum of the group"),
+	TS_BOOL("rot", struct state, rotation, .fallback = "no",
+		.help = "create: take away the angular momentum of the group"),
+	TS_ENUM("loop", struct state, loop, loops, .fallback = "all",
+		.help = "no effect: the numbers belong to the identities"),
+	TS_WORD("temp", struct state, temp, .flags = TS_OPTIONAL,
+		.help = "name of a compute whose temperature create and scale reach; without it that of the "
+			"group"),
+	TS_BOOL("bias", struct state, bias, .fallback = "no",
+		.help = "create and scale keep what compute temp/com, given by temp, leaves out: the motion "
+			"of the centre of mass"),
+	TS_ENUM("units", struct state, units, ts_region_units, .flags = TS_OPTIONAL,
+		.help = "whether set and ramp count lengths in lattice spacings or as they are"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(command, ts_command_style, ts_command_velocity)
+const struct ts_command_style ts_command_velocity = {
+	.style = {
+		.name = "velocity",
+		.kind = TS_KIND_COMMAND,
+		.summary = "Gives particles velocities",
+		.doc = "create draws each component with the variance 1/m, keyed by seed and identity, takes away the\n"
+		       "momentum, and scales to the exact temperature T = sum m v^2 / (D (N - 1) k), D dimensions, N\n"
+		       "particles. ramp interpolates linearly between the ends and is constant beyond them. zero\n"
+		       "angular takes away the turn as a rigid body, omega x (x - x_cm), that has the angular momentum\n"
+		       "of the group.",
+		.example = "velocity all set 0 0 -1.5\n"
+			   "velocity gas create 300 86028157 dist gaussian\n"
+			   "velocity gas scale 250 temp drifting bias yes\n"
+			   "velocity all ramp vx 0 1 z 0 0.1\n"
+			   "velocity all zero linear",
+		.args = args,
+		.state_size = sizeof(struct state),
+	},
+	.needs_box = true,
+	.run = run,
+};

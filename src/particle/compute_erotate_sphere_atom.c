@@ -1,0 +1,35 @@
+/* Compute: kinetic energy of rotation of each particle. */
+#include "group/kinetic_energy.h"
+#include "particle/particles.h"
+
+#include "base/banned.h"
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	const struct ts_particles *p = sim->particles;
+
+	TS_TRY(ts_table_resize(out, p->n, 1));
+	for (size_t i = 0; i < p->n; i++)
+		out->data[i] = ts_in_group(p, i, self->group) ? ts_rotation_energy(sim, i) : 0;
+	return TS_OK;
+}
+
+static const struct ts_value values[] = {
+	{ .name = "energy",
+	  .unit = "energy",
+	  .help = "kinetic energy of rotation; 0 outside the group",
+	  .shape = TS_PERATOM,
+	  .columns = 1,
+	  .eval = eval },
+	{ .name = NULL },
+};
+
+TS_STYLE(compute, ts_style, ts_compute_erotate_sphere_atom)
+const struct ts_style ts_compute_erotate_sphere_atom = {
+	.name = "erotate/sphere/atom",
+	.kind = TS_KIND_COMPUTE,
+	.summary = "Kinetic energy of rotation of each particle",
+	.doc = "I omega^2 / 2 with I = 0.4 m R^2 (0.5 m R^2 for discs); 0 where nothing makes particles rotate.",
+	.example = "compute rotation all erotate/sphere/atom",
+	.values = values,
+};

@@ -1,0 +1,38 @@
+/* Compute: kinetic energy of translation of each particle. */
+#include "group/kinetic_energy.h"
+#include "particle/particles.h"
+
+#include "base/banned.h"
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	const struct ts_particles *p = sim->particles;
+
+	TS_TRY(ts_table_resize(out, p->n, 1));
+	for (size_t i = 0; i < p->n; i++)
+		out->data[i] = ts_in_group(p, i, self->group)
+				       ? ts_kinetic_energy(sim, i)
+				       : 0;
+	return TS_OK;
+}
+
+static const struct ts_value values[] = {
+	{ .name = "energy",
+	  .unit = "energy",
+	  .help = "kinetic energy of translation; 0 outside the group",
+	  .shape = TS_PERATOM,
+	  .columns = 1,
+	  .eval = eval },
+	{ .name = NULL },
+};
+
+TS_STYLE(compute, ts_style, ts_compute_ke_atom)
+const struct ts_style ts_compute_ke_atom = {
+	.name = "ke/atom",
+	.kind = TS_KIND_COMPUTE,
+	.summary = "Kinetic energy of translation of each particle",
+	.doc = "m v^2 / 2 of each particle of the group, 0 for others. Rotation is in compute\n"
+	       "erotate/sphere/atom. The spheres of a clump share the energy of its centre of mass.",
+	.example = "compute energy all ke/atom",
+	.values = values,
+};

@@ -1,0 +1,154 @@
+/* Compute: mean squared displacement. */
+#include "particle/moments.h"
+#include "particle/reference.h"
+
+#include "math/vec3.h"
+
+#include "base/banned.h"
+
+struct msd {
+	bool com, average;
+	struct ts_reference start;
+	double centre[3]; /* saved: of mass, when the compute was defined */
+	int64_t samples;  /* saved: in the average positions */
+	int64_t last;	  /* saved: step of the last of them */
+	struct tsim *sim;
+};
+
+static void place(const struct ts_instance *self, const struct tsim *sim, size_t i,
+		  double now[3])
+{
+	(void)self;
+	ts_unwrapped(sim, i, now);
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct msd *s = self->state;
+
+	s->sim = sim;
+	if (s->start.started)
+		return TS_OK;
+	if (ts_sim_has_box(sim))
+		ts_group_centre(sim, self->group, s->centre);
+	s->last = -1;
+	return ts_reference_init(self, sim, &s->start, place);
+}
+
+static enum ts_status new_particles(struct ts_instance *self, struct tsim *sim)
+{
+	ts_reference_add(sim, &((struct msd *)self->state)->start);
+	return TS_OK;
+}
+
+/* Displacement of particle i; with `com` that of the centre of mass is taken off. */
+static void displacement(const struct tsim *sim, const struct msd *s, const double drift[3], size_t i,
+			 double d[3])
+{
+	ts_unwrapped(sim, i, d);
+	ts_sub(d, ts_reference_of(sim, &s->start, i), d);
+	ts_sub(d, drift, d);
+}
+
+struct task {
+	const struct msd *s;
+	double drift[3];
+};
+
+static void square(const struct tsim *sim, size_t i, void *context, double *term)
+{
+	const struct task *t = context;
+	double d[3];
+
+	displacement(sim, t->s, t->drift, i, d);
+	for (int k = 0; k < 3; k++)
+		term[k] = d[k] * d[k];
+	term[3] = term[0] + term[1] + term[2];
+	term[4] = 1;
+}
+
+/* The mean position so far takes the place of the first one: x0 += (x - drift - x0) / samples. */
+static void average(struct ts_instance *self, const double drift[3])
+{
+	struct msd *s = self->state;
+	struct tsim *sim = s->sim;
+
+	if (s->last == sim->clock.step)
+		return;
+	s->last = sim->clock.step;
+	s->samples++;
+	for (size_t i = 0; i < sim->particles->n; i++) {
+		double d[3];
+
+		displacement(sim, s, drift, i, d);
+		ts_axpy(1.0 / (double)(s->samples + 1), d, ts_reference_of(sim, &s->start, i));
+	}
+}
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	struct msd *s = self->state;
+	struct task task = { s, { 0 } };
+	double sum[5];
+
+	ts_reference_add(s->sim, &s->start);
+	if (s->com) {
+		ts_group_centre(sim, self->group, task.drift);
+		ts_sub(task.drift, s->centre, task.drift);
+	}
+	if (s->average)
+		average(self, task.drift);
+	ts_group_sum(sim, self->group, 5, square, &task, sum);
+	for (int k = 0; k < 4; k++)
+		out->data[k] = sum[4] > 0 ? sum[k] / sum[4] : 0;
+	return TS_OK;
+}
+
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	return ts_reference_archive(a, sim, &((struct msd *)self->state)->start);
+}
+
+static const char *const names[] = { "x", "y", "z", "total", NULL };
+static const struct ts_value values[] = {
+	{ "msd", "length^2", "mean squared displacement along the axes, and their sum", TS_VECTOR, 4,
+	  names, eval },
+	{ .name = NULL },
+};
+
+static const struct ts_saved saved[] = {
+	TS_SAVE_F64(struct msd, centre),
+	TS_SAVE_I64(struct msd, samples),
+	TS_SAVE_I64(struct msd, last),
+	TS_SAVED_ROWS_END,
+};
+
+static const struct ts_arg args[] = {
+	TS_BOOL("com", struct msd, com, .flags = TS_STATEFUL, .fallback = "no",
+		.help = "take off the drift of the centre of mass"),
+	TS_BOOL("average", struct msd, average, .flags = TS_STATEFUL, .fallback = "no",
+		.help = "from the mean position so far instead of the first one"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(compute, ts_style, ts_compute_msd)
+const struct ts_style ts_compute_msd = {
+	.name = "msd",
+	.kind = TS_KIND_COMPUTE,
+	.summary = "Mean squared displacement",
+	.doc = "The mean of (x - x0)^2 over the group, x0 being the place when the compute was defined, or "
+	       "when the\n"
+	       "particle was inserted if that was later. Periodic wrapping does not count. The places are "
+	       "kept in\n"
+	       "restart files. With `average yes` x0 is the mean of all places in which the compute has "
+	       "been\n"
+	       "evaluated so far, one for each step.",
+	.example = "compute msd all msd com yes\nthermo_style custom step c_msd[4]",
+	.args = args,
+	.state_size = sizeof(struct msd),
+	.saved = saved,
+	.archive = archive,
+	.values = values,
+	.init = init,
+	.hook = { [TS_STAGE_POST_BUILD] = new_particles, [TS_STAGE_SETUP] = new_particles },
+};

@@ -1,0 +1,82 @@
+/* Compute: autocorrelation of velocities. */
+#include "particle/moments.h"
+#include "particle/reference.h"
+
+#include "base/banned.h"
+
+struct vacf {
+	struct ts_reference start;
+	struct tsim *sim;
+};
+
+static void velocity(const struct ts_instance *self, const struct tsim *sim, size_t i,
+		     double now[3])
+{
+	(void)self;
+	for (int d = 0; d < 3; d++)
+		now[d] = sim->particles->v[i][d];
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct vacf *s = self->state;
+
+	s->sim = sim;
+	return ts_reference_init(self, sim, &s->start, velocity);
+}
+
+static enum ts_status new_particles(struct ts_instance *self, struct tsim *sim)
+{
+	ts_reference_add(sim, &((struct vacf *)self->state)->start);
+	return TS_OK;
+}
+
+static void product(const struct tsim *sim, size_t i, void *context, double *term)
+{
+	const double *v0 = ts_reference_of(sim, context, i);
+
+	for (int d = 0; d < 3; d++)
+		term[d] = sim->particles->v[i][d] * v0[d];
+	term[3] = term[0] + term[1] + term[2];
+	term[4] = 1;
+}
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	struct vacf *s = self->state;
+	double sum[5];
+
+	TS_TRY(new_particles(self, s->sim));
+	ts_group_sum(sim, self->group, 5, product, &s->start, sum);
+	for (int k = 0; k < 4; k++)
+		out->data[k] = sum[4] > 0 ? sum[k] / sum[4] : 0;
+	return TS_OK;
+}
+
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	return ts_reference_archive(a, sim, &((struct vacf *)self->state)->start);
+}
+
+static const char *const names[] = { "x", "y", "z", "total", NULL };
+static const struct ts_value values[] = {
+	{ "vacf", "velocity^2", "mean of v v0 along the axes, and their sum", TS_VECTOR, 4, names,
+	  eval },
+	{ .name = NULL },
+};
+
+TS_STYLE(compute, ts_style, ts_compute_vacf)
+const struct ts_style ts_compute_vacf = {
+	.name = "vacf",
+	.kind = TS_KIND_COMPUTE,
+	.summary = "Autocorrelation of velocities",
+	.doc = "The mean of v v0 over the group, v0 being the velocity when the compute was defined, or "
+	       "when the\n"
+	       "particle was inserted if that was later. The velocities are kept in restart files.",
+	.example = "compute memory all vacf\nfix series all vector 10 c_memory[4]",
+	.state_size = sizeof(struct vacf),
+	.archive = archive,
+	.values = values,
+	.init = init,
+	.hook = { [TS_STAGE_POST_BUILD] = new_particles, [TS_STAGE_SETUP] = new_particles },
+};

@@ -1,0 +1,287 @@
+#include "particle/exchange.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <string.h>
+
+#include "base/parallel.h"
+#include "box/domain.h"
+#include "particle/particles.h"
+
+#include "base/banned.h"
+
+static enum ts_status lost_in_space(struct tsim *sim, size_t i)
+{
+	const struct ts_particles *p = sim->particles;
+	const double *x = p->x[i], *v = p->v[i];
+
+	return ts_fail(&sim->error, TS_PHYSICS, NULL,
+		       "particle %d (type %d) is nowhere: position (%g %g %g), velocity (%g %g %g); a "
+		       "coordinate is not a number, or too far from the box for its images to be counted",
+		       p->tag[i], p->type[i], x[0], x[1], x[2], v[0], v[1], v[2]);
+}
+
+/* Beyond this a distance squared is infinite, and no cell can be found. */
+static const double FARTHEST = 1e150;
+
+static enum ts_status wrap(struct tsim *sim, int dim)
+{
+	struct ts_particles *p = sim->particles;
+	const struct ts_box *box = &sim->domain->box;
+	bool periodic = ts_box_periodic(box, dim);
+
+	for (size_t i = 0; i < p->n; i++) {
+		int32_t before = p->image[i][dim];
+
+		if (!(fabs(p->x[i][dim]) < FARTHEST) ||
+		    (periodic && !ts_box_wrap(box, dim, &p->x[i][dim], &p->image[i][dim])))
+			return lost_in_space(sim, i);
+		if (ts_in_group(p, i, sim->domain->drift_group))
+			p->v[i][dim] -= (p->image[i][dim] - before) * sim->domain->drift[dim];
+	}
+	return TS_OK;
+}
+
+int ts_exchange_left(const struct ts_box *box, const double x[3])
+{
+	for (int dim = 0; dim < 3; dim++) {
+		if (box->face[dim][0] == TS_FACE_FIXED && x[dim] < box->lo[dim])
+			return 2 * dim;
+		if (box->face[dim][1] == TS_FACE_FIXED && x[dim] > box->hi[dim])
+			return 2 * dim + 1;
+	}
+	return -1;
+}
+
+void ts_exchange_limits(const struct tsim *sim, double lo[3], double hi[3])
+{
+	const struct ts_box *box = &sim->domain->box;
+	bool waits = sim->particles->lost_policy == TS_LOST_IGNORE;
+
+	for (int d = 0; d < 3; d++) {
+		lo[d] = !waits && box->face[d][0] == TS_FACE_FIXED ? box->lo[d] : -INFINITY;
+		hi[d] = !waits && box->face[d][1] == TS_FACE_FIXED ? box->hi[d] : INFINITY;
+	}
+}
+
+static enum ts_status report_lost(struct tsim *sim, size_t i, int face)
+{
+	static const char *const faces[] = { "xlo", "xhi", "ylo", "yhi", "zlo", "zhi" };
+	struct ts_particles *p = sim->particles;
+	const double *v = p->v[i];
+	double travel = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) * sim->clock.dt / p->radius[i];
+	struct ts_str contacts = { 0 }, cause = { 0 };
+	char text[1100];
+	enum ts_status status = TS_OK;
+
+	if (p->lost_policy == TS_LOST_IGNORE || (p->lost_policy == TS_LOST_WARN && p->lost_warned))
+		return TS_OK;
+	if (p->describe_contacts)
+		p->describe_contacts(sim, i, &contacts);
+	if (travel > 0.1)
+		ts_str_add(&cause, "it moves a large part of its radius in a step: the time step is too large or "
+				   "something is too stiff");
+	else if (p->explain_loss)
+		p->explain_loss(sim, i, face, &cause);
+	snprintf(text, sizeof text,
+		 "particle %d (type %d) left the box through its fixed face %s at step %" PRId64
+		 ": position (%g %g %g), velocity (%g %g %g); last contacts: %.300s; probable cause: %.400s",
+		 p->tag[i], p->type[i], faces[face], sim->clock.step, p->x[i][0], p->x[i][1],
+		 p->x[i][2], v[0], v[1], v[2], contacts.length ? contacts.text : "none",
+		 cause.length ? cause.text : "no wall stands at that face");
+	ts_str_release(&contacts);
+	ts_str_release(&cause);
+	if (p->lost_policy == TS_LOST_ERROR)
+		status = ts_fail(&sim->error, TS_PHYSICS, NULL, "%s", text);
+	else
+		ts_warn(&sim->log, NULL,
+			"%s (said once; `thermo_modify lost ignore` is silent, `lost error` stops)",
+			text);
+	p->lost_warned = true;
+	return status;
+}
+
+static enum ts_status drop_lost(struct tsim *sim)
+{
+	struct ts_particles *p = sim->particles;
+	unsigned char *gone = NULL;
+	enum ts_status status = TS_OK;
+
+	for (size_t i = 0; i < p->n && status == TS_OK; i++) {
+		int face = ts_exchange_left(&sim->domain->box, p->x[i]);
+
+		if (face < 0)
+			continue;
+		status = report_lost(sim, i, face);
+		if (!gone)
+			gone = ts_alloc(p->n, 1);
+		if (!gone)
+			return ts_nomem(&sim->error);
+		gone[i] = 1;
+		p->lost++;
+	}
+	if (gone && status == TS_OK)
+		status = ts_particles_delete(sim, gone);
+	ts_free(gone);
+	return status;
+}
+
+enum ts_status ts_exchange_migrate(struct tsim *sim)
+{
+	sim->particles->nghost = 0;
+	for (int dim = 0; dim < 3; dim++)
+		TS_TRY(wrap(sim, dim));
+	TS_TRY(drop_lost(sim));
+	ts_domain_shrink(sim);
+	return TS_OK;
+}
+
+void ts_exchange_hold(struct tsim *sim)
+{
+	struct ts_particles *p = sim->particles;
+
+	if (p->n)
+		memcpy(p->xhold, p->x, p->n * sizeof *p->xhold);
+	ts_domain_hold(sim->domain);
+}
+
+static void copy_row(struct ts_particles *p, size_t from, size_t to, unsigned flag)
+{
+	for (size_t k = 0; k < p->ncolumns; k++) {
+		const struct ts_column *c = &p->column[k];
+		size_t bytes = c->element * c->width;
+
+		if (c->active && (c->flags & flag))
+			memcpy((char *)c->data + to * bytes, (char *)c->data + from * bytes, bytes);
+	}
+}
+
+/* A ghost's coordinates are its original's plus whole box lengths, always from the original, so that
+ * they do not depend on the way the ghost was made. */
+static void place_ghosts(const struct ts_particles *p, const struct ts_domain *domain, size_t from, size_t to)
+{
+	const double length[3] = { ts_box_length(&domain->box, 0), ts_box_length(&domain->box, 1),
+				   ts_box_length(&domain->box, 2) };
+
+	for (size_t k = from; k < to; k++) {
+		size_t owner = (size_t)p->ghost_owner[k];
+		bool drifts = ts_in_group(p, owner, domain->drift_group);
+
+		for (int d = 0; d < 3; d++) {
+			double shift = p->ghost_shift[k][d];
+
+			p->x[p->n + k][d] = p->x[owner][d] + shift * length[d];
+			p->v[p->n + k][d] = p->v[owner][d] + (drifts ? shift * domain->drift[d] : 0);
+		}
+	}
+}
+
+/* The same of where it was when rows were built, which stays until they are built anew. */
+static void hold_ghost(const struct ts_particles *p, const struct ts_domain *domain, size_t k)
+{
+	size_t owner = (size_t)p->ghost_owner[k];
+
+	for (int d = 0; d < 3; d++)
+		p->xhold[p->n + k][d] = p->xhold[owner][d] +
+					p->ghost_shift[k][d] * (domain->held_hi[d] - domain->held_lo[d]);
+}
+
+static enum ts_status add_ghost(struct tsim *sim, size_t from, int dim, int shift)
+{
+	struct ts_particles *p = sim->particles;
+	size_t g = p->n + p->nghost, k = p->nghost;
+	size_t capacity = p->ghost_capacity;
+
+	TS_TRY(ts_particles_reserve(sim, g + 1));
+	if (TS_GROW(p->ghost_owner, capacity, k + 1) != TS_OK)
+		return ts_nomem(&sim->error);
+	capacity = p->ghost_capacity;
+	if (TS_GROW(p->ghost_shift, capacity, k + 1) != TS_OK)
+		return ts_nomem(&sim->error);
+	p->ghost_capacity = capacity;
+	copy_row(p, from, g, TS_COL_BORDER);
+	p->ghost_owner[k] = from < p->n ? (int32_t)from : p->ghost_owner[from - p->n];
+	memset(p->ghost_shift[k], 0, sizeof p->ghost_shift[k]);
+	if (from >= p->n)
+		memcpy(p->ghost_shift[k], p->ghost_shift[from - p->n], sizeof p->ghost_shift[k]);
+	p->ghost_shift[k][dim] = (int8_t)shift;
+	place_ghosts(p, sim->domain, k, k + 1);
+	hold_ghost(p, sim->domain, k);
+	p->nghost++;
+	return TS_OK;
+}
+
+static enum ts_status borders(struct tsim *sim, int dim, double cutoff, double most)
+{
+	struct ts_particles *p = sim->particles;
+	double lo = sim->domain->held_lo[dim], hi = sim->domain->held_hi[dim];
+	size_t present = p->n + p->nghost; /* images of images fill edges and corners */
+
+	if (most > hi - lo && present > 0)
+		return ts_fail(&sim->error, TS_RANGE, NULL,
+			       "the periodic box is %g long in dimension %c, less than the reach %g of "
+			       "a contact: make it longer or the skin smaller",
+			       hi - lo, 'x' + dim, most);
+	for (size_t i = 0; i < present; i++) {
+		double x = p->xhold[i][dim];
+
+		if (x < lo + cutoff)
+			TS_TRY(add_ghost(sim, i, dim, 1));
+		if (x >= hi - cutoff)
+			TS_TRY(add_ghost(sim, i, dim, -1));
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_exchange_borders(struct tsim *sim, double cutoff, double most)
+{
+	sim->particles->nghost = 0;
+	if (!sim->particles->n) /* a fluid alone may be in a box smaller than the skin */
+		return TS_OK;
+	for (int dim = 0; dim < sim->dimension; dim++) /* images of a plane never touch it */
+		if (ts_box_periodic(&sim->domain->box, dim))
+			TS_TRY(borders(sim, dim, cutoff, most));
+	return TS_OK;
+}
+
+/* Rows of a column from the originals; those of one number and of vectors have loops of their own. */
+static void copy_column(const struct ts_particles *p, const struct ts_column *c, size_t from, size_t to)
+{
+	size_t bytes = c->element * c->width;
+	char *data = c->data;
+
+#define COPY(bytes)                                                                                          \
+	for (size_t k = from; k < to; k++)                                                                   \
+	memcpy(data + (p->n + k) * (bytes), data + (size_t)p->ghost_owner[k] * (bytes), bytes)
+	if (bytes == sizeof(double))
+		COPY(sizeof(double));
+	else if (bytes == 3 * sizeof(double))
+		COPY(3 * sizeof(double));
+	else
+		COPY(bytes);
+#undef COPY
+}
+
+static void forward_share(void *context, size_t from, size_t to)
+{
+	const struct tsim *sim = context;
+	const struct ts_particles *p = sim->particles;
+
+	for (size_t k = 0; k < p->ncolumns; k++) {
+		const struct ts_column *c = &p->column[k];
+
+		if (c->active && (c->flags & TS_COL_FORWARD) && c->data != p->x && c->data != p->v)
+			copy_column(p, c, from, to);
+	}
+	place_ghosts(p, sim->domain, from, to);
+}
+
+/* To copy and place a ghost takes as long as so many rounds of a simple loop. */
+enum { NUMBERS = 9 };
+
+void ts_exchange_forward(struct tsim *sim)
+{
+	size_t n = sim->particles->nghost;
+
+	ts_parallel(ts_team(sim, NUMBERS * n), n, forward_share, sim);
+}

@@ -1,0 +1,123 @@
+/* Fix momentum: takes away the motion of a group as a whole. */
+#include "core/sim.h"
+
+#include "group/group_spin.h"
+#include "math/vec3.h"
+#include "particle/moments.h"
+
+#include "base/banned.h"
+
+struct state {
+	int64_t every;
+	double linear[3]; /* 0 or 1; NaN: not given */
+	bool angular, rescale;
+};
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	const struct state *s = self->state;
+
+	for (int k = 0; k < 3; k++)
+		if (s->linear[k] > 0 && s->linear[k] < 1)
+			return ts_fail(&sim->error, TS_RANGE, &self->where,
+				       "fix momentum: linear takes three numbers that are 0 or 1");
+	if (s->linear[0] >= 0 || s->angular)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+		       "fix momentum: expected linear, angular or both");
+}
+
+static void take_linear(const struct ts_instance *self, struct tsim *sim)
+{
+	const struct state *s = self->state;
+	struct ts_particles *p = sim->particles;
+	double v[3];
+
+	ts_group_velocity(sim, self->group, v);
+#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
+	for (size_t i = 0; i < p->n; i++)
+		for (int k = 0; ts_in_group(p, i, self->group) && k < 3; k++)
+			if (s->linear[k] > 0)
+				p->v[i][k] -= v[k];
+}
+
+/* v -= omega x (x - centre), L = I omega. */
+static void take_angular(const struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_particles *p = sim->particles;
+	double centre[3], omega[3];
+
+	ts_group_spin(sim, self->group, centre, omega);
+#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
+	for (size_t i = 0; i < p->n; i++) {
+		double arm[3], turn[3];
+
+		if (!ts_in_group(p, i, self->group))
+			continue;
+		ts_unwrapped(sim, i, arm);
+		ts_sub(arm, centre, arm);
+		ts_cross(omega, arm, turn);
+		ts_sub(p->v[i], turn, p->v[i]);
+	}
+}
+
+static void twice_kinetic(const struct tsim *sim, size_t i, void *context, double *term)
+{
+	const struct ts_particles *p = sim->particles;
+
+	(void)context;
+	term[0] = p->mass[i] * ts_dot(p->v[i], p->v[i]);
+}
+
+static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
+{
+	const struct state *s = self->state;
+	struct ts_particles *p = sim->particles;
+	double before = 0, after = 0, factor;
+
+	if (sim->clock.step % s->every != 0)
+		return TS_OK;
+	if (s->rescale)
+		ts_group_sum(sim, self->group, 1, twice_kinetic, NULL, &before);
+	if (s->linear[0] >= 0)
+		take_linear(self, sim);
+	if (s->angular)
+		take_angular(self, sim);
+	if (s->rescale)
+		ts_group_sum(sim, self->group, 1, twice_kinetic, NULL, &after);
+	if (!(after > 0))
+		return TS_OK;
+	factor = sqrt(before / after);
+#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
+	for (size_t i = 0; i < p->n; i++)
+		if (ts_in_group(p, i, self->group))
+			ts_scale(factor, p->v[i], p->v[i]);
+	return TS_OK;
+}
+
+static const struct ts_arg args[] = {
+	TS_INT("every", struct state, every, .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1,
+	       .hi = 1e15, .help = "steps between"),
+	TS_VEC3("linear", struct state, linear, .flags = TS_OPTIONAL, .range = TS_FRACTION,
+		.help = "three numbers, 1 for the components of the momentum that are taken away, 0 "
+			"for the others"),
+	TS_FLAG("angular", struct state, angular, .help = "take away the turn of the group, too"),
+	TS_FLAG("rescale", struct state, rescale,
+		.help = "scale the velocities so that the kinetic energy stays"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(fix, ts_style, ts_fix_momentum)
+const struct ts_style ts_fix_momentum = {
+	.name = "momentum",
+	.kind = TS_KIND_FIX,
+	.summary = "Takes away the motion of a group as a whole",
+	.doc = "Every N steps v -= v of the centre of mass (linear), then v -= omega x (x - centre) (angular), where\n"
+	       "omega is the turn of a rigid body with the same angular momentum, L = I omega. The spin of the\n"
+	       "particles themselves is left alone.",
+	.example = "fix still all momentum 100 linear 1 1 0 angular",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.init = init,
+	.hook[TS_STAGE_END_OF_STEP] = end_of_step,
+};

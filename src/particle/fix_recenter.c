@@ -1,0 +1,141 @@
+/* Fix recenter: the centre of mass of a group stays where it should be. */
+#include "core/sim.h"
+
+#include <math.h>
+
+#include "box/domain.h"
+#include "math/vec3.h"
+#include "particle/moments.h"
+
+#include "base/banned.h"
+
+enum { LATTICE, BOX, FRACTION };
+
+struct state {
+	const char *word[3]; /* a number, INIT or NULL */
+	int shifted, units;	     /* group; -1: that of the fix */
+	bool held[3], initial[3];
+	double given[3];
+	double at_first[3], shift[3]; /* saved */
+	int64_t started;
+};
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	for (int k = 0; k < 3; k++) {
+		s->held[k] = !ts_streq(s->word[k], "NULL");
+		s->initial[k] = ts_streq(s->word[k], "INIT");
+		if (s->held[k] && !s->initial[k] && !ts_parse_real(s->word[k], &s->given[k]))
+			return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+				       "fix recenter: %c is '%s', expected a number, INIT or NULL",
+				       'x' + k, s->word[k]);
+	}
+	if (sim->dimension == 2 && s->held[2])
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix recenter: in two dimensions z is NULL");
+	if (!s->started)
+		ts_group_centre(sim, self->group, s->at_first);
+	s->started = 1;
+	return TS_OK;
+}
+
+static double goal(const struct state *s, const struct tsim *sim, int k)
+{
+	const struct ts_box *box = &sim->domain->box;
+
+	if (s->initial[k])
+		return s->at_first[k];
+	if (s->units == FRACTION)
+		return box->lo[k] + s->given[k] * ts_box_length(box, k);
+	return ts_domain_scale(sim, s->units, k) * s->given[k];
+}
+
+static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	struct ts_particles *p = sim->particles;
+	int group = s->shifted < 0 ? self->group : s->shifted;
+	double centre[3];
+
+	if (!(ts_group_mass(sim, self->group) > 0))
+		return TS_OK;
+	ts_group_centre(sim, self->group, centre);
+	for (int k = 0; k < 3; k++)
+		s->shift[k] = s->held[k] ? goal(s, sim, k) - centre[k] : 0;
+#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
+	for (size_t i = 0; i < p->n; i++)
+		for (int k = 0; ts_in_group(p, i, group) && k < 3; k++)
+			p->x[i][k] += s->shift[k];
+	return TS_OK;
+}
+
+static enum ts_status eval_distance(struct ts_instance *self, const struct tsim *sim,
+				    struct ts_table *out)
+{
+	(void)sim;
+	out->data[0] = ts_norm(((const struct state *)self->state)->shift);
+	return TS_OK;
+}
+
+static enum ts_status eval_shift(struct ts_instance *self, const struct tsim *sim,
+				 struct ts_table *out)
+{
+	(void)sim;
+	for (int k = 0; k < 3; k++)
+		out->data[k] = ((const struct state *)self->state)->shift[k];
+	return TS_OK;
+}
+
+static const char *const units[] = {
+	[LATTICE] = "lattice", [BOX] = "box", [FRACTION] = "fraction", NULL
+};
+
+#define COMPONENT(name_, k)                                                                        \
+	TS_WORD(name_, struct state, word[k], .flags = TS_POSITIONAL,                              \
+		.help = "where the centre is to be: a number, INIT (where it was when the fix was " \
+			"made) or NULL (anywhere)")
+static const struct ts_arg args[] = {
+	COMPONENT("x", 0),
+	COMPONENT("y", 1),
+	COMPONENT("z", 2),
+	TS_GROUP("shift", struct state, shifted, .flags = TS_OPTIONAL,
+		 .help = "particles that are moved, those of the fix if it is not given"),
+	TS_ENUM("units", struct state, units, units, .fallback = "lattice",
+		.help = "whether the place is given in lattice spacings, as it is, or from 0 to 1 "
+			"across the box"),
+	TS_ARGS_END,
+};
+
+static const char *const components[] = { "x", "y", "z" };
+static const struct ts_value values[] = {
+	{ "distance", "length", "by which particles were moved at the last step", TS_SCALAR, 1,
+	  NULL, eval_distance },
+	{ "shift", "length", "its components", TS_VECTOR, 3, components, eval_shift },
+	{ .name = NULL },
+};
+
+static const struct ts_saved saved[] = {
+	TS_SAVE_F64(struct state, at_first),
+	TS_SAVE_F64(struct state, shift),
+	TS_SAVE_I64(struct state, started),
+	TS_SAVED_ROWS_END,
+};
+
+TS_STYLE(fix, ts_style, ts_fix_recenter)
+const struct ts_style ts_fix_recenter = {
+	.name = "recenter",
+	.kind = TS_KIND_FIX,
+	.summary = "Keeps the centre of mass of a group where it should be",
+	.doc = "After particles have been moved in a step, those of the shifted group are moved together so that the\n"
+	       "centre of mass of the group (positions not wrapped) is where it should be. Velocities stay as they\n"
+	       "are. Define it after the fixes that integrate.",
+	.example = "fix still ball recenter INIT INIT NULL shift all",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.saved = saved,
+	.values = values,
+	.init = init,
+	.hook[TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,
+};

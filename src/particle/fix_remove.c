@@ -1,0 +1,349 @@
+/* Fix remove: takes mass out of a bed at a given rate. */
+#include <stdlib.h>
+
+#include "core/sim.h"
+#include "group/chosen.h"
+#include "math/rng.h"
+#include "particle/body.h"
+#include "rigid/rigid.h"
+
+#include "base/banned.h"
+
+/* A particle that may be taken. */
+struct candidate {
+	double number; /* its lot */
+	int32_t tag;
+	size_t row;
+};
+
+struct state {
+	/* arguments */
+	int64_t every, seed, type;
+	struct ts_number rate;
+	const char *rate_variable;
+	int mode;
+	double least; /* radius; NaN: not given */
+	bool carries, verbose, compress;
+	struct ts_instance *region;
+
+	struct candidate *candidate; /* of this step */
+	size_t n, capacity;
+	unsigned char *gone;
+	size_t gone_capacity;
+	bool due, begun;
+	/* saved */
+	double since;	   /* time of the last event */
+	double owed, mass; /* still to be removed; removed */
+	int64_t number;
+};
+
+enum { SHRINK, DELETE };
+static const char *const modes[] = { "shrink", "delete", NULL };
+
+static enum ts_status find_variable(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	struct ts_suggest suggest = ts_suggest_start(s->rate_variable);
+
+	s->rate = (struct ts_number){ .variable = s->rate_variable };
+	if (!sim->host || sim->host->has_variable(sim->host_data, s->rate_variable)) {
+		s->rate_variable = NULL;
+		return TS_OK;
+	}
+	sim->host->suggest_variable(sim->host_data, &suggest);
+	return ts_missing(
+		&sim->error, "variable", s->rate_variable, ts_instance_word(self, s->rate_variable),
+		"fix remove: unknown variable '%s'%s", s->rate_variable, ts_suggest_text(&suggest));
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	bool has_rate = s->rate.variable || !s->rate.null;
+
+	if (has_rate == (s->rate_variable != NULL))
+		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+			       "fix remove: expected one of massrate, massratevariable, found %s",
+			       has_rate ? "both" : "none");
+	if (s->mode == SHRINK && isnan(s->least))
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "shrink"),
+			       "fix remove: style shrink needs delete_below, the radius below which particles are "
+			       "deleted");
+	if (s->mode == DELETE && !isnan(s->least))
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "delete_below"),
+			       "fix remove: delete_below has a meaning with style shrink only");
+	if (s->type > sim->particles->ntypes)
+		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "atomtype"),
+			       "fix remove: atomtype is %d, and there are %d types", (int)s->type,
+			       sim->particles->ntypes);
+	if (s->rate_variable)
+		TS_TRY(find_variable(self, sim));
+	if (!s->begun)
+		s->since = ts_sim_time(sim);
+	s->begun = true;
+	return TS_OK;
+}
+
+/* ---- who may be taken ---- */
+
+static int by_lot(const void *a, const void *b)
+{
+	const struct candidate *s = a, *t = b;
+
+	if (s->number < t->number || s->number > t->number)
+		return s->number < t->number ? -1 : 1;
+	return (s->tag > t->tag) - (s->tag < t->tag);
+}
+
+/* In an order drawn by lot: each particle's lot depends on seed, step and identity only. */
+static enum ts_status find_candidates(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	const struct ts_particles *p = sim->particles;
+
+	TS_TRY(ts_region_update(s->region, sim));
+	if (TS_GROW(s->candidate, s->capacity, p->n) != TS_OK ||
+	    TS_GROW(s->gone, s->gone_capacity, p->n) != TS_OK)
+		return ts_nomem(&sim->error);
+	s->n = 0;
+	for (size_t i = 0; i < p->n; i++) {
+		struct ts_rng rng = ts_rng_start((uint64_t)s->seed, (uint64_t)p->tag[i]);
+
+		s->gone[i] = 0;
+		if (!ts_chosen(p, i, self->group, s->region) ||
+		    (s->type > 0 && p->type[i] != s->type))
+			continue;
+		if (ts_rigid_member(p, i))
+			return ts_fail(&sim->error, TS_STATE, &self->where,
+				       "fix remove: particle %d belongs to a rigid body, of which no part can be "
+				       "taken; give the fix a group without such particles",
+				       p->tag[i]);
+		rng.counter = (uint64_t)sim->clock.step;
+		s->candidate[s->n++] = (struct candidate){ ts_rng_uniform(&rng), p->tag[i], i };
+	}
+	if (s->n)
+		qsort(s->candidate, s->n, sizeof *s->candidate, by_lot);
+	return TS_OK;
+}
+
+/* ---- taking ---- */
+
+static void take(struct state *s, double mass)
+{
+	s->owed -= mass;
+	s->mass += mass;
+}
+
+static void drop(struct state *s, const struct tsim *sim, size_t i)
+{
+	s->gone[i] = 1;
+	s->number++;
+	take(s, sim->particles->mass[i]);
+}
+
+/* Whole particles, until nothing is owed. The last one takes too much: with `integrated_error yes`
+ * the next event takes less for it, else it goes with a probability that makes the mean right. */
+static void delete_some(struct ts_instance *self, const struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	for (size_t k = 0; k < s->n && s->owed > 0; k++) {
+		size_t i = s->candidate[k].row;
+		double mass = sim->particles->mass[i];
+		struct ts_rng rng = ts_rng_start((uint64_t)s->seed, UINT64_MAX);
+
+		rng.counter = (uint64_t)sim->clock.step;
+		if (!s->carries && mass > s->owed && ts_rng_uniform(&rng) * mass > s->owed)
+			return;
+		drop(s, sim, i);
+	}
+}
+
+/* The same part of the mass of each, in the order of their lots, which does not hang on memory. */
+static void shrink_all(struct ts_instance *self, const struct tsim *sim)
+{
+	struct state *s = self->state;
+	struct ts_particles *p = sim->particles;
+	double sum = 0, keep, size;
+
+	for (size_t k = 0; k < s->n; k++)
+		sum += p->mass[s->candidate[k].row];
+	if (!(s->owed > 0) || !(sum > 0))
+		return;
+	keep = s->owed < sum ? 1 - s->owed / sum : 0;
+	size = sim->dimension == 2 ? sqrt(keep) : cbrt(keep);
+	for (size_t k = 0; k < s->n; k++) {
+		size_t i = s->candidate[k].row;
+
+		if (size * p->radius[i] < s->least || !(keep > 0)) {
+			drop(s, sim, i);
+			continue;
+		}
+		take(s, (1 - keep) * p->mass[i]);
+		p->mass[i] *= keep;
+		p->radius[i] *= size;
+		if (p->imass[i] > 0)
+			p->imass[i] = 1 / p->mass[i];
+	}
+}
+
+static enum ts_status owe(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	double rate, now = ts_sim_time(sim);
+
+	TS_TRY(ts_number_now(sim, &s->rate, &self->where, &rate));
+	if (!(rate >= 0) || !isfinite(rate))
+		return ts_fail(&sim->error, TS_RANGE, &self->where,
+			       "fix remove: the rate v_%s is %g, expected a mass per time >= 0",
+			       s->rate.variable, rate);
+	s->owed = (s->carries ? s->owed : 0) + rate * (now - s->since);
+	s->since = now;
+	return TS_OK;
+}
+
+static enum ts_status remove_mass(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	double mass = s->mass;
+	int64_t number = s->number;
+
+	TS_TRY(owe(self, sim));
+	TS_TRY(find_candidates(self, sim));
+	if (s->mode == DELETE)
+		delete_some(self, sim);
+	else
+		shrink_all(self, sim);
+	if (s->verbose)
+		ts_log(&sim->log,
+		       "fix remove %s: step %lld, mass %g removed, %lld particles deleted, %zu "
+		       "chosen from\n",
+		       self->id, (long long)sim->clock.step, s->mass - mass,
+		       (long long)(s->number - number), s->n);
+	return s->number > number ? ts_particles_delete(sim, s->gone) : TS_OK;
+}
+
+/* The rows must be built anew for what is smaller, or gone. */
+static enum ts_status post_integrate(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	s->due = sim->clock.step % s->every == 0;
+	sim->rebuild |= s->due;
+	return TS_OK;
+}
+
+static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	bool due = s->due;
+
+	s->due = false;
+	return due ? remove_mass(self, sim) : TS_OK;
+}
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	const struct state *s = self->state;
+
+	(void)sim;
+	TS_TRY(ts_table_resize(out, 3, 1));
+	out->data[0] = s->mass;
+	out->data[1] = (double)s->number;
+	out->data[2] = s->owed;
+	return TS_OK;
+}
+
+static void fini(struct ts_instance *self)
+{
+	struct state *s = self->state;
+
+	ts_free(s->candidate);
+	ts_free(s->gone);
+}
+
+static const struct ts_arg args[] = {
+	TS_INT("nevery", struct state, every, .range = TS_WITHIN, .lo = 1, .hi = 1e15,
+	       .help = "steps between events"),
+	TS_NUMBER("massrate", struct state, rate, .flags = TS_OPTIONAL, .unit = "mass/time",
+		  .range = TS_NOT_NEGATIVE, .help = "mass to be removed per time"),
+	TS_WORD("massratevariable", struct state, rate_variable, .flags = TS_OPTIONAL,
+		.help = "NAME of an equal-style variable for that; the same as massrate v_NAME"),
+	TS_ENUM("style", struct state, mode, modes,
+		.help = "shrink: all particles become smaller; delete: some, chosen at random, are "
+			"deleted"),
+	TS_REAL("delete_below", struct state, least, .flags = TS_OPTIONAL, .unit = "length",
+		.range = TS_NOT_NEGATIVE,
+		.help = "with shrink: the radius below which a particle is deleted"),
+	TS_INT("seed", struct state, seed, .flags = TS_STATEFUL, .range = TS_POSITIVE,
+	       .help = "seed of the random numbers"),
+	TS_REGION_KEYWORD(struct state),
+	TS_INT("atomtype", struct state, type, .fallback = "0", .range = TS_NOT_NEGATIVE,
+	       .help = "only particles of this type; 0: of any"),
+	TS_BOOL("integrated_error", struct state, carries, .fallback = "yes", .flags = TS_STATEFUL,
+		.help = "what an event has removed too much, or could not remove, counts in the "
+			"next"),
+	TS_BOOL("verbose", struct state, verbose, .fallback = "no",
+		.help = "each event is told in the log"),
+	TS_BOOL("compress", struct state, compress, .fallback = "no",
+		.help = "no effect: a particle keeps its number"),
+	TS_ARGS_END,
+};
+
+static const struct ts_value values[] = {
+	{ "removed", "mass, 1, mass", "mass removed, particles deleted, mass still to be removed",
+	  TS_VECTOR, 3, NULL, eval },
+	{ .name = NULL },
+};
+
+static const struct ts_saved saved[] = {
+	TS_SAVE_F64(struct state, since),
+	TS_SAVE_F64(struct state, owed),
+	TS_SAVE_F64(struct state, mass),
+	TS_SAVE_I64(struct state, number),
+	TS_SAVED_ROWS_END,
+};
+
+TS_STYLE(fix, ts_style, ts_fix_remove)
+const struct ts_style ts_fix_remove = {
+	.name = "remove",
+	.kind = TS_KIND_FIX,
+	.summary = "Removes mass of particles at a given rate",
+	.doc = "In each step that is a multiple of nevery the mass rate*t is to be removed from "
+	       "the particles of the\n"
+	       "group whose centres are in the region, t being the time since the last event or "
+	       "since the fix was\n"
+	       "defined.\n\n"
+	       "style delete: particles are chosen at random, and deleted until that mass is "
+	       "reached; the last one may\n"
+	       "exceed it. With `integrated_error yes` what was too much, or what could not be "
+	       "removed because there\n"
+	       "was no particle, counts in the next event, so that the mass removed differs from "
+	       "the integral of the\n"
+	       "rate by less than one particle. With `no` each event stands for itself, and the "
+	       "last particle is deleted with the\n"
+	       "probability (mass left)/(mass of the particle): the mean is right.\n\n"
+	       "style shrink: all particles lose the same part of their mass, M being the mass of "
+	       "all of them:\n\n"
+	       "    m' = m (1 - rate*t/M),   R' = R (m'/m)^(1/3)   (in two dimensions 1/2)\n\n"
+	       "The density stays. Who would be smaller than delete_below is deleted as a "
+	       "whole.\n\n"
+	       "f_ID[1], f_ID[2], f_ID[3]: the mass removed, the number of particles deleted, the "
+	       "mass still to be removed (< 0:\n"
+	       "too much was). Lots depend on seed, step and identity only: results are the same "
+	       "on any number of\n"
+	       "threads and after a restart. Particles of rigid bodies are refused. Another "
+	       "edition of\n"
+	       "LIGGGHTS (PFM) has this fix; which particles it chooses is its own.",
+	.example = "fix out all remove nevery 500 massrate 3.5 style delete seed 5143 region hole "
+		   "atomtype 1\n"
+		   "fix burn all remove nevery 500 massrate v_rate style shrink delete_below 0.001 "
+		   "seed 7543",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.saved = saved,
+	.values = values,
+	.init = init,
+	.hook = { [TS_STAGE_POST_INTEGRATE] = post_integrate, [TS_STAGE_EXCHANGE] = exchange },
+	.fini = fini,
+};

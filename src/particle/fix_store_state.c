@@ -1,0 +1,149 @@
+/* Fix store/state: what particles were like at some time. */
+#include "core/ref_list.h"
+#include "core/sim.h"
+
+#include "core/plan.h"
+#include "particle/moments.h"
+
+#include "base/banned.h"
+
+struct state {
+	int64_t every;
+	struct ts_words words;
+	bool com;
+	struct ts_ref_list input;
+	struct ts_table now;
+	size_t column;
+	bool started;
+};
+
+static double *row_of(const struct state *s, const struct tsim *sim, size_t i)
+{
+	return (double *)sim->particles->column[s->column].data + s->input.n * i;
+}
+
+/* The coordinate xu, yu, zu stand for, or -1. */
+static int unwrapped_dim(const char *name)
+{
+	static const char *const names[] = { "xu", "yu", "zu" };
+
+	for (int k = 0; k < 3; k++)
+		if (ts_streq(name, names[k]))
+			return k;
+	return -1;
+}
+
+static enum ts_status store(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	const struct ts_particles *p = sim->particles;
+	double centre[3];
+
+	ts_group_centre(sim, self->group, centre);
+	for (size_t k = 0; k < s->input.n; k++) {
+		const struct ts_ref_input *input = &s->input.item[k];
+		int dim = s->com && input->quantity ? unwrapped_dim(input->name) : -1;
+		double origin = dim >= 0 ? centre[dim] : 0;
+
+		TS_TRY(ts_ref_input_eval(sim, input, &s->now));
+		for (size_t i = 0; i < p->n; i++)
+			row_of(s, sim, i)[k] = ts_in_group(p, i, self->group)
+						       ? s->now.data[i] - origin
+						       : 0;
+	}
+	return TS_OK;
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	struct ts_str name = { 0 };
+	enum ts_status status;
+
+	TS_TRY(ts_ref_list_init(sim, "fix store/state", &self->arena, s->words, TS_WANT(PERATOM),
+				&s->input));
+	if (s->started)
+		return TS_OK;
+	ts_str_addf(&name, "fix store/state %s of %zu", self->id, s->input.n);
+	status = name.failed ? ts_nomem(&sim->error)
+			     : ts_particles_add_column(sim, ts_str_text(&name), s->input.n,
+						       TS_COL_RESULT, &s->column);
+	ts_str_release(&name);
+	TS_TRY(status);
+	s->started = true;
+	return store(self, sim);
+}
+
+static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
+{
+	const struct state *s = self->state;
+
+	if (s->every == 0 || sim->clock.step % s->every != 0)
+		return TS_OK;
+	return store(self, sim);
+}
+
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	const struct state *s = self->state;
+
+	return ts_particles_archive_column(a, sim, "stored", s->column);
+}
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	const struct state *s = self->state;
+	size_t n = s->input.n;
+
+	TS_TRY(ts_table_resize(out, sim->particles->n, n));
+	for (size_t i = 0; i < sim->particles->n; i++)
+		for (size_t k = 0; k < n; k++)
+			out->data[i * n + k] = row_of(s, sim, i)[k];
+	return TS_OK;
+}
+
+static void fini(struct ts_instance *self)
+{
+	struct state *s = self->state;
+
+	ts_table_release(&s->now);
+	ts_ref_list_release(&s->input);
+}
+
+static const struct ts_arg args[] = {
+	TS_INT("N", struct state, every, .flags = TS_POSITIONAL | TS_STATEFUL,
+	       .range = TS_NOT_NEGATIVE, .help = "steps between; 0: only when the fix is made"),
+	TS_LIST_STATEFUL("inputs", struct state, words,
+		.help = "id, x, xu, vx, radius ..., c_ID, c_ID[k], c_ID[*], f_ID, f_ID[k] or v_NAME"),
+	TS_BOOL("com", struct state, com, .flags = TS_STATEFUL, .fallback = "no",
+		.help = "count xu, yu, zu from the centre of mass of the group"),
+	TS_ARGS_END,
+};
+
+static const struct ts_value values[] = {
+	{ .name = "stored",
+	  .unit = "",
+	  .help = "the inputs as they were, one column each; 0 for particles outside the group and "
+		  "for those that came later",
+	  .shape = TS_PERATOM,
+	  .eval = eval },
+	{ .name = NULL },
+};
+
+TS_STYLE(fix, ts_style, ts_fix_store_state)
+const struct ts_style ts_fix_store_state = {
+	.name = "store/state",
+	.kind = TS_KIND_FIX,
+	.summary = "Remembers what particles were like",
+	.doc = "The inputs are stored when the fix is made and, unless N is 0, at the end of each step that is a\n"
+	       "multiple of N. What is stored goes with the particles, also into restart files.",
+	.example = "fix before all store/state 0 xu yu zu com yes\n"
+		   "variable gone atom sqrt((xu-f_before[1])^2+(yu-f_before[2])^2)",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.archive = archive,
+	.values = values,
+	.init = init,
+	.hook[TS_STAGE_END_OF_STEP] = end_of_step,
+	.fini = fini,
+};

@@ -1,0 +1,92 @@
+#include "particle/identity.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/banned.h"
+
+/* A table of all identities costs 4 bytes for each, a search more time: the table may have so many entries for
+ * each particle. */
+enum { LARGEST_RATIO = 16, ALWAYS = 1 << 20 };
+
+static int by_tag(const void *a, const void *b)
+{
+	const int32_t *p = a, *q = b;
+
+	return (*p > *q) - (*p < *q);
+}
+
+/* Pairs of identity and row, sorted unless they are in order as they stand. */
+static void sort(struct ts_particles *p, int32_t (*pair)[2])
+{
+	bool ordered = true;
+
+	for (size_t i = 0; i < p->n; i++) {
+		pair[i][0] = p->tag[i];
+		pair[i][1] = (int32_t)i;
+		ordered &= i == 0 || p->tag[i - 1] < p->tag[i];
+	}
+	if (!ordered)
+		qsort(pair, p->n, sizeof *pair, by_tag);
+	for (size_t i = 0; i < p->n; i++) {
+		p->by_tag[i] = pair[i][0];
+		p->by_tag[p->n + i] = pair[i][1];
+	}
+}
+
+static enum ts_status list_by_search(struct ts_particles *p)
+{
+	int32_t(*pair)[2] = ts_alloc(p->n + 1, sizeof *pair);
+
+	if (!pair)
+		return TS_NOMEM;
+	sort(p, pair);
+	ts_free(pair);
+	return TS_OK;
+}
+
+static void list_by_table(struct ts_particles *p)
+{
+	size_t filled = 0;
+
+	for (int32_t tag = 1; tag <= p->max_tag; tag++)
+		if (p->map[tag] >= 0) {
+			p->by_tag[filled] = tag;
+			p->by_tag[p->n + filled++] = p->map[tag];
+		}
+}
+
+static enum ts_status fill_table(struct ts_particles *p)
+{
+	size_t size = (size_t)p->max_tag + 1;
+
+	TS_TRY(TS_GROW(p->map, p->map_capacity, size));
+	memset(p->map, 0xff, size * sizeof *p->map); /* -1 */
+	for (size_t i = 0; i < p->n; i++)
+		p->map[p->tag[i]] = (int32_t)i;
+	return TS_OK;
+}
+
+enum ts_status ts_identities(struct tsim *sim, bool ordered, struct ts_identities *out)
+{
+	struct ts_particles *p = sim->particles;
+	bool table = p->max_tag < ALWAYS || (size_t)p->max_tag / LARGEST_RATIO < p->n;
+	enum ts_status status = TS_OK;
+
+	if (table)
+		status = fill_table(p);
+	if (status == TS_OK && (ordered || !table))
+		status = TS_GROW(p->by_tag, p->by_tag_capacity, 2 * p->n + 1);
+	if (status == TS_OK && !table)
+		status = list_by_search(p);
+	else if (status == TS_OK && ordered)
+		list_by_table(p);
+	*out = (struct ts_identities){ .n = p->n, .max = p->max_tag };
+	if (table)
+		out->row_of_tag = p->map;
+	if (status == TS_OK && (ordered || !table)) {
+		out->tag = p->by_tag;
+		out->row = p->by_tag + p->n;
+	}
+	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
+}

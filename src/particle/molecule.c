@@ -1,0 +1,23 @@
+/* Molecules: numbers that the user keeps by fix property/atom. */
+#include "particle/particles.h"
+
+#include "base/banned.h"
+
+const double *ts_particles_molecules(const struct ts_particles *p)
+{
+	size_t k;
+	const struct ts_column *c = ts_particles_named_column(p, "mol", &k);
+
+	return c && c->width == 1 ? c->data : NULL;
+}
+
+enum ts_status ts_particles_need_molecules(struct tsim *sim, const char *what,
+					   const struct ts_place *where)
+{
+	if (!sim->particles->n || ts_particles_molecules(sim->particles))
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, where,
+		       "%s: particles belong to no molecules: `fix ID all property/atom mol` and `set ... "
+		       "mol` say to which",
+		       what);
+}

@@ -1,0 +1,94 @@
+#include "particle/moments.h"
+
+#include "math/exactsum.h"
+
+#include "base/banned.h"
+
+const int ts_tensor_row[6] = { 0, 1, 2, 0, 0, 1 }, ts_tensor_column[6] = { 0, 1, 2, 1, 2, 2 };
+const char *const ts_tensor_names[] = { "xx", "yy", "zz", "xy", "xz", "yz", NULL };
+
+void ts_group_sum(const struct tsim *sim, int group, size_t width, ts_term_fn *term, void *context,
+		  double *out)
+{
+	const struct ts_particles *p = sim->particles;
+	struct ts_exactsum sum[TS_MOST_TERMS];
+	double t[TS_MOST_TERMS];
+
+	for (size_t k = 0; k < width; k++)
+		sum[k] = ts_exactsum_start();
+	for (size_t i = 0; i < p->n; i++) {
+		if (!ts_in_group(p, i, group))
+			continue;
+		term(sim, i, context, t);
+		for (size_t k = 0; k < width; k++)
+			ts_exactsum_add(&sum[k], t[k]);
+	}
+	for (size_t k = 0; k < width; k++)
+		out[k] = ts_exactsum_value(&sum[k]);
+}
+
+static void one(const struct tsim *sim, size_t i, void *context, double *term)
+{
+	(void)sim, (void)i, (void)context;
+	term[0] = 1;
+}
+
+static void mass(const struct tsim *sim, size_t i, void *context, double *term)
+{
+	(void)context;
+	term[0] = sim->particles->mass[i];
+}
+
+static void mass_x(const struct tsim *sim, size_t i, void *context, double *term)
+{
+	double x[3];
+
+	(void)context;
+	ts_unwrapped(sim, i, x);
+	term[3] = sim->particles->mass[i];
+	for (int d = 0; d < 3; d++)
+		term[d] = term[3] * x[d];
+}
+
+static void mass_v(const struct tsim *sim, size_t i, void *context, double *term)
+{
+	(void)context;
+	term[3] = sim->particles->mass[i];
+	for (int d = 0; d < 3; d++)
+		term[d] = term[3] * sim->particles->v[i][d];
+}
+
+double ts_group_count(const struct tsim *sim, int group)
+{
+	double out;
+
+	ts_group_sum(sim, group, 1, one, NULL, &out);
+	return out;
+}
+
+double ts_group_mass(const struct tsim *sim, int group)
+{
+	double out;
+
+	ts_group_sum(sim, group, 1, mass, NULL, &out);
+	return out;
+}
+
+static void mean(const struct tsim *sim, int group, ts_term_fn *term, double out[3])
+{
+	double sum[4];
+
+	ts_group_sum(sim, group, 4, term, NULL, sum);
+	for (int d = 0; d < 3; d++)
+		out[d] = sum[3] > 0 ? sum[d] / sum[3] : 0;
+}
+
+void ts_group_centre(const struct tsim *sim, int group, double x[3])
+{
+	mean(sim, group, mass_x, x);
+}
+
+void ts_group_velocity(const struct tsim *sim, int group, double v[3])
+{
+	mean(sim, group, mass_v, v);
+}

@@ -1,0 +1,231 @@
+#include "particle/particles.h"
+
+#include "core/plan.h"
+#include "geom/box.h"
+#include "group/group_dynamic.h"
+#include "integrate/integrators.h"
+#include "material/property.h"
+
+#include "base/banned.h"
+
+/* Type of a column's numbers in files, by their C type. */
+#define SAVED_TYPE(type)                                                                           \
+	_Generic((type)0, double: TS_SAVED_F64, int32_t: TS_SAVED_I32, uint32_t: TS_SAVED_I32)
+
+static enum ts_status describe_columns(struct tsim *sim, struct ts_particles *p)
+{
+#define COLUMN_ROW(id, name_, ctype, width_, flags_)                                               \
+	{ .name = #name_, .type = SAVED_TYPE(ctype), .element = sizeof(ctype), .width = (width_),  \
+	  .flags = (flags_), .bound = (void **)(void *)&p->name_ },
+	const struct ts_column builtin[] = { TS_COLUMN_LIST(COLUMN_ROW) };
+#undef COLUMN_ROW
+
+	if (TS_GROW(p->column, p->column_capacity, TS_NCOLUMN_BUILTIN) != TS_OK)
+		return ts_nomem(&sim->error);
+	for (size_t k = 0; k < TS_NCOLUMN_BUILTIN; k++)
+		p->column[k] = builtin[k];
+	p->ncolumns = TS_NCOLUMN_BUILTIN;
+	return TS_OK;
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_particles *p = self->state;
+
+	if (!p->ncolumns) {
+		TS_TRY(describe_columns(sim, p));
+		p->group[0] = "all";
+		p->lost_policy = TS_LOST_WARN;
+		sim->generation++;
+		p->holds = &sim->holds;
+	}
+	if (sim->full & TS_FULL_COLUMNS)
+		return ts_particles_need(sim, (1u << TS_NCOLUMN_BUILTIN) - 1);
+	return ts_particles_need(sim, sim->columns);
+}
+
+static void fini(struct ts_instance *self)
+{
+	struct ts_particles *p = self->state;
+
+	for (size_t k = 0; k < p->ncolumns; k++) {
+		ts_hold_free(p->holds, p->column[k].data);
+		ts_free(p->column[k].initial);
+	}
+	ts_free(p->column);
+	ts_free(p->type_mass);
+	ts_materials_release(&p->materials);
+	ts_free(p->ghost_owner);
+	ts_free(p->ghost_shift);
+	ts_free(p->map);
+	ts_free(p->by_tag);
+}
+
+static enum ts_status archive_groups(struct ts_particles *p, struct ts_archive *a)
+{
+	for (int g = 1; g < TS_MAX_GROUPS; g++) {
+		char name[24];
+		const char *text = p->group[g] ? p->group[g] : "";
+
+		snprintf(name, sizeof name, "group%d", g);
+		TS_TRY(ts_archive_string(a, name, &text));
+		p->group[g] = *text ? text : NULL;
+	}
+	return TS_OK;
+}
+
+static enum ts_status archive_columns(struct tsim *sim, struct ts_particles *p,
+				      struct ts_archive *a)
+{
+	for (size_t k = 0; k < p->ncolumns; k++) {
+		struct ts_column *c = &p->column[k];
+
+		if (!(c->flags & TS_COL_SAVED) || (ts_archive_writing(a) && !c->active))
+			continue;
+		if (!ts_archive_has(a, c->name))
+			continue;
+		if (k < TS_NCOLUMN_BUILTIN)
+			TS_TRY(ts_particles_need(sim, 1u << k));
+		TS_TRY(ts_archive_fixed(a, c->name, c->type, c->data, p->n * c->width));
+	}
+	return TS_OK;
+}
+
+/* What all that follows relies on. */
+static enum ts_status check_particles(struct tsim *sim, const struct ts_particles *p)
+{
+	for (size_t i = 0; i < p->n; i++) {
+		double sum = p->radius[i] + p->mass[i];
+		bool far = false;
+
+		for (int d = 0; d < 3; d++) {
+			sum += p->x[i][d] + p->v[i][d];
+			far |= p->image[i][d] < -TS_TURNS_MOST || p->image[i][d] > TS_TURNS_MOST;
+		}
+		if (far || p->type[i] < 1 || p->type[i] > p->ntypes || p->tag[i] < 1 ||
+		    p->tag[i] > p->max_tag || !(p->radius[i] > 0) || !(p->mass[i] > 0) ||
+		    !isfinite(sum))
+			return ts_fail(&sim->error, TS_DAMAGED, NULL,
+				       "particle %zu has an impossible identity, type, size or place",
+				       i + 1);
+	}
+	return TS_OK;
+}
+
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	struct ts_particles *p = self->state;
+	int64_t n = (int64_t)p->n;
+	int32_t ntypes = p->ntypes;
+	size_t capacity = p->type_mass ? (size_t)p->ntypes + 1 : 0, count = capacity;
+
+	TS_TRY(ts_archive_fixed(a, "n", TS_SAVED_I64, &n, 1));
+	TS_TRY(ts_archive_fixed(a, "ntypes", TS_SAVED_I32, &ntypes, 1));
+	TS_TRY(ts_archive_array(a, "type_mass", TS_SAVED_F64, (void **)(void *)&p->type_mass,
+				&capacity, &count));
+	if (!ts_archive_writing(a)) {
+		if (n < 0 || n > INT32_MAX || ntypes < 0 ||
+		    (count && count != (size_t)ntypes + 1))
+			return ts_fail(&sim->error, TS_DAMAGED, NULL,
+				       "impossible number of particles or types");
+		TS_TRY(ts_archive_expect(a, "tag", TS_SAVED_I32, (size_t)n));
+		p->n = p->nghost = 0;
+		TS_TRY(ts_particles_reserve(sim, (size_t)n));
+		p->n = (size_t)n;
+		for (size_t k = TS_NCOLUMN_BUILTIN; k < p->ncolumns; k++)
+			ts_particles_fill_initial(&p->column[k], 0, p->n);
+		sim->generation++;
+		p->ntypes = ntypes;
+		p->settled = sim->clock.step > 0 ? p->max_tag : 0;
+	}
+	TS_TRY(archive_groups(p, a));
+	TS_TRY(ts_group_archive_dynamic(sim, a));
+	TS_TRY(archive_columns(sim, p, a));
+	return ts_archive_writing(a) ? TS_OK : check_particles(sim, p);
+}
+
+static void fingerprint(const struct ts_instance *self, const struct tsim *sim,
+			struct ts_hash *hash)
+{
+	const struct ts_particles *p = self->state;
+
+	(void)sim;
+	ts_hash_add(hash, &p->n, sizeof p->n);
+	ts_materials_fingerprint(&p->materials, hash);
+	for (size_t k = 0; k < p->ncolumns; k++)
+		if (p->column[k].active && !(p->column[k].flags & TS_COL_RESULT) && p->n)
+			ts_hash_add(hash, p->column[k].data,
+				    p->n * p->column[k].width * p->column[k].element);
+}
+
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
+			   struct ts_plan_report *report)
+{
+	const struct ts_particles *p = self->state;
+	double bytes = 0, saved_bytes = 0;
+	struct ts_str unused = { 0 };
+
+	(void)sim;
+	for (size_t k = 0; k < p->ncolumns; k++) {
+		const struct ts_column *c = &p->column[k];
+		double size = (double)(p->capacity * c->width * c->element);
+
+		bytes += c->active ? size : 0;
+		saved_bytes += c->active ? 0 : size;
+		if (!c->active)
+			ts_str_addf(&unused, "%s%s", unused.length ? ", " : "", c->name);
+	}
+	if (unused.length)
+		ts_report_left_out(report, "columns", TS_FULL_COLUMNS, saved_bytes,
+				   "%s: no live style needs them", ts_str_text(&unused));
+	ts_str_release(&unused);
+	if (!report->limits_only)
+		TS_TRY(ts_integrators_check(sim));
+	report->bytes += bytes;
+	ts_report_line(report, "particles", "%zu of %d types, %.0f bytes each", p->n, p->ntypes,
+		       p->capacity ? bytes / (double)p->capacity : 0.0);
+	return TS_OK;
+}
+
+/* From now on forces decide where the particles lie. */
+static enum ts_status settle(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_particles *p = self->state;
+
+	if (sim->clock.last_step > sim->clock.step + 1) /* one step is only a set-up, as the review has it */
+		p->settled = p->max_tag;
+	return TS_OK;
+}
+
+static const struct ts_saved saved[] = {
+	TS_SAVE_I32(struct ts_particles, max_tag),
+	TS_SAVE_I32(struct ts_particles, lost_policy),
+	TS_SAVE_I64(struct ts_particles, lost),
+	TS_SAVED_ROWS_END,
+};
+
+const struct ts_system_style ts_particles_system = {
+	.style = { .name = "particles",
+		   .kind = TS_KIND_SYSTEM,
+		   .summary = "the particles and their groups",
+		   .state_size = sizeof(struct ts_particles),
+		   .saved = saved,
+		   .archive = archive,
+		   .fingerprint = fingerprint,
+		   .init = init,
+		   .plan = plan,
+		   .hook = { [TS_STAGE_POST_INTEGRATE] = ts_group_step,
+			     [TS_STAGE_EXCHANGE] = ts_group_start,
+			     [TS_STAGE_SETUP] = settle },
+		   .waits = TS_WAITS(POST_INTEGRATE),
+		   .fini = fini },
+	.slot = offsetof(struct tsim, particles),
+	.crowd = ts_particles_crowd,
+	.functions = ts_group_functions,
+	.has_property = ts_property_given,
+	.keeps_quantity = ts_particles_keeps_quantity,
+	.has_quantity = ts_particles_has_quantity,
+	.quantity = ts_particles_quantity,
+	.suggest_quantity = ts_particles_suggest_quantity,
+	.quantity_text = ts_particles_quantity_text,
+};

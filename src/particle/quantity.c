@@ -1,0 +1,271 @@
+/* Per-particle numbers by the names scripts use. */
+#include <string.h>
+
+#include "box/domain.h"
+#include "insert/stream.h"
+#include "particle/moments.h"
+#include "particle/particles.h"
+#include "rigid/rigid.h"
+
+#include "base/banned.h"
+
+typedef double quantity_fn(const struct tsim *sim, size_t i);
+
+struct quantity {
+	struct ts_quantity text;
+	quantity_fn *value;
+};
+
+#define VECTOR_QUANTITY(name, column)                                                              \
+	static double name##_x(const struct tsim *sim, size_t i)                                   \
+	{                                                                                          \
+		const struct ts_particles *p = sim->particles;                                     \
+                                                                                                   \
+		return p->column ? (double)p->column[i][0] : 0.0;                                  \
+	}                                                                                          \
+	static double name##_y(const struct tsim *sim, size_t i)                                   \
+	{                                                                                          \
+		const struct ts_particles *p = sim->particles;                                     \
+                                                                                                   \
+		return p->column ? (double)p->column[i][1] : 0.0;                                  \
+	}                                                                                          \
+	static double name##_z(const struct tsim *sim, size_t i)                                   \
+	{                                                                                          \
+		const struct ts_particles *p = sim->particles;                                     \
+                                                                                                   \
+		return p->column ? (double)p->column[i][2] : 0.0;                                  \
+	}
+VECTOR_QUANTITY(position, x)
+VECTOR_QUANTITY(velocity, v)
+VECTOR_QUANTITY(force, f)
+VECTOR_QUANTITY(spin, omega)
+VECTOR_QUANTITY(torque, torque)
+VECTOR_QUANTITY(image, image)
+
+/* xu: not wrapped; xs: from 0 to 1 across the box; xsu: both. */
+static double unwrapped(const struct tsim *sim, size_t i, int k)
+{
+	double x[3];
+
+	ts_unwrapped(sim, i, x);
+	return x[k];
+}
+
+static double scaled(const struct tsim *sim, double x, int k)
+{
+	const struct ts_box *box = &sim->domain->box;
+
+	return (x - box->lo[k]) / ts_box_length(box, k);
+}
+
+#define POSITION_QUANTITY(name, k)                                                                 \
+	static double name##_unwrapped(const struct tsim *sim, size_t i)                           \
+	{                                                                                          \
+		return unwrapped(sim, i, k);                                                       \
+	}                                                                                          \
+	static double name##_scaled(const struct tsim *sim, size_t i)                              \
+	{                                                                                          \
+		return scaled(sim, sim->particles->x[i][k], k);                                    \
+	}                                                                                          \
+	static double name##_scaled_unwrapped(const struct tsim *sim, size_t i)                    \
+	{                                                                                          \
+		return scaled(sim, unwrapped(sim, i, k), k);                                       \
+	}
+POSITION_QUANTITY(x, 0)
+POSITION_QUANTITY(y, 1)
+POSITION_QUANTITY(z, 2)
+
+static double id(const struct tsim *sim, size_t i)
+{
+	return sim->particles->tag[i];
+}
+
+static double type(const struct tsim *sim, size_t i)
+{
+	return sim->particles->type[i];
+}
+
+static double radius(const struct tsim *sim, size_t i)
+{
+	return sim->particles->radius[i];
+}
+
+static double diameter(const struct tsim *sim, size_t i)
+{
+	return 2 * sim->particles->radius[i];
+}
+
+static double mass(const struct tsim *sim, size_t i)
+{
+	return sim->particles->mass[i];
+}
+
+static double density(const struct tsim *sim, size_t i)
+{
+	return ts_material_density(sim, i);
+}
+
+static double body(const struct tsim *sim, size_t i)
+{
+	return sim->particles->body ? sim->particles->body[i] : 0;
+}
+
+static double process(const struct tsim *sim, size_t i)
+{
+	(void)sim, (void)i;
+	return 0;
+}
+
+/* Of a sphere, or in two dimensions of a disc. */
+static double angular(const struct tsim *sim, size_t i, int k)
+{
+	const struct ts_particles *p = sim->particles;
+	double part = sim->dimension == 2 ? 0.5 : 0.4;
+
+	return p->omega ? part * p->mass[i] * p->radius[i] * p->radius[i] * p->omega[i][k] : 0;
+}
+
+static double angular_x(const struct tsim *sim, size_t i)
+{
+	return angular(sim, i, 0);
+}
+
+static double angular_y(const struct tsim *sim, size_t i)
+{
+	return angular(sim, i, 1);
+}
+
+static double angular_z(const struct tsim *sim, size_t i)
+{
+	return angular(sim, i, 2);
+}
+
+static const struct quantity quantities[] = {
+	{ { "id", "", "identity, from 1" }, id },
+	{ { "type", "", "type, from 1" }, type },
+	{ { "radius", "length", "radius" }, radius },
+	{ { "diameter", "length", "diameter" }, diameter },
+	{ { "mass", "mass", "mass" }, mass },
+	{ { "density", "density", "mass by volume; in a clump that of its material" }, density },
+	{ { "mol", "", "molecule, by fix property/atom mol; else id of its rigid body, or 0" }, body },
+	{ { "x", "length", "position" }, position_x },
+	{ { "y", "length", "position" }, position_y },
+	{ { "z", "length", "position" }, position_z },
+	{ { "vx", "velocity", "velocity" }, velocity_x },
+	{ { "vy", "velocity", "velocity" }, velocity_y },
+	{ { "vz", "velocity", "velocity" }, velocity_z },
+	{ { "fx", "force", "force at the last step" }, force_x },
+	{ { "fy", "force", "force at the last step" }, force_y },
+	{ { "fz", "force", "force at the last step" }, force_z },
+	{ { "omegax", "1/time", "angular velocity" }, spin_x },
+	{ { "omegay", "1/time", "angular velocity" }, spin_y },
+	{ { "omegaz", "1/time", "angular velocity" }, spin_z },
+	{ { "tqx", "force*length", "torque at the last step" }, torque_x },
+	{ { "tqy", "force*length", "torque at the last step" }, torque_y },
+	{ { "tqz", "force*length", "torque at the last step" }, torque_z },
+	{ { "xu", "length", "position as if it had never been wrapped into the box" }, x_unwrapped },
+	{ { "yu", "length", "position as if it had never been wrapped into the box" }, y_unwrapped },
+	{ { "zu", "length", "position as if it had never been wrapped into the box" }, z_unwrapped },
+	{ { "xs", "", "position from 0 to 1 across the box" }, x_scaled },
+	{ { "ys", "", "position from 0 to 1 across the box" }, y_scaled },
+	{ { "zs", "", "position from 0 to 1 across the box" }, z_scaled },
+	{ { "xsu", "", "position across the box, not wrapped" }, x_scaled_unwrapped },
+	{ { "ysu", "", "position across the box, not wrapped" }, y_scaled_unwrapped },
+	{ { "zsu", "", "position across the box, not wrapped" }, z_scaled_unwrapped },
+	{ { "ix", "", "how often it has crossed the periodic box" }, image_x },
+	{ { "iy", "", "how often it has crossed the periodic box" }, image_y },
+	{ { "iz", "", "how often it has crossed the periodic box" }, image_z },
+	{ { "proc", "", "number of the process: 0" }, process },
+	{ { "thread", "", "number of the thread: 0, results do not depend on it" }, process },
+	{ { "angmomx", "mass*length^2/time", "angular momentum about its centre" }, angular_x },
+	{ { "angmomy", "mass*length^2/time", "angular momentum about its centre" }, angular_y },
+	{ { "angmomz", "mass*length^2/time", "angular momentum about its centre" }, angular_z },
+};
+enum { NQUANTITIES = sizeof quantities / sizeof *quantities };
+
+static const struct quantity *find(const char *name)
+{
+	for (int k = 0; k < NQUANTITIES; k++)
+		if (ts_streq(quantities[k].text.name, name))
+			return &quantities[k];
+	return NULL;
+}
+
+const struct ts_column *ts_particles_named_column(const struct ts_particles *p, const char *name,
+						  size_t *k)
+{
+	size_t n = strcspn(name, "["), digits = strcspn(name + n, "]");
+	char index[16] = "";
+	int64_t column = 1;
+
+	*k = 0;
+	if (name[n]) {
+		if (digits < 2 || digits > sizeof index || !ts_streq(name + n + digits, "]"))
+			return NULL;
+		memcpy(index, name + n + 1, digits - 1);
+		if (!ts_parse_int(index, &column) || column < 0)
+			return NULL;
+	}
+	for (size_t j = TS_NCOLUMN_BUILTIN; j < p->ncolumns; j++) {
+		const struct ts_column *c = &p->column[j];
+
+		if (!(c->flags & TS_COL_NAMED) || strlen(c->name) != n ||
+		    strncmp(c->name, name, n) != 0)
+			continue;
+		if (!name[n] || !column) /* LIGGGHTS: [0] is the number where there is one */
+			return c->width == 1 ? c : NULL;
+		*k = (size_t)column - 1;
+		return *k < c->width ? c : NULL;
+	}
+	return NULL;
+}
+
+bool ts_particles_has_quantity(const struct tsim *sim, const char *name)
+{
+	size_t k;
+
+	return find(name) || ts_particles_named_column(sim->particles, name, &k) ||
+	       ts_stream_quantity(sim, name) >= 0;
+}
+
+bool ts_particles_keeps_quantity(const struct tsim *sim, const char *name)
+{
+	size_t k;
+
+	return !find(name) && (ts_particles_named_column(sim->particles, name, &k) ||
+			       ts_stream_quantity(sim, name) >= 0);
+}
+
+void ts_particles_suggest_quantity(struct ts_suggest *suggest)
+{
+	for (int k = 0; k < NQUANTITIES; k++)
+		ts_suggest_try(suggest, quantities[k].text.name);
+}
+
+const char *ts_particles_quantity_name(size_t k)
+{
+	return k < NQUANTITIES ? quantities[k].text.name : NULL;
+}
+
+const struct ts_quantity *ts_particles_quantity_text(size_t k)
+{
+	return k < NQUANTITIES ? &quantities[k].text : NULL;
+}
+
+enum ts_status ts_particles_quantity(struct tsim *sim, const char *name, struct ts_table *out)
+{
+	const struct ts_particles *p = sim->particles;
+	const struct quantity *q = find(name);
+	const struct ts_column *named;
+	int stream = ts_stream_quantity(sim, name);
+	size_t k;
+
+	if (ts_table_resize(out, p->n, 1) != TS_OK)
+		return ts_nomem(&sim->error);
+	named = ts_particles_named_column(p, name, &k); /* first: `mol` may be one */
+	for (size_t i = 0; i < p->n; i++)
+		out->data[i] = named ? ((const double *)named->data)[i * named->width + k]
+			       : stream >= 0 ? ts_stream_value(sim, i, stream)
+					     : q->value(sim, i);
+	return TS_OK;
+}

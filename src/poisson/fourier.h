@@ -1,0 +1,39 @@
+/* Complex Fourier transforms of many lines at once: the innermost index counts lines, so that all arithmetic runs
+ * along it in step, whatever the length. Mixed radix (4, 2, 3, 5, other small primes by their sums), self-sorting;
+ * lengths with a large prime as a convolution of a longer, smooth length (L. I. Bluestein, IEEE Trans. AU 18 (1970)
+ * 451).
+ *
+ * Stockham's algorithm: Cochran et al., Proc. IEEE 55 (1967) 1664; C. Van Loan, Computational Frameworks for the
+ * Fast Fourier Transform (1992), section 1.7. The order of operations depends on nothing but the length. */
+#ifndef TS_POISSON_FOURIER_H
+#define TS_POISSON_FOURIER_H
+
+#include <stddef.h>
+
+#include "base/status.h"
+
+enum { TS_FOURIER_STAGES = 32 };
+
+struct ts_fourier {
+	int n, stages;
+	int radix[TS_FOURIER_STAGES];
+	double (*root)[2]; /* cos and sin of 2 pi k/n */
+	/* With a large prime: X_k = c_k sum_j (x_j c_j) c*_{k-j}, c_j = exp(-pi i j^2/n) */
+	struct ts_fourier *longer;
+	double (*chirp)[2];
+	double (*filter)[2]; /* the transform of c*, by the length */
+};
+
+/* cos and sin of 2 pi k/n to the last bit or so, whatever k. */
+void ts_fourier_root(long k, long n, double root[2]);
+
+enum ts_status ts_fourier_make(struct ts_fourier *f, int n);
+void ts_fourier_release(struct ts_fourier *f);
+
+/* Doubles of spare room for so many lines. */
+size_t ts_fourier_spare(const struct ts_fourier *f, int lines);
+/* X_k = sum_j x_j exp(-2 pi i j k/n) of each line: x_j of line l at [j lines + l]. Result in place. The inverse is the
+ * same with re and im exchanged, by n. */
+void ts_fourier_apply(const struct ts_fourier *f, int lines, double *re, double *im, double *spare);
+
+#endif

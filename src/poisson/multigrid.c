@@ -1,0 +1,360 @@
+#include "poisson/multigrid.h"
+
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/clones.h"
+
+#include "base/banned.h"
+
+enum {
+	FEWEST = 16,  /* cells of the coarsest level, more or less */
+	SWEEPS = 8,   /* there, in either direction */
+	GRAIN = 4096, /* cells that are worth a thread */
+};
+
+/* Axes whose cells are joined: those nearly as narrow as the narrowest. */
+static bool choose_axes(const struct ts_stencil *s, struct ts_way way[3])
+{
+	double width[3], least = 0;
+	bool any = false;
+
+	for (int d = 0; d < 3; d++) {
+		width[d] = 0;
+		for (int i = 0; i < s->n[d]; i++)
+			width[d] += s->width[d][i] / s->n[d];
+		if (d < s->axes && s->n[d] > 1 && (least == 0 || width[d] < least))
+			least = width[d];
+	}
+	for (int d = 0; d < 3; d++) {
+		way[d].joined = d < s->axes && s->n[d] > 1 && width[d] < 1.5 * least;
+		any = any || way[d].joined;
+	}
+	return any && s->n[0] * s->n[1] * s->n[2] > FEWEST;
+}
+
+static int begin_of(const struct ts_level *l, int d, int coarse)
+{
+	if (!l->way[d].joined)
+		return coarse;
+	return coarse < l->s.n[d] / 2 ? 2 * coarse : l->s.n[d];
+}
+
+static enum ts_status make_stencil(const struct ts_level *fine, struct ts_stencil *s)
+{
+	const struct ts_stencil *f = &fine->s;
+	int n[3];
+
+	for (int d = 0; d < 3; d++)
+		n[d] = fine->way[d].joined ? f->n[d] / 2 : f->n[d];
+	TS_TRY(ts_stencil_shape(s, n, f->axes, f->periodic));
+	s->singular = f->singular;
+	s->threads = 1 + n[0] * n[1] * n[2] / GRAIN;
+	s->threads = s->threads < f->threads ? s->threads : f->threads;
+	for (int d = 0; d < 3; d++) {
+		for (int c = 0; c < n[d]; c++)
+			for (int i = begin_of(fine, d, c); i < begin_of(fine, d, c + 1); i++)
+				s->width[d][c] += f->width[d][i];
+		for (int c = 1; c < n[d]; c++)
+			s->conduct[d][c] = 2 / (s->width[d][c - 1] + s->width[d][c]);
+		/* as the finer level: periodic, across half a cell, or not at all */
+		if (f->conduct[d][0] > 0)
+			s->conduct[d][0] = 2 / (s->width[d][0] + (f->periodic[d] ? s->width[d][n[d] - 1] : 0));
+		if (f->conduct[d][f->n[d]] > 0)
+			s->conduct[d][n[d]] = 2 / (s->width[d][n[d] - 1] +
+						   (f->periodic[d] ? s->width[d][0] : 0));
+	}
+	return TS_OK;
+}
+
+/* Centre of cell i of an axis; of the ghosts: the image, the face with the given value, or the cell's own. */
+static double centre(const struct ts_stencil *s, int d, int i)
+{
+	double x = 0, length = 0;
+	int n = s->n[d];
+
+	for (int k = 0; k < n; k++)
+		length += s->width[d][k];
+	if (i < 0 || i >= n) {
+		if (s->periodic[d])
+			return i < 0 ? centre(s, d, n - 1) - length : centre(s, d, 0) + length;
+		return i < 0 ? 0 : length;
+	}
+	for (int k = 0; k < i; k++)
+		x += s->width[d][k];
+	return x + 0.5 * s->width[d][i];
+}
+
+/* Between which coarser cells each cell lies. */
+static void fill_below(const struct ts_stencil *fine, const struct ts_stencil *coarse, struct ts_way *way,
+		       int d)
+{
+	for (int c = 0; c < coarse->n[d]; c++)
+		for (int i = way->begin[c]; i < way->begin[c + 1]; i++) {
+			double x = centre(fine, d, i), here = centre(coarse, d, c);
+			int below = x < here ? c - 1 : c;
+			double low = centre(coarse, d, below), high = centre(coarse, d, below + 1);
+			bool beyond = (below < 0 && coarse->conduct[d][0] == 0) ||
+				      (below + 1 == coarse->n[d] && coarse->conduct[d][below + 1] == 0);
+
+			/* where no gradient is, the value goes on as it is */
+			way->below[i] = beyond ? c : below;
+			way->above[i] = beyond ? 0 : (x - low) / (high - low);
+		}
+}
+
+/* The coarser cell on one side, and its share; -1: it has none, or the value beyond is given. */
+static int parent(const struct ts_way *way, const struct ts_stencil *coarse, int d, int i, int side,
+		  double *share)
+{
+	int at = way->below[i] + side, n = coarse->n[d];
+
+	*share = side ? way->above[i] : 1 - way->above[i];
+	if (*share == 0)
+		return -1;
+	if (coarse->periodic[d])
+		return (at + n) % n;
+	return at < n ? at : -1;
+}
+
+/* The same from the side of the coarser cells. */
+static void fill_cells(const struct ts_stencil *coarse, struct ts_way *way, int d, int n)
+{
+	double share;
+	int at = 0;
+
+	for (int c = 0; c < coarse->n[d]; c++) {
+		way->first[c] = at;
+		for (int i = 0; i < n; i++)
+			for (int side = 0; side < 2; side++)
+				if (parent(way, coarse, d, i, side, &share) == c) {
+					way->cell[at] = i;
+					way->share[at++] = share;
+				}
+	}
+	way->first[coarse->n[d]] = at;
+}
+
+static enum ts_status make_way(struct ts_level *fine, const struct ts_stencil *coarse)
+{
+	for (int d = 0; d < 3; d++) {
+		struct ts_way *way = &fine->way[d];
+		size_t n = (size_t)fine->s.n[d], m = (size_t)coarse->n[d] + 1;
+
+		way->begin = ts_alloc(2 * m + 3 * n, sizeof *way->begin);
+		way->above = ts_alloc(3 * n, sizeof *way->above);
+		if (!way->begin || !way->above)
+			return TS_NOMEM;
+		way->first = way->begin + m;
+		way->below = way->first + m;
+		way->cell = way->below + n;
+		way->share = way->above + n;
+		for (int c = 0; c <= coarse->n[d]; c++)
+			way->begin[c] = begin_of(fine, d, c);
+		fill_below(&fine->s, coarse, way, d);
+		fill_cells(coarse, way, d, fine->s.n[d]);
+	}
+	fine->row = ts_alloc_aligned((size_t)ts_stencil_rows(coarse), (size_t)fine->s.n[0] * sizeof(double));
+	return fine->row ? TS_OK : TS_NOMEM;
+}
+
+enum ts_status ts_multigrid_make(struct ts_multigrid *m, const struct ts_stencil *finest)
+{
+	*m = (struct ts_multigrid){ .finest = finest };
+	m->level[0].s = *finest;
+	for (m->levels = 1; m->levels < TS_LEVELS; m->levels++) {
+		struct ts_level *fine = &m->level[m->levels - 1], *coarse = fine + 1;
+
+		fine->r = ts_stencil_field(&fine->s);
+		if (!fine->r)
+			return TS_NOMEM;
+		if (!choose_axes(&fine->s, fine->way))
+			return TS_OK;
+		TS_TRY(make_stencil(fine, &coarse->s));
+		TS_TRY(make_way(fine, &coarse->s));
+		coarse->p = ts_stencil_field(&coarse->s);
+		coarse->b = ts_stencil_field(&coarse->s);
+		coarse->rhs = coarse->b;
+		if (!coarse->p || !coarse->b)
+			return TS_NOMEM;
+	}
+	return TS_OK;
+}
+
+void ts_multigrid_release(struct ts_multigrid *m)
+{
+	for (int k = 0; k < TS_LEVELS; k++) {
+		struct ts_level *l = &m->level[k];
+
+		for (int d = 0; d < 3; d++) {
+			ts_free(l->way[d].begin);
+			ts_free(l->way[d].above);
+		}
+		ts_free(l->row);
+		ts_free(l->r);
+		ts_free(l->p);
+		ts_free(l->b);
+		if (k > 0) /* the first one is another's */
+			ts_stencil_release(&l->s);
+	}
+	*m = (struct ts_multigrid){ 0 };
+}
+
+/* The link of a coarser face: of the finer ones in it, along the greater distance. */
+static double joined_link(const struct ts_level *fine, const struct ts_stencil *coarse, int d, int i,
+			  int j, int k)
+{
+	const int face[3] = { i, j, k };
+	int from[3], to[3];
+	double sum = 0, conduct;
+
+	for (int a = 0; a < 3; a++) {
+		from[a] = fine->way[a].begin[face[a]];
+		to[a] = a == d ? from[a] + 1 : fine->way[a].begin[face[a] + 1];
+	}
+	conduct = fine->s.conduct[d][from[d]];
+	if (conduct == 0)
+		return 0;
+	for (int z = from[2]; z < to[2]; z++)
+		for (int y = from[1]; y < to[1]; y++)
+			for (int x = from[0]; x < to[0]; x++)
+				sum += fine->s.link[d][ts_stencil_at(&fine->s, x, y, z)];
+	return sum * (coarse->conduct[d][face[d]] / conduct);
+}
+
+static void weigh_level(const struct ts_level *fine, struct ts_stencil *coarse)
+{
+	for (int d = 0; d < coarse->axes; d++) {
+		int ny = coarse->n[1] + (d == 1), rows = ny * (coarse->n[2] + (d == 2));
+
+#pragma omp parallel for num_threads(coarse->threads) schedule(static)
+		for (int row = 0; row < rows; row++)
+			for (int i = 0; i < coarse->n[0] + (d == 0); i++)
+				coarse->link[d][ts_stencil_at(coarse, i, row % ny, row / ny)] =
+					joined_link(fine, coarse, d, i, row % ny, row / ny);
+	}
+	ts_stencil_invert(coarse);
+}
+
+void ts_multigrid_weigh(struct ts_multigrid *m)
+{
+	for (int k = 1; k < m->levels; k++)
+		weigh_level(&m->level[k - 1], &m->level[k].s);
+}
+
+TS_CLONES
+static void add_scaled(const double *restrict x, double scale, double *restrict y, int n)
+{
+#pragma omp simd
+	for (int i = 0; i < n; i++)
+		y[i] += scale * x[i];
+}
+
+/* p of a row += what lies between the coarser cells. `row`: one of the coarser level, with its ghosts. */
+static void prolong_row(const struct ts_level *fine, const struct ts_level *coarse, int j, int k,
+			double *row)
+{
+	const int *below = fine->way[0].below;
+	const double *above = fine->way[0].above;
+	double *p = fine->p + ts_stencil_at(&fine->s, 0, j, k);
+
+	memset(row, 0, ((size_t)coarse->s.n[0] + 2) * sizeof *row);
+	for (int side = 0; side < 4; side++) {
+		double share[2];
+		int y = parent(&fine->way[1], &coarse->s, 1, j, side & 1, &share[0]);
+		int z = parent(&fine->way[2], &coarse->s, 2, k, side >> 1, &share[1]);
+
+		if (y >= 0 && z >= 0)
+			add_scaled(coarse->p + ts_stencil_at(&coarse->s, -1, y, z), share[0] * share[1],
+				   row, coarse->s.n[0] + 2);
+	}
+	for (int i = 0; i < fine->s.n[0]; i++)
+		p[i] += (1 - above[i]) * row[below[i] + 1] + above[i] * row[below[i] + 2];
+}
+
+/* The transpose: cells of a coarser row gather from the finer ones beside them. */
+static void restrict_row(const struct ts_level *fine, const struct ts_level *coarse, int j, int k,
+			 double *row)
+{
+	const struct ts_way *x = &fine->way[0], *y = &fine->way[1], *z = &fine->way[2];
+	double *b = coarse->b + ts_stencil_at(&coarse->s, 0, j, k);
+
+	memset(row, 0, (size_t)fine->s.n[0] * sizeof *row);
+	for (int m = z->first[k]; m < z->first[k + 1]; m++)
+		for (int l = y->first[j]; l < y->first[j + 1]; l++)
+			add_scaled(fine->r + ts_stencil_at(&fine->s, 0, y->cell[l], z->cell[m]),
+				   y->share[l] * z->share[m], row, fine->s.n[0]);
+	for (int i = 0; i < coarse->s.n[0]; i++) {
+		double sum = 0;
+
+		for (int l = x->first[i]; l < x->first[i + 1]; l++)
+			sum += x->share[l] * row[x->cell[l]];
+		b[i] = sum;
+	}
+}
+
+static void descend(struct ts_level *fine, struct ts_level *coarse)
+{
+	int rows = ts_stencil_rows(&coarse->s);
+
+	ts_stencil_residual(&fine->s, fine->p, fine->rhs, fine->r);
+#pragma omp parallel for num_threads(coarse->s.threads) schedule(static)
+	for (int row = 0; row < rows; row++)
+		restrict_row(fine, coarse, row % coarse->s.n[1], row / coarse->s.n[1],
+			     fine->row + (size_t)row * (size_t)fine->s.n[0]);
+}
+
+static void ascend(struct ts_level *fine, struct ts_level *coarse)
+{
+	int rows = ts_stencil_rows(&fine->s);
+
+#pragma omp parallel for num_threads(fine->s.threads) schedule(static)
+	for (int row = 0; row < rows; row++) /* the residual has been used: room for rows */
+		prolong_row(fine, coarse, row % fine->s.n[1], row / fine->s.n[1],
+			    fine->r + ts_stencil_row(&fine->s, row) - 1);
+	ts_stencil_ghosts(&fine->s, fine->p);
+}
+
+static void sweep_up(const struct ts_level *l)
+{
+	for (int colour = 0; colour < l->s.colours; colour++)
+		ts_stencil_sweep(&l->s, l->p, l->rhs, colour, 1);
+}
+
+static void sweep_down(const struct ts_level *l)
+{
+	for (int colour = l->s.colours - 1; colour >= 0; colour--)
+		ts_stencil_sweep(&l->s, l->p, l->rhs, colour, 1);
+}
+
+/* In reverse as often as forward: symmetric. */
+static void solve_coarsest(const struct ts_level *l)
+{
+	for (int k = 0; k < SWEEPS; k++)
+		sweep_up(l);
+	for (int k = 0; k < SWEEPS; k++)
+		sweep_down(l);
+}
+
+void ts_multigrid_cycle(void *multigrid, const double *r, double *z)
+{
+	struct ts_multigrid *m = multigrid;
+	struct ts_level *l = m->level;
+	int last = m->levels - 1;
+
+	l[0].p = z;
+	l[0].rhs = r;
+	for (int k = 0; k <= last; k++) {
+		memset(l[k].p, 0, l[k].s.size * sizeof *l[k].p);
+		if (k == last)
+			break;
+		sweep_up(&l[k]);
+		descend(&l[k], &l[k + 1]);
+	}
+	solve_coarsest(&l[last]);
+	for (int k = last - 1; k >= 0; k--) {
+		ascend(&l[k], &l[k + 1]);
+		sweep_down(&l[k]);
+	}
+	l[0].p = NULL;
+}

@@ -1,0 +1,75 @@
+#include "poisson/poisson.h"
+
+#include <math.h>
+
+#include "poisson/direct.h"
+#include "poisson/pressure_style.h"
+
+#include "base/banned.h"
+
+struct direct {
+	struct ts_direct solver;
+};
+
+static void fini(struct ts_instance *self)
+{
+	ts_direct_release(&((struct direct *)self->state)->solver);
+}
+
+static bool suits(const struct ts_poisson *problem, const char **why)
+{
+	*why = "it solves only where the void fraction is 1 everywhere";
+	return !problem->weight[0];
+}
+
+static enum ts_status prepare(struct ts_instance *self, struct tsim *sim,
+			      const struct ts_poisson *problem)
+{
+	struct direct *d = self->state;
+
+	ts_direct_release(&d->solver);
+	if (ts_direct_make(&d->solver, problem, ts_pressure_team(sim, problem)) != TS_OK)
+		return ts_nomem(&sim->error);
+	return TS_OK;
+}
+
+static enum ts_status solve(struct ts_instance *self, struct tsim *sim, const double *rhs, double *p,
+			    struct ts_poisson_report *report)
+{
+	(void)sim;
+	ts_direct_solve(&((struct direct *)self->state)->solver, rhs, p);
+	*report = (struct ts_poisson_report){ .residual = NAN };
+	return TS_OK;
+}
+
+static double cost(const struct ts_instance *self, const struct ts_poisson *problem)
+{
+	(void)self;
+	return ts_direct_cost(problem);
+}
+
+
+TS_STYLE(pressure, ts_pressure_style, ts_pressure_direct)
+const struct ts_pressure_style ts_pressure_direct = {
+	.style = { .name = "direct",
+		   .kind = TS_KIND_PRESSURE,
+		   .summary = "solves mode by mode, to round-off, without iterations",
+		   .doc = "The operator div grad of a Cartesian grid is a sum of one-dimensional ones. Along all axes "
+			  "but one the pressure is written as a sum of their modes: waves, by fast Fourier "
+			  "transforms, on axes with even cells, eigenvectors on graded ones. What is left is a "
+			  "tridiagonal system along the last axis for each mode (R. W. Hockney, J. ACM 12 (1965) "
+			  "95; R. E. Lynch, J. R. Rice and D. H. Thomas, Numer. Math. 6 (1964) 185). The divergence "
+			  "that is left is round-off. Serves all conditions at boundaries, any number of cells "
+			  "(best: products of 2, 3 and 5), and one graded axis at no cost; each further one costs "
+			  "as many operations a cell as it has cells. The void fraction must be 1 everywhere; for "
+			  "beds see pressure_style cg, which can use this solver as its preconditioner.",
+		   .cite = "R. W. Hockney, J. ACM 12 (1965) 95",
+		   .example = "pressure_style direct",
+		   .state_size = sizeof(struct direct),
+		   .fini = fini },
+	.suits = suits,
+	.prepare = prepare,
+	.solve = solve,
+	.cost = cost,
+	.fields = 1,
+};

@@ -1,0 +1,73 @@
+#include "poisson/poisson.h"
+
+#include "poisson/preconditioned.h"
+
+#include "base/banned.h"
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	if (!ts_hypre_here())
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "this tsim was built without hypre: configure it with --with-hypre, or use "
+			       "pressure_style multigrid, its own");
+	return TS_OK;
+}
+
+static bool suits(const struct ts_poisson *problem, const char **why)
+{
+	if (!ts_hypre_here()) {
+		*why = "this tsim was built without hypre";
+		return false;
+	}
+	for (int d = 0; d < problem->grid->dimensions; d++) {
+		int n = problem->grid->n[d];
+
+		*why = "hypre's multigrid wants a power of two of cells along periodic axes";
+		if (problem->condition[d][0] == TS_PRESSURE_PERIODIC && (n & (n - 1)))
+			return false;
+	}
+	return true;
+}
+
+static enum ts_status prepare(struct ts_instance *self, struct tsim *sim,
+			      const struct ts_poisson *problem)
+{
+	((struct ts_preconditioned *)self->state)->wanted = TS_PRECONDITION_HYPRE;
+	return ts_preconditioned_prepare(self, sim, problem);
+}
+
+static double cost(const struct ts_instance *self, const struct ts_poisson *problem)
+{
+	const struct ts_preconditioned hypre = { .wanted = TS_PRECONDITION_HYPRE };
+
+	(void)self;
+	return ts_preconditioned_cost(&hypre, problem);
+}
+
+static const struct ts_arg args[] = {
+	TS_ITERATION_ARGS(struct ts_preconditioned, iteration, "1e-8", "500"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(pressure, ts_pressure_style, ts_pressure_hypre)
+const struct ts_pressure_style ts_pressure_hypre = {
+	.style = { .name = "hypre",
+		   .kind = TS_KIND_PRESSURE,
+		   .summary = "multigrid of the library hypre within conjugate gradients",
+		   .doc = "The iterations of pressure_style cg, each with a V-cycle of hypre's PFMG as the "
+			  "preconditioner: semi-coarsening with Galerkin operators; about as fast as pressure_style "
+			  "multigrid (doc/pressure.md). Only in programs that were "
+			  "configured with --with-hypre; hypre brings MPI, which is begun for the one process "
+			  "when the style is first used. Periodic axes must have a power of two of cells. One thread.",
+		   .example = "pressure_style hypre",
+		   .cite = "R. D. Falgout and J. E. Jones, Multigrid Methods VI (2000) 101",
+		   .args = args,
+		   .state_size = sizeof(struct ts_preconditioned),
+		   .init = init,
+		   .fini = ts_preconditioned_fini },
+	.suits = suits,
+	.prepare = prepare,
+	.solve = ts_preconditioned_solve,
+	.cost = cost,
+	.fields = 25,
+};

@@ -1,0 +1,47 @@
+/* What pressure styles share: when iterations end, and which style a problem gets by default. */
+#ifndef TS_POISSON_PRESSURE_STYLE_H
+#define TS_POISSON_PRESSURE_STYLE_H
+
+#include "poisson/poisson.h"
+#include "poisson/stencil.h"
+
+/* How many threads are worth it. */
+int ts_pressure_team(const struct tsim *sim, const struct ts_poisson *problem);
+
+enum ts_unfinished { TS_UNFINISHED_STOP, TS_UNFINISHED_WARN };
+
+/* First in the state of solvers that iterate. */
+struct ts_iteration {
+	double tolerance; /* of the residual, by the largest right-hand side */
+	int64_t most;
+	int unfinished;
+	bool told;
+	bool weighed; /* without weights, once is enough */
+	bool changed; /* links, by the last ts_iteration_begin */
+	struct ts_stencil stencil;
+	const struct ts_poisson *problem;
+	double *b, *p;
+};
+
+extern const char *const ts_unfinished_names[];
+#define TS_ITERATION_ARGS(T, f, tolerance_, most_)                                                 \
+	TS_REAL("tolerance", T, f.tolerance, .range = TS_WITHIN, .lo = 1e-16, .hi = 1e-3,          \
+		.fallback = tolerance_, .unit = "",                                                \
+		.help = "largest residual that is left, by the largest right-hand side; with more " \
+			"than 1e-3 the fluid gains and loses volume"),                             \
+	TS_INT("iterations", T, f.most, .range = TS_POSITIVE, .fallback = most_, .unit = "",       \
+	       .help = "so many at most"),                                                         \
+	TS_ENUM("unfinished", T, f.unfinished, ts_unfinished_names, .fallback = "stop",            \
+		.help = "stop the run, or warn once, if they do not suffice")
+
+enum ts_status ts_iteration_prepare(struct ts_iteration *it, struct tsim *sim,
+				    const struct ts_poisson *problem);
+void ts_iteration_release(struct ts_iteration *it);
+/* Links, right-hand side and first guess, and how small the residual has to be; *goal 0: the solution is 0. */
+enum ts_status ts_iteration_begin(struct ts_iteration *it, struct ts_instance *self, struct tsim *sim,
+				  const double *rhs, const double *p, double *goal);
+/* The solution to `p`; an error or a warning if the residual is beyond the goal. */
+enum ts_status ts_iteration_end(struct ts_iteration *it, struct ts_instance *self, struct tsim *sim,
+				double goal, const struct ts_poisson_report *report, double *p);
+
+#endif

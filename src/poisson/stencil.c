@@ -1,0 +1,465 @@
+#include "poisson/stencil.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/alloc.h"
+#include "base/clones.h"
+#include "base/inline.h"
+
+#include "base/banned.h"
+
+enum { LANES = 8 }; /* sums in rows have so many parts, whatever the processor does at once */
+
+/* Rows whose ghosts take as long to copy as it takes to wake a thread. */
+enum { GHOST_ROWS = 512 };
+
+/* An odd period needs a third colour, for its last cell. */
+static void set_colours(struct ts_stencil *s)
+{
+	s->colours = 2;
+	for (int d = 0; d < 3; d++) {
+		int n = s->n[d];
+
+		for (int i = 0; i < n; i++)
+			s->colour[d][i] = i % 2;
+		if (s->periodic[d] && n % 2) {
+			s->colours = 3;
+			s->colour[d][n - 1] = 2;
+		}
+	}
+}
+
+enum ts_status ts_stencil_shape(struct ts_stencil *s, const int n[3], int axes, const bool periodic[3])
+{
+	size_t lengths = 0;
+
+	*s = (struct ts_stencil){ .axes = axes, .threads = 1 };
+	for (int d = 0; d < 3; d++) {
+		s->n[d] = n[d];
+		s->periodic[d] = periodic[d];
+		lengths += 3 * (size_t)n[d] + 1;
+	}
+	/* Rows begin on lines of the cache, with room for a ghost on either side. */
+	s->stride[0] = 1;
+	s->stride[1] = (n[0] + 1 + 8 + 7) / 8 * 8;
+	s->stride[2] = s->stride[1] * (n[1] + 2);
+	s->origin = (size_t)(8 + s->stride[1] + (axes > 2 ? s->stride[2] : 0));
+	s->size = (size_t)(s->stride[2] * (n[2] + (axes > 2 ? 2 : 0)) + 8);
+	s->memory = ts_alloc(lengths + (size_t)ts_stencil_rows(s), sizeof(double));
+	s->fields = ts_alloc_aligned(((size_t)axes + 1) * s->size, sizeof(double));
+	if (!s->memory || !s->fields)
+		return TS_NOMEM;
+	s->rows = s->memory;
+	lengths = (size_t)ts_stencil_rows(s);
+	for (int d = 0; d < 3; d++) {
+		s->width[d] = s->memory + lengths;
+		s->conduct[d] = s->width[d] + n[d];
+		s->link[d] = d < axes ? s->fields + (size_t)d * s->size : NULL;
+		s->colour[d] = s->conduct[d] + n[d] + 1;
+		lengths += 3 * (size_t)n[d] + 1;
+	}
+	set_colours(s);
+	s->inverse = s->fields + (size_t)axes * s->size;
+	return TS_OK;
+}
+
+enum ts_status ts_stencil_make(struct ts_stencil *s, const struct ts_poisson *problem)
+{
+	const struct ts_grid *grid = problem->grid;
+	bool periodic[3];
+
+	for (int d = 0; d < 3; d++)
+		periodic[d] = d < grid->dimensions &&
+			      problem->condition[d][0] == TS_PRESSURE_PERIODIC;
+	TS_TRY(ts_stencil_shape(s, grid->n, grid->dimensions, periodic));
+	s->threads = problem->threads;
+	s->singular = problem->singular;
+	for (int d = 0; d < 3; d++) {
+		memcpy(s->width[d], grid->width[d], (size_t)grid->n[d] * sizeof(double));
+		for (int i = 0; i <= grid->n[d]; i++)
+			s->conduct[d][i] = ts_poisson_conduct(problem, d, i);
+	}
+	return TS_OK;
+}
+
+void ts_stencil_release(struct ts_stencil *s)
+{
+	ts_free(s->memory);
+	ts_free(s->fields);
+	*s = (struct ts_stencil){ 0 };
+}
+
+double *ts_stencil_field(const struct ts_stencil *s)
+{
+	return ts_alloc_aligned(s->size, sizeof(double));
+}
+
+/* The links of faces across axis d in one row of cells, or of the faces above the last ones. */
+static void weigh_row(struct ts_stencil *s, const struct ts_poisson *problem, int d, int j, int k)
+{
+	const struct ts_grid *grid = problem->grid;
+	const double *weight = problem->weight[d];
+	int index[3] = { 0, j, k };
+	double *link = s->link[d] + ts_stencil_at(s, 0, j, k);
+	double area = 1;
+
+	for (int a = 1; a < 3; a++)
+		area *= a == d ? s->conduct[a][index[a]] : s->width[a][index[a]];
+	if (s->periodic[d] && d > 0 && index[d] == s->n[d])
+		index[d] = 0;
+	weight = weight ? weight + ts_at(grid, 0, index[1], index[2]) : NULL;
+	for (int i = 0; i < s->n[0] + (d == 0); i++) {
+		double across = d == 0 ? s->conduct[0][i] : s->width[0][i];
+		int face = d == 0 && s->periodic[0] && i == s->n[0] ? 0 : i;
+
+		/* a face without gradient may have any weight, NaN too */
+		link[i] = area * across == 0 ? 0 : area * across * (weight ? weight[face] : 1);
+	}
+}
+
+void ts_stencil_weigh(struct ts_stencil *s, const struct ts_poisson *problem)
+{
+	for (int d = 0; d < s->axes; d++) {
+		int ny = s->n[1] + (d == 1), rows = ny * (s->n[2] + (d == 2));
+
+#pragma omp parallel for num_threads(s->threads) schedule(static)
+		for (int row = 0; row < rows; row++)
+			weigh_row(s, problem, d, row % ny, row / ny);
+	}
+	ts_stencil_invert(s);
+}
+
+static void invert_row(struct ts_stencil *s, size_t at)
+{
+	for (size_t i = at; i < at + (size_t)s->n[0]; i++) {
+		double sum = 0;
+
+		for (int d = 0; d < s->axes; d++)
+			sum += s->link[d][i] + s->link[d][i + (size_t)s->stride[d]];
+		s->inverse[i] = sum > 0 ? 1 / sum : 0;
+	}
+}
+
+void ts_stencil_invert(struct ts_stencil *s)
+{
+#pragma omp parallel for num_threads(s->threads) schedule(static)
+	for (int row = 0; row < ts_stencil_rows(s); row++)
+		invert_row(s, ts_stencil_row(s, row));
+}
+
+static double row_area(const struct ts_stencil *s, int row)
+{
+	return s->width[1][row % s->n[1]] * s->width[2][row / s->n[1]];
+}
+
+void ts_stencil_take(const struct ts_stencil *s, const struct ts_grid *grid, const double *field,
+		     bool volumes, double *out)
+{
+#pragma omp parallel for num_threads(s->threads) schedule(static)
+	for (int row = 0; row < ts_stencil_rows(s); row++) {
+		const double *from = field + ts_at(grid, 0, row % s->n[1], row / s->n[1]);
+		double *to = out + ts_stencil_row(s, row), area = row_area(s, row);
+
+		for (int i = 0; i < s->n[0]; i++)
+			to[i] = volumes ? -from[i] * (s->width[0][i] * area) : from[i];
+	}
+}
+
+void ts_stencil_give(const struct ts_stencil *s, const struct ts_grid *grid, const double *field,
+		     double *out)
+{
+#pragma omp parallel for num_threads(s->threads) schedule(static)
+	for (int row = 0; row < ts_stencil_rows(s); row++)
+		memcpy(out + ts_at(grid, 0, row % s->n[1], row / s->n[1]),
+		       field + ts_stencil_row(s, row), (size_t)s->n[0] * sizeof *out);
+}
+
+TS_CLONES
+static void divide_row(const double *restrict r, const double *restrict width, double area,
+		       double *restrict out, int n)
+{
+#pragma omp simd
+	for (int i = 0; i < n; i++)
+		out[i] = -r[i] / (width[i] * area);
+}
+
+void ts_stencil_by_volume(const struct ts_stencil *s, const double *r, double *out)
+{
+#pragma omp parallel for num_threads(s->threads) schedule(static)
+	for (int row = 0; row < ts_stencil_rows(s); row++) {
+		size_t at = ts_stencil_row(s, row);
+
+		divide_row(r + at, s->width[0], row_area(s, row), out + at, s->n[0]);
+	}
+}
+
+static void copy_row(const struct ts_stencil *s, double *p, size_t to, size_t from)
+{
+	memcpy(p + to, p + from, (size_t)s->n[0] * sizeof *p);
+}
+
+/* Ghosts read cells only, so that the axes do not wait for one another. */
+void ts_stencil_ghosts(const struct ts_stencil *s, double *p)
+{
+	int rows = ts_stencil_rows(s), team = 1 + rows / GHOST_ROWS;
+
+	if (!s->periodic[0] && !s->periodic[1] && !s->periodic[2])
+		return;
+#pragma omp parallel num_threads(team < s->threads ? team : s->threads)
+	{
+#pragma omp for schedule(static) nowait
+		for (int row = 0; row < (s->periodic[0] ? rows : 0); row++) {
+			double *first = p + ts_stencil_row(s, row);
+
+			first[-1] = first[s->n[0] - 1];
+			first[s->n[0]] = first[0];
+		}
+#pragma omp for schedule(static) nowait
+		for (int k = 0; k < (s->periodic[1] ? s->n[2] : 0); k++) {
+			copy_row(s, p, ts_stencil_at(s, 0, -1, k), ts_stencil_at(s, 0, s->n[1] - 1, k));
+			copy_row(s, p, ts_stencil_at(s, 0, s->n[1], k), ts_stencil_at(s, 0, 0, k));
+		}
+#pragma omp for schedule(static) nowait
+		for (int j = 0; j < (s->periodic[2] ? s->n[1] : 0); j++) {
+			copy_row(s, p, ts_stencil_at(s, 0, j, -1), ts_stencil_at(s, 0, j, s->n[2] - 1));
+			copy_row(s, p, ts_stencil_at(s, 0, j, s->n[2]), ts_stencil_at(s, 0, j, 0));
+		}
+	}
+}
+
+/* out = A p along a row. */
+TS_INLINE void apply_axes(const struct ts_stencil *s, size_t at, const double *restrict p,
+			  double *restrict out, int axes)
+{
+	const double *restrict cx = s->link[0] + at, *restrict cy = s->link[1] + at;
+	const double *restrict cz = axes > 2 ? s->link[2] + at : NULL;
+	const ptrdiff_t sy = s->stride[1], sz = s->stride[2];
+	const int n = s->n[0];
+
+	p += at;
+	out += at;
+#pragma omp simd
+	for (int i = 0; i < n; i++) {
+		double here = p[i], sum;
+
+		sum = cx[i] * (here - p[i - 1]) + cx[i + 1] * (here - p[i + 1]);
+		sum += cy[i] * (here - p[i - sy]) + cy[i + sy] * (here - p[i + sy]);
+		if (axes > 2)
+			sum += cz[i] * (here - p[i - sz]) + cz[i + sz] * (here - p[i + sz]);
+		out[i] = sum;
+	}
+}
+
+TS_INLINE double dot_row(const double *restrict a, const double *restrict b, int n)
+{
+	double part[LANES] = { 0 }, sum = 0;
+	int i = 0;
+
+	for (; i + LANES <= n; i += LANES)
+#pragma omp simd
+		for (int l = 0; l < LANES; l++)
+			part[l] += a[i + l] * b[i + l];
+	for (; i < n; i++)
+		part[i % LANES] += a[i] * b[i];
+	for (int l = 0; l < LANES; l++)
+		sum += part[l];
+	return sum;
+}
+
+/* NaN if there is one: a comparison with it is false. */
+TS_INLINE double largest_row(const double *restrict r, const double *restrict width, int n)
+{
+	double part[LANES] = { 0 }, most = 0;
+	int i = 0;
+
+	for (; i + LANES <= n; i += LANES)
+#pragma omp simd
+		for (int l = 0; l < LANES; l++) {
+			double value = fabs(r[i + l]) / width[i + l];
+
+			part[l] = value <= part[l] ? part[l] : value;
+		}
+	for (; i < n; i++) {
+		double value = fabs(r[i]) / width[i];
+
+		part[i % LANES] = value <= part[i % LANES] ? part[i % LANES] : value;
+	}
+	for (int l = 0; l < LANES; l++)
+		most = part[l] <= most ? most : part[l];
+	return most;
+}
+
+TS_CLONES
+static double apply_row(const struct ts_stencil *s, size_t at, const double *p, double *out)
+{
+	if (s->axes > 2)
+		apply_axes(s, at, p, out, 3);
+	else
+		apply_axes(s, at, p, out, 2);
+	return dot_row(p + at, out + at, s->n[0]);
+}
+
+TS_CLONES
+static double residual_row(const struct ts_stencil *s, size_t at, const double *p,
+			   const double *restrict b, double *restrict out)
+{
+	if (s->axes > 2)
+		apply_axes(s, at, p, out, 3);
+	else
+		apply_axes(s, at, p, out, 2);
+#pragma omp simd
+	for (int i = 0; i < s->n[0]; i++)
+		out[at + (size_t)i] = b[at + (size_t)i] - out[at + (size_t)i];
+	return largest_row(out + at, s->width[0], s->n[0]);
+}
+
+/* Gauss-Seidel in the cells of a row that have one colour along it, */
+TS_INLINE void sweep_axes(const struct ts_stencil *s, size_t at, double *p, const double *b,
+			  double wanted, double omega, int axes)
+{
+	const double *cx = s->link[0] + at, *cy = s->link[1] + at, *inverse = s->inverse + at;
+	const double *cz = axes > 2 ? s->link[2] + at : NULL;
+	const ptrdiff_t sy = s->stride[1], sz = s->stride[2];
+	const double *colour = s->colour[0];
+	const int n = s->n[0];
+
+	p += at;
+	b += at;
+#pragma omp simd
+	for (int i = 0; i < n; i++) {
+		double sum = b[i] + cx[i] * p[i - 1] + cx[i + 1] * p[i + 1];
+
+		sum += cy[i] * p[i - sy] + cy[i + sy] * p[i + sy];
+		if (axes > 2)
+			sum += cz[i] * p[i - sz] + cz[i + sz] * p[i + sz];
+		if (colour[i] == wanted)
+			p[i] += omega * (sum * inverse[i] - p[i]);
+	}
+}
+
+TS_CLONES
+static void sweep_row(const struct ts_stencil *s, size_t at, double *p, const double *b, double wanted,
+		      double omega)
+{
+	if (s->axes > 2)
+		sweep_axes(s, at, p, b, wanted, omega, 3);
+	else
+		sweep_axes(s, at, p, b, wanted, omega, 2);
+}
+
+void ts_stencil_sweep(const struct ts_stencil *s, double *p, const double *b, int colour, double omega)
+{
+#pragma omp parallel for num_threads(s->threads) schedule(static)
+	for (int row = 0; row < ts_stencil_rows(s); row++) {
+		int of_row = (int)(s->colour[1][row % s->n[1]] + s->colour[2][row / s->n[1]]);
+
+		sweep_row(s, ts_stencil_row(s, row), p, b, (colour + 6 - of_row) % s->colours, omega);
+	}
+	ts_stencil_ghosts(s, p);
+}
+
+double ts_stencil_sum(const struct ts_stencil *s)
+{
+	double sum = 0;
+
+	for (int row = 0; row < ts_stencil_rows(s); row++)
+		sum += s->rows[row];
+	return sum;
+}
+
+double ts_stencil_maximum(const struct ts_stencil *s)
+{
+	double most = 0;
+
+	for (int row = 0; row < ts_stencil_rows(s); row++)
+		most = s->rows[row] <= most ? most : s->rows[row];
+	return most;
+}
+
+double ts_stencil_apply(const struct ts_stencil *s, const double *p, double *out)
+{
+#pragma omp parallel for num_threads(s->threads) schedule(static)
+	for (int row = 0; row < ts_stencil_rows(s); row++)
+		s->rows[row] = apply_row(s, ts_stencil_row(s, row), p, out);
+	return ts_stencil_sum(s);
+}
+
+double ts_stencil_residual(const struct ts_stencil *s, const double *p, const double *b, double *out)
+{
+#pragma omp parallel for num_threads(s->threads) schedule(static)
+	for (int row = 0; row < ts_stencil_rows(s); row++)
+		s->rows[row] = residual_row(s, ts_stencil_row(s, row), p, b, out) / row_area(s, row);
+	return ts_stencil_maximum(s);
+}
+
+TS_CLONES
+static double largest_of_row(const double *r, const double *width, int n)
+{
+	return largest_row(r, width, n);
+}
+
+double ts_stencil_largest(const struct ts_stencil *s, const double *r)
+{
+#pragma omp parallel for num_threads(s->threads) schedule(static)
+	for (int row = 0; row < ts_stencil_rows(s); row++)
+		s->rows[row] = largest_of_row(r + ts_stencil_row(s, row), s->width[0], s->n[0]) /
+			       row_area(s, row);
+	return ts_stencil_maximum(s);
+}
+
+TS_CLONES
+static double dot_of_row(const double *a, const double *b, int n)
+{
+	return dot_row(a, b, n);
+}
+
+double ts_stencil_dot(const struct ts_stencil *s, const double *a, const double *b)
+{
+#pragma omp parallel for num_threads(s->threads) schedule(static)
+	for (int row = 0; row < ts_stencil_rows(s); row++)
+		s->rows[row] = dot_of_row(a + ts_stencil_row(s, row), b + ts_stencil_row(s, row), s->n[0]);
+	return ts_stencil_sum(s);
+}
+
+static double volume(const struct ts_stencil *s)
+{
+	double length[3] = { 0 };
+
+	for (int d = 0; d < 3; d++)
+		for (int i = 0; i < s->n[d]; i++)
+			length[d] += s->width[d][i];
+	return length[0] * length[1] * length[2];
+}
+
+void ts_stencil_centre(const struct ts_stencil *s, double *p)
+{
+	double mean;
+
+#pragma omp parallel for num_threads(s->threads) schedule(static)
+	for (int row = 0; row < ts_stencil_rows(s); row++)
+		s->rows[row] = row_area(s, row) *
+			       dot_of_row(p + ts_stencil_row(s, row), s->width[0], s->n[0]);
+	mean = ts_stencil_sum(s) / volume(s);
+#pragma omp parallel for num_threads(s->threads) schedule(static)
+	for (int row = 0; row < ts_stencil_rows(s); row++)
+		for (int i = 0; i < s->n[0]; i++)
+			p[ts_stencil_row(s, row) + (size_t)i] -= mean;
+}
+
+void ts_stencil_balance(const struct ts_stencil *s, double *b)
+{
+	double excess;
+
+#pragma omp parallel for num_threads(s->threads) schedule(static)
+	for (int row = 0; row < ts_stencil_rows(s); row++) {
+		s->rows[row] = 0;
+		for (int i = 0; i < s->n[0]; i++)
+			s->rows[row] += b[ts_stencil_row(s, row) + (size_t)i];
+	}
+	excess = ts_stencil_sum(s) / volume(s);
+#pragma omp parallel for num_threads(s->threads) schedule(static)
+	for (int row = 0; row < ts_stencil_rows(s); row++)
+		for (int i = 0; i < s->n[0]; i++)
+			b[ts_stencil_row(s, row) + (size_t)i] -= excess * (row_area(s, row) * s->width[0][i]);
+}

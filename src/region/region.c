@@ -1,0 +1,383 @@
+#include "region/region.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "box/domain.h"
+#include "math/vec3.h"
+
+#include "base/banned.h"
+
+const char *const ts_region_sides[] = { "in", "out", NULL };
+const char *const ts_region_units[] = { "lattice", "box", NULL };
+const char *const ts_region_axes[] = { "x", "y", "z", NULL };
+
+static const struct ts_region_style *style_of(const struct ts_instance *region)
+{
+	return (const struct ts_region_style *)region->style;
+}
+
+/* ---- where a region is */
+
+/* The matrix of a rotation by an angle about a unit vector (Rodrigues). */
+static void rotation(const double axis[3], double angle, double turn[3][3])
+{
+	double c = cos(angle), s = sin(angle);
+
+	for (int i = 0; i < 3; i++)
+		for (int j = 0; j < 3; j++)
+			turn[i][j] = (1 - c) * axis[i] * axis[j] + (i == j ? c : 0);
+	for (int i = 0; i < 3; i++) {
+		int j = (i + 1) % 3, k = (i + 2) % 3;
+
+		turn[k][j] += s * axis[i];
+		turn[j][k] -= s * axis[i];
+	}
+}
+
+/* Where the point x would be if the region had stayed where it was defined. */
+static void to_shape(const struct ts_region *r, const double x[3], double y[3])
+{
+	double d[3];
+
+	for (int k = 0; k < 3; k++)
+		d[k] = x[k] - r->shift[k] - r->pivot[k];
+	for (int k = 0; k < 3; k++)
+		y[k] = r->pivot[k] + r->turn[0][k] * d[0] + r->turn[1][k] * d[1] +
+		       r->turn[2][k] * d[2];
+}
+
+enum ts_status ts_region_update(struct ts_instance *region, struct tsim *sim)
+{
+	struct ts_region *r = region ? region->state : NULL;
+	double angle = 0;
+
+	if (!region)
+		return TS_OK;
+	if (style_of(region)->update)
+		TS_TRY(style_of(region)->update(region, sim));
+	if (!r->moves)
+		return TS_OK;
+	for (int k = 0; k < 3; k++)
+		TS_TRY(ts_number_now(sim, &r->move[k], &region->where, &r->shift[k]));
+	TS_TRY(ts_number_now(sim, &r->angle, &region->where, &angle));
+	rotation(r->axis, angle, r->turn);
+	r->turned = angle;
+	return TS_OK;
+}
+
+bool ts_region_contains(const struct ts_instance *region, const double x[3])
+{
+	const struct ts_region *r = region->state;
+	double y[3];
+
+	if (r->moves) {
+		to_shape(r, x, y);
+		x = y;
+	}
+	return style_of(region)->contains(region, x) != (r->side == 1);
+}
+
+double ts_region_depth(const struct ts_instance *region, const double x[3])
+{
+	const struct ts_region *r = region->state;
+	double y[3], depth;
+
+	if (!style_of(region)->depth)
+		return NAN;
+	if (r->moves) {
+		to_shape(r, x, y);
+		x = y;
+	}
+	depth = style_of(region)->depth(region, x);
+	return r->side == 1 ? -depth : depth;
+}
+
+double ts_region_radial(const struct ts_instance *region, const double x[3])
+{
+	const struct ts_region *r = region->state;
+	double y[3];
+
+	if (!style_of(region)->radial || r->side == 1)
+		return NAN;
+	if (r->moves) {
+		to_shape(r, x, y);
+		x = y;
+	}
+	return style_of(region)->radial(region, x);
+}
+
+/* ---- its surface */
+
+int ts_region_faces(const struct ts_instance *region)
+{
+	const struct ts_region_style *style = style_of(region);
+	const struct ts_instance *member;
+	int sum = 0;
+
+	if (!style->spots || !style->member)
+		return style->spots ? style->faces : 0;
+	for (int64_t k = 0; (member = style->member(region, k)); k++) {
+		int faces = ts_region_faces(member);
+
+		if (!faces)
+			return 0;
+		sum += faces;
+	}
+	return sum;
+}
+
+int ts_region_movers(const struct ts_instance *region, const struct ts_instance **out, int room)
+{
+	const struct ts_region_style *style = style_of(region);
+	const struct ts_instance *member;
+	int n = 0;
+
+	if (((const struct ts_region *)region->state)->moves) {
+		if (room > 0)
+			out[0] = region;
+		n++;
+	}
+	for (int64_t k = 0; style->member && (member = style->member(region, k)); k++) {
+		int at = n < room ? n : room;
+
+		n += ts_region_movers(member, out ? out + at : NULL, room - at);
+	}
+	return n;
+}
+
+int ts_region_spots_all(const struct ts_instance *region, const double x[3],
+			struct ts_region_spot *out)
+{
+	const struct ts_region *r = region->state;
+	double y[3];
+	int n;
+
+	if (!r->moves)
+		return style_of(region)->spots(region, x, style_of(region)->contains(region, x), out);
+	to_shape(r, x, y);
+	n = style_of(region)->spots(region, y, style_of(region)->contains(region, y), out);
+	for (int k = 0; k < n; k++) {
+		double there[3];
+
+		for (int d = 0; d < 3; d++)
+			there[d] = ts_dot(r->turn[d], out[k].n);
+		for (int d = 0; d < 3; d++)
+			out[k].n[d] = there[d];
+		out[k].mover = region;
+	}
+	return n;
+}
+
+int ts_region_spots(const struct ts_instance *region, const double x[3], struct ts_region_spot *out)
+{
+	const struct ts_region *r = region->state;
+
+	if (!r->open && !ts_region_contains(region, x))
+		return 0;
+	return ts_region_spots_all(region, x, out);
+}
+
+bool ts_region_varies(const struct ts_instance *region)
+{
+	return ((const struct ts_region *)region->state)->varies;
+}
+
+bool ts_region_reshapes(const struct ts_instance *region)
+{
+	return ((const struct ts_region *)region->state)->reshapes;
+}
+
+/* The box around the turned and shifted box of the shape. */
+static void move_bounds(const struct ts_region *r, double lo[3], double hi[3])
+{
+	double a[3], b[3];
+
+	for (int k = 0; k < 3; k++) {
+		a[k] = lo[k] - r->pivot[k];
+		b[k] = hi[k] - r->pivot[k];
+	}
+	for (int i = 0; i < 3; i++) {
+		lo[i] = hi[i] = r->pivot[i] + r->shift[i];
+		for (int j = 0; j < 3; j++) {
+			double t = r->turn[i][j];
+
+			if (t == 0) /* also where the shape has no end */
+				continue;
+			lo[i] += fmin(t * a[j], t * b[j]);
+			hi[i] += fmax(t * a[j], t * b[j]);
+		}
+	}
+}
+
+void ts_region_bounds(const struct ts_instance *region, double lo[3], double hi[3])
+{
+	const struct ts_region *r = region->state;
+
+	if (r->side == 0) {
+		style_of(region)->bounds(region, lo, hi);
+		if (r->moves)
+			move_bounds(r, lo, hi);
+		return;
+	}
+	for (int d = 0; d < 3; d++) {
+		lo[d] = -INFINITY;
+		hi[d] = INFINITY;
+	}
+}
+
+double ts_region_volume(const struct ts_instance *region)
+{
+	const struct ts_region *r = region->state;
+
+	if (r->side == 1)
+		return INFINITY;
+	return style_of(region)->volume ? style_of(region)->volume(region) : NAN;
+}
+
+/* ---- the definition */
+
+#define MOVE_ROW(name, k)                                                                          \
+	TS_NUMBER(name, struct ts_region, move[k], .flags = TS_POSITIONAL | TS_NULLABLE,           \
+		  .unit = "length", .help = "v_name or NULL")
+static const struct ts_arg move_rows[] = {
+	MOVE_ROW("v_x", 0),
+	MOVE_ROW("v_y", 1),
+	MOVE_ROW("v_z", 2),
+	TS_ARGS_END,
+};
+
+static const struct ts_arg rotate_rows[] = {
+	TS_NUMBER("v_theta", struct ts_region, angle, .flags = TS_POSITIONAL, .help = "angle"),
+	TS_VEC3("P", struct ts_region, pivot, .flags = TS_POSITIONAL, .unit = "length",
+		.help = "a point of the axis"),
+	TS_VEC3("R", struct ts_region, axis, .flags = TS_POSITIONAL,
+		.help = "direction of the axis"),
+	TS_ARGS_END,
+};
+
+static enum ts_status define_motion(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_region *r = self->state;
+	double length;
+
+	if (r->move_words.n) {
+		TS_TRY(ts_args_parse(sim, "region: move", move_rows, r->move_words, &self->where,
+				     &self->arena, r));
+		r->moves = true;
+	}
+	if (!r->rotate_words.n)
+		return TS_OK;
+	TS_TRY(ts_args_parse(sim, "region: rotate", rotate_rows, r->rotate_words, &self->where,
+			     &self->arena, r));
+	length = ts_norm(r->axis);
+	if (!(length > 0))
+		return ts_fail(&sim->error, TS_RANGE, &r->rotate_words.word[4].place,
+			       "region: the axis of rotate is zero, expected a direction");
+	ts_scale(1 / length, r->axis, r->axis);
+	for (int k = 0; k < 3; k++)
+		r->pivot[k] *= r->scale[k];
+	r->moves = true;
+	return TS_OK;
+}
+
+static enum ts_status define_open(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_region *r = self->state;
+	int faces = style_of(self)->faces;
+
+	for (size_t k = 0; k < r->open_words.n; k++) {
+		const struct ts_word *word = &r->open_words.word[k];
+		int64_t face;
+
+		if (!ts_parse_int(word->text, &face) || face < 1 || face > faces)
+			return ts_fail(&sim->error, TS_RANGE, &word->place,
+				       "region %s: open is '%s', expected a face from 1 to %d",
+				       self->style->name, word->text, faces);
+		r->open |= 1u << (face - 1);
+	}
+	return TS_OK;
+}
+
+static size_t count_variables(struct ts_words words)
+{
+	size_t n = 0;
+
+	for (size_t k = 0; k < words.n; k++)
+		n += strncmp(words.word[k].text, "v_", 2) == 0;
+	return n;
+}
+
+enum ts_status ts_region_init(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_domain *domain = sim->domain;
+	struct ts_region *r = self->state;
+
+	if (r->defined)
+		return TS_OK;
+	ts_domain_units_said(sim, r->units, &self->where);
+	for (int k = 0; k < 3; k++) {
+		r->scale[k] = ts_domain_scale(sim, r->units, k);
+		r->edge[0][k] = domain->exists ? domain->box.lo[k] : NAN;
+		r->edge[1][k] = domain->exists ? domain->box.hi[k] : NAN;
+		r->axis[k] = k == 2;
+		r->turn[k][k] = 1;
+	}
+	TS_TRY(define_motion(self, sim));
+	TS_TRY(define_open(self, sim));
+	r->reshapes = count_variables(self->words) >
+		      count_variables(r->move_words) + count_variables(r->rotate_words);
+	r->varies = r->moves || r->reshapes;
+	r->defined = true;
+	return TS_OK;
+}
+
+enum ts_status ts_region_coord(struct ts_instance *self, struct tsim *sim, double given, int dim,
+			       double *out)
+{
+	const struct ts_region *r = self->state;
+	double edge = r->edge[given > 0][dim];
+
+	*out = fabs(given) == TS_EDGE ? edge : given * r->scale[dim];
+	if (!isnan(*out))
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, &self->where,
+		       "region %s: EDGE is a face of the box, and there is no box yet; use INF, or "
+		       "define the region after create_box",
+		       self->style->name);
+}
+
+enum ts_status ts_region_length(struct ts_instance *self, struct tsim *sim,
+				const struct ts_number *given, int dim, double *out)
+{
+	const struct ts_region *r = self->state;
+
+	TS_TRY(ts_number_now(sim, given, &self->where, out));
+	*out *= r->scale[dim];
+	return TS_OK;
+}
+
+/* ---- in expressions */
+
+static enum ts_status eval_volume(struct tsim *sim, struct ts_words args, double *out)
+{
+	struct ts_instance *region;
+
+	TS_TRY(ts_sim_require(sim, TS_KIND_REGION, &args.word[0], &region));
+	TS_TRY(ts_region_update(region, sim));
+	*out = ts_region_volume(region);
+	if (!isnan(*out))
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, &args.word[0].place,
+		       "the volume of a region of style %s is not known", region->style->name);
+}
+
+const struct ts_function ts_region_functions[] = {
+	{ .name = "volume",
+	  .arguments = "region",
+	  .help = "exact volume of a region, where it is known",
+	  .least = 1,
+	  .most = 1,
+	  .eval = eval_volume },
+	{ .name = NULL },
+};

@@ -1,0 +1,129 @@
+/* Region: a parallelepiped whose base lies along x. */
+#include "region/region.h"
+
+#include <math.h>
+
+#include "math/vec3.h"
+
+#include "base/banned.h"
+
+/* Edges from the corner (xlo ylo zlo): (lx 0 0), (xy ly 0), (xz yz lz). */
+struct prism {
+	struct ts_region region;
+	double given[6]; /* xlo xhi ylo yhi zlo zhi as written */
+	double given_tilt[3];
+	double lo[3], hi[3], xy, xz, yz;
+};
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct prism *p = self->state;
+
+	TS_TRY(ts_region_init(self, sim));
+	for (int d = 0; d < 3; d++) {
+		TS_TRY(ts_region_coord(self, sim, p->given[2 * d], d, &p->lo[d]));
+		TS_TRY(ts_region_coord(self, sim, p->given[2 * d + 1], d, &p->hi[d]));
+		if (isinf(p->lo[d]) || isinf(p->hi[d]))
+			return ts_fail(&sim->error, TS_RANGE, &self->where,
+				       "region prism: it must end on all sides; where the box ends "
+				       "is EDGE");
+		if (p->lo[d] >= p->hi[d])
+			return ts_fail(&sim->error, TS_RANGE, &self->where,
+				       "region prism: %clo = %g is not below %chi = %g", 'x' + d,
+				       p->lo[d], 'x' + d, p->hi[d]);
+	}
+	p->xy = p->region.scale[0] * p->given_tilt[0];
+	p->xz = p->region.scale[0] * p->given_tilt[1];
+	p->yz = p->region.scale[1] * p->given_tilt[2];
+	return TS_OK;
+}
+
+/* Coordinates along the edges, from 0 to 1. */
+static bool contains(const struct ts_instance *self, const double x[3])
+{
+	const struct prism *p = self->state;
+	double c = (x[2] - p->lo[2]) / (p->hi[2] - p->lo[2]);
+	double b = (x[1] - p->lo[1] - c * p->yz) / (p->hi[1] - p->lo[1]);
+	double a = (x[0] - p->lo[0] - c * p->xz - b * p->xy) / (p->hi[0] - p->lo[0]);
+
+	return a >= 0 && a <= 1 && b >= 0 && b <= 1 && c >= 0 && c <= 1;
+}
+
+/* The least distance to the planes of the six faces. The gradients of the coordinates a, b, c along the
+ * edges are normal to these. */
+static double depth(const struct ts_instance *self, const double x[3])
+{
+	const struct prism *p = self->state;
+	double l[3] = { p->hi[0] - p->lo[0], p->hi[1] - p->lo[1], p->hi[2] - p->lo[2] };
+	double c = (x[2] - p->lo[2]) / l[2];
+	double b = (x[1] - p->lo[1] - c * p->yz) / l[1];
+	double a = (x[0] - p->lo[0] - c * p->xz - b * p->xy) / l[0];
+	double across[3] = { 1, -p->xy / l[1], (p->xy * p->yz / l[1] - p->xz) / l[2] };
+	double tilt = p->yz / l[2];
+
+	return fmin(fmin(fmin(a, 1 - a) * l[0] / ts_norm(across),
+			 fmin(b, 1 - b) * l[1] / sqrt(1 + tilt * tilt)),
+		    fmin(c, 1 - c) * l[2]);
+}
+
+static void bounds(const struct ts_instance *self, double lo[3], double hi[3])
+{
+	const struct prism *p = self->state;
+
+	for (int d = 0; d < 3; d++) {
+		lo[d] = p->lo[d];
+		hi[d] = p->hi[d];
+	}
+	lo[0] += fmin(0, p->xy) + fmin(0, p->xz);
+	hi[0] += fmax(0, p->xy) + fmax(0, p->xz);
+	lo[1] += fmin(0, p->yz);
+	hi[1] += fmax(0, p->yz);
+}
+
+static double volume(const struct ts_instance *self)
+{
+	const struct prism *p = self->state;
+
+	return (p->hi[0] - p->lo[0]) * (p->hi[1] - p->lo[1]) * (p->hi[2] - p->lo[2]);
+}
+
+#define END(name, k, help_)                                                                        \
+	TS_COORD(name, struct prism, given[k], .flags = TS_POSITIONAL, .unit = "length",           \
+		 .help = help_)
+#define TILT(name, k, help_)                                                                       \
+	TS_REAL(name, struct prism, given_tilt[k], .flags = TS_POSITIONAL, .unit = "length",       \
+		.help = help_)
+static const struct ts_arg args[] = {
+	END("xlo", 0, "least x before the tilt, or EDGE"),
+	END("xhi", 1, "largest x before the tilt, or EDGE"),
+	END("ylo", 2, "least y before the tilt, or EDGE"),
+	END("yhi", 3, "largest y before the tilt, or EDGE"),
+	END("zlo", 4, "least z, or EDGE"),
+	END("zhi", 5, "largest z, or EDGE"),
+	TILT("xy", 0, "how far the edge along y leans towards x"),
+	TILT("xz", 1, "how far the edge along z leans towards x"),
+	TILT("yz", 2, "how far the edge along z leans towards y"),
+	TS_REGION_ARGS(struct prism),
+	TS_ARGS_END,
+};
+
+TS_STYLE(region, ts_region_style, ts_region_prism)
+const struct ts_region_style ts_region_prism = {
+	.style = {
+		.name = "prism",
+		.kind = TS_KIND_REGION,
+		.summary = "A parallelepiped",
+		.doc = "The body spanned from the corner (xlo ylo zlo) by the edges (xhi-xlo 0 0),\n"
+		       "(xy yhi-ylo 0) and (xz yz zhi-zlo). Faces 1 to 6 are the low and high ones along the\n"
+		       "three edges.",
+		.example = "region ramp prism 0 1 0 1 0 0.5 0.2 0 0 units box",
+		.args = args,
+		.state_size = sizeof(struct prism),
+		.init = init,
+	},
+	.contains = contains,
+	.depth = depth,
+	.bounds = bounds,
+	.volume = volume,
+	.faces = 6,
+};

@@ -1,0 +1,187 @@
+/* Command rerun: forces, computes and output anew for the frames of dumps. */
+#include "core/plan.h"
+#include "io/series.h"
+#include "restart/frames.h"
+
+#include "base/banned.h"
+
+struct rerun {
+	struct ts_words files;
+	int64_t first, last, every, skip, start, stop;
+	bool post;
+	struct ts_frame_use use;
+	int64_t seen, done; /* frames within first .. last; those computed */
+};
+
+static enum ts_status stages(struct ts_plan *plan, struct tsim *sim, enum ts_stage first,
+			     enum ts_stage last)
+{
+	for (int stage = (int)first; stage <= (int)last; stage++)
+		TS_TRY(ts_plan_stage(plan, sim, (enum ts_stage)stage));
+	return TS_OK;
+}
+
+/* As the start of a run, at the step of the frame; fixes that act at the end of steps do. */
+static enum ts_status compute(struct tsim *sim, struct ts_plan *plan, bool first)
+{
+	TS_TRY(stages(plan, sim, TS_STAGE_EXCHANGE, TS_STAGE_POST_BUILD));
+	sim->in_setup = true;
+	TS_TRY(stages(plan, sim, TS_STAGE_PRE_FORCE, TS_STAGE_POST_FORCE));
+	sim->in_setup = false;
+	if (first)
+		TS_TRY(ts_plan_stage(plan, sim, TS_STAGE_SETUP));
+	else
+		TS_TRY(ts_plan_stage(plan, sim, TS_STAGE_END_OF_STEP));
+	return ts_plan_stage(plan, sim, TS_STAGE_OUTPUT);
+}
+
+static bool wanted(struct rerun *c, int64_t step)
+{
+	if (step < c->first || step > c->last || (c->every && step % c->every != 0))
+		return false;
+	return c->seen++ % c->skip == 0;
+}
+
+static enum ts_status take_frame(struct tsim *sim, struct rerun *c, struct ts_plan *plan,
+				 const struct ts_frames *f, const struct ts_place *where)
+{
+	bool first = c->done++ == 0;
+
+	sim->clock.step = f->step;
+	if (first)
+		sim->clock.first_step = c->start >= 0 ? c->start : f->step;
+	if (!first && f->step <= sim->clock.first_step)
+		return ts_fail(&sim->error, TS_DAMAGED, where,
+			       "'%s': the frame of step %lld comes after one of a later step",
+			       f->lines.file, (long long)f->step);
+	TS_TRY(ts_frame_apply(sim, f, &c->use, where));
+	return compute(sim, plan, first);
+}
+
+static enum ts_status run_file(struct tsim *sim, struct rerun *c, struct ts_plan *plan,
+			       const char *path, const struct ts_place *where)
+{
+	struct ts_frames f = { 0 };
+	bool got = true;
+	enum ts_status status = ts_frames_open(&f, sim, path, where);
+
+	while (status == TS_OK && got && !sim->stop) {
+		status = ts_frames_next(&f, &got);
+		if (status == TS_OK && got && wanted(c, f.step))
+			status = take_frame(sim, c, plan, &f, where);
+	}
+	ts_frames_close(&f);
+	return status;
+}
+
+/* One file, or those of a series in the order of their steps. */
+static enum ts_status run_word(struct tsim *sim, struct rerun *c, struct ts_plan *plan,
+			       const struct ts_word *word)
+{
+	struct ts_series series = { 0 };
+	enum ts_status status = ts_series_find(&sim->files, word->text, &series);
+
+	if (status != TS_OK)
+		status = ts_nomem(&sim->error);
+	else if (!series.n)
+		status = ts_fail(&sim->error, TS_IO, &word->place,
+				 "rerun: there is no file with a number for the * of '%s'", word->text);
+	for (size_t k = 0; k < series.n && status == TS_OK; k++)
+		status = run_file(sim, c, plan, series.file[k].path, &word->place);
+	ts_series_release(&series);
+	return status;
+}
+
+static enum ts_status run_files(struct tsim *sim, struct rerun *c, struct ts_plan *plan)
+{
+	enum ts_status status;
+
+	sim->clock.base_step = 0;
+	sim->clock.base_time = 0;
+	sim->clock.last_step = c->stop >= 0 ? c->stop : INT64_MAX;
+	TS_TRY(ts_plan_compile(plan, sim));
+	if (sim->explain)
+		return TS_OK;
+	sim->running = true;
+	status = TS_OK;
+	for (size_t k = 0; k < c->files.n && status == TS_OK; k++)
+		status = run_word(sim, c, plan, &c->files.word[k]);
+	if (status == TS_OK)
+		status = ts_plan_stage(plan, sim, TS_STAGE_FINISH);
+	sim->running = sim->in_setup = sim->rebuild = false;
+	sim->clock.last_step = sim->clock.step;
+	sim->fingerprint = 0; /* the next run starts from scratch */
+	return status == TS_OK ? ts_plan_stopped(sim) : status;
+}
+
+static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	struct rerun *c = state;
+	struct ts_plan plan = { 0 };
+	enum ts_status status;
+
+	(void)where;
+	c->use.replace = true;
+	status = run_files(sim, c, &plan);
+	ts_plan_release(&plan);
+	if (status == TS_OK)
+		ts_log(&sim->log, "Rerun of %lld frames\n", (long long)c->done);
+	return status;
+}
+
+#define STEP(name, field, default_, help_)                                                         \
+	TS_INT(name, struct rerun, field, .fallback = default_, .range = TS_NOT_NEGATIVE, .help = help_)
+
+static const struct ts_arg args[] = {
+	TS_LIST("files", struct rerun, files,
+		.help = "files of dump atom or dump custom, in the order of their steps; of a name with `*` "
+			"those with a number there"),
+	STEP("first", first, "0", "frames of earlier steps are passed over"),
+	STEP("last", last, "9000000000000000000", "frames of later steps are passed over"),
+	STEP("every", every, "0", "only frames whose step is a multiple of this; 0: all"),
+	TS_INT("skip", struct rerun, skip, .fallback = "1", .range = TS_POSITIVE,
+	       .help = "of the frames that are left, the first of so many"),
+	TS_INT("start", struct rerun, start, .fallback = "-1", .range = TS_WITHIN, .lo = -1, .hi = 9e18,
+	       .help = "step where elapsed begins; -1: that of the first frame"),
+	TS_INT("stop", struct rerun, stop, .fallback = "-1", .range = TS_WITHIN, .lo = -1, .hi = 9e18,
+	       .help = "step taken for the last; -1: none"),
+	{ .name = "dump",
+	  .type = TS_ARG_REST,
+	  .flags = TS_TO_KEYWORD,
+	  .offset = TS_FIELD(struct rerun, use.fields, struct ts_words *),
+	  .help = "what is taken from the frames, as in read_dump: x y z vx ..." },
+	TS_BOOL("post", struct rerun, post, .fallback = "yes", .help = "no effect: no times are shown"),
+	TS_BOOL("box", struct rerun, use.box, .fallback = "yes",
+		.help = "the box becomes that of the frame"),
+	TS_BOOL("trim", struct rerun, use.trim, .fallback = "no",
+		.help = "particles that are not in the frame go"),
+	TS_BOOL("purge", struct rerun, use.purge, .fallback = "no", .help = "all go before"),
+	TS_BOOL("add", struct rerun, use.add, .fallback = "no",
+		.help = "particles that are only in the frame are made; needs a column type"),
+	{ .name = "label",
+	  .type = TS_ARG_REST,
+	  .flags = TS_OPTIONAL | TS_TO_KEYWORD | TS_REPEAT,
+	  .offset = TS_FIELD(struct rerun, use.labels, struct ts_words *),
+	  .help = "a field and the name of the column it comes from" },
+	TS_ARGS_END,
+};
+
+TS_STYLE(command, ts_command_style, ts_command_rerun)
+const struct ts_command_style ts_command_rerun = {
+	.style = {
+		.name = "rerun",
+		.kind = TS_KIND_COMMAND,
+		.summary = "Computes forces and output anew for the frames of dumps",
+		.doc = "For each frame the particles get what the frame says, neighbours and forces are computed as at\n"
+		       "the start of a run (contact histories stand still), fixes act that act at the end of steps, and\n"
+		       "the table of the log and the dumps are written as they are due. Nothing is integrated.\n"
+		       "Frames that are not whole, as a run leaves them that was killed or had a full disk, are told and left\n"
+		       "out; a .gz file is read up to where it is torn. A frame in which an identity stands twice is refused.",
+		.example = "rerun post/rock.dump first 1000 every 500 dump x y z vx vy vz\n"
+			   "rerun post/rock_*.dump.gz dump x y z",
+		.args = args,
+		.state_size = sizeof(struct rerun),
+	},
+	.needs_box = true,
+	.run = run,
+};

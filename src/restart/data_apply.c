@@ -1,0 +1,168 @@
+/* Data files: from what was read into the simulation. */
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+
+#include "box/domain.h"
+#include "particle/body.h"
+#include "particle/identity.h"
+#include "particle/particles.h"
+#include "restart/data.h"
+
+#include "base/banned.h"
+
+/* Everything that can be refused is, before anything changes. */
+static enum ts_status refuse(struct tsim *sim, const struct ts_data *data, int line,
+			     const char *format, ...) __attribute__((format(printf, 4, 5)));
+static enum ts_status refuse(struct tsim *sim, const struct ts_data *data, int line,
+			     const char *format, ...)
+{
+	struct ts_place place = { .file = data->file, .line = line };
+	char text[200];
+	va_list args;
+
+	va_start(args, format);
+	vsnprintf(text, sizeof text, format, args);
+	va_end(args);
+	return ts_fail(&sim->error, TS_RANGE, &place, "%s", text);
+}
+
+static enum ts_status check_position(struct tsim *sim, const struct ts_data *data,
+				     const struct ts_box *box, const struct ts_data_atom *a,
+				     const double shift[3])
+{
+	for (int d = 0; d < 3; d++) {
+		double x = a->x[d] + shift[d];
+
+		if ((box->face[d][0] == TS_FACE_FIXED && x < box->lo[d]) ||
+		    (box->face[d][1] == TS_FACE_FIXED && x > box->hi[d]))
+			return refuse(sim, data, a->line,
+				      "%c = %g lies outside the box, whose face is fixed", "xyz"[d],
+				      x);
+		if (!(fabs(x - box->lo[d]) <= 1e9 * ts_box_length(box, d)))
+			return refuse(sim, data, a->line,
+				      "a coordinate of %g is too far from the box, which is %g long", x,
+				      ts_box_length(box, d));
+	}
+	return TS_OK;
+}
+
+static enum ts_status check_atoms(struct tsim *sim, const struct ts_data *data,
+				  const struct ts_box *box, int ntypes,
+				  const struct ts_data_options *o)
+{
+	struct ts_identities map;
+
+	TS_TRY(ts_identities(sim, false, &map));
+	for (size_t k = 0; k < data->n; k++) {
+		const struct ts_data_atom *a = &data->atom[k];
+		int64_t tag = a->tag + o->tag_offset, type = a->type + o->type_offset;
+
+		if (tag < 1 || tag > INT32_MAX - 1)
+			return refuse(sim, data, a->line, "id %d with its offset is %lld",
+				      (int)a->tag, (long long)tag);
+		if (type < 1 || type > ntypes)
+			return refuse(sim, data, a->line,
+				      "type %d with its offset is more than the %d there are",
+				      (int)a->type, ntypes);
+		if (ts_row_of(&map, tag) >= 0)
+			return refuse(sim, data, a->line,
+				      "there is a particle %lld already: use `add append`",
+				      (long long)tag);
+		if (!data->layout.sized && !(data->mass && data->mass[a->type] > 0))
+			return refuse(sim, data, a->line,
+				      "type %d has no mass: a section Masses is needed", (int)a->type);
+		TS_TRY(check_position(sim, data, box, a, o->shift));
+	}
+	return TS_OK;
+}
+
+/* A box there is grows where it must. */
+static void unite(const struct ts_data *data, const double shift[3], struct ts_domain *domain)
+{
+	for (int d = 0; d < 3; d++) {
+		domain->box.lo[d] = fmin(domain->box.lo[d], data->lo[d] + shift[d]);
+		domain->box.hi[d] = fmax(domain->box.hi[d], data->hi[d] + shift[d]);
+		domain->first_lo[d] = fmin(domain->first_lo[d], domain->box.lo[d]);
+		domain->first_hi[d] = fmax(domain->first_hi[d], domain->box.hi[d]);
+	}
+}
+
+static void place_atom(struct tsim *sim, const struct ts_data *data, const struct ts_data_atom *a,
+		       const struct ts_data_options *o, size_t i)
+{
+	struct ts_particles *p = sim->particles;
+	const struct ts_box *box = &sim->domain->box;
+
+	p->tag[i] = (int32_t)(a->tag + o->tag_offset);
+	p->type[i] = (int32_t)(a->type + o->type_offset);
+	p->radius[i] = 0.5 * a->diameter;
+	p->mass[i] = data->layout.sized ? a->density * ts_body_volume(sim, p->radius[i])
+					: data->mass[a->type];
+	p->mask[i] |= 1u << o->group;
+	for (int d = 0; d < 3; d++) {
+		p->x[i][d] = a->x[d] + o->shift[d];
+		p->v[i][d] = a->v[d];
+		p->image[i][d] = a->image[d];
+		if (ts_box_periodic(box, d))
+			(void)ts_box_wrap(box, d, &p->x[i][d], &p->image[i][d]);
+		if (p->omega)
+			p->omega[i][d] = a->omega[d];
+	}
+	if (p->tag[i] > p->max_tag)
+		p->max_tag = p->tag[i];
+}
+
+static bool turns(const struct ts_data *data)
+{
+	for (size_t k = 0; k < data->n; k++)
+		for (int d = 0; d < 3; d++)
+			if (data->atom[k].omega[d] != 0)
+				return true;
+	return false;
+}
+
+static enum ts_status make_atoms(struct tsim *sim, const struct ts_data *data,
+				 const struct ts_data_options *o)
+{
+	struct ts_particles *p = sim->particles;
+	int32_t max_tag = p->max_tag;
+	size_t first;
+
+	if (turns(data))
+		TS_TRY(ts_particles_need(sim, TS_NEED(OMEGA)));
+	TS_TRY(ts_particles_add(sim, data->n, &first));
+	p->max_tag = max_tag; /* the identities are those of the file */
+	for (size_t k = 0; k < data->n; k++)
+		place_atom(sim, data, &data->atom[k], o, first + k);
+	ts_particles_inverse_mass(p);
+	return TS_OK;
+}
+
+enum ts_status ts_data_apply(struct tsim *sim, const struct ts_data *data,
+			     struct ts_data_options *o)
+{
+	struct ts_domain *domain = sim->domain;
+	struct ts_domain wanted = *domain;
+	struct ts_particles *p = sim->particles;
+	bool new = !domain->exists;
+	int ntypes = new ? (int)(data->ntypes + o->extra_types) : p->ntypes;
+
+	if (o->add == TS_DATA_APPEND)
+		o->tag_offset += p->max_tag;
+	for (int d = 0; d < 3 && new; d++) {
+		wanted.box.lo[d] = wanted.first_lo[d] = data->lo[d] + o->shift[d];
+		wanted.box.hi[d] = wanted.first_hi[d] = data->hi[d] + o->shift[d];
+	}
+	if (!o->keep_box)
+		unite(data, o->shift, &wanted);
+	TS_TRY(check_atoms(sim, data, &wanted.box, ntypes, o));
+	if (new)
+		TS_TRY(ts_domain_make(sim, ntypes, wanted.box.lo, wanted.box.hi, NULL));
+	else
+		*domain = wanted;
+	for (int64_t t = 1; data->mass && t <= data->ntypes; t++)
+		if (t + o->type_offset >= 1 && t + o->type_offset <= ntypes)
+			p->type_mass[t + o->type_offset] = data->mass[t];
+	return make_atoms(sim, data, o);
+}

@@ -1,0 +1,174 @@
+/* Data files: the writer. Numbers have as many digits as they need to be read back to the same bits. */
+#include "restart/data.h"
+
+#include <math.h>
+
+#include "box/domain.h"
+#include "particle/body.h"
+#include "particle/identity.h"
+#include "particle/user_columns.h"
+
+#include "base/banned.h"
+
+/* Among the neighbours of mass/volume, the smallest number whose product with the volume is the mass. */
+static bool find_density(double mass, double volume, double *out)
+{
+	enum { AROUND = 3 };
+	double density = mass / volume;
+
+	for (int k = 0; k < AROUND; k++)
+		density = nextafter(density, 0);
+	for (int k = 0; k <= 2 * AROUND; k++, density = nextafter(density, INFINITY)) {
+		if (density * volume != mass)
+			continue;
+		*out = density;
+		return true;
+	}
+	return false;
+}
+
+/* The density that gives this mass again when it is multiplied by the volume; where rounding allows
+ * none, one that at least gives itself again. */
+static double density_of(double mass, double volume)
+{
+	double density = mass / volume;
+
+	if (!find_density(mass, volume, &density))
+		find_density(density * volume, volume, &density);
+	return density;
+}
+
+/* The shortest of %.15g, %.16g, %.17g that is read back to the same bits. */
+static void add_number(struct ts_str *out, double value)
+{
+	char text[32];
+	double back;
+
+	for (int digits = 15; digits <= 17; digits++) {
+		snprintf(text, sizeof text, "%.*g", digits, value);
+		if (ts_parse_real(text, &back) && back == value)
+			break;
+	}
+	ts_str_addf(out, " %s", text);
+}
+
+static void add_header(struct tsim *sim, struct ts_str *out, struct ts_data_counts counts)
+{
+	const struct ts_box *box = &sim->domain->box;
+
+	ts_str_addf(out, "LAMMPS data file by tsim\n\n%zu atoms\n%d atom types\n",
+		    sim->particles->n, sim->particles->ntypes);
+	if (counts.bond_types)
+		ts_str_addf(out, "%zu bonds\n%d bond types\n", counts.bonds, counts.bond_types);
+	ts_str_add(out, "\n");
+	for (int d = 0; d < 3; d++) {
+		struct ts_str line = { 0 };
+
+		add_number(&line, box->lo[d]);
+		add_number(&line, box->hi[d]);
+		out->failed |= line.failed; /* else it begins with a blank */
+		if (!line.failed)
+			ts_str_addf(out, "%s %clo %chi\n", line.text + 1, 'x' + d, 'x' + d);
+		ts_str_release(&line);
+	}
+}
+
+static void add_atom(struct ts_str *out, const struct tsim *sim, size_t i, bool hybrid)
+{
+	const struct ts_particles *p = sim->particles;
+
+	ts_str_addf(out, "%d %d", p->tag[i], p->type[i]);
+	for (int k = 0; k < 2; k++) {
+		if (!k == hybrid) {
+			for (int d = 0; d < 3; d++)
+				add_number(out, p->x[i][d]);
+		} else {
+			add_number(out, 2 * p->radius[i]);
+			add_number(out, density_of(p->mass[i], ts_body_volume(sim, p->radius[i])));
+		}
+	}
+	if (hybrid) /* every particle is a molecule of its own */
+		ts_str_add(out, " 0");
+	ts_str_addf(out, " %d %d %d\n", p->image[i][0], p->image[i][1], p->image[i][2]);
+}
+
+static void add_velocity(struct ts_str *out, const struct ts_particles *p, size_t i)
+{
+	static const double zero[3];
+	const double *omega = p->omega ? p->omega[i] : zero;
+
+	ts_str_addf(out, "%d", p->tag[i]);
+	for (int d = 0; d < 6; d++)
+		add_number(out, d < 3 ? p->v[i][d] : omega[d - 3]);
+	ts_str_add(out, "\n");
+}
+
+enum ts_status ts_data_write(struct tsim *sim, struct ts_textfile *out, struct ts_data_counts counts)
+{
+	struct ts_particles *p = sim->particles;
+	bool hybrid = counts.bond_types > 0;
+	struct ts_str text = { 0 };
+	struct ts_identities map;
+	enum ts_status status = TS_OK;
+
+	TS_TRY(ts_identities(sim, true, &map));
+	add_header(sim, &text, counts);
+	for (int section = 0; p->n && section < 2 && status == TS_OK; section++) {
+		ts_str_add(&text, section ? "\nVelocities\n\n"
+				  : hybrid ? "\nAtoms # hybrid sphere bond\n\n"
+					   : "\nAtoms # sphere\n\n");
+		for (size_t k = 0; k < map.n && status == TS_OK; k++) {
+			if (section)
+				add_velocity(&text, p, (size_t)map.row[k]);
+			else
+				add_atom(&text, sim, (size_t)map.row[k], hybrid);
+			if (text.length < 1 << 16)
+				continue;
+			status = ts_textfile_write(out, ts_str_text(&text), text.length);
+			ts_str_clear(&text);
+		}
+	}
+	if (status == TS_OK)
+		status = text.failed ? ts_nomem(&sim->error)
+				     : ts_textfile_write(out, ts_str_text(&text), text.length);
+	ts_str_release(&text);
+	return status;
+}
+
+static enum ts_status add_rows(struct tsim *sim, const struct ts_user_columns *columns,
+			       const struct ts_identities *map, double *value, struct ts_str *out)
+{
+	const struct ts_particles *p = sim->particles;
+
+	ts_str_addf(out, "\n%s\n\n", columns->title);
+	for (size_t k = 0; k < map->n; k++) {
+		ts_user_columns_get(p, columns, (size_t)map->row[k], value);
+		ts_str_addf(out, "%d", p->tag[map->row[k]]);
+		for (size_t j = 0; j < columns->width; j++)
+			add_number(out, value[j]);
+		ts_str_add(out, "\n");
+	}
+	return out->failed ? ts_nomem(&sim->error) : TS_OK;
+}
+
+enum ts_status ts_data_write_columns(struct tsim *sim, struct ts_textfile *out,
+				     const struct ts_user_columns *columns)
+{
+	struct ts_str text = { 0 };
+	struct ts_identities map;
+	double *value;
+	enum ts_status status;
+
+	if (!columns->title || !sim->particles->n)
+		return TS_OK;
+	TS_TRY(ts_identities(sim, true, &map));
+	value = ts_alloc(columns->width, sizeof *value);
+	if (!value)
+		return ts_nomem(&sim->error);
+	status = add_rows(sim, columns, &map, value, &text);
+	if (status == TS_OK)
+		status = ts_textfile_write(out, ts_str_text(&text), text.length);
+	ts_free(value);
+	ts_str_release(&text);
+	return status;
+}

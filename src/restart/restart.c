@@ -1,0 +1,486 @@
+#include "restart/restart.h"
+
+#include <errno.h>
+#include <limits.h>
+#include <math.h>
+#include <string.h>
+#include <zlib.h>
+
+#include "box/domain.h"
+#include "core/group.h"
+#include "core/pending.h"
+#include "core/plan.h"
+#include "io/replace.h"
+#include "io/textfile.h"
+#include "particle/particles.h"
+
+#include "base/banned.h"
+
+/* Version 2 added the section of the script and the arguments of styles; doc/restart-format.md says
+ * when the version has to grow. Older ones are read. */
+#define MAGIC_STEM "tsim restart "
+#define MAGIC MAGIC_STEM "2\n"
+enum { BYTE_ORDER_MARK = 0x01020304, VERSION = 2, MAGIC_LENGTH = sizeof MAGIC - 1 };
+enum { CLOCK_SECTION = 1000, HOST_SECTION = 1001, END_SECTION = 0 };
+enum { NNAMES = 3, LONGEST_NAME = 4096, LARGEST_RATIO = 1040 /* zlib compresses no better */ };
+
+static const enum ts_kind saved_kinds[] = { TS_KIND_SYSTEM, TS_KIND_PAIR, TS_KIND_BOND,
+					    TS_KIND_FLOW,   TS_KIND_FIX,  TS_KIND_COMPUTE,
+					    TS_KIND_DUMP,   TS_KIND_PRESSURE };
+
+_Static_assert(TS_KIND_FIX == 2 && TS_KIND_FLOW == 8, "files know kinds by these numbers");
+
+struct head {
+	uint32_t kind, name_length[NNAMES];
+	uint64_t plain, packed;
+	uint32_t sum, zero;
+};
+
+/* ---- what the clock section holds; the same function writes and reads */
+
+struct run_state {
+	struct ts_clock clock;
+	int32_t units, dimension;
+	uint64_t fingerprint;
+	int64_t era;
+};
+
+static enum ts_status archive_run_state(struct ts_archive *a, struct run_state *s)
+{
+	struct ts_clock *c = &s->clock;
+
+	TS_TRY(ts_archive_fixed(a, "step", TS_SAVED_I64, &c->step, 1));
+	TS_TRY(ts_archive_fixed(a, "base_step", TS_SAVED_I64, &c->base_step, 1));
+	TS_TRY(ts_archive_fixed(a, "base_time", TS_SAVED_F64, &c->base_time, 1));
+	TS_TRY(ts_archive_fixed(a, "dt", TS_SAVED_F64, &c->dt, 1));
+	TS_TRY(ts_archive_fixed(a, "units", TS_SAVED_I32, &s->units, 1));
+	TS_TRY(ts_archive_fixed(a, "dimension", TS_SAVED_I32, &s->dimension, 1));
+	if (ts_archive_has(a, "era")) /* older files have none */
+		TS_TRY(ts_archive_fixed(a, "era", TS_SAVED_I64, &s->era, 1));
+	return ts_archive_fixed(a, "fingerprint", TS_SAVED_I64, &s->fingerprint, 1);
+}
+
+/* ---- writing */
+
+struct writer {
+	struct tsim *sim;
+	struct ts_replace out;
+	uint32_t sum; /* of all written so far */
+};
+
+static enum ts_status put(struct writer *w, const void *bytes, size_t n)
+{
+	w->sum = (uint32_t)crc32_z(w->sum, bytes, n);
+	return ts_replace_write(&w->out, bytes, n);
+}
+
+static enum ts_status put_packed(struct writer *w, struct head *head, const char *const names[],
+				 const unsigned char *packed)
+{
+	for (int k = 0; k < NNAMES; k++)
+		head->name_length[k] = (uint32_t)strlen(names[k]);
+	head->sum = (uint32_t)crc32_z(crc32_z(0, NULL, 0), packed, (size_t)head->packed);
+	TS_TRY(put(w, head, sizeof *head));
+	for (int k = 0; k < NNAMES; k++)
+		TS_TRY(put(w, names[k], head->name_length[k]));
+	return put(w, packed, (size_t)head->packed);
+}
+
+/* Compresses and writes what the archive holds. */
+static enum ts_status put_section(struct writer *w, uint32_t kind, const char *const names[],
+				  struct ts_archive *archive)
+{
+	struct head head = { .kind = kind };
+	const unsigned char *bytes;
+	unsigned char *packed;
+	enum ts_status status;
+	uLongf length;
+	size_t n;
+
+	TS_TRY(ts_archive_bytes(archive, &bytes, &n));
+	length = compressBound((uLong)n);
+	packed = ts_alloc(length, 1);
+	if (!packed)
+		return ts_nomem(&w->sim->error);
+	if (compress2(packed, &length, bytes, (uLong)n, Z_BEST_SPEED) != Z_OK) {
+		status = ts_nomem(&w->sim->error);
+	} else {
+		head.plain = n;
+		head.packed = length;
+		status = put_packed(w, &head, names, packed);
+	}
+	ts_free(packed);
+	return status;
+}
+
+static const char *const no_names[NNAMES] = { "", "", "" };
+
+static enum ts_status put_host(struct writer *w)
+{
+	struct tsim *sim = w->sim;
+	struct ts_archive *archive = ts_archive_new(sim, true);
+	enum ts_status status;
+
+	if (!archive)
+		return ts_nomem(&sim->error);
+	status = sim->host->archive(sim->host_data, archive);
+	if (status == TS_OK)
+		status = put_section(w, HOST_SECTION, no_names, archive);
+	ts_archive_free(archive);
+	return status;
+}
+
+static enum ts_status put_clock(struct writer *w)
+{
+	struct tsim *sim = w->sim;
+	struct run_state s = { sim->clock, (int32_t)sim->units, sim->dimension, sim->fingerprint,
+			       sim->era };
+	struct ts_archive *archive = ts_archive_new(sim, true);
+	enum ts_status status;
+
+	if (!archive)
+		return ts_nomem(&sim->error);
+	status = archive_run_state(archive, &s);
+	if (status == TS_OK)
+		status = put_section(w, CLOCK_SECTION, no_names, archive);
+	ts_archive_free(archive);
+	return status;
+}
+
+static enum ts_status put_instance(struct writer *w, struct ts_instance *inst)
+{
+	const char *names[] = { inst->style->name, inst->id, ts_group_name(w->sim, inst->group) };
+	struct ts_archive *archive = ts_archive_new(w->sim, true);
+	enum ts_status status;
+
+	if (!archive)
+		return ts_nomem(&w->sim->error);
+	status = inst->style->kind == TS_KIND_SYSTEM ? ts_archive_instance(archive, inst, w->sim)
+						     : ts_pending_write(w->sim, inst, archive);
+	if (status == TS_OK)
+		status = put_section(w, (uint32_t)inst->style->kind + 1, names, archive);
+	ts_archive_free(archive);
+	return status;
+}
+
+static enum ts_status put_all(struct writer *w)
+{
+	const uint32_t mark[2] = { BYTE_ORDER_MARK, VERSION };
+	uint32_t end[2] = { END_SECTION, 0 };
+
+	TS_TRY(put(w, MAGIC, MAGIC_LENGTH));
+	TS_TRY(put(w, mark, sizeof mark));
+	TS_TRY(put_clock(w));
+	if (w->sim->host && w->sim->host->archive)
+		TS_TRY(put_host(w));
+	for (size_t k = 0; k < sizeof saved_kinds / sizeof *saved_kinds; k++) {
+		struct ts_instances *list = &w->sim->instances[saved_kinds[k]];
+
+		for (size_t i = 0; i < list->n; i++)
+			if (list->item[i]->style->saved || list->item[i]->style->archive)
+				TS_TRY(put_instance(w, list->item[i]));
+	}
+	end[1] = w->sum;
+	return ts_replace_write(&w->out, end, sizeof end);
+}
+
+enum ts_status ts_restart_write(struct tsim *sim, const char *path, const struct ts_place *where)
+{
+	struct writer w = { .sim = sim, .sum = (uint32_t)crc32_z(0, NULL, 0) };
+	enum ts_status status;
+
+	/* between two steps of a run the forces belong to the state as it is now */
+	if (sim->running)
+		TS_TRY(ts_sim_fingerprint(sim, &sim->fingerprint));
+	TS_TRY(ts_replace_begin(&w.out, sim, where, path));
+	status = put_all(&w);
+	if (status == TS_OK)
+		status = ts_replace_commit(&w.out, true);
+	ts_replace_abandon(&w.out);
+	return status;
+}
+
+/* ---- reading: the whole file is checked before anything is changed */
+
+struct section {
+	struct head head;
+	char *name[NNAMES];
+	unsigned char *plain;
+};
+
+struct reader {
+	struct tsim *sim;
+	const char *path;
+	const struct ts_place *where;
+	struct ts_arena arena;
+	unsigned char *bytes;
+	size_t n, at, capacity;
+	struct section *section;
+	size_t nsections, section_capacity;
+	size_t system; /* of the table of systems: the first that has not been restored */
+};
+
+static enum ts_status refuse(struct reader *r, const char *why)
+{
+	return ts_fail(&r->sim->error, TS_DAMAGED, r->where, "restart file '%s' %s", r->path, why);
+}
+
+static enum ts_status load_stream(struct reader *r, FILE *file)
+{
+	size_t got;
+
+	do {
+		if (r->sim->stop)
+			return ts_fail(&r->sim->error, TS_STOPPED, r->where, "stopped on request while '%s' was read",
+				       r->path);
+		if (TS_GROW(r->bytes, r->capacity, r->n + (1u << 16)) != TS_OK)
+			return ts_nomem(&r->sim->error);
+		got = fread(r->bytes + r->n, 1, r->capacity - r->n, file);
+		r->n += got;
+	} while (got);
+	if (ferror(file))
+		return ts_fail(&r->sim->error, TS_IO, r->where, "reading '%s' failed: %s", r->path,
+			       strerror(errno));
+	return TS_OK;
+}
+
+static enum ts_status load(struct reader *r)
+{
+	FILE *file = ts_files_open(&r->sim->files, r->path, "r");
+	enum ts_status status;
+
+	if (!file)
+		return ts_fail(&r->sim->error, TS_IO, r->where, "cannot open restart file '%s': %s",
+			       r->path, ts_files_why(&r->sim->files));
+	status = load_stream(r, file);
+	fclose(file);
+	return status;
+}
+
+static bool take(struct reader *r, void *to, size_t n)
+{
+	if (n > r->n - r->at)
+		return false;
+	if (n)
+		memcpy(to, r->bytes + r->at, n);
+	r->at += n;
+	return true;
+}
+
+static enum ts_status refuse_version(struct reader *r, const char *text)
+{
+	return ts_fail(&r->sim->error, TS_DAMAGED, r->where,
+		       "restart file '%s' has version %.*s of the format, and this program reads "
+		       "versions 1 to %d: it was written by a newer tsim, or is damaged",
+		       r->path, (int)strcspn(text, "\n"), text, VERSION);
+}
+
+static enum ts_status check_start(struct reader *r)
+{
+	char magic[MAGIC_LENGTH + 1] = "", *version = magic + sizeof MAGIC_STEM - 1;
+	uint32_t mark[2];
+
+	if (!take(r, magic, MAGIC_LENGTH) || memcmp(magic, MAGIC_STEM, sizeof MAGIC_STEM - 1) != 0)
+		return refuse(r, "is not a restart file of tsim");
+	if (version[0] < '1' || version[0] > '0' + VERSION || version[1] != '\n')
+		return refuse_version(r, version);
+	if (!take(r, mark, sizeof mark))
+		return refuse(r, "is cut off");
+	if (mark[0] != BYTE_ORDER_MARK)
+		return refuse(r, "was written by a machine with another byte order, or is damaged");
+	if (mark[1] != (uint32_t)(version[0] - '0'))
+		return refuse(r, "is damaged: it has two versions of the format");
+	return TS_OK;
+}
+
+static enum ts_status read_names(struct reader *r, struct section *s)
+{
+	for (int k = 0; k < NNAMES; k++) {
+		uint32_t length = s->head.name_length[k];
+
+		if (length > LONGEST_NAME)
+			return refuse(r, "is damaged: a name is too long");
+		s->name[k] = ts_arena_alloc(&r->arena, length + 1, 1);
+		if (!s->name[k])
+			return ts_nomem(&r->sim->error);
+		if (!take(r, s->name[k], length))
+			return refuse(r, "is cut off");
+	}
+	return TS_OK;
+}
+
+static enum ts_status unpack(struct reader *r, struct section *s)
+{
+	const unsigned char *packed = r->bytes + r->at;
+	uLongf length = (uLongf)s->head.plain;
+
+	if (s->head.packed > r->n - r->at)
+		return refuse(r, "is cut off");
+	r->at += (size_t)s->head.packed;
+	if ((uint32_t)crc32_z(crc32_z(0, NULL, 0), packed, (size_t)s->head.packed) != s->head.sum)
+		return refuse(r, "is damaged: the checksum of a section is wrong");
+	if (s->head.plain / LARGEST_RATIO > s->head.packed)
+		return refuse(r, "is damaged: a section has an impossible size");
+	s->plain = ts_arena_alloc(&r->arena, (size_t)s->head.plain, 1);
+	if (!s->plain)
+		return ts_nomem(&r->sim->error);
+	if (uncompress(s->plain, &length, packed, (uLong)s->head.packed) != Z_OK ||
+	    length != s->head.plain)
+		return refuse(r, "is damaged: a section cannot be expanded");
+	return TS_OK;
+}
+
+static enum ts_status check_end(struct reader *r)
+{
+	size_t before = r->at - sizeof(uint32_t);
+	uint32_t sum;
+
+	/* the zero of the end mark belongs to what follows the sum */
+	if (!take(r, &sum, sizeof sum))
+		return refuse(r, "is cut off");
+	if (r->at != r->n)
+		return refuse(r, "is damaged: there is something behind its end");
+	if (sum != (uint32_t)crc32_z(crc32_z(0, NULL, 0), r->bytes, before))
+		return refuse(r, "is damaged: its checksum is wrong");
+	return TS_OK;
+}
+
+static enum ts_status read_sections(struct reader *r)
+{
+	uint32_t kind;
+
+	for (;;) {
+		struct section *s;
+
+		if (!take(r, &kind, sizeof kind))
+			return refuse(r, "is cut off");
+		if (kind == END_SECTION)
+			return check_end(r);
+		if (TS_GROW(r->section, r->section_capacity, r->nsections + 1) != TS_OK)
+			return ts_nomem(&r->sim->error);
+		s = &r->section[r->nsections++];
+		r->at -= sizeof kind;
+		if (!take(r, &s->head, sizeof s->head))
+			return refuse(r, "is cut off");
+		TS_TRY(read_names(r, s));
+		TS_TRY(unpack(r, s));
+	}
+}
+
+static enum ts_status with_archive(struct reader *r, const struct section *s,
+				   struct run_state *clock, struct ts_instance *inst)
+{
+	struct ts_archive *archive = ts_archive_new(r->sim, false);
+	enum ts_status status;
+
+	if (!archive)
+		return ts_nomem(&r->sim->error);
+	status = ts_archive_from(archive, s->plain, (size_t)s->head.plain);
+	if (status == TS_OK && clock)
+		status = archive_run_state(archive, clock);
+	else if (status == TS_OK && inst)
+		status = ts_archive_instance(archive, inst, r->sim);
+	else if (status == TS_OK && r->sim->host && r->sim->host->archive)
+		status = r->sim->host->archive(r->sim->host_data, archive);
+	ts_archive_free(archive);
+	return status;
+}
+
+static enum ts_status restore_clock(struct reader *r)
+{
+	static const char *const units[] = { "lj", "si", "cgs", "micro" };
+	struct tsim *sim = r->sim;
+	struct run_state s = { 0 };
+
+	if (!r->nsections || r->section[0].head.kind != CLOCK_SECTION)
+		return refuse(r, "is damaged: it does not begin with the clock");
+	TS_TRY(with_archive(r, &r->section[0], &s, NULL));
+	if (s.units < 0 || s.units > TS_UNITS_MICRO || (s.dimension != 2 && s.dimension != 3))
+		return refuse(r, "is damaged: unknown units or dimension");
+	if (s.clock.base_step < 0 || s.clock.step < s.clock.base_step ||
+	    !isfinite(s.clock.base_time) || !isfinite(s.clock.dt))
+		return refuse(r, "is damaged: impossible step or time");
+	if (sim->units != TS_UNITS_LJ && (int32_t)sim->units != s.units)
+		return ts_fail(&sim->error, TS_STATE, r->where,
+			       "restart file '%s' is in units %s, but the script says units %s",
+			       r->path, units[s.units], units[sim->units]);
+	if (sim->dimension != 3 && sim->dimension != s.dimension)
+		return ts_fail(
+			&sim->error, TS_STATE, r->where,
+			"restart file '%s' has dimension %d, but the script says dimension %d",
+			r->path, (int)s.dimension, sim->dimension);
+	sim->clock = s.clock;
+	sim->clock.first_step = sim->clock.last_step = s.clock.step;
+	sim->units = (enum ts_units)s.units;
+	sim->dimension = s.dimension;
+	sim->fingerprint = s.fingerprint;
+	sim->era = s.era;
+	return TS_OK;
+}
+
+/* Each once, in the order of the table: those behind rely on those before. */
+static enum ts_status restore_system(struct reader *r, const struct section *s)
+{
+	struct ts_instance *inst = ts_sim_find(r->sim, TS_KIND_SYSTEM, s->name[0]);
+
+	if (!inst)
+		return refuse(r, "holds the state of a system this program does not have");
+	while (ts_system_table[r->system] && &ts_system_table[r->system]->style != inst->style)
+		r->system++;
+	if (!ts_system_table[r->system])
+		return refuse(r, "is damaged: its sections are out of order");
+	r->system++;
+	return with_archive(r, s, NULL, inst);
+}
+
+static enum ts_status restore_section(struct reader *r, const struct section *s)
+{
+	if (s->head.kind == HOST_SECTION)
+		return with_archive(r, s, NULL, NULL);
+	if (s->head.kind == 0 || s->head.kind > TS_NKIND)
+		return refuse(r, "holds the state of an unknown kind of style");
+	if (s->head.kind - 1 != TS_KIND_SYSTEM)
+		return ts_pending_add(r->sim, (enum ts_kind)(s->head.kind - 1), s->name[0],
+				      s->name[1], s->name[2], s->plain, (size_t)s->head.plain);
+	return restore_system(r, s);
+}
+
+static enum ts_status restore_all(struct reader *r)
+{
+	TS_TRY(restore_clock(r));
+	for (size_t k = 1; k < r->nsections; k++)
+		TS_TRY(restore_section(r, &r->section[k]));
+	return ts_sim_has_box(r->sim) ? TS_OK : refuse(r, "is damaged: it has no simulation box");
+}
+
+/* A file that holds together may still hold nonsense; nothing is left of it then. */
+static void forget(struct tsim *sim)
+{
+	sim->domain->exists = false;
+	sim->particles->n = 0;
+	ts_pending_free(sim);
+}
+
+static enum ts_status read_file(struct reader *r)
+{
+	TS_TRY(load(r));
+	TS_TRY(check_start(r));
+	return read_sections(r);
+}
+
+enum ts_status ts_restart_read(struct tsim *sim, const char *path, const struct ts_place *where)
+{
+	struct reader r = { .sim = sim, .path = path, .where = where };
+	enum ts_status status;
+
+	if (ts_sim_has_box(sim))
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "there is a box already: read_restart comes before create_box");
+	status = read_file(&r);
+	if (status == TS_OK && (status = restore_all(&r)) != TS_OK)
+		forget(sim);
+	ts_arena_release(&r.arena);
+	ts_free(r.bytes);
+	ts_free(r.section);
+	return status;
+}

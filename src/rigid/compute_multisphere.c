@@ -1,0 +1,164 @@
+/* Compute: properties of rigid bodies. */
+#include "rigid/rigid.h"
+
+#include <string.h>
+
+#include "math/quaternion.h"
+
+#include "base/banned.h"
+
+struct state {
+	int property;
+	int64_t id; /* of the one body */
+};
+
+/* The numbers of a body start at `offset`; or `make` writes them. */
+struct property {
+	const char *name;
+	size_t columns, offset;
+	void (*make)(const struct ts_rigid *r, size_t b, double *out);
+};
+
+static void make_id(const struct ts_rigid *r, size_t b, double *out)
+{
+	out[0] = r->id[b];
+}
+
+static void axis(const struct ts_rigid *r, size_t b, int k, double *out)
+{
+	double m[3][3];
+
+	ts_quaternion_matrix(r->body[b].q, m);
+	for (int d = 0; d < 3; d++)
+		out[d] = m[d][k];
+}
+
+static void make_ex(const struct ts_rigid *r, size_t b, double *out)
+{
+	axis(r, b, 0, out);
+}
+
+static void make_ey(const struct ts_rigid *r, size_t b, double *out)
+{
+	axis(r, b, 1, out);
+}
+
+static void make_ez(const struct ts_rigid *r, size_t b, double *out)
+{
+	axis(r, b, 2, out);
+}
+
+/* F(name, field of the body), M(name, columns, function) */
+#define PROPERTY_LIST(F, M)                                                                        \
+	F("xcm", x) F("vcm", v) F("fcm", force) F("torque", torque) F("quat", q)                   \
+	F("angmom", spin) F("omega", omega) F("density", density) F("masstotal", mass)             \
+	F("inertia", inertia) F("clumptype", kind) F("type", kind) M("id_multisphere", 1, make_id) \
+	M("id", 1, make_id) M("ex_space", 3, make_ex) M("ey_space", 3, make_ey)                    \
+	M("ez_space", 3, make_ez)
+
+#define FIELD_ROW(name, f)                                                                         \
+	{ name, sizeof(((struct ts_body *)0)->f) / 8, offsetof(struct ts_body, f), NULL },
+#define MADE_ROW(name, columns, make) { name, columns, 0, make },
+#define FIELD_NAME(name, f) name,
+#define MADE_NAME(name, columns, make) name,
+
+static const struct property properties[] = { PROPERTY_LIST(FIELD_ROW, MADE_ROW) };
+static const char *const names[] = { PROPERTY_LIST(FIELD_NAME, MADE_NAME) NULL };
+
+static void copy(const struct property *property, const struct ts_rigid *r, size_t b, double *to)
+{
+	if (property->make)
+		property->make(r, b, to);
+	else
+		memcpy(to, (const char *)&r->body[b] + property->offset, property->columns * sizeof *to);
+}
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	const struct state *s = self->state;
+	const struct property *property = &properties[s->property];
+	const struct ts_rigid *r = sim->rigid;
+
+	TS_TRY(ts_table_resize(out, r->n, property->columns));
+	for (size_t b = 0; b < r->n; b++)
+		copy(property, r, b, out->data + b * property->columns);
+	return TS_OK;
+}
+
+static const struct ts_value values[] = {
+	{ "bodies", "", "the property, a row for each body", TS_LOCAL, 0, NULL, eval },
+	{ .name = NULL },
+};
+
+static const struct ts_arg args[] = {
+	TS_ENUM("property", struct state, property, names,
+		.help = "of the centre of mass: place, velocity, force, torque; orientation, angular "
+			"momentum and velocity; mass, principal moments and axes; number of the template; id"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(compute, ts_style, ts_compute_multisphere)
+const struct ts_style ts_compute_multisphere = {
+	.name = "multisphere",
+	.kind = TS_KIND_COMPUTE,
+	.summary = "A property of all rigid bodies",
+	.doc = "A row for each rigid body, in the order of their ids, for dump local. The group is without\n"
+	       "effect.",
+	.example = "compute centres all multisphere property xcm\n"
+		   "dump bodies all local 100 bodies.txt c_centres[1] c_centres[2] c_centres[3]",
+	.args = args,
+	.state_size = sizeof(struct state),
+	.values = values,
+};
+
+/* ---- of one body ---- */
+
+/* Its numbers are 0 while it is not there. */
+static enum ts_status eval_one(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	const struct state *s = self->state;
+	const struct property *property = &properties[s->property];
+	const struct ts_rigid *r = sim->rigid;
+
+	TS_TRY(ts_table_resize(out, property->columns, 1));
+	memset(out->data, 0, property->columns * sizeof *out->data);
+	for (size_t b = 0; b < r->n; b++)
+		if (r->id[b] == s->id)
+			copy(property, r, b, out->data);
+	return TS_OK;
+}
+
+static bool gives(const struct ts_instance *self, const struct ts_value *value)
+{
+	const struct state *s = self->state;
+
+	return (properties[s->property].columns == 1) == (value->shape == TS_SCALAR);
+}
+
+static const struct ts_value values_of_one[] = {
+	{ "number", "", "the property, where it is one number", TS_SCALAR, 1, NULL, eval_one },
+	{ "numbers", "", "the property, where it is several", TS_VECTOR, 0, NULL, eval_one },
+	{ .name = NULL },
+};
+
+static const struct ts_arg args_of_one[] = {
+	TS_INT("id", struct state, id, .range = TS_POSITIVE, .help = "number of the body, from 1"),
+	TS_ENUM("property", struct state, property, names, .help = "as of compute multisphere"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(compute, ts_style, ts_compute_multisphere_single)
+const struct ts_style ts_compute_multisphere_single = {
+	.name = "multisphere/single",
+	.kind = TS_KIND_COMPUTE,
+	.summary = "A property of one rigid body",
+	.doc = "c_ID, or c_ID[1], c_ID[2] ... where the property is several numbers; 0 while there is no body of\n"
+	       "this number. (LIGGGHTS 3.8 gives the first body, whatever the number.) The group is without\n"
+	       "effect.",
+	.example = "compute centre all multisphere/single id 1 property xcm\n"
+		   "thermo_style custom step c_centre[3]",
+	.args = args_of_one,
+	.state_size = sizeof(struct state),
+	.values = values_of_one,
+	.gives = gives,
+};

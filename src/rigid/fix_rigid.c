@@ -1,0 +1,232 @@
+/* Fix: particles as one rigid body, or one per group. */
+#include "core/pending.h"
+#include "rigid/rigid.h"
+
+#include <string.h>
+
+#include "base/banned.h"
+
+enum { SINGLE, GROUP };
+
+struct rigid {
+	int mode;
+	int64_t ngroups;
+	struct ts_words groups;
+	struct ts_words force, torque; /* which body, and on or off for x, y, z */
+	uint8_t made;		       /* saved: the bodies exist */
+	int *group;		       /* of each body */
+};
+
+/* "*", or a number: bodies from .. to-1 of n. */
+static enum ts_status read_bodies(struct tsim *sim, const struct ts_word *word, size_t n,
+				  size_t *from, size_t *to)
+{
+	struct ts_types t;
+
+	if (!ts_parse_types(word->text, &t) || t.lo < 1 || (size_t)(t.hi ? t.hi : t.lo) > n)
+		return ts_fail(&sim->error, TS_SYNTAX, &word->place,
+			       "fix rigid: expected one of the %zu bodies or *, found '%s'", n,
+			       word->text);
+	*from = (size_t)t.lo - 1;
+	*to = t.hi ? (size_t)t.hi : n;
+	return TS_OK;
+}
+
+static enum ts_status read_switch(struct tsim *sim, const struct ts_word *word, double *free)
+{
+	bool on = ts_streq(word->text, "on"), off = ts_streq(word->text, "off");
+
+	*free = on ? 1 : 0;
+	return on || off ? TS_OK
+			 : ts_fail(&sim->error, TS_SYNTAX, &word->place,
+				   "fix rigid: expected on or off, found '%s'", word->text);
+}
+
+/* `force 2 on on off`, any number of times. */
+static enum ts_status read_freedom(struct tsim *sim, struct ts_words words, size_t first,
+				   struct ts_body *body, size_t n)
+{
+	for (size_t w = 0; w < words.n; w += 4) {
+		size_t from = 0, to = 0;
+
+		if (w + 4 > words.n)
+			return ts_fail(&sim->error, TS_SYNTAX, &words.word[w].place,
+				       "fix rigid: expected a body and three times on or off");
+		TS_TRY(read_bodies(sim, &words.word[w], n, &from, &to));
+		for (size_t b = from; b < to; b++)
+			for (size_t k = 0; k < 3; k++)
+				TS_TRY(read_switch(sim, &words.word[w + 1 + k],
+						   &body[b].free[first + k]));
+	}
+	return TS_OK;
+}
+
+/* Rows of the particles in this group and that of the fix; members of another body are refused. */
+static enum ts_status members(struct ts_instance *self, struct tsim *sim, int group, int32_t *row,
+			      size_t *n)
+{
+	const struct ts_particles *p = sim->particles;
+
+	*n = 0;
+	for (size_t i = 0; i < p->n; i++) {
+		if (!ts_in_group(p, i, self->group) || !ts_in_group(p, i, group))
+			continue;
+		if (ts_rigid_member(p, i))
+			return ts_fail(&sim->error, TS_STATE, &self->where,
+				       "fix rigid: particle %d belongs to a rigid body already",
+				       p->tag[i]);
+		row[(*n)++] = (int32_t)i;
+	}
+	return *n ? TS_OK
+		  : ts_fail(&sim->error, TS_STATE, &self->where,
+			    "fix rigid: no particles in group %s", ts_group_name(sim, group));
+}
+
+static enum ts_status make_bodies(struct ts_instance *self, struct tsim *sim, const int *group,
+				  size_t n, struct ts_body *body, int32_t *row)
+{
+	const struct rigid *s = self->state;
+	int64_t owner = ts_rigid_owner(self->id);
+
+	for (size_t b = 0; b < n; b++)
+		for (int k = 0; k < 6; k++)
+			body[b].free[k] = 1;
+	TS_TRY(read_freedom(sim, s->force, 0, body, n));
+	TS_TRY(read_freedom(sim, s->torque, 3, body, n));
+	TS_TRY(ts_rigid_dissolve(sim, owner)); /* of a fix of the same id before this one */
+	if (!sim->pending)
+		TS_TRY(ts_rigid_dissolve_orphans(sim));
+	for (size_t b = 0; b < n; b++) {
+		struct ts_body made;
+		size_t count;
+
+		TS_TRY(members(self, sim, group[b], row, &count));
+		TS_TRY(ts_rigid_of_spheres(sim, row, count, &made));
+		memcpy(made.free, body[b].free, sizeof made.free);
+		TS_TRY(ts_rigid_add(sim, &made, owner, row, count));
+	}
+	return TS_OK;
+}
+
+static enum ts_status groups_of(struct ts_instance *self, struct tsim *sim, int **group, size_t *n)
+{
+	struct rigid *s = self->state;
+
+	*n = s->mode == GROUP ? s->groups.n : 1;
+	if (s->mode == GROUP && (int64_t)*n != s->ngroups)
+		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+			       "fix rigid: expected %d groups, found %zu", (int)s->ngroups, *n);
+	if (!s->group)
+		s->group = ts_arena_alloc(&self->arena, *n, sizeof *s->group);
+	*group = s->group;
+	if (!s->group)
+		return ts_nomem(&sim->error);
+	(*group)[0] = self->group;
+	for (size_t b = 0; s->mode == GROUP && b < *n; b++)
+		TS_TRY(ts_group_require(sim, &s->groups.word[b], &(*group)[b]));
+	return TS_OK;
+}
+
+/* When it is made; not again before each run, nor after a restart that has the bodies. */
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct rigid *s = self->state;
+	struct ts_body *body;
+	int32_t *row;
+	size_t n;
+	int *group;
+	enum ts_status status;
+
+	TS_TRY(groups_of(self, sim, &group, &n));
+	if (s->made || ts_pending_waits(sim, self))
+		return TS_OK;
+	body = ts_alloc(n, sizeof *body);
+	row = ts_alloc(sim->particles->n, sizeof *row);
+	status = body && row ? make_bodies(self, sim, group, n, body, row) : ts_nomem(&sim->error);
+	ts_free(body);
+	ts_free(row);
+	s->made = status == TS_OK;
+	return status;
+}
+
+/* One row for each body of this fix. */
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	const struct ts_rigid *r = sim->rigid;
+	int64_t owner = ts_rigid_owner(self->id);
+	size_t n = 0;
+
+	TS_TRY(ts_table_resize(out, r->n, 12));
+	for (size_t b = 0; b < r->n; b++) {
+		const struct ts_body *body = &r->body[b];
+		double *row = out->data + 12 * n;
+
+		if (r->owner[b] != owner)
+			continue;
+		memcpy(row, body->x, sizeof body->x);
+		memcpy(row + 3, body->v, sizeof body->v);
+		memcpy(row + 6, body->force, sizeof body->force);
+		memcpy(row + 9, body->torque, sizeof body->torque);
+		n++;
+	}
+	out->rows = n;
+	return TS_OK;
+}
+
+static const char *const columns[] = { "x",  "y",  "z",	 "vx", "vy", "vz", "fx",
+				       "fy", "fz", "tx", "ty", "tz", NULL };
+
+static const struct ts_value values[] = {
+	{ "bodies", "",
+	  "of each body: centre of mass (not wrapped), its velocity, force and torque", TS_ARRAY,
+	  12, columns, eval },
+	{ .name = NULL },
+};
+
+static const struct ts_arg group_rows[] = {
+	TS_INT("number", struct rigid, ngroups, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+	       .help = "how many groups follow"),
+	TS_LIST("groups", struct rigid, groups, .help = "a body each"),
+	TS_ARGS_END,
+};
+static const struct ts_mode modes[] = {
+	{ "single", "all particles of the group are one body", NULL },
+	{ "group", "a body of each of these groups", group_rows },
+	{ .name = NULL },
+};
+
+static const struct ts_arg args[] = {
+	TS_MODE("bodystyle", struct rigid, mode, modes, .help = "which particles make a body"),
+	TS_SOME_KEYWORD("force", struct rigid, force, TS_REPEAT,
+			.help = "a body, *, or a range, and on or off for x, y, z: whether it moves "
+				"along; may be given again"),
+	TS_SOME_KEYWORD("torque", struct rigid, torque, TS_REPEAT,
+			.help = "the same: whether it turns about x, y, z"),
+	TS_ARGS_END,
+};
+
+static const struct ts_saved saved[] = {
+	TS_SAVE_U8(struct rigid, made),
+	TS_SAVED_ROWS_END,
+};
+
+TS_STYLE(fix, ts_style, ts_fix_rigid)
+const struct ts_style ts_fix_rigid = {
+	.name = "rigid",
+	.kind = TS_KIND_FIX,
+	.summary = "Particles as one rigid body, or one per group",
+	.doc = "The bodies are made when the line is read, from the places, masses, radii and\n"
+	       "velocities that the particles have then; the inertia is that of the spheres, which\n"
+	       "may overlap: M = sum m, I = sum (0.4 m R^2 + m (d^2 - d d)). They move by\n"
+	       "M dV/dt = F, dL/dt = T as told of fix multisphere. Members do not touch each other; in\n"
+	       "contacts with others their mass is that of the body. After unfix they are on\n"
+	       "their own again. The particles must not be moved by another fix as well.",
+	.example = "fix dumbbell pair rigid single\n"
+		   "fix parts all rigid group 2 left right force 1 on on off torque * off off on",
+	.args = args,
+	.state_size = sizeof(struct rigid),
+	.columns = TS_NEED(OMEGA) | TS_NEED(TORQUE) | TS_NEED(BODY) | TS_NEED(BODY_X),
+	.saved = saved,
+	.values = values,
+	.init = init,
+};

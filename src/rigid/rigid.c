@@ -1,0 +1,386 @@
+/* Which particles belong to which rigid body; how bodies come and go. */
+#include "rigid/rigid.h"
+
+#include <string.h>
+
+#include "core/plan.h"
+#include "integrate/integrators.h"
+#include "math/rigid_turn.h"
+#include "particle/body.h"
+#include "particle/moments.h"
+#include "rigid/rigid_motion.h"
+
+#include "base/banned.h"
+
+int64_t ts_rigid_owner(const char *fix)
+{
+	struct ts_hash hash = ts_hash_start();
+
+	ts_hash_text(&hash, fix);
+	return (int64_t)(ts_hash_value(&hash) >> 1);
+}
+
+static enum ts_status reserve(struct tsim *sim, struct ts_rigid *r, size_t n)
+{
+	if (TS_GROW(r->body, r->body_capacity, n) != TS_OK ||
+	    TS_GROW(r->id, r->id_capacity, n) != TS_OK ||
+	    TS_GROW(r->size, r->size_capacity, n) != TS_OK ||
+	    TS_GROW(r->owner, r->owner_capacity, n) != TS_OK)
+		return ts_nomem(&sim->error);
+	return TS_OK;
+}
+
+/* Places of the members in the frame of the principal axes. */
+static void take_members(struct tsim *sim, const struct ts_body *body, int32_t id,
+			 const int32_t *row, size_t n)
+{
+	struct ts_particles *p = sim->particles;
+	double m[3][3], arm[3];
+
+	ts_quaternion_matrix(body->q, m);
+	for (size_t k = 0; k < n; k++) {
+		size_t i = (size_t)row[k];
+
+		ts_unwrapped(sim, i, arm);
+		ts_sub(arm, body->x, arm);
+		ts_rotate_back(m, arm, p->body_x[i]);
+		p->body[i] = id;
+		p->imass[i] = 1 / body->mass;
+	}
+}
+
+enum ts_status ts_rigid_add(struct tsim *sim, const struct ts_body *body, int64_t owner,
+			    const int32_t *row, size_t n)
+{
+	struct ts_rigid *r = sim->rigid;
+
+	TS_TRY(ts_particles_need(sim, TS_NEED(BODY) | TS_NEED(BODY_X) | TS_NEED(OMEGA) |
+					      TS_NEED(TORQUE)));
+	TS_TRY(reserve(sim, r, r->n + 1));
+	r->body[r->n] = *body;
+	r->id[r->n] = ++r->last_id;
+	r->size[r->n] = (int32_t)n;
+	r->owner[r->n] = owner;
+	r->n++;
+	take_members(sim, body, r->last_id, row, n);
+	r->generation = 0;
+	ts_rigid_place(sim, body, row, n);
+	return TS_OK;
+}
+
+/* Keeps the bodies that are not flagged; members of the others are on their own. */
+static void drop_bodies(struct tsim *sim, const unsigned char *gone)
+{
+	struct ts_particles *p = sim->particles;
+	struct ts_rigid *r = sim->rigid;
+	size_t kept = 0;
+
+	for (size_t b = 0; b < r->n; b++) {
+		for (size_t k = r->start[b]; gone[b] && k < r->start[b + 1]; k++) {
+			size_t i = (size_t)r->member[k];
+
+			p->body[i] = 0;
+			p->imass[i] = 1 / p->mass[i];
+		}
+		if (gone[b])
+			continue;
+		r->body[kept] = r->body[b];
+		r->id[kept] = r->id[b];
+		r->size[kept] = r->size[b];
+		r->owner[kept] = r->owner[b];
+		kept++;
+	}
+	r->n = kept;
+	r->generation = 0;
+}
+
+enum ts_status ts_rigid_dissolve(struct tsim *sim, int64_t owner)
+{
+	struct ts_rigid *r = sim->rigid;
+	unsigned char *gone;
+
+	if (!r->n)
+		return TS_OK;
+	TS_TRY(ts_rigid_list(sim));
+	gone = ts_alloc(r->n, 1);
+	if (!gone)
+		return ts_nomem(&sim->error);
+	for (size_t b = 0; b < r->n; b++)
+		gone[b] = r->owner[b] == owner;
+	drop_bodies(sim, gone);
+	ts_free(gone);
+	return TS_OK;
+}
+
+/* Number of the body with this id, or r->n. */
+static size_t body_of(const struct ts_rigid *r, int32_t id)
+{
+	size_t lo = 0, hi = r->n;
+
+	while (lo < hi) {
+		size_t middle = (lo + hi) / 2;
+
+		if (r->id[middle] < id)
+			lo = middle + 1;
+		else
+			hi = middle;
+	}
+	return lo < r->n && r->id[lo] == id ? lo : r->n;
+}
+
+const struct ts_body *ts_rigid_body_of(const struct tsim *sim, size_t i)
+{
+	const struct ts_rigid *r = sim->rigid;
+	size_t b;
+
+	if (!ts_rigid_member(sim->particles, i))
+		return NULL;
+	b = body_of(r, sim->particles->body[i]);
+	return b < r->n ? &r->body[b] : NULL;
+}
+
+double ts_material_density(const struct tsim *sim, size_t i)
+{
+	const struct ts_body *body = ts_rigid_body_of(sim, i);
+	const struct ts_particles *p = sim->particles;
+
+	return body && body->density > 0 ? body->density
+					 : p->mass[i] / ts_body_volume(sim, p->radius[i]);
+}
+
+/* By identity, so that sums over members do not depend on their order in memory. */
+static void sort_members(const struct ts_particles *p, int32_t *member, size_t n)
+{
+	for (size_t k = 1; k < n; k++) {
+		int32_t i = member[k];
+		size_t at = k;
+
+		for (; at > 0 && p->tag[member[at - 1]] > p->tag[i]; at--)
+			member[at] = member[at - 1];
+		member[at] = i;
+	}
+}
+
+/* Counts them, and notes in which order bodies have their first ones. */
+static void count_members(const struct ts_particles *p, struct ts_rigid *r)
+{
+	r->ordered = 0;
+	memset(r->start, 0, (r->n + 2) * sizeof *r->start);
+	for (size_t i = 0; i < p->n; i++) {
+		size_t b = p->body[i] ? body_of(r, p->body[i]) : r->n;
+
+		if (b < r->n && !r->start[b + 2]++)
+			r->order[r->ordered++] = (int32_t)b;
+	}
+}
+
+enum ts_status ts_rigid_list(struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+	struct ts_rigid *r = sim->rigid;
+
+	if (!r->n || r->generation == sim->generation)
+		return TS_OK;
+	if (TS_GROW(r->start, r->start_capacity, r->n + 2) != TS_OK ||
+	    TS_GROW(r->order, r->order_capacity, r->n) != TS_OK ||
+	    TS_GROW(r->member, r->member_capacity, p->n) != TS_OK)
+		return ts_nomem(&sim->error);
+	count_members(p, r);
+	for (size_t b = 2; b <= r->n; b++)
+		r->start[b] += r->start[b - 1];
+	for (size_t i = 0; i < p->n; i++)
+		if (p->body[i])
+			r->member[r->start[body_of(r, p->body[i]) + 1]++] = (int32_t)i;
+	for (size_t b = 0; b < r->n; b++)
+		sort_members(p, r->member + r->start[b], r->start[b + 1] - r->start[b]);
+	r->generation = sim->generation;
+	return TS_OK;
+}
+
+enum ts_status ts_rigid_accelerate(struct tsim *sim, int group, const double a[3])
+{
+	const struct ts_particles *p = sim->particles;
+	struct ts_rigid *r = sim->rigid;
+
+	if (!r->n)
+		return TS_OK;
+	TS_TRY(ts_rigid_list(sim));
+#pragma omp parallel for num_threads(ts_team(sim, r->n)) schedule(static)
+	for (size_t l = 0; l < r->ordered; l++) {
+		size_t b = (size_t)r->order[l];
+		bool within = false;
+
+		for (size_t k = r->start[b]; k < r->start[b + 1]; k++)
+			within |= ts_in_group(p, (size_t)r->member[k], group);
+		if (within)
+			ts_axpy(r->body[b].mass, a, r->body[b].external);
+	}
+	return TS_OK;
+}
+
+/* Members left of bodies that are no longer whole are deleted, and their bodies. */
+static enum ts_status drop_incomplete(struct tsim *sim)
+{
+	struct ts_particles *p = sim->particles;
+	struct ts_rigid *r = sim->rigid;
+	unsigned char *gone = ts_alloc(p->n + r->n, 1), *torn = gone ? gone + p->n : NULL;
+	bool any = false;
+	enum ts_status status = TS_OK;
+
+	if (!gone)
+		return ts_nomem(&sim->error);
+	for (size_t b = 0; b < r->n; b++) {
+		torn[b] = r->start[b + 1] - r->start[b] < (size_t)r->size[b];
+		any |= torn[b];
+		for (size_t k = r->start[b]; torn[b] && k < r->start[b + 1]; k++)
+			gone[r->member[k]] = 1;
+	}
+	if (any) {
+		drop_bodies(sim, torn);
+		status = ts_particles_delete(sim, gone);
+	}
+	ts_free(gone);
+	return status == TS_OK && any ? ts_rigid_list(sim) : status;
+}
+
+static bool owner_lives(const struct tsim *sim, int64_t owner)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+
+	for (size_t k = 0; k < fixes->n; k++)
+		if (ts_rigid_owner(fixes->item[k]->id) == owner)
+			return true;
+	return false;
+}
+
+enum ts_status ts_rigid_dissolve_orphans(struct tsim *sim)
+{
+	const struct ts_rigid *r = sim->rigid;
+	int64_t lives = -1; /* neighbours mostly have the same */
+	size_t b = 0;
+
+	while (b < r->n) {
+		if (r->owner[b] == lives || owner_lives(sim, r->owner[b])) {
+			lives = r->owner[b++];
+		} else {
+			TS_TRY(ts_rigid_dissolve(sim, r->owner[b]));
+			b = 0;
+		}
+	}
+	return TS_OK;
+}
+
+/* After particles were lost, and their inverse masses made anew. */
+static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_rigid *r = self->state;
+
+	if (!r->n)
+		return TS_OK;
+	TS_TRY(ts_rigid_dissolve_orphans(sim));
+	TS_TRY(ts_rigid_list(sim));
+	TS_TRY(drop_incomplete(sim));
+	if (sim->rebuild && r->n)
+		TS_TRY(ts_integrators_check_members(sim, r->member, r->start[r->n]));
+	for (size_t b = 0; b < r->n; b++)
+		for (size_t k = r->start[b]; k < r->start[b + 1]; k++)
+			sim->particles->imass[r->member[k]] = 1 / r->body[b].mass;
+	return TS_OK;
+}
+
+/* A damaged file may have members of bodies that are not there. */
+static enum ts_status check_members(struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+	const struct ts_rigid *r = sim->rigid;
+
+	for (size_t b = 0; b < r->n; b++)
+		if (r->id[b] <= (b ? r->id[b - 1] : 0) || r->id[b] > r->last_id ||
+		    !(r->body[b].mass > 0))
+			return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible rigid bodies");
+	for (size_t i = 0; i < p->n; i++)
+		if (ts_rigid_member(p, i) && body_of(r, p->body[i]) == r->n)
+			return ts_fail(&sim->error, TS_DAMAGED, NULL,
+				       "particle %d belongs to a body that does not exist",
+				       p->tag[i]);
+	return r->n && !p->body ? ts_fail(&sim->error, TS_DAMAGED, NULL,
+					  "rigid bodies without members")
+				: TS_OK;
+}
+
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	struct ts_rigid *r = self->state;
+	size_t numbers = r->n * TS_BODY_NUMBERS, room = r->body_capacity * TS_BODY_NUMBERS;
+	size_t ids = r->n, sizes = r->n, owners = r->n;
+
+	if (!ts_archive_writing(a) && !ts_archive_has(a, "body"))
+		return TS_OK; /* older files */
+	TS_TRY(ts_archive_array(a, "body", TS_SAVED_F64, (void **)&r->body, &room, &numbers));
+	r->body_capacity = room / TS_BODY_NUMBERS;
+	TS_TRY(ts_archive_array(a, "id", TS_SAVED_I32, (void **)&r->id, &r->id_capacity, &ids));
+	TS_TRY(ts_archive_array(a, "size", TS_SAVED_I32, (void **)&r->size, &r->size_capacity,
+				&sizes));
+	TS_TRY(ts_archive_array(a, "owner", TS_SAVED_I64, (void **)&r->owner, &r->owner_capacity,
+				&owners));
+	TS_TRY(ts_archive_fixed(a, "last_id", TS_SAVED_I32, &r->last_id, 1));
+	if (numbers != ids * TS_BODY_NUMBERS || sizes != ids || owners != ids)
+		return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible rigid bodies");
+	r->n = ids;
+	r->generation = 0;
+	return check_members(sim);
+}
+
+static void fingerprint(const struct ts_instance *self, const struct tsim *sim,
+			struct ts_hash *hash)
+{
+	const struct ts_rigid *r = self->state;
+
+	ts_hash_add(hash, r->id, r->n * sizeof *r->id);
+	for (size_t b = 0; b < r->n; b++)
+		if ((b == 0 || r->owner[b] != r->owner[b - 1]) && !owner_lives(sim, r->owner[b]))
+			ts_hash_text(hash, "comes apart");
+}
+
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
+			   struct ts_plan_report *report)
+{
+	const struct ts_rigid *r = self->state;
+
+	(void)sim;
+	if (r->n)
+		ts_report_line(report, "rigid bodies", "%zu, of %zu particles", r->n,
+			       r->start ? r->start[r->n] : 0);
+	return TS_OK;
+}
+
+static void fini(struct ts_instance *self)
+{
+	struct ts_rigid *r = self->state;
+
+	ts_free(r->body);
+	ts_free(r->id);
+	ts_free(r->size);
+	ts_free(r->owner);
+	ts_free(r->member);
+	ts_free(r->order);
+	ts_free(r->start);
+}
+
+const struct ts_system_style ts_rigid_system = {
+	.style = { .name = "rigid",
+		   .kind = TS_KIND_SYSTEM,
+		   .summary = "rigid bodies of particles",
+		   .state_size = sizeof(struct ts_rigid),
+		   .archive = archive,
+		   .fingerprint = fingerprint,
+		   .hook = { [TS_STAGE_INITIAL_INTEGRATE] = ts_rigid_initial,
+			     [TS_STAGE_EXCHANGE] = exchange,
+			     [TS_STAGE_PRE_FORCE] = ts_rigid_clear,
+			     [TS_STAGE_FINAL_INTEGRATE] = ts_rigid_final,
+			     [TS_STAGE_SETUP] = ts_rigid_setup },
+		   .waits = TS_WAITS(INITIAL_INTEGRATE) | TS_WAITS(FINAL_INTEGRATE),
+		   .plan = plan,
+		   .fini = fini },
+	.slot = offsetof(struct tsim, rigid),
+};

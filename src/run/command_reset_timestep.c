@@ -1,0 +1,76 @@
+/* Command reset_timestep: sets the step counter. */
+#include "core/sim.h"
+
+#include "dump/dump.h"
+#include "thermo/thermo.h"
+
+#include "base/banned.h"
+
+struct state {
+	int64_t step;
+	double time;
+};
+
+/* Averages, series and the like know the step of their next sample. */
+static bool counts_steps(const struct ts_instance *fix)
+{
+	for (const struct ts_arg *row = fix->style->args; row && row->type != TS_ARG_END; row++)
+		if (row->type == TS_ARG_INT && row->flags & TS_STATEFUL)
+			return true;
+	return false;
+}
+
+/* A frame already written at what is now this step is another state. */
+static void forget_frames(struct tsim *sim)
+{
+	const struct ts_instances *dumps = &sim->instances[TS_KIND_DUMP];
+
+	for (size_t k = 0; k < dumps->n; k++)
+		((struct ts_dump_common *)dumps->item[k]->state)->last = -1;
+}
+
+static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	const struct state *s = state;
+
+	for (size_t k = 0; k < sim->instances[TS_KIND_FIX].n; k++) {
+		const struct ts_instance *fix = sim->instances[TS_KIND_FIX].item[k];
+
+		if (counts_steps(fix))
+			return ts_fail(&sim->error, TS_STATE, where,
+				       "fix %s (%s, line %d) counts steps: unfix it before "
+				       "reset_timestep",
+				       fix->id, fix->style->name, fix->where.line);
+	}
+	if (s->step != sim->clock.step) {
+		forget_frames(sim);
+		sim->thermo->counted = 0;
+		sim->era++;
+	}
+	sim->clock.step = sim->clock.base_step = s->step;
+	sim->clock.base_time = isnan(s->time) ? (double)s->step * sim->clock.dt : s->time;
+	return TS_OK;
+}
+
+static const struct ts_arg args[] = {
+	TS_INT("step", struct state, step, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
+	       .help = "new value of the step counter"),
+	TS_REAL("time", struct state, time, .flags = TS_OPTIONAL, .unit = "time",
+		.help = "new simulated time; without it step times dt"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(command, ts_command_style, ts_command_reset_timestep)
+const struct ts_command_style ts_command_reset_timestep = {
+	.style = {
+		.name = "reset_timestep",
+		.kind = TS_KIND_COMMAND,
+		.summary = "Sets the step counter",
+		.doc = "The simulated time becomes step times dt unless it is given. Refused while there are fixes that\n"
+		       "average over steps.",
+		.example = "reset_timestep 0",
+		.args = args,
+		.state_size = sizeof(struct state),
+	},
+	.run = run,
+};

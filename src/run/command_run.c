@@ -1,0 +1,210 @@
+#include "core/plan.h"
+
+#include <inttypes.h>
+
+#include "base/clock.h"
+#include "particle/particles.h"
+#include "neigh/neigh.h"
+
+#include "base/banned.h"
+
+struct run {
+	int64_t steps, start, stop;
+	bool upto, pre, post, unsafe;
+	struct ts_words pieces; /* M and the commands after each M steps */
+	const struct ts_place *where;
+};
+
+/* Wall time by what it was spent on, as LAMMPS names it. */
+static void print_times(const struct ts_plan *plan, struct tsim *sim, double wall)
+{
+	static const struct {
+		const char *name;
+		enum ts_stage first, last;
+	} part[] = {
+		{ "Move", TS_STAGE_INITIAL_INTEGRATE, TS_STAGE_POST_INTEGRATE },
+		{ "Neigh", TS_STAGE_CHECK, TS_STAGE_POST_BUILD },
+		{ "Comm", TS_STAGE_FORWARD, TS_STAGE_FORWARD },
+		{ "Force", TS_STAGE_PRE_FORCE, TS_STAGE_FORCE },
+		{ "Fixes", TS_STAGE_POST_FORCE, TS_STAGE_END_OF_STEP },
+		{ "Outpt", TS_STAGE_OUTPUT, TS_STAGE_FINISH },
+	};
+
+	for (size_t k = 0; k < sizeof part / sizeof *part; k++) {
+		double seconds = 0;
+
+		for (int s = (int)part[k].first; s <= (int)part[k].last; s++)
+			seconds += ts_plan_seconds(plan, (enum ts_stage)s);
+		ts_log(&sim->log, "%-5s time (%%) = %g (%.3g)\n", part[k].name, seconds,
+		       wall > 0 ? 100 * seconds / wall : 0);
+	}
+}
+
+static void print_footer(const struct ts_plan *plan, struct tsim *sim, int64_t steps)
+{
+	double wall = ts_clock() - sim->clock.wall_start;
+	const struct ts_particles *p = sim->particles;
+
+	ts_log(&sim->log, "Loop time of %g on %d procs for %" PRId64 " steps with %zu atoms\n", wall,
+	       sim->threads, steps, p->n);
+	if (steps && p->n)
+		ts_log(&sim->log, "%.1f ns per particle-step\n\n",
+		       1e9 * wall / ((double)steps * (double)p->n));
+	print_times(plan, sim, wall);
+	ts_log(&sim->log, "\nNlocal: %zu\nNghost: %zu\nNeighs: %zu\n", p->n, p->nghost,
+	       sim->neigh->rows.n);
+	ts_log(&sim->log, "Neighbor list builds = %" PRId64 "\nDangerous builds = 0\n\n",
+	       sim->neigh->builds);
+	if (p->lost)
+		ts_log(&sim->log, "Particles lost through fixed faces so far: %" PRId64 "\n", p->lost);
+}
+
+static enum ts_status run_plan(struct ts_plan *plan, struct tsim *sim, int64_t steps,
+			       const struct run *r)
+{
+	sim->clock.first_step = sim->clock.step;
+	sim->clock.last_step = sim->clock.step + steps;
+	sim->unsafe = r->unsafe;
+	if (sim->explain && sim->host)
+		TS_TRY(sim->host->planned(sim->host_data, r->where, steps));
+	TS_TRY(ts_plan_compile(plan, sim));
+	TS_TRY(ts_plan_run(plan, sim, r->pre));
+	steps = sim->clock.step - sim->clock.first_step; /* fix halt may have ended it early */
+	if (sim->explain)
+		return TS_OK;
+	if (r->post)
+		print_footer(plan, sim, steps);
+	else
+		ts_log(&sim->log, "Loop time of %g on %d procs for %" PRId64 " steps with %zu atoms\n",
+		       ts_clock() - sim->clock.wall_start, sim->threads, steps, sim->particles->n);
+	return TS_OK;
+}
+
+static enum ts_status run_once(struct tsim *sim, int64_t steps, const struct run *r)
+{
+	struct ts_plan plan = { 0 };
+	enum ts_status status = run_plan(&plan, sim, steps, r);
+
+	ts_plan_release(&plan);
+	return status;
+}
+
+/* Executes the commands after each piece; they are substituted anew every time. */
+static enum ts_status each_piece(struct tsim *sim, int64_t last, const struct run *r)
+{
+	const struct ts_word *word = r->pieces.word;
+	int64_t every, left = last - sim->clock.step;
+
+	if (!ts_parse_int(word[0].text, &every) || every < 1)
+		return ts_fail(&sim->error, TS_SYNTAX, &word[0].place,
+			       "run: every is '%s', expected a number of steps > 0", word[0].text);
+	if (sim->explain) /* the commands once */
+		every = last - sim->clock.step;
+	else
+		TS_TRY(sim->host->reads_commands(sim->host_data, ts_words_from(r->pieces, 1)));
+	while (left > 0 && !sim->halted) {
+		if (!ts_sim_has_box(sim))
+			return ts_fail(&sim->error, TS_STATE, &word[0].place,
+				       "run: a command of `every` has removed the box, and the run cannot go on "
+				       "for %" PRId64 " steps more; `clear` has its place behind the run",
+				       left);
+		TS_TRY(run_once(sim, left < every ? left : every, r));
+		left -= every; /* a command may count the steps anew */
+		for (size_t k = 1; k < r->pieces.n; k++)
+			if (!ts_streq(word[k].text, "NULL"))
+				TS_TRY(sim->host->execute(sim->host_data, word[k].text,
+							  &word[k].place));
+	}
+	return TS_OK;
+}
+
+static enum ts_status run_pieces(struct tsim *sim, int64_t last, const struct run *r)
+{
+	enum ts_status status;
+
+	sim->host->expects(sim->host_data, ts_words_from(r->pieces, 1));
+	status = each_piece(sim, last, r);
+	sim->host->expects(sim->host_data, (struct ts_words){ 0 });
+	return status;
+}
+
+static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	struct run *r = state;
+	int64_t last;
+
+	if (!r->upto && r->steps > INT64_MAX - sim->clock.step)
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "run: the last step would be out of range, at most %" PRId64, INT64_MAX);
+	last = r->upto ? r->steps : sim->clock.step + r->steps;
+	r->where = where;
+	if (last < sim->clock.step && sim->open_clock) /* -explain: or so */
+		last = sim->clock.step;
+	if (last < sim->clock.step)
+		return ts_fail(&sim->error, TS_RANGE, ts_sim_word(sim, 1, where),
+			       "run upto %" PRId64 ": the simulation is already at step %" PRId64,
+			       r->steps, sim->clock.step);
+	if ((r->start >= 0 && r->start > sim->clock.step) || (r->stop >= 0 && r->stop < last))
+		return ts_fail(&sim->error, TS_RANGE, where,
+			       "run: start must not be after the present step %" PRId64
+			       ", stop not before the last %" PRId64,
+			       sim->clock.step, last);
+	if (sim->run_watch)
+		TS_TRY(sim->run_watch->before(sim->run_watch, sim, where, &last));
+	sim->clock.goal = last;
+	sim->clock.ramp_first = r->start >= 0 ? r->start : sim->clock.step;
+	sim->clock.ramp_last = r->stop >= 0 ? r->stop : last;
+	if (sim->halted) {
+		ts_log(&sim->log, "This run is skipped: fix halt has ended one before\n");
+		return TS_OK;
+	}
+	if (!r->pieces.n)
+		TS_TRY(run_once(sim, last - sim->clock.step, r));
+	else
+		TS_TRY(run_pieces(sim, last, r));
+	return sim->run_watch ? sim->run_watch->after(sim->run_watch, sim) : TS_OK;
+}
+
+static const struct ts_arg args[] = {
+	TS_INT("N", struct run, steps, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
+	       .help = "number of steps"),
+	TS_FLAG("upto", struct run, upto, .help = "run until step N instead of N more steps"),
+	TS_INT("start", struct run, start, .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE,
+	       .help = "step at which what changes over a run (ramp(), fix deform final) began"),
+	TS_INT("stop", struct run, stop, .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE,
+	       .help = "step at which it ends"),
+	TS_BOOL("pre", struct run, pre, .fallback = "yes",
+		.help = "set up before the run; no: go on as after the last step"),
+	TS_BOOL("post", struct run, post, .fallback = "yes", .help = "print the timing summary"),
+	TS_BOOL("unsafe", struct run, unsafe, .fallback = "no",
+		.help = "step beyond the stability limit with a warning instead of an error"),
+	TS_REST_KEYWORD("every", struct run, pieces,
+			.help = "M and quoted commands: interrupt every M steps to execute them"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(command, ts_command_style, ts_command_run)
+const struct ts_command_style ts_command_run = {
+	.style = { .name = "run",
+		   .kind = TS_KIND_COMMAND,
+		   .summary = "steps the simulation",
+		   .doc = "Plans the run (see -explain), checks the time step against the stability "
+			  "limits of all live styles, and steps. Forces are computed anew at its start "
+			  "only if something they depend on has changed since the last step, so that a "
+			  "run cut into several is the same, bit for bit.\n\n"
+			  "`every M \"command\" ...` interrupts the run every M steps to execute the "
+			  "commands; variables in them are substituted each time. Before the first step they are "
+			  "read, those of `if` among them, too: that commands, styles, arguments and variables exist.\n\n"
+			  "What changes over a run counts from its first to its last step. With `start` and "
+			  "`stop` several runs, or one that goes on from a restart file, count as one.\n\n"
+			  "A step beyond a limit of stability is refused. While the run goes on limits are looked at "
+			  "again, as stiffnesses, masses and velocities change: from 80 % of one on a warning says "
+			  "so, once for each cause, and a run that stays beyond it is stopped, with the cause, the place and a step "
+			  "that is small enough (doc/stability.md; thermo keyword stable_fraction). "
+			  "`unsafe yes` only warns: for tests of the limits themselves.",
+		   .example = "run 20000\nrun 100000 upto\nrun 5000 every 1000 \"print 'step $(step)'\"",
+		   .args = args,
+		   .state_size = sizeof(struct run) },
+	.needs_box = true,
+	.run = run,
+};

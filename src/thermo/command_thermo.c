@@ -1,0 +1,49 @@
+/* Command thermo: how often the table in the log gets a row. */
+#include "core/sim.h"
+#include "thermo/thermo.h"
+
+#include "base/banned.h"
+
+struct state {
+	struct ts_number every;
+};
+
+static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	const struct state *s = state;
+
+	struct ts_thermo *t = sim->thermo;
+	double every = s->every.value;
+
+	if (every != floor(every) || every > 9e15)
+		return ts_fail(&sim->error, TS_SYNTAX, where,
+			       "thermo: every is %g, expected an integer >= 0 or v_name", every);
+	t->every = (int64_t)every;
+	t->variable = NULL;
+	if (s->every.variable)
+		t->variable = ts_pool_get(sim->pool, s->every.variable);
+	return s->every.variable && !t->variable ? ts_nomem(&sim->error) : TS_OK;
+}
+
+static const struct ts_arg args[] = {
+	TS_NUMBER("every", struct state, every, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE,
+		  .help = "steps between rows, or a variable that says the step of the next row; 0: only "
+			  "the first and the last step"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(command, ts_command_style, ts_command_thermo)
+const struct ts_command_style ts_command_thermo = {
+	.style = {
+		.name = "thermo",
+		.kind = TS_KIND_COMMAND,
+		.summary = "How often the table in the log gets a row",
+		.doc = "A row is written at the first and the last step of each run and when the step is a multiple of\n"
+		       "N. Default 0. A variable, v_NAME, is asked at the start of a run and after each row for the step of\n"
+		       "the next.",
+		.example = "thermo 1000\nthermo v_next",
+		.args = args,
+		.state_size = sizeof(struct state),
+	},
+	.run = run,
+};

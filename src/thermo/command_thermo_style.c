@@ -1,0 +1,61 @@
+/* Command thermo_style: the columns of the table in the log. */
+#include "core/sim.h"
+#include "thermo/thermo.h"
+
+#include "base/banned.h"
+
+struct state {
+	int style;
+	struct ts_words columns;
+};
+
+enum { ONE, MULTI, CUSTOM };
+
+static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *where)
+{
+	static const char *const one[] = { "step", "atoms", "ke", "cpu" };
+	const struct state *s = state;
+	struct ts_word word[4];
+
+	if (s->style == CUSTOM)
+		return ts_thermo_columns(sim, s->columns, false);
+	for (size_t k = 0; k < 4; k++)
+		word[k] = (struct ts_word){ .text = one[k], .place = *where };
+	return ts_thermo_columns(sim, (struct ts_words){ word, 4 }, s->style == MULTI);
+}
+
+static const struct ts_arg custom[] = {
+	TS_REST("columns", struct state, columns,
+		.help = "step, time, atoms, ke ..., c_ID, c_ID[k], f_ID, f_ID[k], v_NAME"),
+	TS_ARGS_END,
+};
+
+static const struct ts_mode styles[] = {
+	[ONE] = { "one", "step atoms ke cpu", NULL },
+	[MULTI] = { "multi", "the same in blocks of named numbers", NULL },
+	[CUSTOM] = { "custom", "columns of your choice", custom },
+	{ .name = NULL },
+};
+
+static const struct ts_arg args[] = {
+	TS_MODE("style", struct state, style, styles, .help = "which columns"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(command, ts_command_style, ts_command_thermo_style)
+const struct ts_command_style ts_command_thermo_style = {
+	.style = {
+		.name = "thermo_style",
+		.kind = TS_KIND_COMMAND,
+		.summary = "The columns of the table in the log",
+		.doc = "Keywords: step elapsed time dt cpu tpcpu spcpu cpuremain atoms ke erotate fmax fnorm vol\n"
+		       "density lx ly lz xlo xhi ylo yhi zlo zhi, and those of other systems. Columns that are no\n"
+		       "keyword are titled by their name, with `legacy yes` by its first eight characters. Default: one.\n\n"
+		       "Keywords, and computes, fixes and variables that exist, are checked in this line; others may be "
+		       "defined later, before the first run.",
+		.example = "thermo_style custom step time ke c_energy f_bit[1] v_depth",
+		.args = args,
+		.state_size = sizeof(struct state),
+	},
+	.run = run,
+};

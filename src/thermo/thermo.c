@@ -1,0 +1,344 @@
+#include "thermo/thermo.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/clock.h"
+#include "core/plan.h"
+#include "core/settings.h"
+
+#include "base/banned.h"
+
+/* "Step", "KinEng"; of c_ID, f_ID, v_NAME what follows the prefix. LIGGGHTS has eight characters of it. */
+static const char *make_title(struct tsim *sim, const char *name)
+{
+	const struct ts_keyword *keyword = ts_keyword_find(sim, name);
+	char eight[9];
+
+	if (keyword)
+		return keyword->title;
+	if (name[0] && name[1] == '_')
+		name += 2;
+	snprintf(eight, sizeof eight, "%s", name);
+	return ts_arena_strdup(&sim->thermo->arena, sim->legacy ? eight : name);
+}
+
+/* A compute, fix or variable may be defined before the run; what is there must be of the right shape. */
+static enum ts_status read_now(struct tsim *sim, struct ts_ref_input *input)
+{
+	enum ts_status status = ts_ref_input_resolve(sim, "thermo_style", TS_WANT(SCALAR), input);
+
+	if (status == TS_OK || !sim->error.missing[0])
+		return status;
+	ts_error_clear(&sim->error);
+	return TS_OK;
+}
+
+enum ts_status ts_thermo_columns(struct tsim *sim, struct ts_words names, bool multi)
+{
+	struct ts_thermo *t = sim->thermo;
+	struct ts_words copy;
+
+	t->n = 0;
+	t->multi = multi;
+	t->norm = t->norm_default;
+	for (int k = 0; k < TS_NSTANDARD; k++)
+		sim->standard[k] = NULL;
+	t->formats = (struct ts_formats){ 0 };
+	ts_arena_release(&t->arena);
+	TS_TRY(ts_refs_expand(sim, &t->arena, names, TS_WANT(SCALAR), &copy));
+	t->column = ts_arena_alloc(&t->arena, copy.n, sizeof *t->column);
+	if (!t->column)
+		return ts_nomem(&sim->error);
+	for (size_t k = 0; k < copy.n; k++) {
+		t->column[k] = (struct ts_thermo_column){
+			.title = make_title(sim, copy.word[k].text),
+			.input = { .name = copy.word[k].text, .where = copy.word[k].place },
+		};
+		if (!t->column[k].title)
+			return ts_nomem(&sim->error);
+	}
+	for (size_t k = 0; k < copy.n; k++)
+		TS_TRY(ts_pardon(sim, read_now(sim, &t->column[k].input)));
+	t->n = copy.n;
+	return TS_OK;
+}
+
+static bool is_integer(const struct ts_thermo_column *c)
+{
+	return c->input.ref.kind == TS_REF_KEYWORD && c->input.ref.keyword->flags & TS_KEYWORD_INTEGER;
+}
+
+static enum ts_status set_formats(struct ts_thermo *t, struct tsim *sim)
+{
+	for (size_t k = 0; k < t->n; k++) {
+		struct ts_thermo_column *c = &t->column[k];
+		const struct ts_keyword *keyword = ts_keyword_find(sim, c->input.name);
+		bool integer = keyword && keyword->flags & TS_KEYWORD_INTEGER;
+		const char *fallback = t->multi ? (integer ? "%14d" : "%14.4f")
+						: (integer ? "%8d" : "%14.8g");
+
+		TS_TRY(ts_formats_choose(&t->formats, &sim->error, k, integer, fallback,
+					 c->format));
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_thermo_format(struct tsim *sim, struct ts_words words)
+{
+	struct ts_thermo *t = sim->thermo;
+
+	TS_TRY(ts_formats_change(&t->formats, &sim->error, &t->arena, "thermo_modify", words, t->n));
+	return set_formats(t, sim);
+}
+
+static enum ts_status resolve(struct ts_thermo *t, struct tsim *sim)
+{
+	for (size_t k = 0; k < t->n; k++) {
+		struct ts_ref_input *input = &t->column[k].input;
+		enum ts_status status = ts_ref_input_resolve(sim, "thermo_style", TS_WANT(SCALAR), input);
+
+		if (status == TS_OK)
+			status = ts_ref_reads(sim, &input->ref, &input->where);
+		TS_TRY(ts_pardon(sim, status));
+	}
+	return set_formats(t, sim);
+}
+
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
+			   struct ts_plan_report *report)
+{
+	const struct ts_thermo *t = self->state;
+
+	if (report->limits_only)
+		return TS_OK;
+	TS_TRY(resolve(self->state, sim));
+	return ts_report_output(report, "rows of the log", ts_report_times(sim, t->every) + 2,
+				16 * (double)t->n) == TS_OK
+		       ? TS_OK
+		       : ts_nomem(&sim->error);
+}
+
+/* The columns of `one`, LIGGGHTS' default. */
+static enum ts_status set_defaults(struct tsim *sim)
+{
+	const struct ts_word one[] = {
+		{ .text = "step" }, { .text = "atoms" }, { .text = "ke" }, { .text = "cpu" }
+	};
+
+	return ts_thermo_columns(sim, (struct ts_words){ one, 4 }, false);
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_thermo *t = self->state;
+
+	if (!t->n)
+		return set_defaults(sim);
+	return sim->running ? resolve(t, sim) : TS_OK;
+}
+
+static enum ts_status emit(struct ts_thermo *t, struct tsim *sim)
+{
+	if (t->line.failed)
+		return ts_nomem(&sim->error);
+	ts_log(&sim->log, "%s\n", ts_str_text(&t->line));
+	TS_TRY(ts_log_flush(&sim->log, &sim->error));
+	if (!ts_textfile_is_open(&t->file))
+		return TS_OK;
+	TS_TRY(ts_textfile_printf(&t->file, "%s\n", ts_str_text(&t->line)));
+	return ts_textfile_flush(&t->file);
+}
+
+static enum ts_status header(struct ts_thermo *t, struct tsim *sim)
+{
+	ts_str_clear(&t->line);
+	for (size_t k = 0; k < t->n; k++)
+		ts_str_addf(&t->line, is_integer(&t->column[k]) ? "%8s " : "%14s ",
+			    t->column[k].title);
+	return emit(t, sim);
+}
+
+/* "Step     =              0 Atoms    =              2 ", three to a line. */
+static void add_named(struct ts_thermo *t, size_t k, double value)
+{
+	struct ts_thermo_column *c = &t->column[k];
+
+	if (k % 3 == 0)
+		ts_str_add(&t->line, "\n");
+	ts_str_addf(&t->line, "%-8s = ", c->title);
+	ts_format_add(&t->line, c->format, is_integer(c), value);
+	ts_str_add(&t->line, " ");
+}
+
+enum { USUAL = 14 }; /* the width of a title */
+
+/* At the right of a title that is wider than others. */
+static void add_column(struct ts_thermo *t, size_t k, double value)
+{
+	struct ts_thermo_column *c = &t->column[k];
+	size_t start = t->line.length, title = strlen(c->title), width = title > USUAL ? title : 0, n;
+
+	ts_format_add(&t->line, c->format, is_integer(c), value);
+	n = t->line.length - start;
+	if (n < width) {
+		ts_str_addf(&t->line, "%*s", (int)(width - n), "");
+		if (!t->line.failed) {
+			memmove(t->line.text + start + width - n, t->line.text + start, n);
+			memset(t->line.text + start, ' ', width - n);
+		}
+	}
+	ts_str_add(&t->line, " ");
+}
+
+static enum ts_status row(struct ts_thermo *t, struct tsim *sim)
+{
+	double cpu = sim->clock.step > sim->clock.first_step ? ts_clock() - sim->clock.wall_start : 0;
+
+	ts_str_clear(&t->line);
+	if (t->multi)
+		ts_str_addf(&t->line,
+			    "---------------- Step %8" PRId64 " ----- CPU = %11.4f (sec) "
+			    "----------------",
+			    sim->clock.step, cpu);
+	for (size_t k = 0; k < t->n; k++) {
+		struct ts_thermo_column *c = &t->column[k];
+		double value;
+
+		TS_TRY(ts_ref_input_scalar(sim, &c->input, &value));
+		if (t->multi) {
+			add_named(t, k, value);
+			continue;
+		}
+		add_column(t, k, value);
+	}
+	t->last_row_time = ts_clock() - sim->clock.wall_start;
+	t->last_row_step = sim->clock.step;
+	return emit(t, sim);
+}
+
+/* The variable says the step of the row after this one. */
+static enum ts_status ask_next(struct ts_thermo *t, struct tsim *sim)
+{
+	double next;
+
+	TS_TRY(sim->host->scalar(sim->host_data, t->variable, NULL, &next));
+	if (!(next > (double)sim->clock.step) || next > 9e15)
+		return ts_fail(&sim->error, TS_RANGE, NULL,
+			       "thermo v_%s: the step of the next row would be %g, but step %" PRId64
+			       " is reached already",
+			       t->variable, next, sim->clock.step);
+	t->next = (int64_t)next;
+	return TS_OK;
+}
+
+/* Rows that only begin or end a run, and those seen already at the end of the run before, take nothing
+ * from files: a run cut in two reads what the whole run reads. */
+static enum ts_status is_due(struct ts_thermo *t, struct tsim *sim, bool *due)
+{
+	const struct ts_clock *c = &sim->clock;
+	bool asked = (!t->variable && t->every && c->step % t->every == 0) ||
+		     (t->variable && c->step == t->next);
+
+	*due = asked || c->step == c->first_step || (c->step == c->last_step && !sim->in_pieces) ||
+	       (sim->stop && sim->complete);
+	sim->looking = !asked || t->counted == c->step + 1;
+	if (asked)
+		t->counted = c->step + 1;
+	if (t->variable && (c->step == c->first_step || c->step == t->next))
+		return ask_next(t, sim);
+	return TS_OK;
+}
+
+static void progress(struct ts_thermo *t, struct tsim *sim)
+{
+	const struct ts_clock *c = &sim->clock;
+	double now = ts_clock(), spent = now - c->wall_start, left, percent;
+	char text[128];
+
+	if (now < t->progress_due || sim->in_pieces || c->step == c->first_step)
+		return;
+	t->progress_due = now + 0.2;
+	percent = 100 * (double)(c->step - c->first_step) / (double)(c->last_step - c->first_step);
+	left = spent * (100 - percent) / percent;
+	snprintf(text, sizeof text,
+		 "%5.1f %%  step %" PRId64 " of %" PRId64 "  %.0f s, %.0f s left", percent, c->step,
+		 c->last_step, spent, left);
+	ts_log_progress(&sim->log, text);
+}
+
+static enum ts_status output(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_thermo *t = self->state;
+	const struct ts_clock *c = &sim->clock;
+	bool first = c->step == c->first_step, due;
+	enum ts_status status;
+
+	if (first || t->variable)
+		ts_sweep(sim);
+	if (first) {
+		t->last_row_step = c->step;
+		t->last_row_time = t->progress_due = 0;
+		TS_TRY(resolve(t, sim));
+		if (!t->multi)
+			TS_TRY(header(t, sim));
+	}
+	TS_TRY(is_due(t, sim, &due));
+	if (due)
+		ts_sweep(sim);
+	status = due ? row(t, sim) : TS_OK;
+	sim->looking = false;
+	if (sim->log.progress || sim->log.sink)
+		progress(t, sim);
+	return status;
+}
+
+static enum ts_status finish(struct ts_instance *self, struct tsim *sim)
+{
+	(void)self;
+	ts_log_progress(&sim->log, "");
+	return TS_OK;
+}
+
+static void fini(struct ts_instance *self)
+{
+	struct ts_thermo *t = self->state;
+
+	ts_textfile_close(&t->file);
+	ts_str_release(&t->line);
+	ts_arena_release(&t->arena);
+}
+
+static const struct ts_saved saved[] = { TS_SAVE_I64(struct ts_thermo, counted),
+					 TS_SAVED_ROWS_END };
+
+static void settings(const struct ts_instance *self, const struct tsim *sim, struct ts_str *out)
+{
+	const struct ts_thermo *t = self->state;
+
+	(void)sim;
+	ts_setting(out, t->every == 0, "thermo %lld", (long long)t->every);
+	ts_setting(out, t->norm_default, "norm %s", t->norm ? "yes" : "no");
+}
+
+const struct ts_system_style ts_thermo_system = {
+	.style = {
+		.name = "thermo",
+		.kind = TS_KIND_SYSTEM,
+		.summary = "Table of numbers in the log, progress line",
+		.state_size = sizeof(struct ts_thermo),
+		.saved = saved,
+		.init = init,
+		.plan = plan,
+		.hook = {
+			[TS_STAGE_OUTPUT] = output,
+			[TS_STAGE_FINISH] = finish,
+		},
+		.waits = TS_WAITS(OUTPUT),
+		.fini = fini,
+	},
+	.slot = offsetof(struct tsim, thermo),
+	.settings = settings,
+	.keywords = ts_thermo_keywords,
+};

@@ -1,0 +1,327 @@
+/* The numbers of the whole simulation that thermo_style and expressions can name. */
+#include "thermo/thermo.h"
+
+#include <math.h>
+
+#include "base/clock.h"
+#include "box/domain.h"
+#include "core/standard.h"
+#include "energy/potential_energy.h"
+#include "group/kinetic_energy.h"
+#include "group/temperature.h"
+#include "math/exactsum.h"
+#include "particle/particles.h"
+
+#include "base/banned.h"
+
+static enum ts_status step(struct tsim *sim, double *out)
+{
+	*out = (double)sim->clock.step;
+	return TS_OK;
+}
+
+static enum ts_status elapsed(struct tsim *sim, double *out)
+{
+	*out = (double)(sim->clock.step - sim->clock.first_step);
+	return TS_OK;
+}
+
+static enum ts_status time_now(struct tsim *sim, double *out)
+{
+	*out = ts_sim_time(sim);
+	return TS_OK;
+}
+
+static enum ts_status dt(struct tsim *sim, double *out)
+{
+	*out = sim->clock.dt;
+	return TS_OK;
+}
+
+/* Wall time since the start of the run; 0 at its first step and outside of runs. */
+static enum ts_status cpu(struct tsim *sim, double *out)
+{
+	bool started = sim->running && sim->clock.step > sim->clock.first_step;
+
+	*out = started ? ts_clock() - sim->clock.wall_start : 0;
+	return TS_OK;
+}
+
+/* Simulated time per second, since the row before. */
+static enum ts_status tpcpu(struct tsim *sim, double *out)
+{
+	const struct ts_thermo *t = sim->thermo;
+	double now, steps = (double)(sim->clock.step - t->last_row_step);
+
+	TS_TRY(cpu(sim, &now));
+	*out = now > t->last_row_time ? steps * sim->clock.dt / (now - t->last_row_time) : 0;
+	return TS_OK;
+}
+
+/* Steps per second, since the row before. */
+static enum ts_status spcpu(struct tsim *sim, double *out)
+{
+	TS_TRY(tpcpu(sim, out));
+	*out = sim->clock.dt > 0 ? *out / sim->clock.dt : 0;
+	return TS_OK;
+}
+
+static enum ts_status timeremain(struct tsim *sim, double *out)
+{
+	*out = sim->timeout > 0 ? sim->timeout - ts_clock() : 0;
+	return TS_OK;
+}
+
+/* Cundall's number: particles times steps by the wall time, of the run so far. */
+static enum ts_status cundall(struct tsim *sim, double *out)
+{
+	double steps = (double)(sim->clock.step - sim->clock.first_step);
+
+	TS_TRY(cpu(sim, out));
+	*out = *out > 0 ? (double)sim->particles->n * steps / *out : 0;
+	return TS_OK;
+}
+
+static enum ts_status cpuremain(struct tsim *sim, double *out)
+{
+	double done = (double)(sim->clock.step - sim->clock.first_step);
+	double left = (double)(sim->clock.last_step - sim->clock.step);
+
+	TS_TRY(cpu(sim, out));
+	*out = done > 0 && left > 0 ? *out * left / done : 0;
+	return TS_OK;
+}
+
+static enum ts_status atoms(struct tsim *sim, double *out)
+{
+	*out = (double)sim->particles->n;
+	return TS_OK;
+}
+
+/* thermo_modify norm yes */
+static void normalise(const struct tsim *sim, double *out)
+{
+	if (sim->thermo->norm && sim->particles->n)
+		*out /= (double)sim->particles->n;
+}
+
+static enum ts_status ke(struct tsim *sim, double *out)
+{
+	*out = ts_group_kinetic_energy(sim, 0);
+	normalise(sim, out);
+	return TS_OK;
+}
+
+static enum ts_status erotate(struct tsim *sim, double *out)
+{
+	*out = ts_group_rotation_energy(sim, 0);
+	normalise(sim, out);
+	return TS_OK;
+}
+
+static enum ts_status temp(struct tsim *sim, double *out)
+{
+	double tensor[7];
+	bool replaced;
+
+	TS_TRY(ts_standard_value(sim, TS_STANDARD_TEMPERATURE, -1, &replaced, out));
+	if (replaced)
+		return TS_OK;
+	ts_kinetic_tensor(sim, 0, NULL, tensor);
+	*out = ts_temperature(sim, tensor, &sim->thermo->freedom);
+	return TS_OK;
+}
+
+static enum ts_status energy_of(struct tsim *sim, struct ts_energy_parts parts, double *out)
+{
+	TS_TRY(ts_potential_energy(sim, &parts, out));
+	normalise(sim, out);
+	return TS_OK;
+}
+
+static enum ts_status pe(struct tsim *sim, double *out)
+{
+	return energy_of(sim, (struct ts_energy_parts){ true, true, true }, out);
+}
+
+static enum ts_status epair(struct tsim *sim, double *out)
+{
+	return energy_of(sim, (struct ts_energy_parts){ .pair = true }, out);
+}
+
+static enum ts_status ebond(struct tsim *sim, double *out)
+{
+	return energy_of(sim, (struct ts_energy_parts){ .bond = true }, out);
+}
+
+/* As in LAMMPS, without rotation. */
+static enum ts_status etotal(struct tsim *sim, double *out)
+{
+	double kinetic;
+
+	TS_TRY(pe(sim, out));
+	TS_TRY(ke(sim, &kinetic));
+	*out += kinetic;
+	return TS_OK;
+}
+
+static enum ts_status zero(struct tsim *sim, double *out)
+{
+	(void)sim;
+	*out = 0;
+	return TS_OK;
+}
+
+static enum ts_status right_angle(struct tsim *sim, double *out)
+{
+	(void)sim;
+	*out = 90;
+	return TS_OK;
+}
+
+#define LATTICE_SPACING(d, name)                                                                   \
+	static enum ts_status name(struct tsim *sim, double *out)                                  \
+	{                                                                                          \
+		*out = sim->domain->lattice.spacing[d];                                            \
+		return TS_OK;                                                                      \
+	}
+LATTICE_SPACING(0, xlat)
+LATTICE_SPACING(1, ylat)
+LATTICE_SPACING(2, zlat)
+
+static enum ts_status fmax_now(struct tsim *sim, double *out)
+{
+	const struct ts_particles *p = sim->particles;
+
+	*out = 0;
+	for (size_t i = 0; i < p->n; i++)
+		for (int d = 0; d < 3; d++)
+			*out = fmax(*out, fabs(p->f[i][d]));
+	return TS_OK;
+}
+
+static enum ts_status fnorm(struct tsim *sim, double *out)
+{
+	const struct ts_particles *p = sim->particles;
+	struct ts_exactsum sum = ts_exactsum_start();
+
+	for (size_t i = 0; i < p->n; i++)
+		for (int d = 0; d < 3; d++)
+			ts_exactsum_add(&sum, p->f[i][d] * p->f[i][d]);
+	*out = sqrt(ts_exactsum_value(&sum));
+	return TS_OK;
+}
+
+static enum ts_status vol(struct tsim *sim, double *out)
+{
+	*out = 1;
+	for (int d = 0; d < sim->dimension; d++)
+		*out *= ts_box_length(&sim->domain->box, d);
+	return TS_OK;
+}
+
+static enum ts_status enthalpy(struct tsim *sim, double *out)
+{
+	double pressure, volume;
+
+	TS_TRY(ts_keyword_find(sim, "press")->eval(sim, &pressure));
+	TS_TRY(vol(sim, &volume));
+	volume *= pressure;
+	normalise(sim, &volume);
+	TS_TRY(etotal(sim, out));
+	*out += volume;
+	return TS_OK;
+}
+
+static enum ts_status density(struct tsim *sim, double *out)
+{
+	double mass = ts_exactsum_of(sim->particles->mass, sim->particles->n, 1);
+
+	TS_TRY(vol(sim, out));
+	*out = *out > 0 ? mass / *out : 0;
+	return TS_OK;
+}
+
+#define BOX_NUMBERS(d, lo_, hi_, l_)                                                               \
+	static enum ts_status lo_(struct tsim *sim, double *out)                                   \
+	{                                                                                          \
+		*out = sim->domain->box.lo[d];                                                     \
+		return TS_OK;                                                                      \
+	}                                                                                          \
+	static enum ts_status hi_(struct tsim *sim, double *out)                                   \
+	{                                                                                          \
+		*out = sim->domain->box.hi[d];                                                     \
+		return TS_OK;                                                                      \
+	}                                                                                          \
+	static enum ts_status l_(struct tsim *sim, double *out)                                    \
+	{                                                                                          \
+		*out = ts_box_length(&sim->domain->box, d);                                        \
+		return TS_OK;                                                                      \
+	}
+BOX_NUMBERS(0, xlo, xhi, lx)
+BOX_NUMBERS(1, ylo, yhi, ly)
+BOX_NUMBERS(2, zlo, zhi, lz)
+
+/* clang-format off */
+const struct ts_keyword ts_thermo_keywords[] = {
+	{ "step", "Step", "", "step counter", TS_KEYWORD_INTEGER | TS_KEYWORD_CLOCK, step },
+	{ "elapsed", "Elapsed", "", "steps since the start of the run", TS_KEYWORD_INTEGER | TS_KEYWORD_CLOCK, elapsed },
+	{ "elaplong", "Elaplong", "", "steps since the start of the run", TS_KEYWORD_INTEGER | TS_KEYWORD_CLOCK, elapsed },
+	{ "part", "Part", "", "number of the partition: 0", TS_KEYWORD_INTEGER | TS_KEYWORD_CONSTANT, zero },
+	{ "time", "Time", "time", "simulated time", TS_KEYWORD_CLOCK, time_now },
+	{ "dt", "Dt", "time", "time step", TS_KEYWORD_CLOCK, dt },
+	{ "cpu", "CPU", "s", "wall time since the start of the run", 0, cpu },
+	{ "tpcpu", "T/CPU", "time/s", "simulated time per second since the row before", 0, tpcpu },
+	{ "spcpu", "S/CPU", "1/s", "steps per second since the row before", 0, spcpu },
+	{ "cpuremain", "CPULeft", "s", "wall time the rest of the run will take", 0, cpuremain },
+	{ "timeremain", "TimeoutLeft", "s", "wall time that `timer timeout` leaves; 0 without it", 0, timeremain },
+	{ "cu", "Cu", "1/s", "particles times steps by the wall time of the run so far", 0, cundall },
+	{ "atoms", "Atoms", "", "number of particles", 1, atoms },
+	{ "ke", "KinEng", "energy", "kinetic energy of translation", 0, ke },
+	{ "erotate", "RotEng", "energy", "kinetic energy of rotation", 0, erotate },
+	{ "pe", "PotEng", "energy", "potential energy, see compute pe", 0, pe },
+	{ "etotal", "TotEng", "energy", "pe + ke, without rotation", 0, etotal },
+	{ "epair", "E_pair", "energy", "elastic energy of contacts, see compute pe", 0, epair },
+	{ "evdwl", "E_vdwl", "energy", "the same as epair", 0, epair },
+	{ "emol", "E_mol", "energy", "elastic energy of bonds", 0, ebond },
+	{ "ebond", "E_bond", "energy", "the same as emol", 0, ebond },
+	{ "enthalpy", "Enthalpy", "energy", "etotal + press vol", TS_KEYWORD_CONTACTS, enthalpy },
+	{ "ecouple", "Ecouple", "energy", "handed over by thermostats: 0, none counts it", TS_KEYWORD_CONSTANT, zero },
+	{ "econserve", "Econserve", "energy", "etotal + ecouple", 0, etotal },
+	{ "ecoul", "E_coul", "energy", "of charges: 0", TS_KEYWORD_CONSTANT, zero },
+	{ "elong", "E_long", "energy", "of charges far away: 0", TS_KEYWORD_CONSTANT, zero },
+	{ "etail", "E_tail", "energy", "of what lies beyond a cutoff: 0", TS_KEYWORD_CONSTANT, zero },
+	{ "eangle", "E_angle", "energy", "of angles: 0", TS_KEYWORD_CONSTANT, zero },
+	{ "edihed", "E_dihed", "energy", "of dihedrals: 0", TS_KEYWORD_CONSTANT, zero },
+	{ "eimp", "E_impro", "energy", "of impropers: 0", TS_KEYWORD_CONSTANT, zero },
+	{ "angles", "Angles", "", "number of angles: 0", TS_KEYWORD_INTEGER | TS_KEYWORD_CONSTANT, zero },
+	{ "dihedrals", "Diheds", "", "number of dihedrals: 0", TS_KEYWORD_INTEGER | TS_KEYWORD_CONSTANT, zero },
+	{ "impropers", "Impros", "", "number of impropers: 0", TS_KEYWORD_INTEGER | TS_KEYWORD_CONSTANT, zero },
+	{ "temp", "Temp", "temperature", "sum m v^2 / (D (N - 1) k)", 0, temp },
+	{ "fmax", "Fmax", "force", "largest component of a force on a particle", 0, fmax_now },
+	{ "fnorm", "Fnorm", "force", "length of the vector of all forces", 0, fnorm },
+	{ "vol", "Volume", "volume", "volume of the box", TS_KEYWORD_BOX, vol },
+	{ "density", "Density", "density", "mass of all particles by the volume of the box", 0, density },
+	{ "lx", "Lx", "length", "length of the box along x", TS_KEYWORD_BOX, lx },
+	{ "ly", "Ly", "length", "length of the box along y", TS_KEYWORD_BOX, ly },
+	{ "lz", "Lz", "length", "length of the box along z", TS_KEYWORD_BOX, lz },
+	{ "xlo", "Xlo", "length", "lower x of the box", TS_KEYWORD_BOX, xlo },
+	{ "xhi", "Xhi", "length", "upper x of the box", TS_KEYWORD_BOX, xhi },
+	{ "ylo", "Ylo", "length", "lower y of the box", TS_KEYWORD_BOX, ylo },
+	{ "yhi", "Yhi", "length", "upper y of the box", TS_KEYWORD_BOX, yhi },
+	{ "zlo", "Zlo", "length", "lower z of the box", TS_KEYWORD_BOX, zlo },
+	{ "zhi", "Zhi", "length", "upper z of the box", TS_KEYWORD_BOX, zhi },
+	{ "xy", "Xy", "length", "tilt of the box: 0", TS_KEYWORD_CONSTANT, zero },
+	{ "xz", "Xz", "length", "tilt of the box: 0", TS_KEYWORD_CONSTANT, zero },
+	{ "yz", "Yz", "length", "tilt of the box: 0", TS_KEYWORD_CONSTANT, zero },
+	{ "xlat", "Xlat", "length", "lattice spacing", 0, xlat },
+	{ "ylat", "Ylat", "length", "lattice spacing", 0, ylat },
+	{ "zlat", "Zlat", "length", "lattice spacing", 0, zlat },
+	{ "cella", "Cella", "length", "length of the box along x", 0, lx },
+	{ "cellb", "Cellb", "length", "length of the box along y", 0, ly },
+	{ "cellc", "Cellc", "length", "length of the box along z", 0, lz },
+	{ "cellalpha", "CellAlpha", "degrees", "angle of the box: 90", 0, right_angle },
+	{ "cellbeta", "CellBeta", "degrees", "angle of the box: 90", 0, right_angle },
+	{ "cellgamma", "CellGamma", "degrees", "angle of the box: 90", 0, right_angle },
+	{ .name = NULL },
+};

@@ -1,0 +1,159 @@
+/* Compute: contacts with walls in the columns of LIGGGHTS. */
+#include "contact/contact_columns.h"
+#include "particle/particles.h"
+#include "wall/wall.h"
+
+#include <math.h>
+
+#include "base/banned.h"
+
+struct state {
+	struct ts_contact_columns columns;
+	bool primitives;
+	struct tsim *sim;
+};
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	const struct ts_wall *w;
+	bool any = false;
+
+	s->sim = sim;
+	for (size_t k = 0; (w = ts_walls_next(sim, &k, NULL));)
+		any |= w->meshes > 0 || s->primitives;
+	if (!any)
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "compute wall/gran/local needs a fix wall/gran before it, %s",
+			       s->primitives ? "and there is none"
+					     : "with a mesh; `primitives yes` lists planes and "
+					       "cylinders, too");
+	ts_walls_want_reports(sim);
+	TS_TRY(ts_contact_columns_init(self, sim));
+	if (s->columns.wanted[TS_CONTACT_HEAT])
+		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "heatFlux"),
+			       "compute wall/gran/local does not know the heat of single contacts; what walls "
+			       "give a particle is f_wallHeatFlux of fix heat/gran");
+	return TS_OK;
+}
+
+/* What one contact of a wall is about. `before`: meshes of the walls before it. */
+static void look(const struct tsim *sim, const struct ts_wall *w, size_t k, int before,
+		 struct ts_contact_facts *f)
+{
+	const struct ts_particles *p = sim->particles;
+	const struct ts_wall_report *r = &w->contacts.report[k];
+	size_t i = (size_t)w->contacts.row[k];
+	double distance = p->radius[i] - r->overlap;
+
+	*f = (struct ts_contact_facts){
+		.id = { r->mesh > 0 ? before + r->mesh - 1 : -1, r->triangle, p->tag[i] },
+		.delta = r->overlap,
+		.area = ts_contact_area_plane(p->radius[i], distance),
+	};
+	for (int d = 0; d < 3; d++) {
+		f->pos[d] = f->point[d] = r->point[d];
+		f->pos[3 + d] = p->x[i][d];
+		f->vel[d] = r->velocity[d];
+		f->vel[3 + d] = p->v[i][d];
+		f->force[d] = r->force[d];
+		f->torque[d] = r->torque[d] - r->rolling[d];
+		f->n[d] = distance > 0 ? (p->x[i][d] - r->point[d]) / distance : 0;
+	}
+	for (size_t m = 0; m < ts_wall_history(w, sim); m++)
+		f->history[m] = ts_wall_memory(&w->contacts, k)[m];
+	if (sim->legacy)
+		ts_wall_force_now(w, sim, k, f->force, f->torque);
+}
+
+static bool wanted(const struct ts_instance *self, const struct ts_wall *w, size_t k)
+{
+	const struct state *s = self->state;
+	const struct ts_wall_report *r = ts_wall_report(&w->contacts, k);
+	size_t i = (size_t)w->contacts.row[k];
+
+	return r && i < s->sim->particles->n && ts_in_group(s->sim->particles, i, self->group) &&
+	       (r->mesh > 0 || s->primitives);
+}
+
+/* Rows in the order of walls, and of each in that of its contacts; out NULL: only counted. */
+static size_t go_through(const struct ts_instance *self, size_t history, double *out)
+{
+	const struct state *s = self->state;
+	size_t width = ts_contact_columns_width(&s->columns, history), n = 0;
+	const struct ts_wall *w;
+	struct ts_contact_facts facts;
+	int before = 0;
+
+	for (size_t at = 0; (w = ts_walls_next(s->sim, &at, NULL));) {
+		for (size_t k = 0; k < w->contacts.n; k++) {
+			if (!wanted(self, w, k))
+				continue;
+			if (out) {
+				look(s->sim, w, k, before, &facts);
+				ts_contact_columns_write(&s->columns, history, &facts, out + width * n);
+			}
+			n++;
+		}
+		before += w->meshes;
+	}
+	return n;
+}
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	const struct state *s = self->state;
+	const struct ts_wall *w;
+	size_t history = 0, n;
+
+	for (size_t at = 0; (w = ts_walls_next(sim, &at, NULL));) {
+		size_t own = ts_wall_history(w, sim);
+
+		history = own > history ? own : history;
+	}
+	n = go_through(self, history, NULL);
+	TS_TRY(ts_table_resize(out, n, ts_contact_columns_width(&s->columns, history)));
+	go_through(self, history, out->data);
+	return TS_OK;
+}
+
+static const struct ts_value values[] = {
+	{ "list", "", "a row for each contact", TS_LOCAL, 0, NULL, eval },
+	{ .name = NULL },
+};
+
+static const struct ts_arg args[] = {
+	{ .name = "quantities",
+	  .type = TS_ARG_REST,
+	  .flags = TS_POSITIONAL | TS_OPTIONAL | TS_TO_KEYWORD,
+	  .offset = TS_FIELD(struct state, columns.words, struct ts_words *),
+	  .help = ts_contact_columns_help },
+	TS_BOOL("primitives", struct state, primitives, .fallback = "no",
+		.help = "contacts with planes and cylinders, too"),
+	TS_ARGS_END,
+};
+
+TS_STYLE(compute, ts_style, ts_compute_wall_gran_local)
+const struct ts_style ts_compute_wall_gran_local = {
+	.name = "wall/gran/local",
+	.kind = TS_KIND_COMPUTE,
+	.summary = "What is known of each contact with a wall",
+	.doc = "A table with a row for each contact of a particle of the group with a triangle of a mesh, in the "
+	       "columns of compute pair/gran/local, in this order whatever that of the words: pos, the point of "
+	       "the surface and the place of the particle (6); vel, the velocities of both (6); id, the number of "
+	       "the mesh, from 0, of the triangle, from 0, and the id of the particle (3); force on the particle "
+	       "(3), its parts force_normal (3) and force_tangential (3); torque on the particle by the "
+	       "tangential force (3); history; contactArea, of the circle in which sphere and plane meet (1); "
+	       "delta, the overlap (1); contactPoint, the point of the surface (3). Meshes are numbered in the "
+	       "order in which fixes wall/gran name them. Without words: pos vel id force history contactArea.\n\n"
+	       "With `primitives yes` contacts with planes and cylinders are listed, too; their mesh is -1. "
+	       "Contacts and forces are those of the last force computation, or with `legacy` as LIGGGHTS "
+	       "computes them, see compute pair/gran/local. LIGGGHTS gives contactPoint as 0.",
+	.example = "compute hits all wall/gran/local id pos force\n"
+		   "dump hits all local/gran/vtk 1000 post/hits*.vtp hits",
+	.args = args,
+	.family = TS_FAMILY_CONTACTS,
+	.state_size = sizeof(struct state),
+	.values = values,
+	.init = init,
+};

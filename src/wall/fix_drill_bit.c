@@ -1,0 +1,318 @@
+#include <inttypes.h>
+#include <math.h>
+#include <string.h>
+
+#include "core/plan.h"
+#include "particle/particles.h"
+
+#include "base/banned.h"
+
+enum { NCUTTERS = 4 };
+
+/* Rows of the cutters (in order of identity) and of the body particle; -1: none. */
+struct bit_rows {
+	int32_t cutter[NCUTTERS], body;
+};
+
+struct bit {
+	double centre[2], diameter, wob, spring, clearance, damping;
+	struct ts_number omega;
+	int body_group;
+	/* saved */
+	double angle;
+	/* outputs of the last step */
+	double tangential, radial, axial, torque;
+	struct bit_rows rows;
+};
+
+static enum ts_status find_rows(struct ts_instance *self, struct tsim *sim)
+{
+	struct bit *b = self->state;
+	const struct ts_particles *p = sim->particles;
+	int n = 0;
+
+	b->rows.body = -1;
+	for (size_t i = 0; i < p->n; i++) {
+		if (b->body_group >= 0 && ts_in_group(p, i, b->body_group)) {
+			b->rows.body = (int32_t)i;
+		} else if (ts_in_group(p, i, self->group)) {
+			int at = n < NCUTTERS ? n : NCUTTERS - 1;
+
+			for (; at && p->tag[b->rows.cutter[at - 1]] > p->tag[i]; at--)
+				b->rows.cutter[at] = b->rows.cutter[at - 1];
+			b->rows.cutter[at] = (int32_t)i;
+			n++;
+		}
+	}
+	if (n != NCUTTERS)
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix drill/bit: its group has %d cutters, expected %d particles%s",
+			       n, NCUTTERS, sim->running ? ": the bit has left the box" : "");
+	if (b->body_group >= 0 && b->rows.body < 0)
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix drill/bit: the body group is empty, expected one particle%s",
+			       sim->running ? ": the bit has left the box" : "");
+	return TS_OK;
+}
+
+static double height(const struct bit *b, const struct ts_particles *p)
+{
+	double sum = 0;
+
+	for (int k = 0; k < NCUTTERS; k++)
+		sum += p->x[b->rows.cutter[k]][2];
+	return sum / NCUTTERS;
+}
+
+static double rise(const struct bit *b, const struct ts_particles *p)
+{
+	double sum = 0;
+
+	for (int k = 0; k < NCUTTERS; k++)
+		sum += p->v[b->rows.cutter[k]][2];
+	return sum / NCUTTERS;
+}
+
+/* x, y of cutter k are prescribed: a quarter turn apart on a circle around the axis. */
+static void place_cutter(const struct bit *b, struct ts_particles *p, int k, double omega)
+{
+	size_t i = (size_t)b->rows.cutter[k];
+	double angle = b->angle + k * (3.14159265358979323846 / 2), r = 0.5 * b->diameter;
+
+	p->x[i][0] = b->centre[0] + r * cos(angle);
+	p->x[i][1] = b->centre[1] + r * sin(angle);
+	p->v[i][0] = -omega * r * sin(angle);
+	p->v[i][1] = omega * r * cos(angle);
+}
+
+static void place_body(const struct bit *b, struct ts_particles *p)
+{
+	double *x, *v;
+
+	if (b->rows.body < 0)
+		return;
+	x = p->x[b->rows.body];
+	v = p->v[b->rows.body];
+	x[0] = b->centre[0];
+	x[1] = b->centre[1];
+	x[2] = height(b, p) + b->clearance;
+	v[0] = v[1] = 0;
+	v[2] = rise(b, p);
+}
+
+static enum ts_status place_bit(struct ts_instance *self, struct tsim *sim)
+{
+	struct bit *b = self->state;
+	double omega;
+
+	TS_TRY(ts_number_now(sim, &b->omega, &self->where, &omega));
+	for (int k = 0; k < NCUTTERS; k++)
+		place_cutter(b, sim->particles, k, omega);
+	place_body(b, sim->particles);
+	return TS_OK;
+}
+
+static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *sim)
+{
+	struct bit *b = self->state;
+	struct ts_particles *p = sim->particles;
+	double dt = sim->clock.dt, omega;
+
+	TS_TRY(ts_number_now(sim, &b->omega, &self->where, &omega));
+	b->angle += omega * dt;
+	for (int k = 0; k < NCUTTERS; k++) {
+		size_t i = (size_t)b->rows.cutter[k];
+
+		p->v[i][2] += 0.5 * dt / p->mass[i] * p->f[i][2];
+		p->x[i][2] += dt * p->v[i][2];
+	}
+	return place_bit(self, sim);
+}
+
+static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim)
+{
+	struct bit *b = self->state;
+	struct ts_particles *p = sim->particles;
+
+	for (int k = 0; k < NCUTTERS; k++) {
+		size_t i = (size_t)b->rows.cutter[k];
+
+		p->v[i][2] += 0.5 * sim->clock.dt / p->mass[i] * p->f[i][2];
+	}
+	if (b->rows.body >= 0)
+		p->v[b->rows.body][2] = rise(b, p);
+	return TS_OK;
+}
+
+/* A step's rebuild may move particles to other rows. The body cannot be moved by contacts. */
+static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
+{
+	struct bit *b = self->state;
+
+	TS_TRY(find_rows(self, sim));
+	if (!sim->rebuild) /* first of a run: the user may have put the cutters anywhere */
+		TS_TRY(place_bit(self, sim));
+	if (b->rows.body >= 0)
+		sim->particles->imass[b->rows.body] = 0;
+	return TS_OK;
+}
+
+/* What the rock does to the cutters: tangential > 0 opposes the rotation, radial > 0 points
+ * outward, axial > 0 lifts the bit. */
+static void measure(struct bit *b, const struct ts_particles *p, double omega)
+{
+	double sense = omega < 0 ? -1 : 1;
+
+	b->tangential = b->radial = b->axial = 0;
+	for (int k = 0; k < NCUTTERS; k++) {
+		size_t i = (size_t)b->rows.cutter[k];
+		double angle = b->angle + k * (3.14159265358979323846 / 2);
+		double c = cos(angle), s = sin(angle);
+
+		b->tangential -= sense * (-s * p->f[i][0] + c * p->f[i][1]);
+		b->radial += c * p->f[i][0] + s * p->f[i][1];
+		b->axial += p->f[i][2];
+	}
+	b->torque = 0.5 * b->diameter * b->tangential;
+}
+
+/* Contacts and bonds have been added to the forces, other fixes have not. */
+static enum ts_status measure_contacts(struct ts_instance *self, struct tsim *sim)
+{
+	double omega;
+
+	TS_TRY(ts_number_now(sim, &((struct bit *)self->state)->omega, &self->where, &omega));
+	measure(self->state, sim->particles, omega);
+	return TS_OK;
+}
+
+static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+{
+	const struct bit *b = self->state;
+	struct ts_particles *p = sim->particles;
+	double mean = height(b, p), mean_v = rise(b, p);
+
+	for (int k = 0; k < NCUTTERS; k++) {
+		size_t i = (size_t)b->rows.cutter[k];
+
+		p->f[i][2] -= b->wob / NCUTTERS + b->spring * (p->x[i][2] - mean) +
+			      b->damping * (p->v[i][2] - mean_v);
+	}
+	return TS_OK;
+}
+
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
+			   struct ts_plan_report *report)
+{
+	const struct bit *b = self->state;
+	const struct ts_particles *p = sim->particles;
+	double least = INFINITY, g;
+
+	for (int k = 0; k < NCUTTERS; k++)
+		least = fmin(least, p->mass[b->rows.cutter[k]]);
+	g = b->damping / (2 * least);
+	if (!(b->spring > 0))
+		return TS_OK;
+	return ts_report_limit(report,
+			       2 * (sqrt(b->spring / least + g * g) - g) / (b->spring / least),
+			       true, &self->where, "the coupling spring of fix drill/bit");
+}
+
+static enum ts_status eval_height(struct ts_instance *self, const struct tsim *sim,
+				  struct ts_table *out)
+{
+	out->data[0] = height(self->state, sim->particles);
+	return TS_OK;
+}
+
+static enum ts_status eval_vector(struct ts_instance *self, const struct tsim *sim,
+				  struct ts_table *out)
+{
+	const struct bit *b = self->state;
+	const double row[7] = { height(b, sim->particles),
+				rise(b, sim->particles),
+				b->tangential,
+				b->radial,
+				b->axial,
+				b->torque,
+				b->angle };
+
+	memcpy(out->data, row, sizeof row);
+	return TS_OK;
+}
+
+static const struct ts_arg args[] = {
+	TS_REAL("x", struct bit, centre[0], .flags = TS_POSITIONAL | TS_STATEFUL, .unit = "length",
+		.help = "x of the axis"),
+	TS_REAL("y", struct bit, centre[1], .flags = TS_POSITIONAL | TS_STATEFUL, .unit = "length",
+		.help = "y of the axis"),
+	TS_REAL("diameter", struct bit, diameter, .flags = TS_STATEFUL, .range = TS_POSITIVE, .unit = "length",
+		.help = "of the circle of the cutters' centres"),
+	TS_NUMBER("omega", struct bit, omega, .unit = "radian/time",
+		  .help = "angular velocity; may be v_name"),
+	TS_REAL("wob", struct bit, wob, .unit = "force",
+		.help = "weight on bit; each cutter carries a quarter of it in -z"),
+	TS_REAL("spring", struct bit, spring, .range = TS_NOT_NEGATIVE, .unit = "force/length",
+		.help = "ties each cutter to the mean height of the four"),
+	TS_REAL("damping", struct bit, damping, .range = TS_NOT_NEGATIVE, .fallback = "0",
+		.unit = "force/velocity", .help = "dashpot beside that spring"),
+	TS_GROUP("body", struct bit, body_group, .flags = TS_OPTIONAL | TS_STATEFUL,
+		 .help = "group of the one particle that rides above the cutters"),
+	TS_REAL("clearance", struct bit, clearance, .flags = TS_STATEFUL, .range = TS_NOT_NEGATIVE, .fallback = "0",
+		.unit = "length",
+		.help = "height of the body particle above the mean of the cutters"),
+	TS_ARGS_END,
+};
+
+static const char *const names[] = { "height", "velocity", "tangential", "radial",
+				     "axial",  "torque",   "angle" };
+static const struct ts_value values[] = {
+	{ "height", "length", "mean z of the cutters", TS_SCALAR, 1, NULL, eval_height },
+	{ "state", "",
+	  "of the bit; forces are contact forces on the cutters, tangential > 0 against the "
+	  "rotation",
+	  TS_VECTOR, 7, names, eval_vector },
+	{ .name = NULL },
+};
+
+static const struct ts_saved saved[] = {
+	TS_SAVE_F64(struct bit, angle),	 TS_SAVE_F64(struct bit, tangential),
+	TS_SAVE_F64(struct bit, radial), TS_SAVE_F64(struct bit, axial),
+	TS_SAVE_F64(struct bit, torque), TS_SAVED_ROWS_END,
+};
+
+static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
+{
+	return find_rows(self, sim);
+}
+
+TS_STYLE(fix, ts_style, ts_fix_drill_bit)
+const struct ts_style ts_fix_drill_bit = {
+	.name = "drill/bit",
+	.kind = TS_KIND_FIX,
+	.summary =
+		"a drag bit: four cutter particles that revolve and are pressed down, and a body",
+	.doc = "The group holds the four cutters. Their x and y are prescribed, a quarter turn "
+	       "apart on a circle: x = x_bit + D/2 cos(angle + k pi/2), y with the sine; the angle starts at 0 and "
+	       "grows with omega. Each moves freely in z under a quarter of the weight on bit, the contact forces, "
+	       "and a spring towards the mean z of the four, which is the bit height. The `body` particle rides "
+	       "`clearance` above that mean on the axis and keeps cuttings out of the space of the bit.\n\n"
+	       "The fix moves its particles itself by velocity Verlet: leave them out of fix nve, and define it "
+	       "after the fixes that act on the cutters. Outputs are f_ID = bit height and f_ID[1..7]; forces are "
+	       "those of contacts with the rock, without weight and spring.",
+	.example = "fix bit cutters drill/bit 5.0 5.0 diameter 5.0 omega 0.1 wob 0.2 spring 100 &\n"
+		   "    body nose clearance 1.0",
+	.args = args,
+	.state_size = sizeof(struct bit),
+	.saved = saved,
+	.values = values,
+	.init = find_rows,
+	.integrates = TS_MOVES,
+	.hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,
+		  [TS_STAGE_EXCHANGE] = exchange,
+		  [TS_STAGE_POST_BUILD] = post_build,
+		  [TS_STAGE_FORCE] = measure_contacts,
+		  [TS_STAGE_POST_FORCE] = post_force,
+		  [TS_STAGE_FINAL_INTEGRATE] = final_integrate },
+	.plan = plan,
+};

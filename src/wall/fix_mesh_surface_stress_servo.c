@@ -1,0 +1,508 @@
+/* Fix mesh/surface/stress/servo: a mesh that a controller presses or turns until it meets a force or torque. */
+#include "mesh/mesh_load.h"
+#include "wall/mesh_stress.h"
+#include "core/plan.h"
+#include "law/servo.h"
+#include "neigh/neigh.h"
+#include "wall/servo_response.h"
+#include "mesh/mesh_motion.h"
+
+#include <math.h>
+
+#include "base/banned.h"
+
+struct state {
+	struct ts_mesh_surface surface;
+	struct ts_mesh_words words;
+	struct ts_mesh_stress stress;
+	/* arguments */
+	double com[3], axis[3], fastest, kp, ki, kd, ratio;
+	struct ts_number wanted;
+	int controlled, mode;
+
+	int moves; /* or was stopped by fix_modify */
+	double unit[3]; /* along the axis */
+	double target;	/* what is wanted, now */
+	double lever;	/* of the corner farthest from the axis, for torque */
+	double off;	/* the error after this step */
+	int64_t flips, since; /* how often the speed went from one limit to the other, in how many steps */
+	bool warned;	/* before the run that it will */
+	/* saved */
+	double speed;	/* for the next step: of the mesh, or of that corner */
+	double gone;	/* way, or angle, so far */
+	double sum, last; /* of the error: integral over time, value of the last step */
+	double gain;	  /* kp where none is given; 0: not chosen yet */
+};
+
+enum { FORCE, TORQUE };
+enum { PID, AUTO };
+enum { START, STOP };
+static const char *const controlled_names[] = { "force", "torque", NULL };
+static const char *const mode_names[] = { "pid", "auto", NULL };
+static const char *const moves_names[] = { "start", "stop", NULL };
+
+/* ---- before a run ---- */
+
+static double largest_lever(const struct state *s)
+{
+	double most = 0;
+
+	for (size_t c = 0; c < 3 * s->surface.mesh.n; c++) {
+		double arm[3], across[3];
+
+		ts_sub(s->surface.mesh.x[c / 3][c % 3], s->com, arm);
+		ts_cross(s->unit, arm, across);
+		most = fmax(most, ts_norm(across));
+	}
+	return most;
+}
+
+static enum ts_status set_target(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	TS_TRY(ts_number_now(sim, &s->wanted, &self->where, &s->target));
+	if (fabs(s->target) > 0)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "target_val"),
+		       "fix %s: target_val must not be 0: errors are relative to it", self->style->name);
+}
+
+static enum ts_status check(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	double length = ts_norm(s->axis);
+
+	if (!(length > 0))
+		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "axis"),
+			       "fix %s: the axis has no length", self->style->name);
+	ts_scale(1 / length, s->axis, s->unit);
+	TS_TRY(set_target(self, sim));
+	if (s->mode == AUTO && !(s->ratio > 0))
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "mode"),
+			       "fix %s: mode auto needs `ratio`, > 0", self->style->name);
+	return TS_OK;
+}
+
+/* ---- gains ---- */
+
+static double smallest_radius(const struct ts_particles *p)
+{
+	double least = INFINITY;
+
+	for (size_t i = 0; i < p->n; i++)
+		least = fmin(least, p->radius[i]);
+	return p->n ? least : 0;
+}
+
+/* LIGGGHTS' kp, and the part of the largest stable one that is taken if that is smaller. */
+static const double USUAL_GAIN = 0.01, SAFE_PART = 0.1;
+
+static bool has_default_gain(const struct state *s)
+{
+	return isnan(s->kp) && !(s->ki > 0) && !(s->kd > 0);
+}
+
+static double kp_of(const struct state *s)
+{
+	return !isnan(s->kp) ? s->kp : s->gain > 0 ? s->gain : USUAL_GAIN;
+}
+
+/* Mean square of the distance of the mesh from the axis, by area. */
+static double mean_arm(const struct state *s)
+{
+	const struct ts_mesh *m = &s->surface.mesh;
+	double sum = 0, area = 0;
+
+	for (size_t c = 0; c < 3 * m->n; c++) {
+		double arm[3], across[3];
+
+		ts_sub(m->x[c / 3][c % 3], s->com, arm);
+		ts_cross(s->unit, arm, across);
+		sum += m->area[c / 3] * ts_dot(across, across);
+		area += m->area[c / 3];
+	}
+	return area > 0 ? sqrt(sum / area) : 0;
+}
+
+static struct ts_servo_mesh controlled(const struct state *s)
+{
+	struct ts_servo_mesh mesh = { .surface = &s->surface, .load = fabs(s->target) };
+
+	ts_scale(1, s->unit, mesh.axis);
+	if (s->controlled == TORQUE)
+		mesh.lever = mesh.arm = s->lever;
+	return mesh;
+}
+
+/* By what the gains may be multiplied with these contacts. */
+static double margin(const struct state *s, const struct tsim *sim, const struct ts_servo_contacts *c)
+{
+	double unit = s->fastest / fabs(s->target);
+	struct ts_servo_loop loop = { c->stiffness, c->damping, { unit * kp_of(s), unit * s->ki, unit * s->kd } };
+
+	if (s->mode == AUTO) /* where the error is small */
+		loop = (struct ts_servo_loop){ c->stiffness, c->damping,
+					       { 0.1 * s->ratio * smallest_radius(sim->particles) / sim->clock.dt /
+						 fabs(s->target) } };
+	return c->n > 0 ? ts_servo_margin(&loop, sim->clock.dt) : INFINITY;
+}
+
+/* Once, when a run begins: so that a run cut in two goes on with it. */
+static void choose_gain(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	struct ts_servo_mesh mesh = controlled(s);
+	struct ts_servo_contacts most;
+
+	if (s->mode == AUTO || !has_default_gain(s) || sim->resuming)
+		return;
+	s->gain = USUAL_GAIN;
+	if (sim->legacy)
+		return;
+	most = ts_servo_contacts(sim, &mesh, ts_servo_room(sim, &mesh), true);
+	s->gain = fmin(USUAL_GAIN, SAFE_PART * margin(s, sim, &most) * USUAL_GAIN);
+	if (s->gain < USUAL_GAIN && !sim->explain)
+		ts_log(&sim->log,
+		       "fix %s: kp is %.4g, %g of the largest that is stable with %.0f contacts (stiffness %.3g, damping "
+		       "%.3g by speed)\n",
+		       self->id, s->gain, SAFE_PART, most.n, most.stiffness, most.damping);
+}
+
+/* Only what is beyond the limit with the contacts that there are, or with a single one: how many there will be is
+ * not known. */
+static enum ts_status review(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	struct ts_servo_mesh mesh = controlled(s);
+	size_t touching = ts_servo_touching(sim, &s->surface);
+	struct ts_servo_contacts few;
+	double part;
+
+	s->warned = false;
+	if (s->moves == STOP || (s->mode == PID && has_default_gain(s) && !sim->legacy))
+		return TS_OK;
+	mesh.arm = mesh.lever > 0 ? mean_arm(s) : 0;
+	few = ts_servo_contacts(sim, &mesh, fmax(1, (double)touching), false);
+	part = margin(s, sim, &few);
+	s->warned = part < 1;
+	if (!s->warned)
+		return TS_OK;
+	return ts_review_find(sim, "servo", &self->where,
+			      "the servo of mesh %s cannot come to rest: with %g contact%s at the target (stiffness %.3g, "
+			      "damping %.3g by speed) and the time step %g it is stable with up to %.3g times its %s only; "
+			      "take a smaller %s%.3g, vel_max or `timestep`",
+			      self->id, few.n, few.n > 1 ? "s" : "", few.stiffness, few.damping, sim->clock.dt, part,
+			      s->mode == AUTO ? "ratio" : "gains", s->mode == AUTO ? "ratio, below " : "kp, below ",
+			      part * (s->mode == AUTO ? s->ratio : kp_of(s)));
+}
+
+/* As LIGGGHTS has it, where the skin is given. */
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
+{
+	const struct state *s = self->state;
+	double limit = sim->neigh->skin / (2 * sim->clock.dt);
+
+	TS_TRY(ts_mesh_surface_plan(self, sim, report));
+	if (!report->limits_only)
+		choose_gain(self, sim);
+	if (!(sim->neigh->skin > 0) || s->fastest < limit)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "vel_max"),
+		       "fix %s: vel_max is %g, but must be below skin/(2 dt) = %g: in a step the mesh may "
+		       "not pass the skin that `neighbor` gives; take a larger one or a smaller `timestep`",
+		       self->style->name, s->fastest, limit);
+}
+
+/* To where it has gone by now. */
+static enum ts_status carry(struct state *s, struct tsim *sim)
+{
+	struct ts_motion m = ts_motion_none();
+
+	ts_scale(1, s->com, m.origin);
+	if (s->controlled == FORCE)
+		ts_scale(s->gone, s->unit, m.shift);
+	else
+		ts_motion_set_turn(&m, s->unit, s->gone);
+	return ts_mesh_surface_carry(sim, &s->surface, &m);
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	bool first = !s->surface.mesh.n;
+
+	if (first)
+		ts_scale(1, s->com, s->stress.given);
+	TS_TRY(ts_mesh_surface_init(self, sim, &s->words));
+	TS_TRY(ts_mesh_stress_init(self, sim, &s->surface, &s->stress));
+	TS_TRY(check(self, sim));
+	if (!first)
+		return TS_OK;
+	s->last = s->target > 0 ? 1 : -1;
+	s->lever = largest_lever(s);
+	return carry(s, sim);
+}
+
+/* ---- the controller ---- */
+
+/* Far from all particles with the largest speed; else with ratio R / dt, and as the error goes below 1
+ * with less: a tenth of it, times the error, where that is below 0.9. */
+static double scheduled(const struct state *s, const struct tsim *sim, double error)
+{
+	double size = fmin(fabs(error), 1), gain = size <= 0.9 ? 0.1 : 0.1 + 9 * (size - 0.9);
+	double speed = s->fastest;
+
+	if (s->stress.near)
+		speed = s->ratio * smallest_radius(sim->particles) / sim->clock.dt;
+	return copysign(size * gain, error) * speed;
+}
+
+/* Where the output is beyond its limit the integral is set so that proportional and integral part make the
+ * opposite limit, as LIGGGHTS has it. */
+static double pid(struct state *s, double error, double dt)
+{
+	double output;
+
+	s->sum += error * dt;
+	output = kp_of(s) * error + s->ki * s->sum + s->kd * (error - s->last) / dt;
+	s->last = error;
+	if (fabs(output) <= 1)
+		return s->fastest * output;
+	if (s->ki > 0)
+		s->sum = (-copysign(1, output) - kp_of(s) * error) / s->ki;
+	return s->fastest * copysign(1, output);
+}
+
+/* A controller whose gain is too large for the step goes from one limit of its speed to the other and back: force and
+ * damping of the contacts follow the speed within a step. Looked at over so many steps. */
+enum { WATCHED = 200, FLIPS = 50 };
+
+static enum ts_status watch(struct ts_instance *self, struct tsim *sim, double before, double error)
+{
+	struct state *s = self->state;
+	bool at_limits = fabs(before) >= 0.999 * s->fastest && fabs(s->speed) >= 0.999 * s->fastest;
+	bool far_off = fmin(fabs(error), fabs(s->off)) > 0.5 && error * s->off < 0;
+
+	s->off = error;
+	s->flips += (at_limits || far_off) && before * s->speed < 0;
+	if (++s->since < WATCHED)
+		return TS_OK;
+	if (s->flips >= FLIPS && !s->warned)
+		TS_TRY(ts_review_find(sim, "servo", &self->where,
+				      "the servo of mesh %s went to and fro %d times in %d steps, with its largest speed or "
+				      "by more than half of the target: its gain is too large for the stiffness and damping "
+				      "of the contacts; take a smaller %s (now %g), vel_max (now %g) or `timestep`",
+				      self->id, (int)s->flips, WATCHED, s->mode == AUTO ? "ratio" : "kp",
+				      s->mode == AUTO ? s->ratio : kp_of(s), s->fastest));
+	s->flips = s->since = 0;
+	return TS_OK;
+}
+
+static void set_velocities(struct state *s, double speed)
+{
+	const struct ts_mesh *m = &s->surface.mesh;
+
+	for (size_t c = 0; c < 3 * m->n; c++) {
+		double *v = s->surface.v[c / 3][c % 3], arm[3];
+
+		ts_scale(speed, s->unit, v);
+		if (s->controlled == FORCE)
+			continue;
+		ts_sub(m->x[c / 3][c % 3], s->com, arm);
+		ts_cross(s->unit, arm, v);
+		ts_scale(speed / s->lever, v, v);
+	}
+}
+
+static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+	double met, error, before = s->speed;
+
+	TS_TRY(ts_mesh_stress_settle(self, sim));
+	if (s->moves == STOP)
+		return TS_OK;
+	if (s->wanted.variable)
+		TS_TRY(set_target(self, sim));
+	met = -ts_dot(s->stress.sum[s->controlled == TORQUE], s->unit);
+	error = (s->target - met) / fabs(s->target);
+	s->speed = s->mode == AUTO ? scheduled(s, sim, error) : pid(s, error, sim->clock.dt);
+	set_velocities(s, s->speed);
+	return watch(self, sim, before, error);
+}
+
+static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *sim)
+{
+	struct state *s = self->state;
+
+	if (s->moves == STOP)
+		return TS_OK;
+	s->gone += (s->controlled == FORCE ? s->speed : s->speed / s->lever) * sim->clock.dt;
+	return carry(s, sim);
+}
+
+/* ---- fix_modify ---- */
+
+static const struct ts_arg gain_rows[] = {
+	TS_REAL("kp", struct state, kp, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE, .help = "kp"),
+	TS_REAL("ki", struct state, ki, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE, .help = "ki"),
+	TS_REAL("kd", struct state, kd, .flags = TS_POSITIONAL, .range = TS_NOT_NEGATIVE, .help = "kd"),
+	TS_ARGS_END,
+};
+static const struct ts_arg target_rows[] = {
+	TS_NUMBER("target_val", struct state, wanted, .flags = TS_POSITIONAL, .help = "target"),
+	TS_ARGS_END,
+};
+static const struct ts_arg fastest_rows[] = {
+	TS_REAL("vel_max", struct state, fastest, .flags = TS_POSITIONAL, .range = TS_POSITIVE,
+		.help = "largest speed"),
+	TS_ARGS_END,
+};
+static const struct ts_arg integrate_rows[] = {
+	TS_ENUM("integrate", struct state, moves, moves_names, .flags = TS_POSITIONAL,
+		.help = "start or stop"),
+	TS_ARGS_END,
+};
+
+/* The error of the last step is seen from the new target. With a target or gains that are new its integral
+ * begins anew. */
+static void begin_anew(struct state *s, double before)
+{
+	double met = before - s->last * fabs(before);
+
+	s->last = (s->target - met) / fabs(s->target);
+	s->sum = 0;
+}
+
+static const struct modifier {
+	const char *name;
+	size_t nwords;
+	const struct ts_arg *rows;
+} modifiers[] = {
+	{ "servo/integrate", 1, integrate_rows },
+	{ "servo/target_val", 1, target_rows },
+	{ "servo/vel_max", 1, fastest_rows },
+	{ "servo/ctrlParam", 3, gain_rows },
+};
+
+static enum ts_status modify(struct ts_instance *self, struct tsim *sim, struct ts_words words,
+			     size_t *used)
+{
+	struct ts_words rest = ts_words_from(words, 1);
+	struct state *s = self->state;
+	double target = s->target;
+
+	*used = 0;
+	for (size_t k = 0; k < sizeof modifiers / sizeof *modifiers; k++) {
+		const struct modifier *m = &modifiers[k];
+
+		if (!ts_streq(m->name, words.word[0].text))
+			continue;
+		*used = 1 + (rest.n < m->nwords ? rest.n : m->nwords);
+		rest.n = *used - 1;
+		TS_TRY(ts_args_parse(sim, m->name, m->rows, rest, &words.word[0].place, &self->arena, s));
+		TS_TRY(check(self, sim));
+		if (m->rows == target_rows || m->rows == gain_rows)
+			begin_anew(s, target);
+		return TS_OK;
+	}
+	return TS_OK;
+}
+
+/* ---- the style ---- */
+
+static const struct ts_arg args[] = {
+	TS_MESH_ARGS(struct state, words, surface),
+	TS_MESH_STRESS_ARGS(struct state, stress),
+	TS_VEC3("com", struct state, com, .unit = "length",
+		.help = "a point of the mesh as it is placed: torques, and turns, are about it"),
+	TS_ENUM("ctrlPV", struct state, controlled, controlled_names, .flags = TS_STATEFUL,
+		.help = "what is controlled: force (the mesh shifts along the axis) or torque (it turns "
+			"about it)"),
+	TS_VEC3("axis", struct state, axis, .flags = TS_STATEFUL, .help = "direction"),
+	TS_NUMBER("target_val", struct state, wanted, .unit = "force or torque",
+		.help = "what the mesh should exert on the particles along the axis; of a variable, anew in "
+			 "each step"),
+	TS_REAL("vel_max", struct state, fastest, .range = TS_POSITIVE, .unit = "velocity",
+		.help = "largest speed of the mesh; with torque, of its corner farthest from the axis"),
+	TS_REAL("kp", struct state, kp, .flags = TS_OPTIONAL, .range = TS_NOT_NEGATIVE, .unit = "",
+		.help = "gain of the error; without it 0.01, or with neither ki nor kd a tenth of the largest stable "
+			"one if that is smaller"),
+	TS_REAL("ki", struct state, ki, .fallback = "0", .range = TS_NOT_NEGATIVE, .unit = "1/time",
+		.help = "gain of its integral"),
+	TS_REAL("kd", struct state, kd, .fallback = "0", .range = TS_NOT_NEGATIVE, .unit = "time",
+		.help = "gain of its rate"),
+	TS_ENUM("mode", struct state, mode, mode_names, .fallback = "pid",
+		.help = "pid, or auto: speeds after `ratio`"),
+	TS_REAL("ratio", struct state, ratio, .fallback = "0", .range = TS_NOT_NEGATIVE, .unit = "",
+		.help = "mode auto: of the smallest radius, how much the mesh moves in a step, at most"),
+	TS_ARGS_END,
+};
+
+static const struct ts_value values[] = {
+	TS_MESH_STRESS_VALUE,
+	{ .name = NULL },
+};
+
+static const struct ts_saved saved[] = {
+	TS_SAVE_F64(struct state, speed),
+	TS_SAVE_F64(struct state, gone),
+	TS_SAVE_F64(struct state, lever),
+	TS_SAVE_F64(struct state, sum),
+	TS_SAVE_F64(struct state, last),
+	TS_SAVE_F64(struct state, gain),
+	TS_SAVED_ROWS_END,
+};
+
+TS_STYLE(fix, ts_style, ts_fix_mesh_surface_stress_servo)
+const struct ts_style ts_fix_mesh_surface_stress_servo = {
+	.name = "mesh/surface/stress/servo",
+	.kind = TS_KIND_FIX,
+	.summary = "A mesh that shifts or turns until particles meet it with a given force or torque",
+	.doc = "A mesh as with fix mesh/surface/stress, with com as its reference point, that moves along the\n"
+	       "axis (ctrlPV force) or turns about the axis through com (ctrlPV torque). After each step\n\n"
+	       "  e = (target_val - P)/|target_val|,\n\n"
+	       "P being what the mesh exerts on particles along the axis, the opposite of f_ID[1..3] or\n"
+	       "f_ID[4..6]; for the next step the speed is vel_max o, with\n\n"
+	       "  o = kp e + ki sum(e h) + kd (e - e_last)/h,  |o| <= 1.\n\n"
+	       "Where o meets its limit, sum(e h) is set so that kp e + ki sum(e h) is the opposite limit, as\n"
+	       "LIGGGHTS does. With ctrlPV torque it is the corner farthest from the axis that has this speed.\n\n"
+	       "`mode auto`: the speed is vel_max where no particle is near (in the neighbour list); else it is\n"
+	       "ratio R_min/h, times min(|e|, 1) g, with g = 0.1 up to |e| = 0.9 and from there linearly to 1.\n\n"
+	       "The force follows the speed within a step: contacts of the stiffness K and the damping C (all together)\n"
+	       "give P = K x + C v. With kp alone this is stable below\n\n"
+	       "  kp_max = 2 |target_val| / (vel_max (K h + 2 C)),\n\n"
+	       "with ki and kd where the zeros of the loop's characteristic polynomial are in the unit circle\n"
+	       "(law/servo.h); with ctrlPV torque K and C are those of the torque by the way of the farthest corner.\n"
+	       "Where the script gives no gain, kp is 0.01, as in LIGGGHTS, or kp_max/10 if that is smaller, chosen when a\n"
+	       "run begins: K and C are those of the contact law of the wall at the load target_val/N, with the smallest\n"
+	       "particles (there or to be inserted) and N = A/(4 R^2) of them, A being the area of the mesh as seen along\n"
+	       "the axis (at most as many as there are, where none are inserted); the log tells it. A target by a variable\n"
+	       "counts as it is then. With `legacy yes` it is always 0.01.\n"
+	       "Gains that are given stay as they are. Gains beyond the limit for the contacts that there are when a run\n"
+	       "begins, or for one contact, are told before it, and a speed that goes to and fro while it goes on\n"
+	       "(doc/review.md, servo).\n\n"
+	       "vel_max must be below skin/(2 h). No fix move/mesh can move a servo. Between runs,\n"
+	       "`fix_modify ID servo/integrate stop` holds the mesh and the controller (particles still feel the\n"
+	       "velocity it had, as with LIGGGHTS), `start` lets them go on;\n"
+	       "`servo/target_val T`, `servo/vel_max V` and `servo/ctrlParam kp ki kd` change their values.",
+	.example = "fix lid all mesh/surface/stress/servo file lid.stl type 1 com 0 0 0.1 ctrlPV force axis 0 0 "
+		   "-1 target_val 10 vel_max 0.1",
+	.args = args,
+	.family = TS_FAMILY_MESH,
+	.state_size = sizeof(struct state),
+	.saved = saved,
+	.archive = ts_mesh_stress_archive,
+	.fingerprint = ts_mesh_surface_fingerprint,
+	.values = values,
+	.init = init,
+	.modify = modify,
+	.plan = plan,
+	.review = review,
+	.hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,
+		  [TS_STAGE_POST_BUILD] = ts_mesh_stress_post_build,
+		  [TS_STAGE_PRE_FORCE] = ts_mesh_stress_clear,
+		  [TS_STAGE_FINAL_INTEGRATE] = final_integrate },
+	.fini = ts_mesh_stress_fini,
+};

@@ -1,0 +1,290 @@
+#include "wall/mesh_stress.h"
+#include "wall/primitive_wall.h"
+#include "wall/wall_law.h"
+
+#include <math.h>
+
+#include "core/plan.h"
+#include "neigh/coincide.h"
+
+#include "base/banned.h"
+
+struct wall {
+	struct ts_wall wall;
+	bool primitive_word, mesh_word;
+	int64_t type, nmeshes;
+	struct ts_words meshes;
+	struct ts_wall_law law;
+	struct ts_primitive_wall primitive;
+	struct ts_mesh_wall mesh;
+};
+
+static enum ts_status check_shape(struct ts_instance *self, struct tsim *sim)
+{
+	const struct wall *w = self->state;
+	int given = ts_primitive_wall_shapes(&w->primitive);
+
+	if (given == !w->mesh_word)
+		return TS_OK;
+	if (w->mesh_word)
+		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+			       "fix wall/gran: a wall is a mesh or a primitive, not both");
+	return ts_fail(
+		&sim->error, TS_SYNTAX, &self->where,
+		"fix wall/gran: expected one of xplane, yplane, zplane, xcylinder, ycylinder, "
+		"zcylinder, found %d of them",
+		given);
+}
+
+static enum ts_status find_meshes(struct ts_instance *self, struct tsim *sim)
+{
+	struct wall *w = self->state;
+
+	if (!w->meshes.n)
+		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+			       "fix wall/gran mesh: which meshes? `n_meshes 1 meshes ID`");
+	if (w->nmeshes != INT64_MIN && w->nmeshes != (int64_t)w->meshes.n)
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "n_meshes"),
+			       "fix wall/gran: n_meshes is %d, but %zu meshes are named",
+			       (int)w->nmeshes, w->meshes.n);
+	if (w->type != INT64_MIN)
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "type"),
+			       "fix wall/gran: each mesh has the type that its fix says");
+	if (ts_wall_has_law(&w->wall, sim) && ts_cohesion_bridges(ts_wall_model(&w->wall, sim)))
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix wall/gran: bridges of liquid reach beyond the touch, which contacts with triangles do "
+			       "not follow; take a plane, a cylinder or a region, or leave cohesion out");
+	TS_TRY(ts_mesh_wall_find(self, sim, &w->mesh, w->meshes));
+	w->wall.contacts.want_reports |= ts_mesh_stress_wanted(&w->mesh);
+	return TS_OK;
+}
+
+static enum ts_status place_primitive(struct ts_instance *self, struct tsim *sim)
+{
+	struct wall *w = self->state;
+
+	if (w->type == INT64_MIN && !w->wall.given)
+		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+			       "fix wall/gran primitive: which `type`?");
+	if (w->type == INT64_MIN) /* LAMMPS' walls have no material */
+		w->type = 1;
+	w->primitive.lammps = w->wall.given;
+	return ts_primitive_wall_read(self, sim, &w->primitive);
+}
+
+static double distance(const struct ts_instance *self, const struct tsim *sim, size_t k, int *type)
+{
+	const struct wall *w = self->state;
+	const struct ts_wall_contacts *c = &w->wall.contacts;
+	size_t i = (size_t)c->row[k];
+
+	*type = (int)(w->mesh_word ? w->mesh.mesh[ts_mesh_wall_near(&w->mesh, k)->mesh].surface->type : w->type);
+	return w->mesh_word ? ts_mesh_wall_distance(sim, &w->mesh, k, i)
+			    : ts_primitive_wall_distance(&w->primitive, sim, c->key[k][1], sim->particles->x[i]);
+}
+
+static enum ts_status check_type(struct tsim *sim, int64_t type, const struct ts_place *where)
+{
+	if (type <= sim->particles->ntypes || !sim->particles->ntypes)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_RANGE, where,
+		       "fix wall/gran: the wall is of type %lld, but create_box made %d", (long long)type,
+		       sim->particles->ntypes);
+}
+
+/* A number with which scripts often go wrong: told here, not where a property has too few values. */
+static enum ts_status check_types(struct ts_instance *self, struct tsim *sim)
+{
+	const struct wall *w = self->state;
+
+	if (w->wall.given) /* numbers, no material */
+		return TS_OK;
+	if (!w->mesh_word)
+		return check_type(sim, w->type, ts_instance_word(self, "type"));
+	for (size_t k = 0; k < w->mesh.nmeshes; k++)
+		TS_TRY(check_type(sim, w->mesh.mesh[k].surface->type,
+				  ts_instance_word(self, w->meshes.word[k].text)));
+	return TS_OK;
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct wall *w = self->state;
+
+	TS_TRY(check_shape(self, sim));
+	TS_TRY(ts_wall_law_choose(self, sim, &w->law, &w->wall));
+	TS_TRY(w->mesh_word ? find_meshes(self, sim) : place_primitive(self, sim));
+	TS_TRY(check_types(self, sim));
+	w->wall.primitive = w->mesh_word ? NULL : &w->primitive;
+	w->wall.distance = distance;
+	w->wall.meshes = w->mesh_word ? (int)w->mesh.nmeshes : 0;
+	w->wall.mesh = w->mesh_word ? &w->mesh : NULL;
+	w->wall.moves = !w->mesh_word && ts_primitive_wall_moves(&w->primitive);
+	w->wall.warm = !w->mesh_word && !isnan(w->primitive.temperature);
+	for (int k = 0; k < w->wall.meshes; k++)
+		w->wall.warm |= !isnan(w->mesh.mesh[k].surface->temperature);
+	return ts_wall_init(self, sim);
+}
+
+/* The particle types whose materials the wall has: one of each mesh. */
+static size_t ntypes(const struct wall *w)
+{
+	return w->mesh_word ? w->mesh.nmeshes : 1;
+}
+
+static int type_of(const struct wall *w, size_t k)
+{
+	return (int)(w->mesh_word ? w->mesh.mesh[k].surface->type : w->type);
+}
+
+static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
+{
+	struct wall *w = self->state;
+	struct ts_wall_rebuild rebuild;
+
+	if (!ts_wall_has_law(&w->wall, sim))
+		return TS_OK; /* refused by the plan */
+	for (size_t k = 0; k < ntypes(w); k++)
+		TS_TRY(ts_wall_make_law(self, sim, type_of(w, k)));
+	ts_wall_rebuild_start(&w->wall, sim, w->mesh_word ? TS_MESH_MEMORY : 0, &rebuild);
+	return ts_wall_rebuild_finish(&w->wall, sim, &rebuild,
+				      w->mesh_word
+					      ? ts_mesh_wall_list(self, sim, &w->wall, &w->mesh)
+					      : ts_primitive_wall_list(self, sim, &w->wall,
+								       &w->primitive));
+}
+
+static enum ts_status check(struct ts_instance *self, struct tsim *sim)
+{
+	struct wall *w = self->state;
+
+	sim->rebuild |= w->mesh_word ? ts_mesh_wall_has_moved(sim, &w->mesh)
+				     : ts_primitive_wall_has_moved(sim, &w->primitive);
+	return w->mesh_word ? ts_mesh_wall_check_pace(self, sim, &w->mesh)
+			    : ts_primitive_wall_check_pace(self, sim, &w->primitive);
+}
+
+static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+{
+	struct wall *w = self->state;
+
+	ts_wall_start(&w->wall, sim);
+	if (!w->mesh_word)
+		return ts_primitive_wall_push(sim, &w->wall, &w->primitive, (int)w->type);
+	TS_TRY(ts_mesh_wall_push(sim, &w->wall, &w->mesh));
+	return ts_mesh_stress_collect(sim, &w->wall, &w->mesh);
+}
+
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
+			   struct ts_plan_report *report)
+{
+	const struct wall *w = self->state;
+
+	if (!w->mesh_word)
+		ts_primitive_wall_plan(self, sim, &w->primitive);
+	for (size_t k = 0; k < ntypes(w); k++)
+		TS_TRY(ts_wall_plan(self, sim, type_of(w, k), report));
+	return TS_OK;
+}
+
+static void fini(struct ts_instance *self)
+{
+	ts_mesh_wall_release(&((struct wall *)self->state)->mesh);
+	ts_wall_fini(self);
+}
+
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	TS_TRY(ts_primitive_wall_archive(a, &((struct wall *)self->state)->primitive));
+	return ts_wall_archive(self, sim, a);
+}
+
+static const struct ts_arg args[] = {
+	TS_GRANULAR_ARGS(struct wall, wall.words),
+	TS_WALL_LAW_ARGS(struct wall, law),
+	TS_FLAG("primitive", struct wall, primitive_word,
+		.help = "the wall is a plane or cylinder"),
+	TS_INT("type", struct wall, type, .flags = TS_OPTIONAL, .range = TS_POSITIVE,
+	       .help = "primitive: particle type whose material the wall has"),
+	TS_FLAG("mesh", struct wall, mesh_word, .help = "the wall is made of meshes"),
+	TS_INT("n_meshes", struct wall, nmeshes, .flags = TS_OPTIONAL, .range = TS_POSITIVE,
+	       .help = "mesh: how many"),
+	TS_SOME_KEYWORD("meshes", struct wall, meshes, TS_STATEFUL, .count = "n_meshes",
+			.help = "mesh: IDs of their fixes; each has the material of its own type"),
+	TS_PRIMITIVE_WALL_ARGS(struct wall, primitive),
+	TS_WALL_ARGS(struct wall, wall),
+	TS_ARGS_END,
+};
+
+static const struct ts_value values[] = {
+	TS_WALL_FORCE_VALUE,
+	TS_WALL_CONTACTS_VALUE,
+	{ .name = NULL },
+};
+
+/* A run that goes on after a restart shows the force of the last step. */
+static const struct ts_saved saved[] = {
+	{ "force", TS_SAVED_F64, offsetof(struct wall, wall.force), 3 },
+	TS_SAVED_ROWS_END,
+};
+
+static const char doc[] =
+	"The particles of the group meet the wall as they would an infinitely heavy partner with a flat\n"
+	"surface: m* = m, R* = R. With `model ...` the wall has contact laws of its own, composed as for\n"
+	"pair_style gran, with the material of its `type`; with `hooke`, `hooke/history` or `hertz/history` and\n"
+	"their numbers, or `granular` and the words of pair_coeff (pair_style granular), those of LAMMPS (but a\n"
+	"material meets the wall as it meets itself, E* = E/(2 (1 - nu^2)), k_t NULL = 8 G*, where LAMMPS of 29 Sep 2021\n"
+	"has E/(2 (1 - nu)) and E (2 - nu)(1 + nu)/4, as `legacy yes` has); with neither, those of the pair style. Planes and cylinders are\n"
+	"two-sided: they push a particle to the side where its centre is. A particle whose centre lies in the surface\n"
+	"itself, within 1e-12 of its radius, is on neither side: the run is refused or stops. On the axis of a cylinder the\n"
+	"distance is the same all around, and there is no force. A plane or mesh that moves by more than the radius of a\n"
+	"particle near it in one step passes through without a contact, and stops the run; the message says which time step\n"
+	"would do. Each particle remembers its contact with the\n"
+	"wall as with a partner. The centre of a cylinder is given along the next two axes in cyclic order:\n"
+	"xcylinder y z, ycylinder z x, zcylinder x y.\n\n"
+	"`shear DIM V`: the surface moves with V along DIM, but stays where it is. Where DIM is not the axis of\n"
+	"a cylinder, it turns about its axis with the angular velocity V, V a x d at d from the axis a, as in\n"
+	"LIGGGHTS (which confuses two components for ycylinder; `legacy yes` does, too); with the laws of LAMMPS\n"
+	"its speed is V, with the clock as seen from the tip of the axis (and nothing is added along DIM, as\n"
+	"LAMMPS' program does). `wiggle DIM A T`: displacement A (1 - cos(2 pi t/T)), t from the\n"
+	"definition of the fix; along the surface only the velocity matters.\n\n"
+	"`temperature T` makes the wall give Q = h (T - T_i), h = 4 k k_wall/(k + k_wall) sqrt(A), to the\n"
+	"particles (fix heat/gran); A is pi (R^2 - r^2) at the distance r from the wall, or as `contact_area`\n"
+	"says. `store_force yes` keeps the force of the wall on each particle, f_force_ID[1] ... [3].\n\n"
+	"A wall of meshes is met in faces, edges and corners, from both sides; particles of the groups of\n"
+	"both fixes meet it. fix mesh/surface says which edges and corners count, and its temperature. A contact\n"
+	"that moves from one triangle to a flat neighbour goes on with what it remembers. Surfaces that pull beyond the touch\n"
+	"(model jkr) do so on meshes as on planes: each place of the mesh that is nearest to the particle in all triangles\n"
+	"that meet there is one contact, which also passes over edges and corners and keeps its memory.";
+
+TS_STYLE(fix, ts_style, ts_fix_wall_gran)
+const struct ts_style ts_fix_wall_gran = {
+	.name = "wall/gran",
+	.kind = TS_KIND_FIX,
+	.summary = "a rigid wall with the contact law of the pair style",
+	.doc = doc,
+	.example = "fix floor all wall/gran model hertz tangential history primitive type 1 zplane 0.0\n"
+		   "fix belt all wall/gran model hertz tangential history primitive type 1 zplane 0.0 "
+		   "shear x 0.5\n"
+		   "fix drum all wall/gran primitive type 2 zcylinder 0.05 0.0 0.0 temperature 373.15\n"
+		   "fix lid all wall/gran hooke/history 200000.0 NULL 50.0 NULL 0.5 1 zplane 0.0 0.1 "
+		   "wiggle z 0.001 0.02\n"
+		   "fix side all wall/gran granular hertz/material 1e7 0.7 0.3 tangential mindlin NULL 1.0 0.5 damping "
+		   "tsuji xplane 0.0 NULL\n"
+		   "fix walls all wall/gran model hertz tangential history mesh n_meshes 2 meshes cad1 "
+		   "cad2",
+	.args = args,
+	.family = TS_FAMILY_WALL,
+	.state_size = sizeof(struct wall),
+	.archive = archive,
+	.values = values,
+	.gives = ts_wall_gives,
+	.init = init,
+	.saved = saved,
+	.hook = { [TS_STAGE_CHECK] = check,
+		  [TS_STAGE_POST_BUILD] = post_build,
+		  [TS_STAGE_POST_FORCE] = post_force },
+	.plan = plan,
+	.review = ts_coincide_foresee,
+	.fini = fini,
+};

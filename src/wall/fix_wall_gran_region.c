@@ -1,0 +1,146 @@
+/* Fix wall/gran/region: the surface of a region is a wall. */
+#include "core/plan.h"
+#include "neigh/coincide.h"
+#include "wall/region_wall.h"
+#include "wall/wall_law.h"
+
+#include "base/banned.h"
+
+struct wall {
+	struct ts_wall wall;
+	struct ts_wall_law law;
+	struct ts_region_wall region;
+	int64_t type;
+};
+
+static double distance(const struct ts_instance *self, const struct tsim *sim, size_t k, int *type)
+{
+	const struct wall *w = self->state;
+
+	*type = (int)w->type;
+	return ts_region_wall_distance(&w->region, sim, &w->wall, k);
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	struct wall *w = self->state;
+
+	TS_TRY(ts_wall_law_choose(self, sim, &w->law, &w->wall));
+	if (w->type == INT64_MIN && !w->wall.given)
+		return ts_fail(&sim->error, TS_SYNTAX, &self->where,
+			       "fix wall/gran/region: which law? `hertz/history ...`, `granular ...`, or "
+			       "the `type` of its material");
+	if (w->type == INT64_MIN) /* LAMMPS' walls have no material */
+		w->type = 1;
+	TS_TRY(ts_region_wall_init(self, sim, &w->region));
+	w->wall.region = w->region.region;
+	w->wall.distance = distance;
+	return ts_wall_init(self, sim);
+}
+
+static enum ts_status list(struct ts_instance *self, struct tsim *sim)
+{
+	struct wall *w = self->state;
+	struct ts_wall_rebuild rebuild;
+
+	ts_wall_rebuild_start(&w->wall, sim, 0, &rebuild);
+	return ts_wall_rebuild_finish(&w->wall, sim, &rebuild,
+				      ts_region_wall_list(self, sim, &w->wall, &w->region));
+}
+
+static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
+{
+	struct wall *w = self->state;
+
+	if (!ts_wall_has_law(&w->wall, sim))
+		return TS_OK; /* refused by the plan */
+	TS_TRY(ts_wall_make_law(self, sim, (int)w->type));
+	TS_TRY(ts_region_wall_update(self, sim, &w->region));
+	return list(self, sim);
+}
+
+static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
+{
+	struct wall *w = self->state;
+	bool far;
+
+	TS_TRY(ts_region_wall_follow(self, sim, &w->region, &far));
+	if (far)
+		TS_TRY(list(self, sim));
+	ts_wall_start(&w->wall, sim);
+	return ts_region_wall_push(sim, &w->wall, &w->region, (int)w->type);
+}
+
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
+			   struct ts_plan_report *report)
+{
+	return ts_wall_plan(self, sim, (int)((const struct wall *)self->state)->type, report);
+}
+
+static const struct ts_arg args[] = {
+	TS_GRANULAR_ARGS(struct wall, wall.words),
+	TS_WALL_LAW_ARGS(struct wall, law),
+	TS_REGION("region", struct wall, region.region, .help = "whose surface the wall is"),
+	TS_INT("type", struct wall, type, .flags = TS_OPTIONAL, .range = TS_POSITIVE,
+	       .help = "with `model` or the law of the pair style: particle type whose material the "
+		       "wall has"),
+	TS_WALL_ARGS(struct wall, wall),
+	TS_ARGS_END,
+};
+
+static const struct ts_value values[] = {
+	TS_WALL_FORCE_VALUE,
+	TS_WALL_CONTACTS_VALUE,
+	{ .name = NULL },
+};
+
+static const struct ts_saved saved[] = {
+	{ "force", TS_SAVED_F64, offsetof(struct wall, wall.force), 3 },
+	TS_SAVED_ROWS_END,
+};
+
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	TS_TRY(ts_region_wall_archive(a, &((struct wall *)self->state)->region));
+	return ts_wall_archive(self, sim, a);
+}
+
+static const char doc[] =
+	"The particles of the group meet the surface of a region: a block, cone, cylinder, plane or sphere, or a union\n"
+	"or intersection of such. They meet it from the side that the region says: `side in` keeps them in, `side out`\n"
+	"keeps them out, and others feel nothing (one whose centre lies in the surface itself stops the run); where faces are `open` they meet the others from both sides. From\n"
+	"within each face counts (three in a corner of a block), from without the nearest point of the surface. Of a\n"
+	"union or intersection the faces of its members count as far as they bound the whole; two that coincide there\n"
+	"count for nothing, so let one member reach a little farther.\n\n"
+	"Laws are those of fix wall/gran. With the law of Hertz and those by the contact area the surface is curved:\n"
+	"R* = R/(1 + kappa R), kappa its mean curvature, > 0 where it bulges: 1/R_s of a sphere, 1/(2 R_c) of a cylinder\n"
+	"and a cone (of which LAMMPS takes the outer side as hollow, too, and a cylinder with open faces from without\n"
+	"as flat).\n\n"
+	"A region that moves or turns by variables takes the surface with it, with the velocity by what they were in\n"
+	"the step before (LAMMPS takes the length of the axis of `rotate` into the speed; here it has none); either a union moves, or\n"
+	"its members do (whose velocity LAMMPS leaves out). A surface that only changes its size has no velocity by that.\n"
+	"A surface that moves by more than the radius of a particle near it in one step stops the run (doc/stability.md).";
+
+TS_STYLE(fix, ts_style, ts_fix_wall_gran_region)
+const struct ts_style ts_fix_wall_gran_region = {
+	.name = "wall/gran/region",
+	.kind = TS_KIND_FIX,
+	.summary = "the surface of a region is a rigid wall",
+	.doc = doc,
+	.example = "fix hopper all wall/gran/region hertz/history 200000.0 NULL 50.0 NULL 0.5 1 region funnel\n"
+		   "fix drum all wall/gran/region granular hertz/material 1e7 0.7 0.3 tangential mindlin NULL 1.0 "
+		   "0.5 damping tsuji region tube\n"
+		   "fix bowl all wall/gran/region model hertz tangential history type 1 region cup",
+	.args = args,
+	.family = TS_FAMILY_WALL,
+	.state_size = sizeof(struct wall),
+	.archive = archive,
+	.values = values,
+	.gives = ts_wall_gives,
+	.init = init,
+	.saved = saved,
+	.hook = { [TS_STAGE_POST_BUILD] = post_build, [TS_STAGE_POST_FORCE] = post_force },
+	.plan = plan,
+	.review = ts_coincide_foresee,
+	.fini = ts_wall_fini,
+};

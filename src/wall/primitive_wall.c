@@ -1,0 +1,426 @@
+#include "wall/primitive_wall.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "box/domain.h"
+#include "core/plan.h"
+#include "neigh/coincide.h"
+#include "wall/wall_push.h"
+
+#include "base/banned.h"
+
+enum { NSHAPES = TS_PRIMITIVE_SHAPES, MOST = TS_MOST_PRIMITIVES };
+static const char *const shape_names[NSHAPES] = { "xplane",    "yplane",    "zplane",
+						  "xcylinder", "ycylinder", "zcylinder" };
+
+/* ---- arguments ---- */
+
+/* Reads the words from number `first` on, `least` to `most` of them. NULL stands for a plane that is not
+ * there. */
+static enum ts_status numbers_of(struct tsim *sim, struct ts_words words, size_t first,
+				 const char *what, const char *expected, size_t least, size_t most,
+				 double *out)
+{
+	bool good = words.n >= first + least && words.n <= first + most;
+	size_t bad = words.n - 1;
+
+	for (size_t k = first; good && k < words.n; k++) {
+		double *number = &out[k - first];
+
+		*number = NAN;
+		if (first == 0 && most == MOST && ts_streq(words.word[k].text, "NULL"))
+			continue;
+		good = ts_parse_real(words.word[k].text, number) && isfinite(*number);
+		bad = k;
+	}
+	if (good)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_SYNTAX, &words.word[bad].place,
+		       "fix wall/gran: %s takes %s, found '%s'", what, expected,
+		       words.word[bad].text);
+}
+
+/* `zplane z` or, as in LAMMPS, `zplane lo hi` of which either may be NULL. */
+static enum ts_status read_plane(struct ts_primitive_wall *w, struct tsim *sim, int shape)
+{
+	double at[MOST];
+	struct ts_words words = w->shape_words[shape];
+
+	TS_TRY(numbers_of(sim, words, 0, shape_names[shape],
+			  "one position, or two of which either may be NULL", 1, MOST, at));
+	w->n = 0;
+	for (size_t k = 0; k < words.n; k++)
+		if (!isnan(at[k]))
+			w->primitive[w->n++] = (struct ts_primitive){
+				.shape = (enum ts_primitive_shape)shape, .position = at[k]
+			};
+	return TS_OK;
+}
+
+/* `zcylinder radius x y` or, as in LAMMPS, `zcylinder radius`. */
+static enum ts_status read_cylinder(struct ts_primitive_wall *w, struct tsim *sim, int shape)
+{
+	struct ts_words words = w->shape_words[shape];
+	double value[3] = { 0 };
+
+	TS_TRY(numbers_of(sim, words, 0, shape_names[shape],
+			  "a radius, or a radius and the centre along the next two axes",
+			  words.n == 1 ? 1 : 3, 3, value));
+	if (!(value[0] > 0))
+		return ts_fail(&sim->error, TS_RANGE, &words.word[0].place,
+			       "fix wall/gran: the radius of a cylinder must be > 0");
+	w->n = 1;
+	w->primitive[0] = (struct ts_primitive){ .shape = (enum ts_primitive_shape)shape,
+						 .radius = value[0],
+						 .centre = { value[1], value[2] } };
+	return TS_OK;
+}
+
+int ts_primitive_wall_shapes(const struct ts_primitive_wall *w)
+{
+	int given = 0;
+
+	for (int k = 0; k < NSHAPES; k++)
+		given += w->shape_words[k].n > 0;
+	return given;
+}
+
+/* LAMMPS refuses it. LIGGGHTS runs it: a particle meets the wall from where it is in the box, images do not. */
+static enum ts_status accept_periodic(struct ts_instance *self, struct tsim *sim,
+				      const struct ts_primitive_wall *w, int shape)
+{
+	const struct ts_place *where = ts_instance_word(self, shape_names[shape]);
+
+	if (w->lammps)
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "fix wall/gran: a plane wall across the periodic dimension %c; let the "
+			       "box be fixed there (`boundary`)",
+			       'x' + shape);
+	ts_warn(&sim->log, where,
+		"fix wall/gran: a plane wall across the periodic dimension %c: images do not feel it, so "
+		"particles pass through the face of the box, and touch each other through it; walls at "
+		"both faces need `boundary` f along %c",
+		'x' + shape, 'x' + shape);
+	return TS_OK;
+}
+
+static enum ts_status read_shape(struct ts_instance *self, struct tsim *sim, struct ts_primitive_wall *w)
+{
+	int shape = 0;
+
+	while (!w->shape_words[shape].n)
+		shape++;
+	if (shape >= TS_XCYLINDER)
+		return read_cylinder(w, sim, shape);
+	if (ts_sim_has_box(sim) && ts_box_periodic(&sim->domain->box, shape) && !w->n)
+		TS_TRY(accept_periodic(self, sim, w, shape));
+	return read_plane(w, sim, shape);
+}
+
+static enum ts_status read_dimension(struct tsim *sim, const struct ts_word *word, const char *what,
+				     int *out)
+{
+	for (*out = 0; *out < 3; ++*out)
+		if (word->text[0] == 'x' + *out && !word->text[1])
+			return TS_OK;
+	return ts_fail(&sim->error, TS_SYNTAX, &word->place,
+		       "fix wall/gran: %s is along '%s', expected x, y or z", what, word->text);
+}
+
+static enum ts_status read_motion(struct ts_instance *self, struct tsim *sim,
+				      struct ts_primitive_wall *w)
+{
+	double value[2];
+
+	w->wiggle_dim = -1;
+	if (w->shear_words.n) {
+		TS_TRY(read_dimension(sim, &w->shear_words.word[0], "shear", &w->shear_dim));
+		TS_TRY(numbers_of(sim, w->shear_words, 1, "shear",
+				  "a dimension and a velocity", 1, 1, &w->shear));
+	}
+	if (!w->wiggle_words.n)
+		return TS_OK;
+	if (w->shear_words.n)
+		return ts_fail(&sim->error, TS_SYNTAX, ts_instance_word(self, "wiggle"),
+			       "fix wall/gran: either wiggle or shear");
+	TS_TRY(read_dimension(sim, &w->wiggle_words.word[0], "wiggle", &w->wiggle_dim));
+	TS_TRY(numbers_of(sim, w->wiggle_words, 1, "wiggle",
+			  "a dimension, an amplitude and a period", 2, 2, value));
+	w->amplitude = value[0];
+	w->period = value[1];
+	if (!(w->period > 0))
+		return ts_fail(&sim->error, TS_RANGE, &w->wiggle_words.word[2].place,
+			       "fix wall/gran: the period of wiggle must be > 0");
+	if (!(w->begun > 0))
+		w->origin = ts_sim_time(sim);
+	w->begun = 1;
+	return TS_OK;
+}
+
+enum ts_status ts_primitive_wall_read(struct ts_instance *self, struct tsim *sim,
+				      struct ts_primitive_wall *w)
+{
+	TS_TRY(read_shape(self, sim, w));
+	return read_motion(self, sim, w);
+}
+
+/* ---- motion ---- */
+
+bool ts_primitive_wall_moves(const struct ts_primitive_wall *w)
+{
+	return w->n && (int)w->primitive[0].shape == w->wiggle_dim;
+}
+
+/* A (1 - cos wt), as in LAMMPS. */
+static double displacement_at(const struct ts_primitive_wall *w, double time)
+{
+	double phase = 2 * TS_PI / w->period * (time - w->origin);
+
+	return ts_primitive_wall_moves(w) ? w->amplitude * (1 - cos(phase)) : 0;
+}
+
+static double displacement(const struct ts_primitive_wall *w, const struct tsim *sim)
+{
+	return displacement_at(w, ts_sim_time(sim));
+}
+
+static double wiggle_velocity(const struct ts_primitive_wall *w, const struct tsim *sim)
+{
+	double omega = 2 * TS_PI / w->period;
+
+	return w->amplitude * omega * sin(omega * (ts_sim_time(sim) - w->origin));
+}
+
+/* About the axis of a cylinder, at d from it. LIGGGHTS: the angular velocity `shear` times d, with the
+ * components of d in wrong order for ycylinder, which `legacy yes` reproduces. LAMMPS' manual: the speed
+ * `shear`, with the clock as seen from the tip of the axis; its program (29 Sep 2021) adds the velocity
+ * along that dimension. */
+static void spin(const struct ts_primitive_wall *w, const struct tsim *sim, int axis, const double x[3], double v[3])
+{
+	const double *centre = w->primitive[0].centre;
+	int a = (axis + 1) % 3, b = (axis + 2) % 3;
+	double da = x[a] - centre[0], db = x[b] - centre[1], r = sqrt(da * da + db * db);
+
+	if (w->lammps) {
+		v[a] += r > 0 ? w->shear * db / r : 0;
+		v[b] -= r > 0 ? w->shear * da / r : 0;
+	} else if (sim->legacy && axis == 1) {
+		v[0] += w->shear * db;
+		v[2] -= w->shear * da;
+	} else {
+		v[a] -= w->shear * db;
+		v[b] += w->shear * da;
+	}
+}
+
+static void surface_velocity(const struct ts_primitive_wall *w, const struct tsim *sim, const double x[3],
+			     double v[3])
+{
+	int shape = (int)w->primitive[0].shape;
+
+	for (int d = 0; d < 3; d++)
+		v[d] = w->velocity[d];
+	if (w->wiggle_dim >= 0)
+		v[w->wiggle_dim] += wiggle_velocity(w, sim);
+	if (w->shear_words.n && shape >= TS_XCYLINDER && shape % 3 != w->shear_dim)
+		spin(w, sim, shape % 3, x, v);
+	else if (w->shear_words.n)
+		v[w->shear_dim] += w->shear;
+}
+
+/* Where element k stands when it has moved so far. */
+static struct ts_primitive moved_by(const struct ts_primitive_wall *w, int k, double moved)
+{
+	struct ts_primitive primitive = w->primitive[k];
+
+	primitive.position += moved;
+	return primitive;
+}
+
+/* Of the surface, seen from x: as in LAMMPS the mean of both directions. LIGGGHTS takes cylinders as flat. */
+static double curvature(const struct ts_primitive_wall *w, const double n[3], const double x[3])
+{
+	int axis = (int)w->primitive[0].shape % 3, a = (axis + 1) % 3, b = (axis + 2) % 3;
+	const double *centre = w->primitive[0].centre;
+	double out = n[a] * (x[a] - centre[0]) + n[b] * (x[b] - centre[1]);
+
+	if (!w->lammps || (int)w->primitive[0].shape < TS_XCYLINDER)
+		return 0;
+	return (out > 0 ? 0.5 : -0.5) / w->primitive[0].radius;
+}
+
+/* ---- stages ---- */
+
+/* Contacts are listed for as long as particles and wall each move less than half the skin. */
+bool ts_primitive_wall_has_moved(const struct tsim *sim, const struct ts_primitive_wall *w)
+{
+	return ts_primitive_wall_moves(w) &&
+	       !(fabs(displacement(w, sim) - w->held) < 0.5 * sim->neigh->built_skin);
+}
+
+/* The distance from the wall; most particles are far from it, and most walls are planes. */
+static double away(const struct ts_primitive *at, const double x[3])
+{
+	double n[3];
+
+	return at->shape <= TS_ZPLANE ? fabs(x[at->shape] - at->position)
+				      : ts_primitive_distance(at, x, n);
+}
+
+bool ts_primitive_wall_between(const struct tsim *sim, const struct ts_primitive_wall *w, int dim, double a, double b,
+			       double *position)
+{
+	double moved = displacement(w, sim);
+
+	for (int k = 0; k < w->n; k++) {
+		*position = w->primitive[k].position + moved;
+		if ((int)w->primitive[k].shape == dim && *position >= fmin(a, b) && *position <= fmax(a, b))
+			return true;
+	}
+	return false;
+}
+
+enum ts_status ts_primitive_wall_check_pace(struct ts_instance *self, struct tsim *sim,
+					    const struct ts_primitive_wall *w)
+{
+	const struct ts_particles *p = sim->particles;
+	double now, way;
+	char what[80];
+
+	if (!ts_primitive_wall_moves(w))
+		return TS_OK;
+	now = displacement(w, sim);
+	way = fabs(now - displacement_at(w, ts_sim_time(sim) - sim->clock.dt));
+	for (size_t i = 0; way > sim->neigh->least_radius && i < p->n; i++) {
+		for (int k = 0; k < w->n; k++) {
+			struct ts_primitive at = moved_by(w, k, now);
+
+			if (way <= p->radius[i] || away(&at, p->x[i]) > p->radius[i] + way ||
+			    !ts_wall_meets(self, sim, i, false))
+				continue;
+			snprintf(what, sizeof what, "the wall %.40s", self->id);
+			return ts_coincide_passed(sim, &self->where, i, way, what);
+		}
+	}
+	return TS_OK;
+}
+
+double ts_primitive_wall_gap(const struct ts_primitive_wall *w, const struct tsim *sim, const double x[3])
+{
+	double now = displacement(w, sim), least = INFINITY;
+
+	for (int k = 0; k < w->n; k++) {
+		struct ts_primitive at = moved_by(w, k, now);
+
+		least = fmin(least, away(&at, x));
+	}
+	return ts_primitive_wall_moves(w)
+		       ? least - fabs(now - displacement_at(w, ts_sim_time(sim) - sim->clock.dt))
+		       : least;
+}
+
+double ts_primitive_wall_distance(const struct ts_primitive_wall *w, const struct tsim *sim, int k,
+				  const double x[3])
+{
+	struct ts_primitive at = moved_by(w, k, displacement(w, sim));
+
+	return away(&at, x);
+}
+
+enum ts_status ts_primitive_wall_list(struct ts_instance *self, struct tsim *sim, struct ts_wall *wall,
+				      struct ts_primitive_wall *w)
+{
+	const struct ts_particles *p = sim->particles;
+	bool pulls = ts_wall_pulls(wall, sim);
+	struct ts_primitive at[MOST];
+
+	if (!sim->resuming)
+		w->held = displacement(w, sim);
+	for (int k = 0; k < w->n; k++)
+		at[k] = moved_by(w, k, w->held);
+	for (size_t i = 0; i < p->n; i++) {
+		double reach = p->radius[i] + sim->neigh->built_skin +
+			       (pulls ? ts_wall_reach(wall, sim, p->radius[i]) : 0);
+
+		for (int k = 0; k < w->n; k++)
+			if (away(&at[k], p->xhold[i]) < reach &&
+			    ts_wall_meets(self, sim, i, !isnan(w->temperature)))
+				TS_TRY(ts_wall_contacts_add(sim, &wall->contacts, i, k));
+	}
+	return TS_OK;
+}
+
+struct push {
+	struct tsim *sim;
+	struct ts_wall *wall;
+	const struct ts_primitive_wall *w;
+	struct ts_primitive at[MOST];
+	int type;
+};
+
+static void push_share(void *context, size_t from, size_t to)
+{
+	const struct push *t = context;
+	const struct ts_primitive_wall *w = t->w;
+	const struct ts_particles *p = t->sim->particles;
+	struct ts_wall_contacts *c = &t->wall->contacts;
+	struct ts_wall_spot spot = { .type = t->type,
+				     .warm = !isnan(w->temperature),
+				     .temperature = w->temperature };
+	struct ts_wall_queue queue;
+
+	ts_wall_queue_start(&queue, t->wall, t->sim);
+	for (size_t k = from; k < to; k++) {
+		const double *x = p->x[c->row[k]];
+
+		ts_wall_look_ahead(c, p, k, to);
+		spot.distance = ts_primitive_distance(&t->at[c->key[k][1]], x, spot.n);
+		spot.curvature = curvature(w, spot.n, x);
+		if (!ts_wall_touches(&queue, k, &spot)) {
+			ts_wall_contact_part(c, k);
+			continue;
+		}
+		surface_velocity(w, t->sim, x, spot.velocity);
+		ts_wall_push(&queue, k, &spot);
+	}
+	ts_wall_queue_end(&queue);
+}
+
+enum ts_status ts_primitive_wall_push(struct tsim *sim, struct ts_wall *wall, const struct ts_primitive_wall *w,
+			    int type)
+{
+	struct push push = { sim, wall, w, { { 0 } }, type };
+	double moved = displacement(w, sim);
+
+	for (int k = 0; k < w->n; k++)
+		push.at[k] = moved_by(w, k, moved);
+	ts_wall_contacts_parallel(sim, &wall->contacts, push_share, &push);
+	ts_wall_finish(wall);
+	return ts_coincide_wall(sim, wall, NULL, NULL);
+}
+
+void ts_primitive_wall_plan(struct ts_instance *self, struct tsim *sim,
+			    const struct ts_primitive_wall *w)
+{
+	if (w->n && w->shear_words.n && (int)w->primitive[0].shape == w->shear_dim)
+		ts_warn(&sim->log, ts_instance_word(self, "shear"),
+			"fix wall/gran: a shear along the normal moves no plane, only the dashpot of "
+			"contacts sees the velocity");
+	if (!isnan(w->temperature) && !ts_heat_of(sim))
+		ts_warn(&sim->log, ts_instance_word(self, "temperature"),
+			"fix wall/gran: the temperature has no effect without fix heat/gran");
+}
+
+/* Older files have no such numbers. */
+enum ts_status ts_primitive_wall_archive(struct ts_archive *a, struct ts_primitive_wall *w)
+{
+	double wiggle[3] = { w->origin, w->held, w->begun };
+
+	if (ts_archive_has(a, "wiggle"))
+		TS_TRY(ts_archive_fixed(a, "wiggle", TS_SAVED_F64, wiggle, 3));
+	w->origin = wiggle[0];
+	w->held = wiggle[1];
+	w->begun = wiggle[2];
+	return TS_OK;
+}

@@ -1,0 +1,135 @@
+#include "wall/servo_response.h"
+
+#include <math.h>
+
+#include "insert/template.h"
+#include "law/granular_limit.h"
+#include "particle/particles.h"
+
+#include "base/banned.h"
+
+/* The smallest particle of a type, there or to be inserted; radius infinite: there is none. */
+struct smallest {
+	double radius, mass;
+};
+
+static struct smallest smallest_of(const struct tsim *sim, int type)
+{
+	const struct ts_particles *p = sim->particles;
+	struct smallest s = { INFINITY, 0 };
+	double radius, inverse_mass = ts_template_inverse_mass(sim, type, &radius);
+
+	for (size_t i = 0; i < p->n; i++)
+		if (p->type[i] == type && p->radius[i] < s.radius)
+			s = (struct smallest){ p->radius[i], p->mass[i] };
+	if (inverse_mass > 0 && radius < s.radius)
+		s = (struct smallest){ radius, 1 / inverse_mass };
+	return s;
+}
+
+static bool inserts(const struct tsim *sim)
+{
+	bool some = false;
+
+	for (int t = 1; t <= sim->particles->ntypes; t++)
+		some |= ts_template_inverse_mass(sim, t, NULL) > 0;
+	return some;
+}
+
+/* ---- contacts ---- */
+
+/* Of one contact under this force. */
+static struct ts_servo_contacts contact(const struct ts_granular_model *model,
+					const struct ts_granular_pair *law, const struct smallest *s,
+					double force)
+{
+	double unit = ts_granular_at(model, law, s->radius, s->mass, 1).kn, overlap = force / unit;
+	struct ts_normal f;
+
+	if (ts_granular_stiffens(model)) /* F = K delta^(3/2), at delta = 1 the tangent is 3/2 K */
+		overlap = pow(1.5 * force / unit, 2.0 / 3);
+	if (!(unit > 0) || !isfinite(overlap))
+		return (struct ts_servo_contacts){ 0 };
+	f = ts_granular_at(model, law, s->radius, s->mass, overlap);
+	return (struct ts_servo_contacts){ 1, f.kn, fabs(f.gamman) };
+}
+
+/* Which mesh of the wall it is; -1: none. */
+static int part_of(const struct ts_wall *w, const struct ts_mesh_surface *surface)
+{
+	for (int k = 0; w->mesh && k < w->meshes; k++)
+		if (w->mesh->mesh[k].surface == surface)
+			return k;
+	return -1;
+}
+
+static double step_of(const struct tsim *sim, const struct ts_servo_contacts *c)
+{
+	return c->stiffness * sim->clock.dt + 2 * c->damping;
+}
+
+struct ts_servo_contacts ts_servo_contacts(const struct tsim *sim, const struct ts_servo_mesh *mesh,
+					   double n, bool most)
+{
+	struct ts_servo_contacts best = { 0 };
+	double force = mesh->load / (n * (mesh->lever > 0 ? mesh->arm : 1));
+	double share = n * (mesh->lever > 0 ? mesh->arm * mesh->arm / mesh->lever : 1);
+	const struct ts_wall *w;
+
+	for (size_t k = 0; (w = ts_walls_next(sim, &k, NULL));) {
+		if (part_of(w, mesh->surface) < 0 || !ts_wall_has_law(w, sim))
+			continue;
+		for (int t = 1; t <= sim->particles->ntypes; t++) {
+			struct smallest s = smallest_of(sim, t);
+			struct ts_servo_contacts c;
+
+			if (!isfinite(s.radius) || !(s.mass > 0))
+				continue;
+			c = contact(ts_wall_model(w, sim),
+				    ts_wall_law(w, sim, (int)mesh->surface->type, t), &s, force);
+			if (c.n > 0 && (!(best.n > 0) || (step_of(sim, &c) > step_of(sim, &best)) == most))
+				best = c;
+		}
+	}
+	best.n *= n;
+	best.stiffness *= share;
+	best.damping *= share;
+	return best;
+}
+
+/* ---- how many ---- */
+
+size_t ts_servo_touching(const struct tsim *sim, const struct ts_mesh_surface *surface)
+{
+	const struct ts_wall *w;
+	size_t n = 0;
+
+	for (size_t k = 0; (w = ts_walls_next(sim, &k, NULL));) {
+		int part = part_of(w, surface);
+		size_t last = SIZE_MAX;
+
+		for (size_t c = 0; part >= 0 && c < w->contacts.n; c++) {
+			size_t i = (size_t)w->contacts.row[c];
+
+			if (i == last || w->mesh->near[c].mesh != part ||
+			    !(ts_mesh_wall_distance(sim, w->mesh, c, i) < sim->particles->radius[i]))
+				continue;
+			last = i;
+			n++;
+		}
+	}
+	return n;
+}
+
+double ts_servo_room(const struct tsim *sim, const struct ts_servo_mesh *mesh)
+{
+	const struct ts_mesh *m = &mesh->surface->mesh;
+	double area = 0, least = INFINITY, n;
+
+	for (size_t t = 0; t < m->n; t++)
+		area += m->area[t] * (mesh->lever > 0 ? 1 : fabs(ts_dot(m->normal[t], mesh->axis)));
+	for (int t = 1; t <= sim->particles->ntypes; t++)
+		least = fmin(least, smallest_of(sim, t).radius);
+	n = fmax(1, area / (4 * least * least));
+	return inserts(sim) ? n : fmin(n, fmax(1, (double)sim->particles->n));
+}

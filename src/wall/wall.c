@@ -1,0 +1,370 @@
+#include "wall/wall.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/inline.h"
+#include "contact/limits.h"
+#include "contact/multicontact.h"
+#include "contact/substep_contacts.h"
+#include "core/plan.h"
+#include "insert/template.h"
+#include "rigid/rigid.h"
+
+#include "base/banned.h"
+
+/* The force on each particle, under the name that LIGGGHTS gives it. */
+static enum ts_status add_column(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_wall *w = self->state;
+	struct ts_str name = { 0 };
+	enum ts_status status;
+
+	ts_str_addf(&name, "force_%s", self->id);
+	status = name.failed ? ts_nomem(&sim->error)
+			     : ts_particles_add_column(sim, ts_str_text(&name), 3,
+						       TS_COL_NAMED | TS_COL_RESULT, &w->stored);
+	ts_str_release(&name);
+	return status;
+}
+
+static const struct ts_pair *pair_of(const struct tsim *sim)
+{
+	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
+
+	return pair ? pair->state : NULL;
+}
+
+/* The liquid is the pair style's, whose model is known when a run begins. */
+static enum ts_status check_bridges(struct ts_instance *self, struct tsim *sim, bool built)
+{
+	const struct ts_wall *w = self->state;
+	const struct ts_pair *pair = pair_of(sim);
+	const struct ts_granular_model *m;
+
+	if (!ts_wall_has_law(w, sim))
+		return TS_OK;
+	m = ts_wall_model(w, sim);
+	if (!ts_cohesion_bridges(m))
+		return TS_OK;
+	if (m->cohesion == TS_COHESION_WASHINO)
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "fix %s: cohesion washino/capillary/viscous is for particles alone; give the wall a model with "
+			       "`cohesion easo/capillary/viscous`, or without cohesion", self->style->name);
+	if (pair && (pair->model.normal || built) ? ts_cohesion_bridges(&pair->model) : !built)
+		return TS_OK;
+	return ts_fail(&sim->error, TS_STATE, &self->where,
+		       "fix %s: particles are dry: bridges of liquid at a wall need a `pair_style gran ... cohesion "
+		       "easo/capillary/viscous`, which keeps the liquid", self->style->name);
+}
+
+enum ts_status ts_wall_init(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_wall *w = self->state;
+
+	TS_TRY(ts_granular_words_check(sim, self, "fix wall/gran", &w->words));
+	TS_TRY(ts_heat_read_area(sim, "fix wall/gran", w->area_words, &w->area));
+	if (w->store_force)
+		TS_TRY(add_column(self, sim));
+	w->contacts.want_reports |= w->list_contacts;
+	w->own_model = w->given || w->words.normal != TS_NORMAL_OFF;
+	if (w->own_model && !w->given)
+		w->model = ts_granular_model_of(sim, &w->words);
+	TS_TRY(check_bridges(self, sim, false));
+	if (!w->own_model)
+		return TS_OK;
+	return ts_granular_turns(&w->model)
+		       ? ts_particles_need(sim, TS_NEED(OMEGA) | TS_NEED(TORQUE))
+		       : TS_OK;
+}
+
+const struct ts_granular_model *ts_wall_model(const struct ts_wall *w, const struct tsim *sim)
+{
+	return w->own_model ? &w->model : &pair_of(sim)->model;
+}
+
+const struct ts_granular_pair *ts_wall_law(const struct ts_wall *w, const struct tsim *sim, int wall,
+					   int particle)
+{
+	return w->own_model ? &w->law[wall * (w->ntypes + 1) + particle]
+			    : ts_pair_law(pair_of(sim), particle, wall);
+}
+
+bool ts_wall_has_law(const struct ts_wall *w, const struct tsim *sim)
+{
+	return w->own_model || pair_of(sim);
+}
+
+/* Room for the constants of all types that the wall may have. */
+static enum ts_status reserve(struct ts_instance *self, struct tsim *sim, int type)
+{
+	struct ts_wall *w = self->state;
+	int most = sim->particles->ntypes > type ? sim->particles->ntypes : type;
+	size_t n = (size_t)most + 1;
+
+	if (w->law && w->ntypes >= most)
+		return TS_OK;
+	w->law = ts_arena_alloc(&self->arena, n * n, sizeof *w->law);
+	w->conductivity = ts_arena_alloc(&self->arena, n * n, sizeof *w->conductivity);
+	w->ntypes = most;
+	return w->law && w->conductivity ? TS_OK : ts_nomem(&sim->error);
+}
+
+static enum ts_status make_law(struct ts_instance *self, struct tsim *sim, int wall, int particle)
+{
+	struct ts_wall *w = self->state;
+	size_t k = (size_t)(wall * (w->ntypes + 1) + particle);
+	double own, other;
+	char who[80];
+
+	snprintf(who, sizeof who, "fix %s", self->style->name);
+	w->law[k] = w->numbers;
+	if (w->own_model && !w->given)
+		TS_TRY(ts_granular_material(sim, &w->model, particle, wall, who, &self->where,
+					    &w->law[k]));
+	if (ts_cohesion_bridges(ts_wall_model(w, sim)))
+		w->bridges = fmax(w->bridges, 2 * (ts_wall_law(w, sim, wall, particle)->most_gap - 1));
+	if (!w->warm || !ts_heat_of(sim))
+		return TS_OK;
+	TS_TRY(ts_heat_conductivity(sim, particle, who, &self->where, &own));
+	TS_TRY(ts_heat_conductivity(sim, wall, who, &self->where, &other));
+	w->conductivity[k] = ts_heat_pair_conductivity(own, other);
+	return TS_OK;
+}
+
+enum ts_status ts_wall_make_law(struct ts_instance *self, struct tsim *sim, int type)
+{
+	struct ts_wall *w = self->state;
+	int most = ts_largest_type(sim);
+
+	TS_TRY(check_bridges(self, sim, true));
+	w->batch = ts_wall_batch_of(ts_wall_model(w, sim));
+	TS_TRY(reserve(self, sim, type));
+	for (int t = 1; t <= most; t++)
+		TS_TRY(make_law(self, sim, type, t));
+	return TS_OK;
+}
+
+void ts_wall_rebuild_start(struct ts_wall *w, const struct tsim *sim, size_t own,
+			   struct ts_wall_rebuild *rebuild)
+{
+	ts_wall_contacts_start(&w->contacts, rebuild,
+			       (size_t)ts_granular_memory(ts_wall_model(w, sim)) + own);
+}
+
+enum ts_status ts_wall_rebuild_finish(struct ts_wall *w, struct tsim *sim,
+				      struct ts_wall_rebuild *rebuild, enum ts_status status)
+{
+	if (status == TS_OK)
+		return ts_wall_contacts_finish(sim, &w->contacts, rebuild);
+	ts_wall_contacts_release(&rebuild->old);
+	return status;
+}
+
+bool ts_wall_pulls(const struct ts_wall *w, const struct tsim *sim)
+{
+	const struct ts_granular_model *m = ts_wall_has_law(w, sim) ? ts_wall_model(w, sim) : NULL;
+
+	return m && (ts_granular_reaches(m) || m->multi);
+}
+
+double ts_wall_reach(const struct ts_wall *w, const struct tsim *sim, double radius)
+{
+	size_t types = (size_t)w->ntypes + 1;
+	double most = w->bridges * radius;
+
+	if (!w->law || !ts_wall_pulls(w, sim))
+		return most;
+	if (ts_wall_model(w, sim)->multi)
+		return TS_BULGE_MOST * radius;
+	if (!ts_normal_sticks(ts_wall_model(w, sim)))
+		return most;
+	if (!w->own_model)
+		return ts_pair_reach(sim, 4 * radius); /* that of a pair of this radius: half of it is R* */
+	/* hollow surfaces stick farther; they are found while their curvature is less than half the sphere's */
+	for (size_t k = 0; k < types * types; k++)
+		if (w->law[k].kn > 0)
+			most = fmax(most, ts_jkr_reach(&w->law[k], 2 * radius));
+	return most;
+}
+
+void ts_wall_start(struct ts_wall *w, struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+
+	w->force[0] = w->force[1] = w->force[2] = 0;
+	if (w->store_force && p->n)
+		memset(p->column[w->stored].data, 0, p->n * 3 * sizeof(double));
+}
+
+void ts_wall_finish(struct ts_wall *w)
+{
+	uint8_t *touching = w->contacts.touching;
+
+	w->inside = TS_WALL_NONE;
+	for (size_t k = 0; k < w->contacts.n; k++) {
+		if (!touching[k])
+			continue;
+		ts_sub(w->force, w->contacts.force[k], w->force);
+		if (touching[k] == TS_TOUCH_INSIDE && w->inside == TS_WALL_NONE)
+			w->inside = k;
+	}
+}
+
+size_t ts_wall_history(const struct ts_wall *w, const struct tsim *sim)
+{
+	return ts_wall_has_law(w, sim) ? (size_t)ts_granular_memory(ts_wall_model(w, sim)) : 0;
+}
+
+static enum ts_status setup_check(struct ts_instance *self, struct tsim *sim, int type)
+{
+	const struct ts_wall *w = self->state;
+	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
+	const struct ts_pair *state;
+
+	if (w->own_model)
+		return TS_OK;
+	if (!pair)
+		return ts_fail(
+			&sim->error, TS_STATE, &self->where,
+			"fix %s takes the contact law of the pair_style, and there is none",
+			self->style->name);
+	state = pair->state;
+	if (type > state->ntypes)
+		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, "type"),
+			       "fix %s: type %d does not exist, create_box made %d",
+			       self->style->name, type, state->ntypes);
+	for (size_t i = 0; i < sim->particles->n; i++) {
+		int met = sim->particles->type[i];
+
+		if (ts_in_group(sim->particles, i, self->group) &&
+		    !state->coeffs.given[met * (state->ntypes + 1) + type])
+			return ts_fail(
+				&sim->error, TS_STATE, &self->where,
+				"a wall of type %d meets particles of type %d, but there is no "
+				"`pair_coeff %d %d ...`",
+				type, met, met, type);
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_wall_plan(struct ts_instance *self, struct tsim *sim, int type,
+			    struct ts_plan_report *plan)
+{
+	const struct ts_wall *w = self->state;
+	struct ts_lightest *lightest;
+	double speed = ts_fastest(sim, self->group);
+	enum ts_status status = TS_OK;
+	char what[64];
+
+	TS_TRY(setup_check(self, sim, type));
+	TS_TRY(ts_multicontact_check(sim, ts_wall_model(w, sim), &self->where));
+	TS_TRY(ts_located_check(sim, ts_wall_model(w, sim), ts_instance_word(self, "located")));
+	lightest = ts_lightest(sim, self->group);
+	if (!lightest)
+		return ts_nomem(&sim->error);
+	for (int t = 1; t <= sim->particles->ntypes && status == TS_OK; t++) {
+		struct ts_contact_case c = { ts_wall_model(w, sim), ts_wall_law(w, sim, type, t),
+					     lightest[t].radius[0], 1 / lightest[t].inverse_mass[0],
+					     0, speed };
+
+		snprintf(what, sizeof what, "of type %d with wall %.24s", t, self->id);
+		if (lightest[t].inverse_mass[0] > 0)
+			status = ts_report_contact(plan, sim, &self->where, &c, what);
+	}
+	ts_free(lightest);
+	return status;
+}
+
+bool ts_wall_case(const struct ts_wall *w, const struct tsim *sim, size_t k, struct ts_contact_case *out)
+{
+	const struct ts_wall_seen *seen = &w->contacts.seen[k];
+	size_t i = (size_t)w->contacts.row[k];
+
+	if (!(seen->overlap > 0) || !(sim->particles->imass[i] > 0))
+		return false;
+	*out = (struct ts_contact_case){ ts_wall_model(w, sim),
+					 ts_wall_law(w, sim, seen->type, sim->particles->type[i]),
+					 seen->r_eff, 1 / sim->particles->imass[i], seen->overlap, 0 };
+	return true;
+}
+
+enum ts_status ts_wall_eval_force(struct ts_instance *self, const struct tsim *sim,
+				  struct ts_table *out)
+{
+	const struct ts_wall *w = self->state;
+
+	(void)sim;
+	for (int k = 0; k < 3; k++)
+		out->data[k] = w->force[k];
+	return TS_OK;
+}
+
+const char *const ts_wall_force_names[] = { "fx", "fy", "fz" };
+
+enum ts_status ts_wall_eval_contacts(struct ts_instance *self, const struct tsim *sim,
+				     struct ts_table *out)
+{
+	const struct ts_wall *w = self->state;
+	const struct ts_particles *p = sim->particles;
+
+	TS_TRY(ts_table_resize(out, p->n, TS_WALL_CONTACT_COLUMNS));
+	if (p->n)
+		memset(out->data, 0, p->n * TS_WALL_CONTACT_COLUMNS * sizeof *out->data);
+	for (size_t k = 0; k < w->contacts.n; k++) {
+		const struct ts_wall_report *r = ts_wall_report(&w->contacts, k);
+		size_t i = (size_t)w->contacts.row[k];
+		double *to = out->data + i * TS_WALL_CONTACT_COLUMNS;
+
+		if (!r || i >= p->n)
+			continue;
+		to[0] = 1;
+		for (int d = 0; d < 3; d++) {
+			to[1 + d] = r->force[d];
+			to[4 + d] = r->point[d];
+		}
+		to[7] = p->radius[i];
+	}
+	return TS_OK;
+}
+
+bool ts_wall_gives(const struct ts_instance *self, const struct ts_value *value)
+{
+	return value->eval != ts_wall_eval_contacts ||
+	       ((const struct ts_wall *)self->state)->list_contacts;
+}
+
+const char *const ts_wall_contact_names[] = { "touches", "fx", "fy", "fz", "x", "y", "z", "radius" };
+
+struct ts_wall *ts_walls_next(const struct tsim *sim, size_t *k, const struct ts_instance **by)
+{
+	const struct ts_instance *inst = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_WALL, k);
+
+	if (by)
+		*by = inst;
+	return inst ? inst->state : NULL;
+}
+
+void ts_walls_want_reports(const struct tsim *sim)
+{
+	struct ts_wall *w;
+
+	for (size_t k = 0; (w = ts_walls_next(sim, &k, NULL));)
+		w->contacts.want_reports = true;
+}
+
+enum ts_status ts_wall_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	struct ts_wall *w = self->state;
+
+	if (w->store_force)
+		TS_TRY(ts_particles_archive_column(a, sim, sim->particles->column[w->stored].name,
+						   w->stored));
+	return ts_wall_contacts_archive(a, sim, &w->contacts);
+}
+
+void ts_wall_fini(struct ts_instance *self)
+{
+	ts_wall_contacts_release(&((struct ts_wall *)self->state)->contacts);
+}

@@ -1,0 +1,212 @@
+#include "wall/wall_contacts.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "particle/particles.h"
+
+#include "base/banned.h"
+
+void ts_wall_contacts_start(struct ts_wall_contacts *c, struct ts_wall_rebuild *rebuild,
+			    size_t width)
+{
+	rebuild->old = *c;
+	*c = (struct ts_wall_contacts){ .width = width, .want_reports = rebuild->old.want_reports };
+}
+
+enum ts_status ts_wall_contacts_add(struct tsim *sim, struct ts_wall_contacts *c, size_t i,
+				    int element)
+{
+	size_t n = c->n + 1;
+
+	if (TS_GROW(c->row, c->row_capacity, n) != TS_OK ||
+	    TS_GROW(c->key, c->key_capacity, n) != TS_OK ||
+	    TS_GROW(c->touching, c->touching_capacity, n) != TS_OK ||
+	    TS_GROW(c->seen, c->seen_capacity, n) != TS_OK ||
+	    TS_GROW(c->memory, c->memory_capacity, n * c->width + 1) != TS_OK ||
+	    TS_GROW(c->force, c->force_capacity, n) != TS_OK ||
+	    (c->want_reports && TS_GROW(c->report, c->report_capacity, n) != TS_OK))
+		return ts_nomem(&sim->error);
+	c->row[c->n] = (int32_t)i;
+	c->key[c->n][0] = sim->particles->tag[i];
+	c->key[c->n][1] = element;
+	c->touching[c->n] = 0;
+	c->seen[c->n].overlap = 0;
+	for (size_t k = 0; k < c->width; k++)
+		c->memory[c->n * c->width + k] = 0;
+	ts_wall_contact_rest(c, c->n);
+	if (c->want_reports)
+		c->report[c->n] = (struct ts_wall_report){ 0 };
+	c->n++;
+	return TS_OK;
+}
+
+static int compare(const void *a, const void *b)
+{
+	const int32_t *x = a, *y = b;
+
+	if (x[0] != y[0])
+		return x[0] < y[0] ? -1 : 1;
+	return (x[1] > y[1]) - (x[1] < y[1]);
+}
+
+/* Whether there is anything to carry over: most particles are near, but do not touch. */
+static bool remembers(const struct ts_wall_contacts *c, size_t k)
+{
+	if (c->report && c->report[k].touching > 0)
+		return true;
+	for (size_t d = 0; d < c->width; d++)
+		if (c->memory[k * c->width + d] != 0)
+			return true;
+	return false;
+}
+
+/* Walls are asked in the order of particles in memory, which a rebuild may change: the old keys are
+ * listed in order, each with its place, and looked up. */
+static int32_t (*sorted_keys(const struct ts_wall_contacts *c, size_t *n))[3]
+{
+	int32_t(*list)[3] = ts_alloc(c->n, sizeof *list);
+
+	*n = 0;
+	for (size_t k = 0; list && k < c->n; k++) {
+		if (!remembers(c, k))
+			continue;
+		list[*n][0] = c->key[k][0];
+		list[*n][1] = c->key[k][1];
+		list[(*n)++][2] = (int32_t)k;
+	}
+	if (list)
+		qsort(list, *n, sizeof *list, compare);
+	return list;
+}
+
+/* Contact k of one list was contact `was` of the other. */
+static void carry(struct ts_wall_contacts *c, size_t k, const struct ts_wall_contacts *old, size_t was)
+{
+	c->touching[k] = 1;
+	if (c->width && c->width == old->width)
+		memcpy(ts_wall_memory(c, k), ts_wall_memory(old, was),
+		       c->width * sizeof *c->memory);
+	if (c->report && old->report)
+		c->report[k] = old->report[was];
+}
+
+enum ts_status ts_wall_contacts_finish(struct tsim *sim, struct ts_wall_contacts *c,
+				       struct ts_wall_rebuild *rebuild)
+{
+	const struct ts_wall_contacts *old = &rebuild->old;
+	bool some = old->n && c->n && ((c->width && old->width == c->width) || old->report);
+	size_t n = 0;
+	int32_t(*list)[3] = some ? sorted_keys(old, &n) : NULL;
+
+	for (size_t k = 0; n && k < c->n; k++) {
+		const int32_t *found = bsearch(c->key[k], list, n, sizeof *list, compare);
+
+		if (found)
+			carry(c, k, old, (size_t)found[2]);
+	}
+	ts_wall_contacts_release(&rebuild->old);
+	if (some && !list)
+		return ts_nomem(&sim->error);
+	ts_free(list);
+	return TS_OK;
+}
+
+void ts_wall_contact_end(struct ts_wall_contacts *c, size_t k)
+{
+	ts_wall_contact_rest(c, k);
+	c->touching[k] = 0;
+	c->seen[k].overlap = 0;
+	if (c->width)
+		memset(ts_wall_memory(c, k), 0, c->width * sizeof *c->memory);
+	if (c->report && c->report[k].touching > 0)
+		c->report[k] = (struct ts_wall_report){ 0 };
+}
+
+struct split {
+	const struct ts_wall_contacts *c;
+	ts_share_fn *share;
+	void *context;
+};
+
+/* Where the contacts of the next particle begin. */
+static size_t begin(const struct ts_wall_contacts *c, size_t k)
+{
+	while (k > 0 && k < c->n && c->row[k] == c->row[k - 1])
+		k++;
+	return k;
+}
+
+static void whole_particles(void *context, size_t from, size_t to)
+{
+	const struct split *split = context;
+
+	split->share(split->context, begin(split->c, from), begin(split->c, to));
+}
+
+void ts_wall_contacts_parallel(const struct tsim *sim, const struct ts_wall_contacts *c,
+			       ts_share_fn *share, void *context)
+{
+	struct split split = { c, share, context };
+
+	/* a contact is worth many particles of other loops */
+	ts_parallel(ts_team(sim, 16 * c->n), c->n, whole_particles, &split);
+}
+
+/* Reports are there only if somebody wanted them. Those of older files lack a number: the next step makes new ones. */
+static enum ts_status archive_reports(struct ts_archive *archive, struct tsim *sim,
+				      struct ts_wall_contacts *c)
+{
+	static const char name[] = "curved_reports";
+	bool there = ts_archive_writing(archive) ? c->report != NULL : ts_archive_has(archive, name);
+
+	if (!there)
+		return TS_OK;
+	if (TS_GROW(c->report, c->report_capacity, c->n) != TS_OK)
+		return ts_nomem(&sim->error);
+	return ts_archive_fixed(archive, name, TS_SAVED_F64, c->report,
+				c->n * TS_WALL_REPORT);
+}
+
+enum ts_status ts_wall_contacts_archive(struct ts_archive *archive, struct tsim *sim,
+					struct ts_wall_contacts *c)
+{
+	int64_t size[2] = { (int64_t)c->n, (int64_t)c->width };
+
+	if (!ts_archive_has(archive, "contacts")) /* walls of version 1 remember nothing */
+		return TS_OK;
+	TS_TRY(ts_archive_fixed(archive, "contacts", TS_SAVED_I64, size, 2));
+	if (size[0] < 0 || size[0] > INT32_MAX || size[1] < 0 || size[1] > 1024)
+		return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible contacts with a wall");
+	TS_TRY(ts_archive_expect(archive, "contact_keys", TS_SAVED_I32, 2 * (size_t)size[0]));
+	TS_TRY(ts_archive_expect(archive, "contact_memory", TS_SAVED_F64,
+				 (size_t)size[0] * (size_t)size[1]));
+	if (!ts_archive_writing(archive)) {
+		ts_wall_contacts_release(c);
+		c->n = (size_t)size[0];
+		c->width = (size_t)size[1];
+		if (TS_GROW(c->row, c->row_capacity, c->n) != TS_OK ||
+		    TS_GROW(c->key, c->key_capacity, c->n) != TS_OK ||
+		    TS_GROW(c->touching, c->touching_capacity, c->n) != TS_OK ||
+		    TS_GROW(c->seen, c->seen_capacity, c->n) != TS_OK ||
+		    TS_GROW(c->memory, c->memory_capacity, c->n * c->width + 1) != TS_OK ||
+		    TS_GROW(c->force, c->force_capacity, c->n) != TS_OK)
+			return ts_nomem(&sim->error);
+	}
+	TS_TRY(ts_archive_fixed(archive, "contact_keys", TS_SAVED_I32, c->key, 2 * c->n));
+	TS_TRY(ts_archive_fixed(archive, "contact_memory", TS_SAVED_F64, c->memory,
+				c->n * c->width));
+	return archive_reports(archive, sim, c);
+}
+
+void ts_wall_contacts_release(struct ts_wall_contacts *c)
+{
+	ts_free(c->row);
+	ts_free(c->key);
+	ts_free(c->touching);
+	ts_free(c->seen);
+	ts_free(c->memory);
+	ts_free(c->force);
+	ts_free(c->report);
+	*c = (struct ts_wall_contacts){ .want_reports = c->want_reports };
+}
