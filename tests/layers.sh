@@ -1,48 +1,91 @@
-#!/bin/sh
-# A folder of src/ includes from itself and from the folders it stands on, nothing else; a style
-# never includes another style.
-cd "$top_srcdir/src" || exit 1
+#!/bin/bash
+# The folders of src/ stand on each other as the table of doc/design.md says, by what files include and by what
+# objects link to (nm): the library part of a folder uses only the folders named in its line, all of which have
+# their own line above it; its styles those and the ones of the last column, and no other style. So there is no circle of folders.
+# Within a folder files call each other in circles only as far as the list `circles` of doc/design.md says.
+command -v nm >/dev/null || { echo 'skipped: needs nm (apt-get install binutils)'; exit 77; }
+here=$PWD
+builddir=$(cd "${top_builddir:-.}" && pwd)
+cd "${top_srcdir:-$(dirname "$0")/..}" || exit 99
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
 
-allowed() {
-	case $1 in
-	base) echo base ;;
-	math) echo base math ;;
-	law) echo base math law ;;
-	core) echo base math core ;;
-	particles) echo base math geom core particles ;;
-	script) echo base math core script ;;
-	geom) echo base math geom ;;
-	neigh) echo base math geom core particles law neigh ;;
-	flow) echo base math geom core particles law flow ;;
-	io) echo base math geom core particles io ;;
-	crosscheck) echo base math core io crosscheck ;;
-	advise) echo base math core io neigh particles script crosscheck advise ;;
-	program) echo base core crosscheck advise script program tsim.h ;;
-	library) echo base math geom core particles script library tsim.h ;;
-	review) echo base math law geom core particles neigh review ;;
-	styles) echo base math law geom core particles neigh flow io ;;
-	esac
+sources() {
+	sed -n 's/^\t\(src\/[^ ]*\).*/\1/p' src/sources.mk | grep /.*/
 }
+sources | xargs grep -l '^TS_STYLE(' | grep -v '^src/script/' | sed 's|^src/|style |' >"$work/styles"
 
-find . -mindepth 2 -name '*.[ch]' ! -name style_table.c | sort | sed 's|^\./||' |
-while read -r file; do
-	folder=${file%%/*}
-	sed -n 's/^[ \t]*#[ \t]*include[ \t]*"\([^"]*\)".*/\1/p' "$file" | while read -r header; do
-		case $header in
-		*/* | tsim.h) ;;
-		*)
-			echo "src/$file: includes \"$header\"; paths are relative to src/"
-			continue
-			;;
-		esac
-		case " $(allowed "$folder") " in
-		*" ${header%%/*} "*) ;;
-		*) echo "src/$file: $folder must not include from ${header%%/*} (\"$header\")" ;;
-		esac
+# "FILE FILE how": the first includes a header of, or links to a symbol of, the second
+sources | while read -r file; do
+	sed -n 's|^[ \t]*#[ \t]*include[ \t]*"\([^"]*\)".*|edge '"${file#src/}"' \1 includes|p' "$file"
+done >"$work/edges"
+sources | sed -n 's|\.c$||p' | while read -r stem; do
+	for object in "$builddir/$stem.o" "${builddir}/${stem%/*}/libtsim_a-${stem##*/}.o"; do
+		[ -f "$object" ] && nm "$object" | sed "s|^|${stem#src/}.c |"
 	done
-done >"${TMPDIR:-/tmp}/layers.$$"
-cat "${TMPDIR:-/tmp}/layers.$$"
-[ ! -s "${TMPDIR:-/tmp}/layers.$$" ]
+done | awk '
+	NF == 3 && $2 ~ /^[Uu]$/ { used[$1 " " $3] = 1 }
+	NF == 4 && $3 ~ /^[TDBRVWCi]$/ { by[$4] = $1 }
+	END {
+		for (u in used) {
+			split(u, part, " ")
+			if (part[2] in by && by[part[2]] != part[1])
+				print "edge", part[1], by[part[2]], "calls:" part[2]
+		}
+	}' | sort >>"$work/edges"
+grep -q calls: "$work/edges" || { echo "no objects in $builddir"; exit 99; }
+
+# the table: | `folder` | what | uses | its styles also use |
+awk -F'|' '/^## Folders/ { on = 1 } /^## / && !/^## Folders/ { on = 0 }
+	on && $2 ~ /^ *`[a-z]+` *$/ { gsub(/[` ]/, "", $2); print "folder", $2; n = split($4, u, " "); for (k = 1; k <= n; k++) print "uses", $2, u[k]
+		n = split($5, u, " "); for (k = 1; k <= n; k++) print "also", $2, u[k] }
+	/^circle: / { gsub(/[`,]/, ""); sub(/^circle: /, ""); print "circle", $0 }' doc/design.md >"$work/table"
+
+cat "$work/table" "$work/styles" "$work/edges" | awk '
+	function folder(file) { return file ~ /\// ? substr(file, 1, index(file, "/") - 1) : "" }
+	function fault(text) { if (!(text in told)) print text; told[text] = 1; bad = 1 }
+	$1 == "folder" { line[$2] = ++lines }
+	$1 == "uses" {
+		uses[$2, $3] = 1
+		if (!($3 in line))
+			fault("doc/design.md: " $2 " uses " $3 ", which has no line above it")
+	}
+	$1 == "also" { also[$2, $3] = 1 }
+	$1 == "circle" { for (k = 2; k <= NF; k++) circle[$k] = $2 }
+	$1 == "style" { style[$2] = 1 }
+	$1 == "edge" {
+		a = folder($2); b = folder($3)
+		if (a == "" || b == "") next
+		if (!(a in line)) fault("doc/design.md has no line for the folder " a)
+		if ($3 in style) fault($2 " " $4 " of the style " $3)
+		else if (a == b) {
+			if (!($2 in style) && $4 ~ /^calls:/) near[$2] = near[$2] " " $3
+		} else if (($2 in style) && ((a, b) in also)) seen[a, b] = 1
+		else if ((a, b) in uses) seen[a, b] = 1
+		else fault($2 ($2 in style ? " (style)" : "") " " $4 ($4 == "includes" ? " " : " of ") $3 ": " a " may not use " b)
+	}
+	# files of a folder that reach each other
+	function walk(from, at,    n, next_, k) {
+		n = split(near[at], next_, " ")
+		for (k = 1; k <= n; k++)
+			if (!((from, next_[k]) in reach)) { reach[from, next_[k]] = 1; walk(from, next_[k]) }
+	}
+	END {
+		for (u in uses) if (!(u in seen)) { split(u, p, SUBSEP); fault("doc/design.md: " p[1] " does not use " p[2]) }
+		for (u in also) if (!(u in seen)) { split(u, p, SUBSEP); fault("doc/design.md: styles of " p[1] " do not use " p[2]) }
+		for (f in near) files[++n] = f
+		for (k = 1; k <= n; k++) walk(files[k], files[k])
+		for (k = 1; k <= n; k++) {
+			f = files[k]
+			if (((f, f) in reach) && !(f in circle)) {
+				with = ""
+				for (j = 1; j <= n; j++)
+					if (files[j] != f && ((f, files[j]) in reach) && ((files[j], f) in reach)) with = with " " files[j]
+				fault(f " is in a circle of calls with" with)
+			}
+		}
+		exit bad
+	}' >"$work/faults"
 status=$?
-rm -f "${TMPDIR:-/tmp}/layers.$$"
+sort "$work/faults"
 exit $status
