@@ -214,11 +214,11 @@ library_sources = \
 	src/core/each.c \
 	src/core/each.h \
 	src/core/group.h \
-	src/core/help.c \
-	src/core/help.h \
 	src/core/host.h \
 	src/core/known.c \
 	src/core/known.h \
+	src/core/life.c \
+	src/core/life.h \
 	src/core/name_list.c \
 	src/core/name_list.h \
 	src/core/pending.c \
@@ -228,6 +228,8 @@ library_sources = \
 	src/core/ref_list.c \
 	src/core/ref_list.h \
 	src/core/registry.c \
+	src/core/report.c \
+	src/core/report.h \
 	src/core/review.c \
 	src/core/review.h \
 	src/core/saver.c \
@@ -243,6 +245,7 @@ library_sources = \
 	src/core/style.h \
 	src/core/sweep.c \
 	src/core/sweep.h \
+	src/core/tables.h \
 	src/core/units.h \
 	src/core/uses.c \
 	src/core/uses.h \
@@ -293,6 +296,7 @@ library_sources = \
 	src/crosscheck/outputs.c \
 	src/crosscheck/reader.c \
 	src/crosscheck/reader.h \
+	src/crosscheck/reader_text.c \
 	src/crosscheck/reader_vtk.c \
 	src/crosscheck/report.c \
 	src/dump/command_dump.c \
@@ -335,6 +339,7 @@ library_sources = \
 	src/explain/guard.c \
 	src/explain/guard.h \
 	src/explain/plan_report.c \
+	src/explain/plan_report.h \
 	src/explain/price.c \
 	src/explain/price.h \
 	src/flow/advance.c \
@@ -562,6 +567,9 @@ library_sources = \
 	src/library/library_run.c \
 	src/library/library_state.c \
 	src/library/library_value.c \
+	src/library/style_table.c \
+	src/library/tables.c \
+	src/library/tables.h \
 	src/limits/fix_check_timestep_gran.c \
 	src/limits/linkage.c \
 	src/limits/linkage.h \
@@ -569,6 +577,14 @@ library_sources = \
 	src/limits/network.h \
 	src/limits/pace.c \
 	src/limits/pace.h \
+	src/manual/grammar.c \
+	src/manual/help.c \
+	src/manual/help.h \
+	src/manual/manual.c \
+	src/manual/manual.h \
+	src/manual/manual_search.c \
+	src/manual/topics.c \
+	src/manual/topics.h \
 	src/material/command_material.c \
 	src/material/fix_property_global.c \
 	src/material/material.c \
@@ -825,14 +841,10 @@ library_sources = \
 	src/script/expr_special.c \
 	src/script/expr_step.c \
 	src/script/flow_control.c \
-	src/script/grammar.c \
 	src/script/interpreter.h \
 	src/script/later.c \
 	src/script/line.c \
 	src/script/line.h \
-	src/script/manual.c \
-	src/script/manual.h \
-	src/script/manual_search.c \
 	src/script/number_format.c \
 	src/script/number_format.h \
 	src/script/partition.c \
@@ -855,8 +867,6 @@ library_sources = \
 	src/script/variable_list.c \
 	src/script/variable_state.c \
 	src/script/variable_text.c \
-	src/style_table.c \
-	src/systems.c \
 	src/thermo/command_thermo.c \
 	src/thermo/command_thermo_log.c \
 	src/thermo/command_thermo_modify.c \

@@ -9,6 +9,7 @@
 #include "deck.h"
 
 #include "core/sim.h"
+#include "library/tables.h"
 
 enum { MOST_ITEMS = 64 };
 

@@ -8,9 +8,11 @@
 #include <unistd.h>
 
 #include "crosscheck/crosscheck.h"
+#include "core/life.h"
 #include "crosscheck/inputs.h"
 #include "crosscheck/meaning.h"
 #include "base/process.h"
+#include "library/tables.h"
 
 static struct tsim *sim;
 static struct ts_str root;
@@ -19,7 +21,7 @@ static long balance;
 static void set_up(void)
 {
 	balance = ts_alloc_balance();
-	sim = ts_sim_new();
+	sim = ts_sim_new(&ts_tables);
 	ck_assert_ptr_nonnull(sim);
 	ck_assert_int_eq(ts_folder_scratch(&root, &sim->error), TS_OK);
 	ck_assert_int_eq(chdir(root.text), 0);

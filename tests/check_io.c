@@ -10,11 +10,12 @@
 #include <unistd.h>
 
 #include "core/pending.h"
-#include "core/sim.h"
+#include "core/life.h"
 #include "box/domain.h"
 #include "io/decimal.h"
 #include "io/format.h"
 #include "io/replace.h"
+#include "library/tables.h"
 #include "restart/restart.h"
 #include "io/textfile.h"
 #include "io/vtk.h"
@@ -25,7 +26,7 @@ static long balance;
 static void set_up(void)
 {
 	balance = ts_alloc_balance();
-	sim = ts_sim_new();
+	sim = ts_sim_new(&ts_tables);
 	ck_assert_ptr_nonnull(sim);
 }
 

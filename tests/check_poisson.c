@@ -5,7 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/sim.h"
+#include "core/life.h"
+#include "library/tables.h"
 #include "math/rng.h"
 #include "poisson/fourier.h"
 #include "poisson/poisson.h"
@@ -164,7 +165,7 @@ static bool serves(const char *line, const struct ts_poisson *poisson)
 	const char *why;
 
 	snprintf(name, sizeof name, "%.*s", (int)strcspn(line, " "), line);
-	style = ts_style_find(TS_KIND_PRESSURE, name);
+	style = ts_style_find(&ts_tables, TS_KIND_PRESSURE, name);
 	ck_assert_ptr_nonnull(style);
 	return ts_pressure_suits((const struct ts_pressure_style *)style, poisson, &why);
 }
@@ -212,7 +213,7 @@ static const struct {
 /* rhs = div grad p for a random p, all combinations of conditions: the solution is p, or p less its mean. */
 START_TEST(gives_back_what_the_operator_made)
 {
-	struct tsim *sim = ts_sim_new();
+	struct tsim *sim = ts_sim_new(&ts_tables);
 
 	for (size_t s = 0; s < sizeof shapes / sizeof *shapes; s++) {
 		const struct shape *shape = &shapes[s];
@@ -275,7 +276,7 @@ static double smooth_error(struct tsim *sim, const char *line, int n)
 
 START_TEST(of_second_order)
 {
-	struct tsim *sim = ts_sim_new();
+	struct tsim *sim = ts_sim_new(&ts_tables);
 	double coarse = smooth_error(sim, solvers[_i].line, 24);
 	double fine = smooth_error(sim, solvers[_i].line, 72);
 
@@ -287,7 +288,7 @@ END_TEST
 /* One, two and three threads: the same bits, after some iterations where these are made. */
 START_TEST(threads_do_not_matter)
 {
-	struct tsim *sim = ts_sim_new();
+	struct tsim *sim = ts_sim_new(&ts_tables);
 	char line[100];
 
 	snprintf(line, sizeof line, "%s%s", solvers[_i].line,
@@ -327,7 +328,7 @@ END_TEST
 /* Lengths with every prime factor: each transform against the operator, in one dimension. */
 START_TEST(transforms_of_any_length)
 {
-	struct tsim *sim = ts_sim_new();
+	struct tsim *sim = ts_sim_new(&ts_tables);
 
 	for (int n = 1; n <= 131; n += n < 50 ? 1 : 3)
 		for (int code = 0; code < 5; code++) {

@@ -5,7 +5,8 @@
 #include <string.h>
 
 #include "core/known.h"
-#include "core/sim.h"
+#include "core/life.h"
+#include "library/tables.h"
 
 /* Names of the row being looked at, for messages. */
 static char here[256];
@@ -39,7 +40,7 @@ START_TEST(described)
 	EXPECT(s->kind != TS_KIND_COMMAND || ((const struct ts_command_style *)s)->run ||
 		       strstr(s->summary, "no effect"),
 	       "does nothing and does not say so");
-	EXPECT(ts_style_find(s->kind, s->name) == s,
+	EXPECT(ts_style_find(&ts_tables, s->kind, s->name) == s,
 	       "not found by its name: is it twice in the table?");
 }
 END_TEST
@@ -105,7 +106,7 @@ END_TEST
 START_TEST(defaults)
 {
 	const struct ts_style *s = ts_style_table[_i];
-	struct tsim *sim = ts_sim_new();
+	struct tsim *sim = ts_sim_new(&ts_tables);
 	struct ts_arena arena = { 0 };
 	void *state = ts_alloc_aligned(1, s->state_size + 1);
 
@@ -186,10 +187,10 @@ END_TEST
 START_TEST(accelerated_variant)
 {
 	here[0] = '\0';
-	EXPECT(ts_style_find(TS_KIND_FIX, "gravity/omp") ==
-		       ts_style_find(TS_KIND_FIX, "gravity"), "gravity/omp is not gravity");
-	EXPECT(!ts_style_find(TS_KIND_FIX, "gravit"), "the start of a name was found");
-	EXPECT(!ts_style_find(TS_KIND_FIX, "/omp"), "an ending alone was found");
+	EXPECT(ts_style_find(&ts_tables, TS_KIND_FIX, "gravity/omp") ==
+		       ts_style_find(&ts_tables, TS_KIND_FIX, "gravity"), "gravity/omp is not gravity");
+	EXPECT(!ts_style_find(&ts_tables, TS_KIND_FIX, "gravit"), "the start of a name was found");
+	EXPECT(!ts_style_find(&ts_tables, TS_KIND_FIX, "/omp"), "an ending alone was found");
 }
 END_TEST
 
@@ -205,7 +206,7 @@ END_TEST
 
 START_TEST(missing_words)
 {
-	struct tsim *sim = ts_sim_new();
+	struct tsim *sim = ts_sim_new(&ts_tables);
 	const struct ts_style *found;
 
 	for (const struct ts_known *k = ts_known_table; k->name; k++) {

@@ -4,14 +4,14 @@
 # their own line above it; its styles those and the ones of the last column, and no other style. So there is no circle of folders.
 # Within a folder files call each other in circles only as far as the list `circles` of doc/design.md says.
 command -v nm >/dev/null || { echo 'skipped: needs nm (apt-get install binutils)'; exit 77; }
-here=$PWD
 builddir=$(cd "${top_builddir:-.}" && pwd)
 cd "${top_srcdir:-$(dirname "$0")/..}" || exit 99
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
+# the generated table of styles alone names them all
 sources() {
-	sed -n 's/^\t\(src\/[^ ]*\).*/\1/p' src/sources.mk | grep /.*/
+	find src -mindepth 2 -name '*.[ch]' ! -path src/library/style_table.c | sort
 }
 sources | xargs grep -l '^TS_STYLE(' | grep -v '^src/script/' | sed 's|^src/|style |' >"$work/styles"
 
@@ -20,9 +20,7 @@ sources | while read -r file; do
 	sed -n 's|^[ \t]*#[ \t]*include[ \t]*"\([^"]*\)".*|edge '"${file#src/}"' \1 includes|p' "$file"
 done >"$work/edges"
 sources | sed -n 's|\.c$||p' | while read -r stem; do
-	for object in "$builddir/$stem.o" "${builddir}/${stem%/*}/libtsim_a-${stem##*/}.o"; do
-		[ -f "$object" ] && nm "$object" | sed "s|^|${stem#src/}.c |"
-	done
+	[ -f "$builddir/$stem.o" ] && nm "$builddir/$stem.o" | sed "s|^|${stem#src/}.c |"
 done | awk '
 	NF == 3 && $2 ~ /^[Uu]$/ { used[$1 " " $3] = 1 }
 	NF == 4 && $3 ~ /^[TDBRVWCi]$/ { by[$4] = $1 }

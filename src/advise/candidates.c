@@ -7,7 +7,7 @@
 
 #include "advise/trial.h"
 #include "contact/limits.h"
-#include "core/plan.h"
+#include "core/sim.h"
 #include "neigh/neigh.h"
 #include "particle/particles.h"
 

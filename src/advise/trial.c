@@ -15,6 +15,7 @@
 
 #include "base/clock.h"
 #include "core/plan.h"
+#include "core/report.h"
 #include "math/rng.h"
 #include "particle/particles.h"
 #include "thermo/thermo.h"

@@ -1,8 +1,8 @@
 /* Fix ave/time: averages of numbers over time. */
 #include "average/average.h"
 #include "average/average_file.h"
-#include "core/plan.h"
 #include "core/ref_list.h"
+#include "core/report.h"
 
 #include <string.h>
 

@@ -5,7 +5,7 @@
 #include "base/parallel.h"
 #include "bond/bond_loop.h"
 #include "box/domain.h"
-#include "core/plan.h"
+#include "core/report.h"
 #include "neigh/neigh.h"
 #include "particle/particles.h"
 

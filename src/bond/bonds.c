@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/plan.h"
+#include "core/report.h"
 #include "math/vec3.h"
 #include "neigh/coincide.h"
 #include "particle/identity.h"

@@ -1,4 +1,4 @@
-#include "core/sim.h"
+#include "core/life.h"
 
 #include "base/banned.h"
 

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/plan.h"
+#include "core/report.h"
 #include "core/settings.h"
 #include "mesh/mesh_surface.h"
 #include "particle/particles.h"

@@ -1,4 +1,5 @@
 #include "contact/pair.h"
+#include "core/life.h"
 
 #include "base/banned.h"
 

@@ -1,6 +1,6 @@
 /* Fix multicontact/halfspace: contacts of one grain act on each other. */
 #include "contact/multicontact.h"
-#include "core/plan.h"
+#include "core/sim.h"
 #include "wall/wall.h"
 
 #include "base/banned.h"

@@ -3,7 +3,7 @@
 #ifndef TS_CONTACT_LIMITS_H
 #define TS_CONTACT_LIMITS_H
 
-#include "core/plan.h"
+#include "core/report.h"
 #include "law/granular_limit.h"
 #include "particle/particles.h"
 

@@ -7,7 +7,7 @@
 #include "contact/limits.h"
 #include "contact/multicontact.h"
 #include "contact/substep_contacts.h"
-#include "core/plan.h"
+#include "core/report.h"
 #include "insert/template.h"
 
 #include "base/banned.h"

@@ -221,10 +221,10 @@ enum ts_status ts_arg_read_types(struct ts_parse *p, const struct ts_arg *row, s
 	return TS_OK;
 }
 
-static bool names_style(const char *name)
+static bool names_style(const struct ts_tables *tables, const char *name)
 {
-	return ts_style_find(TS_KIND_FIX, name) || ts_style_find(TS_KIND_COMPUTE, name) ||
-	       ts_style_find(TS_KIND_DUMP, name);
+	return ts_style_find(tables, TS_KIND_FIX, name) || ts_style_find(tables, TS_KIND_COMPUTE, name) ||
+	       ts_style_find(tables, TS_KIND_DUMP, name);
 }
 
 enum ts_status ts_arg_read_group(struct ts_parse *p, const struct ts_arg *row, int *out)
@@ -241,7 +241,7 @@ enum ts_status ts_arg_read_group(struct ts_parse *p, const struct ts_arg *row, i
 		return TS_OK;
 	}
 	status = ts_group_require(p->sim, word, out);
-	if (status == TS_UNKNOWN && names_style(word->text)) {
+	if (status == TS_UNKNOWN && names_style(p->sim->tables, word->text)) {
 		tail = error->message + strlen(error->message);
 		snprintf(tail, sizeof error->message - (size_t)(tail - error->message),
 			 "; '%s' is a style, the group stands before it", word->text);

@@ -1,5 +1,5 @@
 /* Command uncompute: ends a compute. */
-#include "core/sim.h"
+#include "core/life.h"
 
 #include "base/banned.h"
 

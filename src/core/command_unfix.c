@@ -1,5 +1,5 @@
 /* Command unfix: ends a fix. */
-#include "core/sim.h"
+#include "core/life.h"
 
 #include "base/banned.h"
 

@@ -1,4 +1,5 @@
 #include "core/definition.h"
+#include "core/life.h"
 
 #include "base/banned.h"
 

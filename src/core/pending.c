@@ -120,7 +120,7 @@ static enum ts_status check_identity(struct tsim *sim, const struct ts_instance 
 
 	if (p->kind != TS_KIND_FIX && p->kind != TS_KIND_COMPUTE)
 		return TS_OK;
-	if (ts_style_find(p->kind, p->style) != inst->style)
+	if (ts_style_find(sim->tables, p->kind, p->style) != inst->style)
 		return ts_fail(&sim->error, TS_STATE, &inst->where,
 			       "%s: in the restart file this id is of style %s, and %s", what,
 			       p->style, hint);
@@ -153,7 +153,7 @@ enum ts_status ts_pending_apply(struct tsim *sim, struct ts_instance *inst, stru
 	snprintf(what, sizeof what, "%s %s%s(%s)", ts_kind_name(found->kind), inst->id,
 		 *inst->id ? " " : "", inst->style->name);
 	TS_TRY(check_identity(sim, inst, found, what));
-	if (ts_style_find(found->kind, found->style) != inst->style) {
+	if (ts_style_find(sim->tables, found->kind, found->style) != inst->style) {
 		ts_log(&sim->log, "%s, changed since the restart file: it was of style %s\n", what,
 		       found->style);
 		return TS_OK;

@@ -21,17 +21,6 @@ enum { NORDER = sizeof kind_order / sizeof *kind_order };
 /* The site of random numbers that only the fingerprint sees. */
 enum { LOOKING = 2 };
 
-uint64_t ts_plan_site(const struct ts_instance *inst, int stage)
-{
-	const int32_t key[] = { (int32_t)inst->style->kind, stage };
-	struct ts_hash hash = ts_hash_start();
-
-	ts_hash_add(&hash, key, sizeof key);
-	ts_hash_text(&hash, inst->style->name);
-	ts_hash_text(&hash, inst->id);
-	return ts_hash_value(&hash) | 1;
-}
-
 static enum ts_status add_action(struct ts_plan *plan, struct tsim *sim, struct ts_instance *inst,
 				 int stage, ts_hook_fn *hook)
 {
@@ -40,7 +29,7 @@ static enum ts_status add_action(struct ts_plan *plan, struct tsim *sim, struct 
 	if (TS_GROW(plan->actions[stage], plan->capacity[stage], plan->n[stage] + 1) != TS_OK)
 		return ts_nomem(&sim->error);
 	plan->actions[stage][plan->n[stage]++] = (struct ts_action){
-		hook, inst, ts_plan_site(inst, stage), watches,
+		hook, inst, ts_instance_site(inst, stage), watches,
 		usual && inst->style->waits >> stage & 1u, !usual && !watches
 	};
 	return TS_OK;
@@ -237,7 +226,7 @@ static enum ts_status set_up(struct ts_plan *plan, struct tsim *sim)
 		TS_TRY(ts_plan_stage(plan, sim, TS_STAGE_EXCHANGE));
 	TS_TRY(ts_plan_stages(plan, sim, TS_STAGE_BUILD, TS_STAGE_POST_BUILD));
 	TS_TRY(ts_review_scene(sim, sim->clock.last_step - sim->clock.step));
-	TS_TRY(ts_plan_review(plan, sim, sim->clock.last_step - sim->clock.step));
+	TS_TRY(sim->tables->judge(plan, sim, sim->clock.last_step - sim->clock.step));
 	if (sim->explain)
 		return TS_OK;
 	return ts_plan_first_forces(plan, sim, !sim->resuming);

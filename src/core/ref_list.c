@@ -63,7 +63,7 @@ static enum ts_status unknown_quantity(struct tsim *sim, const char *what, unsig
 		return ts_fail(&sim->error, TS_UNKNOWN, &input->where,
 			       "%s: quantity '%s' is known, but tsim does not have it: %s", what, input->name, remark);
 	if (shapes & TS_WANT(PERATOM))
-		ts_quantity_suggest(&suggest);
+		ts_quantity_suggest(sim, &suggest);
 	return ts_fail(&sim->error, TS_UNKNOWN, &input->where,
 		       "%s: unknown quantity '%s', expected %sc_ID[k], f_ID[k]%s%s", what, input->name,
 		       shapes & TS_WANT(PERATOM) ? "a quantity of particles, " : "",

@@ -14,6 +14,16 @@ const char *ts_kind_name(enum ts_kind kind)
 	return names[kind];
 }
 
+bool ts_kind_find(const char *name, enum ts_kind *out)
+{
+	for (int kind = 0; kind < TS_NKIND; kind++) {
+		*out = (enum ts_kind)kind;
+		if (ts_streq(ts_kind_name(*out), name))
+			return true;
+	}
+	return false;
+}
+
 static bool same_name(const char *name, const char *text, size_t length)
 {
 	return strncmp(name, text, length) == 0 && name[length] == '\0';
@@ -62,13 +72,13 @@ const char *ts_style_other_name(const struct ts_style *style, size_t k)
 	return NULL;
 }
 
-const struct ts_style *ts_style_find(enum ts_kind kind, const char *name)
+const struct ts_style *ts_style_find(const struct ts_tables *tables, enum ts_kind kind, const char *name)
 {
 	size_t n;
 
 	name = usual_name(kind, name);
 	n = length_without_accelerator(name);
-	for (const struct ts_style *const *s = ts_style_table; *s; s++)
+	for (const struct ts_style *const *s = tables->styles; *s; s++)
 		if ((*s)->kind == kind && same_name((*s)->name, name, n))
 			return *s;
 	return NULL;
@@ -87,7 +97,7 @@ enum ts_status ts_style_require(struct tsim *sim, enum ts_kind kind, const struc
 	const struct ts_known *known = ts_known_find(kind, name->text);
 	const char *suggestion;
 
-	*out = ts_style_find(kind, name->text);
+	*out = ts_style_find(sim->tables, kind, name->text);
 	if (*out)
 		return TS_OK;
 	if (known)
@@ -95,7 +105,7 @@ enum ts_status ts_style_require(struct tsim *sim, enum ts_kind kind, const struc
 			       "%s%s '%s' is known from LIGGGHTS or LAMMPS, but tsim does not have "
 			       "it: %s",
 			       ts_kind_name(kind), kind_noun(kind), name->text, known->remark);
-	for (const struct ts_style *const *s = ts_style_table; *s; s++)
+	for (const struct ts_style *const *s = sim->tables->styles; *s; s++)
 		if ((*s)->kind == kind)
 			ts_suggest_try(&suggest, (*s)->name);
 	for (size_t k = 0; k < NALIASES; k++)

@@ -9,23 +9,23 @@
 
 #include "base/banned.h"
 
-static int number_of(const char *name)
+static int number_of(const struct tsim *sim, const char *name)
 {
-	for (int k = 0; ts_review_table[k].name && k < TS_REVIEW_MOST; k++)
-		if (ts_streq(ts_review_table[k].name, name))
+	for (int k = 0; sim->tables->checks[k].name && k < TS_REVIEW_MOST; k++)
+		if (ts_streq(sim->tables->checks[k].name, name))
 			return k;
 	return -1;
 }
 
-bool ts_review_set(struct ts_review *review, const char *name, enum ts_review_answer answer)
+bool ts_review_set(struct tsim *sim, const char *name, enum ts_review_answer answer)
 {
-	int only = name ? number_of(name) : -1;
+	int only = name ? number_of(sim, name) : -1;
 
 	if (name && only < 0)
 		return false;
 	for (int k = 0; k < TS_REVIEW_MOST; k++)
 		if (!name || k == only)
-			review->answer[k] = (uint8_t)answer;
+			sim->review.answer[k] = (uint8_t)answer;
 	return true;
 }
 
@@ -68,7 +68,7 @@ enum ts_status ts_review_find(struct tsim *sim, const char *check, const struct 
 			      const char *format, ...)
 {
 	uint64_t cause = cause_of(check, where, format);
-	int k = number_of(check);
+	int k = number_of(sim, check);
 	char text[900];
 	va_list args;
 	bool new = true;
@@ -111,9 +111,9 @@ enum ts_status ts_review_scene(struct tsim *sim, int64_t steps)
 	if ((sim->resuming && r->made) || r->doubtful)
 		return TS_OK;
 	r->steps = steps;
-	for (int k = 0; ts_review_table[k].name; k++)
-		if (ts_review_table[k].look && r->answer[k] != TS_REVIEW_OFF)
-			TS_TRY(ts_pardon(sim, ts_review_table[k].look(sim)));
+	for (int k = 0; sim->tables->checks[k].name; k++)
+		if (sim->tables->checks[k].look && r->answer[k] != TS_REVIEW_OFF)
+			TS_TRY(ts_pardon(sim, sim->tables->checks[k].look(sim)));
 	TS_TRY(ask_styles(sim));
 	r->made = true;
 	r->stale = r->stale || (sim->explain && steps > 0);

@@ -1,7 +1,7 @@
 /* The review of the scene: before the first step of a run, checks look for what is allowed but most
  * often a mistake.
  *
- * Each check is a function and a line of the table in src/review/table.c; styles that know more of
+ * Each check is a function and a line of the table in review/table.c; styles that know more of
  * themselves have the slot `review`. A finding is told once, as a warning; the command `review`
  * makes it an error or leaves the check out. Checks change nothing, and go through the particles
  * once at most: they come when a run begins, and not when it only goes on. */
@@ -21,7 +21,6 @@ struct ts_review_check {
 	const char *summary; /* what it finds: for the manual */
 	enum ts_status (*look)(struct tsim *sim); /* NULL: styles tell it */
 };
-extern const struct ts_review_check ts_review_table[]; /* closed by .name NULL */
 
 enum ts_review_answer { TS_REVIEW_WARN, TS_REVIEW_ERROR, TS_REVIEW_OFF };
 enum { TS_REVIEW_MOST = 32 }; /* checks */
@@ -40,7 +39,7 @@ struct ts_review {
 /* Before the first step of a run of so many steps. */
 enum ts_status ts_review_scene(struct tsim *sim, int64_t steps);
 /* Sets the answer of the check of that name, NULL: of all; false: there is none of that name. */
-bool ts_review_set(struct ts_review *review, const char *name, enum ts_review_answer answer);
+bool ts_review_set(struct tsim *sim, const char *name, enum ts_review_answer answer);
 void ts_review_release(struct ts_review *review);
 
 /* A finding: a number, where, and what to do. Of the same check at the same place it is told once;

@@ -14,6 +14,7 @@
 #include "core/review.h"
 #include "core/style.h"
 #include "core/sweep.h"
+#include "core/tables.h"
 
 /* Systems, owned by the folders of their names; the core knows them by pointer only. */
 struct ts_domain;
@@ -98,6 +99,7 @@ enum ts_full {
 };
 
 struct tsim {
+	const struct ts_tables *tables; /* of styles, systems, checks */
 	struct ts_error error;
 	struct ts_log log;
 	struct ts_files files; /* the one door to files; closed for -sandbox */
@@ -187,12 +189,6 @@ struct tsim {
 	void *host_data;
 };
 
-/* threads 0: as OMP_NUM_THREADS says, else 1. NULL: out of memory. */
-struct tsim *ts_sim_new(void);
-void ts_sim_free(struct tsim *sim);
-/* `clear`: everything but log, error, strings, host. */
-enum ts_status ts_sim_clear(struct tsim *sim);
-
 /* How many threads are worth it for a loop of n rounds: sharing one among threads costs as much as some
  * thousand simple rounds. Results do not depend on it. */
 static inline int ts_team(const struct tsim *sim, size_t n)
@@ -205,18 +201,6 @@ static inline int ts_team(const struct tsim *sim, size_t n)
 double ts_sim_time(const struct tsim *sim);
 void ts_sim_set_dt(struct tsim *sim, double dt);
 
-/* Creates, parses and initialises an instance. On failure nothing stays behind. An id in use is
- * replaced in place if it is of the same style (LIGGGHTS), else refused. `id` may be "" (pair, bond,
- * flow: replaces the one that lives). `out` may be NULL. */
-enum ts_status ts_sim_create(struct tsim *sim, enum ts_kind kind, const struct ts_style *style,
-			     const char *id, int group, struct ts_words args,
-			     const struct ts_place *where, struct ts_instance **out);
-/* For kinds of which one lives at most: creates it from a line `STYLE arguments`; `none`: there is none. */
-enum ts_status ts_sim_choose(struct tsim *sim, enum ts_kind kind, struct ts_words line,
-			     const struct ts_place *where);
-enum ts_status ts_sim_destroy(struct tsim *sim, enum ts_kind kind, const struct ts_word *id);
-/* The same for one that others refer to: it is found no more, and freed with all. */
-enum ts_status ts_sim_retire(struct tsim *sim, enum ts_kind kind, const struct ts_word *id);
 struct ts_instance *ts_sim_find(const struct tsim *sim, enum ts_kind kind, const char *id);
 /* The same, or an error with a suggestion. */
 enum ts_status ts_sim_require(struct tsim *sim, enum ts_kind kind, const struct ts_word *id,
@@ -236,12 +220,12 @@ enum ts_status ts_pardon(struct tsim *sim, enum ts_status status);
 /* Whether the value of this name, which is read now, hangs on a run that was only planned; notes that it was. */
 bool ts_from_run(struct tsim *sim, const char *name);
 
+/* Hash of who acts in which stage, for random numbers: see struct ts_draws; never 0. */
+uint64_t ts_instance_site(const struct ts_instance *inst, int stage);
+
 /* The place of the k-th word of the command that runs (word 0 is its name), or `where`; and of the word
  * that is written so. */
 const struct ts_place *ts_sim_word(const struct tsim *sim, size_t k, const struct ts_place *where);
 const struct ts_place *ts_sim_word_of(const struct tsim *sim, const char *text,
 				      const struct ts_place *where);
-/* Runs a command by its words (word 0 is its name). */
-enum ts_status ts_sim_command(struct tsim *sim, struct ts_words words);
-
 #endif

@@ -34,6 +34,8 @@ struct tsim;
 enum ts_kind { TS_KIND_LIST(TS_KIND_ENUM) TS_NKIND };
 #undef TS_KIND_ENUM
 const char *ts_kind_name(enum ts_kind kind);
+/* "fix" -> TS_KIND_FIX; false: no kind has this name. */
+bool ts_kind_find(const char *name, enum ts_kind *out);
 
 /* The stages of a run, in order. SETUP comes once, after the first forces. Of a step, PRE_EXCHANGE to
  * POST_BUILD are done when sim->rebuild is set (CHECK decides), else FORWARD. Particles are made in
@@ -119,7 +121,7 @@ struct ts_style {
 	/* Appends limits of the time step and other lines to the plan; see core/plan.h. Also asked while the run
 	 * goes on, after any step: must not change anything then. */
 	enum ts_status (*plan)(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *);
-	/* What a check of the table in src/review/table.c cannot see: told by ts_review_find, see core/review.h. */
+	/* What a check of the table in review/table.c cannot see: told by ts_review_find, see core/review.h. */
 	ts_hook_fn *review;
 	unsigned integrates; /* fixes: enum ts_integrates */
 	void (*fini)(struct ts_instance *self);
@@ -172,18 +174,6 @@ struct ts_system_style {
 	/* Material properties by name, for `if property_NAME`. */
 	bool (*has_property)(const struct tsim *sim, const char *name);
 };
-
-/* The table of all styles, generated (src/style_table.c): sorted by kind, then name; closed
- * by NULL. The systems are listed by hand in order of their actions (src/systems.c). */
-extern const struct ts_style *const ts_style_table[];
-extern const struct ts_system_style *const ts_system_table[];
-
-/* The only lookup; NULL if unknown. Styles have other names, too: the k-th of them, NULL: there are no more. */
-const struct ts_style *ts_style_find(enum ts_kind kind, const char *name);
-const char *ts_style_other_name(const struct ts_style *style, size_t k);
-/* The same, or an error with a suggestion. */
-enum ts_status ts_style_require(struct tsim *sim, enum ts_kind kind, const struct ts_word *name,
-				const struct ts_style **out);
 
 /* Marks a table for the generator; expands to its declaration. */
 #define TS_STYLE(kind, type, symbol) extern const struct type symbol;

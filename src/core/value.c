@@ -56,7 +56,7 @@ enum ts_status ts_value_held(struct ts_instance *inst, struct tsim *sim, const s
 		return TS_OK;
 	inst->held = NULL;
 	if (draws.site) /* random numbers in it do not depend on who reads it first */
-		sim->draws = (struct ts_draws){ ts_plan_site(inst, TS_NSTAGE), 0 };
+		sim->draws = (struct ts_draws){ ts_instance_site(inst, TS_NSTAGE), 0 };
 	status = ts_value_eval(inst, sim, value, &inst->table);
 	sim->draws = draws;
 	if (status == TS_OK) {
@@ -66,20 +66,18 @@ enum ts_status ts_value_held(struct ts_instance *inst, struct tsim *sim, const s
 	return status;
 }
 
-const struct ts_keyword *ts_keyword_find(const struct tsim *sim, const char *name)
+const struct ts_keyword *ts_keyword_find(const struct ts_tables *tables, const char *name)
 {
-	(void)sim;
-	for (const struct ts_system_style *const *s = ts_system_table; *s; s++)
+	for (const struct ts_system_style *const *s = tables->systems; *s; s++)
 		for (const struct ts_keyword *k = (*s)->keywords; k && k->name; k++)
 			if (ts_streq(k->name, name))
 				return k;
 	return NULL;
 }
 
-const struct ts_function *ts_function_find(const struct tsim *sim, const char *name)
+const struct ts_function *ts_function_find(const struct ts_tables *tables, const char *name)
 {
-	(void)sim;
-	for (const struct ts_system_style *const *s = ts_system_table; *s; s++)
+	for (const struct ts_system_style *const *s = tables->systems; *s; s++)
 		for (const struct ts_function *f = (*s)->functions; f && f->name; f++)
 			if (ts_streq(f->name, name))
 				return f;
@@ -89,7 +87,7 @@ const struct ts_function *ts_function_find(const struct tsim *sim, const char *n
 static const struct ts_system_style *quantity_owner(const struct tsim *sim,
 						      const char *name)
 {
-	for (const struct ts_system_style *const *s = ts_system_table; *s; s++)
+	for (const struct ts_system_style *const *s = sim->tables->systems; *s; s++)
 		if ((*s)->has_quantity && (*s)->has_quantity(sim, name))
 			return *s;
 	return NULL;
@@ -104,7 +102,7 @@ bool ts_quantity_kept(const struct tsim *sim, const char *name)
 {
 	bool kept = false;
 
-	for (const struct ts_system_style *const *s = ts_system_table; *s; s++)
+	for (const struct ts_system_style *const *s = sim->tables->systems; *s; s++)
 		kept |= (*s)->keeps_quantity && (*s)->keeps_quantity(sim, name);
 	return kept;
 }
@@ -119,9 +117,9 @@ enum ts_status ts_quantity_eval(struct tsim *sim, const char *name, struct ts_ta
 	return owner->quantity(sim, name, out);
 }
 
-void ts_quantity_suggest(struct ts_suggest *suggest)
+void ts_quantity_suggest(const struct tsim *sim, struct ts_suggest *suggest)
 {
-	for (const struct ts_system_style *const *s = ts_system_table; *s; s++)
+	for (const struct ts_system_style *const *s = sim->tables->systems; *s; s++)
 		if ((*s)->suggest_quantity)
 			(*s)->suggest_quantity(suggest);
 }
@@ -130,7 +128,7 @@ bool ts_property_has(const struct tsim *sim, const char *name)
 {
 	bool found = false;
 
-	for (const struct ts_system_style *const *s = ts_system_table; *s; s++)
+	for (const struct ts_system_style *const *s = sim->tables->systems; *s; s++)
 		found |= (*s)->has_property && (*s)->has_property(sim, name);
 	return found;
 }
@@ -214,7 +212,7 @@ void ts_keywords_named(struct tsim *sim, const char *text)
 			continue;
 		memcpy(name, text, n);
 		name[n] = '\0';
-		keyword = ts_keyword_find(sim, name);
+		keyword = ts_keyword_find(sim->tables, name);
 		sim->shows_contacts |= keyword && keyword->flags & TS_KEYWORD_CONTACTS;
 	}
 }
@@ -225,12 +223,12 @@ static enum ts_status resolve_keyword(struct tsim *sim, const char *name,
 	struct ts_suggest suggest = ts_suggest_start(name);
 
 	ref->kind = TS_REF_KEYWORD;
-	ref->keyword = ts_keyword_find(sim, name);
+	ref->keyword = ts_keyword_find(sim->tables, name);
 	if (ref->keyword) {
 		sim->shows_contacts |= (ref->keyword->flags & TS_KEYWORD_CONTACTS) != 0;
 		return TS_OK;
 	}
-	for (const struct ts_system_style *const *s = ts_system_table; *s; s++)
+	for (const struct ts_system_style *const *s = sim->tables->systems; *s; s++)
 		for (const struct ts_keyword *k = (*s)->keywords; k && k->name; k++)
 			ts_suggest_try(&suggest, k->name);
 	return ts_fail(&sim->error, TS_UNKNOWN, where,

@@ -15,6 +15,7 @@
 
 struct tsim;
 struct ts_instance;
+struct ts_tables;
 
 enum ts_shape {
 	TS_SCALAR = 1, /* one number                                      c_ID                 */
@@ -109,7 +110,7 @@ struct ts_keyword {
 	int flags; /* enum ts_keyword_flags */
 	enum ts_status (*eval)(struct tsim *sim, double *out);
 };
-const struct ts_keyword *ts_keyword_find(const struct tsim *sim, const char *name);
+const struct ts_keyword *ts_keyword_find(const struct ts_tables *tables, const char *name);
 /* Notes what keywords in a line of the script may look at later: see sim->shows_contacts. */
 void ts_keywords_named(struct tsim *sim, const char *text);
 
@@ -118,7 +119,7 @@ bool ts_quantity_has(const struct tsim *sim, const char *name);
 enum ts_status ts_quantity_eval(struct tsim *sim, const char *name, struct ts_table *out);
 /* Whether a fix keeps numbers of particles under the name NAME or NAME[k]. */
 bool ts_quantity_kept(const struct tsim *sim, const char *name);
-void ts_quantity_suggest(struct ts_suggest *suggest);
+void ts_quantity_suggest(const struct tsim *sim, struct ts_suggest *suggest);
 struct ts_quantity {
 	const char *name, *unit, *help;
 };
@@ -132,7 +133,7 @@ struct ts_function {
 	/* One value per local particle, in formulas of particles; eval may be NULL then. */
 	enum ts_status (*peratom)(struct tsim *sim, struct ts_words args, struct ts_table *out);
 };
-const struct ts_function *ts_function_find(const struct tsim *sim, const char *name);
+const struct ts_function *ts_function_find(const struct ts_tables *tables, const char *name);
 
 /* Whether some system has a material property of that name (property/global of LIGGGHTS). */
 bool ts_property_has(const struct tsim *sim, const char *name);

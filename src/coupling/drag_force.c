@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/plan.h"
+#include "core/sim.h"
 #include "coupling/outside.h"
 #include "integrate/integrators.h"
 #include "particle/body.h"

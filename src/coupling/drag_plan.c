@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/plan.h"
+#include "core/report.h"
 #include "flow/projection.h"
 #include "particle/particles.h"
 #include "rigid/rigid.h"

@@ -3,7 +3,7 @@
  * without such a program they stay zero.
  *
  * The names are those of LIGGGHTS: dragforce (3), Ksl, uf (3), convectiveHeatFlux. */
-#include "core/plan.h"
+#include "core/report.h"
 
 #include <math.h>
 

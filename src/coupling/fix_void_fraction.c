@@ -1,5 +1,5 @@
 /* Fix void_fraction: what particles leave of each cell to the fluid. */
-#include "core/plan.h"
+#include "core/report.h"
 
 #include <math.h>
 #include <string.h>

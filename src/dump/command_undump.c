@@ -1,5 +1,5 @@
 /* Command undump: ends a dump. */
-#include "core/sim.h"
+#include "core/life.h"
 #include "dump/dump.h"
 
 #include "base/banned.h"

@@ -1,4 +1,5 @@
 /* Command write_dump: one snapshot, now. */
+#include "core/life.h"
 #include "dump/dump_modify.h"
 
 #include "base/banned.h"

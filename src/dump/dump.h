@@ -2,7 +2,6 @@
 #ifndef TS_DUMP_DUMP_H
 #define TS_DUMP_DUMP_H
 
-#include "core/plan.h"
 #include "core/ref_list.h"
 #include "core/sim.h"
 #include "io/format.h"

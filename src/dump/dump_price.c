@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/report.h"
 #include "dump/dump.h"
 
 #include "base/banned.h"

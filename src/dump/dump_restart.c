@@ -1,5 +1,5 @@
 /* Dump restart: saves the state at intervals. */
-#include "core/plan.h"
+#include "core/report.h"
 #include "core/sim.h"
 #include "dump/dump.h"
 #include "neigh/neigh.h"

@@ -1,7 +1,7 @@
 #include <inttypes.h>
 #include <math.h>
 
-#include "core/plan.h"
+#include "core/report.h"
 #include "energy/ledger.h"
 #include "io/textfile.h"
 

@@ -6,7 +6,7 @@
 
 #include "bond/bonds.h"
 #include "contact/pair.h"
-#include "core/plan.h"
+#include "core/sim.h"
 #include "math/quaternion.h"
 #include "particle/particles.h"
 #include "rigid/rigid.h"

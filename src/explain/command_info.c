@@ -160,12 +160,12 @@ static void transforms(struct tsim *sim, struct ts_str *out)
 }
 
 /* Of one kind, or of all. */
-static void styles(struct ts_str *out, enum ts_kind only)
+static void styles(const struct tsim *sim, struct ts_str *out, enum ts_kind only)
 {
 	enum ts_kind kind = TS_NKIND;
 
 	ts_str_add(out, "Styles:");
-	for (const struct ts_style *const *s = ts_style_table; *s; s++) {
+	for (const struct ts_style *const *s = sim->tables->styles; *s; s++) {
 		if (only != TS_NKIND && (*s)->kind != only)
 			continue;
 		if ((*s)->kind != kind)
@@ -225,7 +225,7 @@ static enum ts_status print(struct tsim *sim, const struct ts_word *word, struct
 }
 
 /* styles, styles all, styles KIND: how many words. */
-static size_t print_styles(struct ts_words words, struct ts_str *out)
+static size_t print_styles(const struct tsim *sim, struct ts_words words, struct ts_str *out)
 {
 	int kind = 0;
 
@@ -234,7 +234,7 @@ static size_t print_styles(struct ts_words words, struct ts_str *out)
 		kind++;
 	if (words.n < 2)
 		kind = TS_NKIND;
-	styles(out, (enum ts_kind)kind);
+	styles(sim, out, (enum ts_kind)kind);
 	return kind < TS_NKIND || (words.n > 1 && ts_streq(words.word[1].text, "all")) ? 2 : 1;
 }
 
@@ -286,7 +286,7 @@ static enum ts_status collect(struct tsim *sim, struct ts_words words, struct ta
 
 		used = 1;
 		if (ts_streq(word->text, "styles"))
-			used = print_styles(words, out);
+			used = print_styles(sim, words, out);
 		else if (ts_streq(word->text, "out"))
 			used = read_target(words, target);
 		else

@@ -6,7 +6,7 @@
 #ifndef TS_EXPLAIN_GUARD_H
 #define TS_EXPLAIN_GUARD_H
 
-#include "core/plan.h"
+#include "core/report.h"
 
 enum { TS_TOLD = 48 }; /* causes that are remembered; there are no more warnings then */
 

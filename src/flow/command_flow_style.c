@@ -1,3 +1,4 @@
+#include "core/life.h"
 #include "flow/projection.h"
 
 #include "base/banned.h"

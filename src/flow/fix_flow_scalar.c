@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/plan.h"
+#include "core/report.h"
 #include "coupling/cell_order.h"
 #include "coupling/share.h"
 #include "flow/flow.h"

@@ -1,10 +1,10 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "core/plan.h"
+#include "core/report.h"
 #include "coupling/outside.h"
-#include "flow/implicit.h"
 #include "flow/flow_limits.h"
+#include "flow/implicit.h"
 #include "flow/resolution.h"
 
 #include "base/banned.h"

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "box/domain.h"
-#include "core/plan.h"
+#include "core/report.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"

@@ -1,4 +1,4 @@
-#include "core/plan.h"
+#include "core/sim.h"
 #include "core/sweep.h"
 #include "energy/potential_energy.h"
 

@@ -1,5 +1,5 @@
 /* Fix langevin: a heat bath. */
-#include "core/plan.h"
+#include "core/report.h"
 
 #include <math.h>
 

@@ -1,5 +1,5 @@
 /* Fix spring: a spring between the centre of mass of a group and a point or another group. */
-#include "core/plan.h"
+#include "core/report.h"
 #include "energy/potential_energy.h"
 
 #include <math.h>

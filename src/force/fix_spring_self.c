@@ -1,5 +1,5 @@
 /* Fix spring/self: a spring from each particle to where it was. */
-#include "core/plan.h"
+#include "core/report.h"
 #include "energy/potential_energy.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-#include "core/plan.h"
+#include "core/report.h"
 
 #include <math.h>
 

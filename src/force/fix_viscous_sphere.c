@@ -1,5 +1,5 @@
 /* Fix viscous/sphere: damping of the spin. */
-#include "core/plan.h"
+#include "core/report.h"
 
 #include <math.h>
 

@@ -13,7 +13,7 @@
 #include <string.h>
 
 #include "base/parallel.h"
-#include "core/plan.h"
+#include "core/report.h"
 #include "core/sweep.h"
 #include "particle/exchange.h"
 

@@ -4,18 +4,18 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/plan.h"
+#include "core/report.h"
+#include "flow/way_out.h"
+#include "force/restraint.h"
 #include "immersed/immersed.h"
 #include "immersed/virtual_mass.h"
-#include "flow/way_out.h"
-#include "mesh/mesh_distance.h"
 #include "math/exactsum.h"
 #include "math/vec3.h"
+#include "mesh/mesh_distance.h"
 #include "mesh/mesh_surface.h"
 #include "particle/body.h"
 #include "particle/particles.h"
 #include "region/region.h"
-#include "force/restraint.h"
 #include "rigid/rigid.h"
 
 #include "base/banned.h"

@@ -63,7 +63,7 @@ static enum ts_status quantity(struct tsim *sim, const char *name, struct ts_tab
 
 	if (ts_quantity_has(sim, name))
 		return ts_quantity_eval(sim, name, table);
-	ts_quantity_suggest(&suggest);
+	ts_quantity_suggest(sim, &suggest);
 	return ts_fail(&sim->error, TS_UNKNOWN, NULL, "unknown particle column '%s'%s", name,
 		       ts_suggest_text(&suggest));
 }

@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "core/life.h"
+#include "library/tables.h"
 #include "particle/particles.h"
 #include "script/script.h"
 
@@ -29,7 +31,7 @@ SAME(LOG_PROGRESS);
 
 struct tsim *tsim_open(void)
 {
-	struct tsim *sim = ts_sim_new();
+	struct tsim *sim = ts_sim_new(&ts_tables);
 
 	if (!sim)
 		return NULL;

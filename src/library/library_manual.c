@@ -1,7 +1,8 @@
 /* What there is: kinds, styles, their pages and arguments. */
 #include "library/library.h"
 
-#include "core/help.h"
+#include "library/tables.h"
+#include "manual/help.h"
 
 #include "base/banned.h"
 
@@ -23,7 +24,7 @@ const char *tsim_style(const char *kind, size_t k, const char **summary)
 
 	if (!find_kind(kind, &number))
 		return NULL;
-	for (const struct ts_style *const *s = ts_style_table; *s; s++) {
+	for (const struct ts_style *const *s = ts_tables.styles; *s; s++) {
 		if ((*s)->kind != number || k-- != 0)
 			continue;
 		if (summary)
@@ -50,7 +51,7 @@ static const struct ts_style *find(const char *kind, const char *style, struct t
 		ts_str_addf(why, "there is no kind '%s'%s", kind, ts_suggest_text(&suggest));
 		return NULL;
 	}
-	found = ts_style_find(number, style);
+	found = ts_style_find(&ts_tables, number, style);
 	if (found)
 		return found;
 	suggest = ts_suggest_start(style);

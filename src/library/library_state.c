@@ -2,7 +2,7 @@
 #include "library/library.h"
 
 #include "box/domain.h"
-#include "core/help.h"
+#include "manual/help.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"

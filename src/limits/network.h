@@ -2,7 +2,7 @@
 #ifndef TS_LIMITS_NETWORK_H
 #define TS_LIMITS_NETWORK_H
 
-#include "core/plan.h"
+#include "core/sim.h"
 
 /* Reports the largest step of the network as it is now, with the particle that moves most in its fastest mode: by the
  * motion along the normals and the bonds, which is a limit of stability, and, as advice, by slip and rolling as well, whose

@@ -11,7 +11,7 @@
 #include <inttypes.h>
 #include <stdlib.h>
 
-#include "core/plan.h"
+#include "core/sim.h"
 
 #include "base/banned.h"
 

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/plan.h"
+#include "core/report.h"
 #include "flow/flow.h"
 #include "flow/fluid.h"
 #include "force/gravity.h"

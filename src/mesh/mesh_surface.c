@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "core/plan.h"
+#include "core/report.h"
 
 #include "box/domain.h"
 #include "mesh/mesh_motion.h"

@@ -9,7 +9,7 @@
 #include "bond/bonds.h"
 #include "box/domain.h"
 #include "contact/pair.h"
-#include "core/plan.h"
+#include "core/report.h"
 #include "core/settings.h"
 #include "core/sweep.h"
 #include "limits/network.h"

@@ -22,7 +22,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 		if (ts_quantity_has(sim, word->text))
 			continue;
-		ts_quantity_suggest(&suggest);
+		ts_quantity_suggest(sim, &suggest);
 		return ts_fail(&sim->error, TS_UNKNOWN, &word->place,
 			       "particles have no property '%s'%s", word->text,
 			       ts_suggest_text(&suggest));

@@ -1,8 +1,7 @@
 /* Fix store/state: what particles were like at some time. */
 #include "core/ref_list.h"
-#include "core/sim.h"
 
-#include "core/plan.h"
+#include "core/sim.h"
 #include "particle/moments.h"
 
 #include "base/banned.h"

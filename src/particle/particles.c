@@ -1,6 +1,6 @@
 #include "particle/particles.h"
 
-#include "core/plan.h"
+#include "core/report.h"
 #include "geom/box.h"
 #include "group/group_dynamic.h"
 #include "integrate/integrators.h"

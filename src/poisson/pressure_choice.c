@@ -1,5 +1,6 @@
 /* Which solver a problem gets where the script names none. */
-#include "core/plan.h"
+#include "core/life.h"
+#include "core/report.h"
 #include "poisson/poisson.h"
 
 #include "base/banned.h"
@@ -8,12 +9,12 @@
 #define AUTOMATIC "auto"
 
 /* By the seconds that the styles say they will take. */
-static const struct ts_pressure_style *cheapest(const struct ts_poisson *problem)
+static const struct ts_pressure_style *cheapest(const struct tsim *sim, const struct ts_poisson *problem)
 {
 	const struct ts_pressure_style *best = NULL;
 	const char *why;
 
-	for (const struct ts_style *const *s = ts_style_table; *s; s++) {
+	for (const struct ts_style *const *s = sim->tables->styles; *s; s++) {
 		const struct ts_pressure_style *style = (const struct ts_pressure_style *)*s;
 
 		if ((*s)->kind == TS_KIND_PRESSURE && ts_pressure_suits(style, problem, &why) &&
@@ -43,7 +44,7 @@ enum ts_status ts_pressure_choose(struct tsim *sim, const struct ts_poisson *pro
 				       why);
 		return TS_OK;
 	}
-	style = cheapest(problem);
+	style = cheapest(sim, problem);
 	if (guess && guess->style == &style->style) {
 		*out = guess;
 		return TS_OK;
@@ -64,7 +65,7 @@ void ts_pressure_explain(const struct tsim *sim, const struct ts_poisson *proble
 	/* what the weights are does not matter, only that they are there */
 	for (int d = 0; d < 3; d++)
 		now.weight[d] = weights ? problem->grid->memory : NULL;
-	style = chosen ? ts_pressure_style_of(chosen) : cheapest(&now);
+	style = chosen ? ts_pressure_style_of(chosen) : cheapest(sim, &now);
 	ts_report_line(report, "pressure", "%s (%s), %s: about %.2g s a solve", style->style.name,
 		       style->style.summary,
 		       chosen ? "chosen by the script" : weights ? "the cheapest here, where void fractions vary" :

@@ -5,10 +5,12 @@
 
 #include "advise/advise.h"
 #include "base/files.h"
-#include "core/help.h"
+#include "library/tables.h"
+#include "manual/help.h"
 #include "crosscheck/crosscheck.h"
 #include "program/program.h"
-#include "script/manual.h"
+#include "manual/manual.h"
+#include "manual/topics.h"
 
 #include "base/banned.h"
 
@@ -56,7 +58,7 @@ int ts_program_help(const struct ts_setup *setup)
 		return EXIT_SUCCESS;
 	}
 	ts_str_addf(&words, setup->help_style ? "%s %s" : "%s", setup->help_kind, setup->help_style);
-	if (ts_manual_find(ts_str_text(&words), &text))
+	if (ts_manual_find(&ts_tables, ts_str_text(&words), &text))
 		status = ts_program_print(&text);
 	else
 		status = ts_usage_error("%s%s", ts_str_text(&text), "");
@@ -70,9 +72,9 @@ int ts_program_grammar(const char *editor)
 	struct ts_str text = { 0 };
 
 	if (ts_streq(editor, "vim"))
-		ts_grammar_vim(&text);
+		ts_grammar_vim(&ts_tables, &text);
 	else if (ts_streq(editor, "vscode"))
-		ts_grammar_textmate(&text);
+		ts_grammar_textmate(&ts_tables, &text);
 	else
 		return ts_usage_error("expected vim or vscode after -grammar, found '%s'%s", editor, "");
 	return ts_program_print(&text);
@@ -101,7 +103,7 @@ int ts_program_manual(const char *directory)
 	struct ts_str text = { 0 }, name = { 0 };
 	int status = EXIT_SUCCESS;
 
-	for (const struct ts_style *const *s = ts_style_table; *s && !status; s++) {
+	for (const struct ts_style *const *s = ts_tables.styles; *s && !status; s++) {
 		ts_str_clear(&text);
 		ts_str_clear(&name);
 		ts_help_file_name(*s, &name);
@@ -112,11 +114,11 @@ int ts_program_manual(const char *directory)
 		ts_str_clear(&text);
 		ts_str_clear(&name);
 		ts_str_addf(&name, "%s.md", t->name);
-		t->page(true, &text);
+		t->page(&ts_tables, true, &text);
 		status = write_page(directory, ts_str_text(&name), &text);
 	}
 	ts_str_clear(&text);
-	ts_manual_index(&text);
+	ts_manual_index(&ts_tables, &text);
 	if (!status)
 		status = write_page(directory, "index.md", &text);
 	ts_str_release(&text);

@@ -1,5 +1,5 @@
 /* Command region: names a set of points. */
-#include "core/sim.h"
+#include "core/life.h"
 
 #include "core/uses.h"
 

@@ -1,5 +1,5 @@
 /* Command restart: saves the state at intervals during runs. */
-#include "core/sim.h"
+#include "core/life.h"
 
 #include <string.h>
 

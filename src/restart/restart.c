@@ -425,9 +425,9 @@ static enum ts_status restore_system(struct reader *r, const struct section *s)
 
 	if (!inst)
 		return refuse(r, "holds the state of a system this program does not have");
-	while (ts_system_table[r->system] && &ts_system_table[r->system]->style != inst->style)
+	while (r->sim->tables->systems[r->system] && &r->sim->tables->systems[r->system]->style != inst->style)
 		r->system++;
-	if (!ts_system_table[r->system])
+	if (!r->sim->tables->systems[r->system])
 		return refuse(r, "is damaged: its sections are out of order");
 	r->system++;
 	return with_archive(r, s, NULL, inst);

@@ -15,7 +15,7 @@ static enum ts_status refuse(struct tsim *sim, const struct ts_word *word)
 {
 	struct ts_suggest suggest = ts_suggest_start(word->text);
 
-	for (const struct ts_review_check *c = ts_review_table; c->name; c++)
+	for (const struct ts_review_check *c = sim->tables->checks; c->name; c++)
 		ts_suggest_try(&suggest, c->name);
 	return ts_fail(&sim->error, TS_UNKNOWN, &word->place,
 		       "review: there is no check '%s'%s; -help review lists them", word->text,
@@ -28,9 +28,9 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 
 	(void)where;
 	if (!s->names.n)
-		ts_review_set(&sim->review, NULL, (enum ts_review_answer)s->answer);
+		ts_review_set(sim, NULL, (enum ts_review_answer)s->answer);
 	for (size_t k = 0; k < s->names.n; k++)
-		if (!ts_review_set(&sim->review, s->names.word[k].text,
+		if (!ts_review_set(sim, s->names.word[k].text,
 				   (enum ts_review_answer)s->answer))
 			return refuse(sim, &s->names.word[k]);
 	return TS_OK;

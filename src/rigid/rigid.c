@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "core/plan.h"
+#include "core/report.h"
 #include "integrate/integrators.h"
 #include "math/rigid_turn.h"
 #include "particle/body.h"

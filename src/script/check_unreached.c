@@ -40,7 +40,7 @@ static enum ts_status parse(struct ts_script *script, const struct ts_style *sty
 static enum ts_status find(struct ts_script *script, enum ts_kind kind, const struct ts_word *name,
 			   const struct ts_style **style)
 {
-	*style = ts_style_find(kind, name->text);
+	*style = ts_style_find(script->sim->tables, kind, name->text);
 	if (*style || strchr(name->text, '$') || ts_known_find(kind, name->text))
 		return TS_OK;
 	return ts_style_require(script->sim, kind, name, style);

@@ -311,7 +311,7 @@ static enum ts_status unknown(struct ts_expr *e, const char *name, size_t at, bo
 	enum ts_status status;
 
 	ts_str_addf(&with_prefix, "v_%s", name);
-	for (const struct ts_system_style *const *s = ts_system_table; *s; s++) {
+	for (const struct ts_system_style *const *s = e->sim->tables->systems; *s; s++) {
 		for (const struct ts_keyword *k = (*s)->keywords; !call && k && k->name; k++)
 			ts_suggest_try(&suggest, k->name);
 		for (const struct ts_function *f = (*s)->functions; call && f && f->name; f++)
@@ -325,7 +325,7 @@ static enum ts_status unknown(struct ts_expr *e, const char *name, size_t at, bo
 		for (const struct ts_constant *c = ts_constants; c->name; c++)
 			ts_suggest_try(&suggest, c->name);
 		if (e->kind == TS_FORMULA_PERATOM)
-			ts_quantity_suggest(&suggest);
+			ts_quantity_suggest(e->sim, &suggest);
 		if (ts_variable_find(e->script, name)) /* a forgotten v_ explains best */
 			suggest.distance = 0, suggest.best = ts_str_text(&with_prefix);
 	}
@@ -338,7 +338,7 @@ static enum ts_status unknown(struct ts_expr *e, const char *name, size_t at, bo
 static enum ts_status call(struct ts_expr *e, const char *name, size_t at, struct ts_operand *out)
 {
 	const struct ts_expr_function *function = ts_expr_function_find(name);
-	const struct ts_function *of_group = ts_function_find(e->sim, name);
+	const struct ts_function *of_group = ts_function_find(e->sim->tables, name);
 
 	if (function)
 		return ts_expr_call(e, function, at, out);
@@ -385,7 +385,7 @@ enum ts_status ts_expr_name(struct ts_expr *e, const char *name, size_t at, stru
 		out->scalar = constant->value;
 		return TS_OK;
 	}
-	keyword = ts_keyword_find(e->sim, name);
+	keyword = ts_keyword_find(e->sim->tables, name);
 	if (keyword)
 		return of_keyword(e, keyword, at, out);
 	return unknown(e, name, at, false);

@@ -6,7 +6,6 @@
 #include <sys/utsname.h>
 
 #include "core/group.h"
-#include "core/help.h"
 #include "script/expr.h"
 
 #include "base/banned.h"
@@ -124,7 +123,7 @@ static enum ts_status eval_is_available(struct ts_expr *e, struct ts_words words
 	if (is_foreign(words.word[0].text))
 		return TS_OK;
 	TS_TRY(find_kind(e, &words.word[0], &kind));
-	out->scalar = ts_style_find(kind, words.word[1].text) != NULL;
+	out->scalar = ts_style_find(e->sim->tables, kind, words.word[1].text) != NULL;
 	return TS_OK;
 }
 

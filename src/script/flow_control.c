@@ -1,4 +1,5 @@
 /* Which line comes next: label, jump, next, include, quit, clear. */
+#include "core/life.h"
 #include "script/check.h"
 #include "script/interpreter.h"
 

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "core/life.h"
 #include "core/saver.h"
 #include "script/check.h"
 #include "script/unknown.h"

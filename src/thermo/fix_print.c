@@ -1,5 +1,5 @@
 /* Fix print: a line of text at intervals. */
-#include "core/plan.h"
+#include "core/report.h"
 #include "core/sim.h"
 #include "io/textfile.h"
 

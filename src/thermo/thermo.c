@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/clock.h"
-#include "core/plan.h"
+#include "core/report.h"
 #include "core/settings.h"
 
 #include "base/banned.h"
@@ -13,7 +13,7 @@
 /* "Step", "KinEng"; of c_ID, f_ID, v_NAME what follows the prefix. LIGGGHTS has eight characters of it. */
 static const char *make_title(struct tsim *sim, const char *name)
 {
-	const struct ts_keyword *keyword = ts_keyword_find(sim, name);
+	const struct ts_keyword *keyword = ts_keyword_find(sim->tables, name);
 	char eight[9];
 
 	if (keyword)
@@ -74,7 +74,7 @@ static enum ts_status set_formats(struct ts_thermo *t, struct tsim *sim)
 {
 	for (size_t k = 0; k < t->n; k++) {
 		struct ts_thermo_column *c = &t->column[k];
-		const struct ts_keyword *keyword = ts_keyword_find(sim, c->input.name);
+		const struct ts_keyword *keyword = ts_keyword_find(sim->tables, c->input.name);
 		bool integer = keyword && keyword->flags & TS_KEYWORD_INTEGER;
 		const char *fallback = t->multi ? (integer ? "%14d" : "%14.4f")
 						: (integer ? "%8d" : "%14.8g");

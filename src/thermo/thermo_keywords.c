@@ -224,7 +224,7 @@ static enum ts_status enthalpy(struct tsim *sim, double *out)
 {
 	double pressure, volume;
 
-	TS_TRY(ts_keyword_find(sim, "press")->eval(sim, &pressure));
+	TS_TRY(ts_keyword_find(sim->tables, "press")->eval(sim, &pressure));
 	TS_TRY(vol(sim, &volume));
 	volume *= pressure;
 	normalise(sim, &volume);

@@ -1,11 +1,11 @@
 /* Fix mesh/surface/stress/servo: a mesh that a controller presses or turns until it meets a force or torque. */
-#include "mesh/mesh_load.h"
-#include "wall/mesh_stress.h"
-#include "core/plan.h"
+#include "core/report.h"
 #include "law/servo.h"
-#include "neigh/neigh.h"
-#include "wall/servo_response.h"
+#include "mesh/mesh_load.h"
 #include "mesh/mesh_motion.h"
+#include "neigh/neigh.h"
+#include "wall/mesh_stress.h"
+#include "wall/servo_response.h"
 
 #include <math.h>
 

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "core/plan.h"
+#include "core/sim.h"
 #include "neigh/coincide.h"
 
 #include "base/banned.h"

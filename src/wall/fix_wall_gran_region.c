@@ -1,5 +1,5 @@
 /* Fix wall/gran/region: the surface of a region is a wall. */
-#include "core/plan.h"
+#include "core/sim.h"
 #include "neigh/coincide.h"
 #include "wall/region_wall.h"
 #include "wall/wall_law.h"

@@ -4,7 +4,7 @@
 #include <stdio.h>
 
 #include "box/domain.h"
-#include "core/plan.h"
+#include "core/sim.h"
 #include "neigh/coincide.h"
 #include "wall/wall_push.h"
 

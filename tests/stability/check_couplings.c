@@ -12,7 +12,7 @@
 
 #include "../deck.h"
 
-#include "core/plan.h"
+#include "core/report.h"
 #include "core/sim.h"
 
 static double least_reported(struct tsim *sim)

@@ -10,7 +10,7 @@
 
 #include "../deck.h"
 
-#include "core/plan.h"
+#include "core/report.h"
 #include "core/sim.h"
 
 struct scene {

@@ -4,8 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/help.h"
-#include "script/manual.h"
+#include "manual/help.h"
+#include "manual/manual.h"
+#include "manual/topics.h"
 
 #include "base/banned.h"
 
@@ -76,7 +77,7 @@ static void quote(const char *page, const char *small, const char *words, char l
 }
 
 /* Appends the page if the words stand there. */
-static void look(struct hit hit, const char *words, struct ts_str *page, struct ts_str *small,
+static void look(const struct ts_tables *tables, struct hit hit, const char *words, struct ts_str *page, struct ts_str *small,
 		 struct hit *hits, size_t *n)
 {
 	ts_str_clear(page);
@@ -84,7 +85,7 @@ static void look(struct hit hit, const char *words, struct ts_str *page, struct 
 	if (hit.style)
 		ts_help_page(hit.style, false, page);
 	else
-		hit.topic->page(false, page);
+		hit.topic->page(tables, false, page);
 	ts_str_add(small, ts_str_text(page));
 	if (page->failed || small->failed || !small->length)
 		return;
@@ -120,7 +121,7 @@ static void list(const struct hit *hits, size_t n, const char *words, struct ts_
 		ts_str_addf(out, "\nand %zu that have it less often\n", n - SHOWN);
 }
 
-bool ts_manual_search(const char *words, struct ts_str *out)
+bool ts_manual_search(const struct ts_tables *tables, const char *words, struct ts_str *out)
 {
 	struct ts_str page = { 0 }, small = { 0 }, wanted = { 0 };
 	size_t n = 0, all = 0;
@@ -128,7 +129,7 @@ bool ts_manual_search(const char *words, struct ts_str *out)
 
 	for (const struct ts_topic *t = ts_topics; t->name; t++)
 		all++;
-	for (const struct ts_style *const *s = ts_style_table; *s; s++)
+	for (const struct ts_style *const *s = tables->styles; *s; s++)
 		all++;
 	hits = ts_alloc(all, sizeof *hits);
 	ts_str_add(&wanted, words);
@@ -139,9 +140,9 @@ bool ts_manual_search(const char *words, struct ts_str *out)
 	}
 	lower(&wanted);
 	for (const struct ts_topic *t = ts_topics; t->name; t++)
-		look((struct hit){ .topic = t }, ts_str_text(&wanted), &page, &small, hits, &n);
-	for (const struct ts_style *const *s = ts_style_table; *s; s++)
-		look((struct hit){ .style = *s }, ts_str_text(&wanted), &page, &small, hits, &n);
+		look(tables, (struct hit){ .topic = t }, ts_str_text(&wanted), &page, &small, hits, &n);
+	for (const struct ts_style *const *s = tables->styles; *s; s++)
+		look(tables, (struct hit){ .style = *s }, ts_str_text(&wanted), &page, &small, hits, &n);
 	qsort(hits, n, sizeof *hits, by_count);
 	if (n)
 		list(hits, n, words, out);

@@ -1,19 +1,9 @@
-#include "core/help.h"
+#include "manual/help.h"
 
 #include <ctype.h>
 #include <string.h>
 
 #include "base/banned.h"
-
-bool ts_kind_find(const char *name, enum ts_kind *out)
-{
-	for (int kind = 0; kind < TS_NKIND; kind++) {
-		*out = (enum ts_kind)kind;
-		if (ts_streq(ts_kind_name(*out), name))
-			return true;
-	}
-	return false;
-}
 
 void ts_help_file_name(const struct ts_style *style, struct ts_str *out)
 {
@@ -380,9 +370,9 @@ void ts_help_item(const char *name, const char *text, bool markdown, struct ts_s
 		ts_str_addf(out, "  %s\n  %-22s %s\n", name, "", text);
 }
 
-void ts_help_list(enum ts_kind kind, bool markdown, struct ts_str *out)
+void ts_help_list(const struct ts_tables *tables, enum ts_kind kind, bool markdown, struct ts_str *out)
 {
-	for (const struct ts_style *const *s = ts_style_table; *s; s++) {
+	for (const struct ts_style *const *s = tables->styles; *s; s++) {
 		if ((*s)->kind != kind)
 			continue;
 		if (markdown) {

@@ -1,17 +1,28 @@
-/* The systems of a simulation, in the order in which they act within a stage. */
+#include "library/tables.h"
+
 #include "bond/bonds.h"
 #include "box/domain.h"
-#include "core/style.h"
+#include "core/plan.h"
 #include "explain/guard.h"
+#include "explain/plan_report.h"
 #include "flow/flow.h"
 #include "neigh/neigh.h"
 #include "particle/particles.h"
+#include "review/checks.h"
 #include "rigid/rigid.h"
 #include "thermo/thermo.h"
 
 #include "base/banned.h"
 
-const struct ts_system_style *const ts_system_table[] = {
+/* In the order in which they act within a stage. */
+static const struct ts_system_style *const systems[] = {
 	&ts_domain_system, &ts_particles_system, &ts_neigh_system,
 	&ts_bonds_system,  &ts_rigid_system,	 &ts_flow_system,  &ts_thermo_system, &ts_guard_system, NULL,
+};
+
+const struct ts_tables ts_tables = {
+	.styles = ts_style_table,
+	.systems = systems,
+	.checks = ts_review_table,
+	.judge = ts_plan_judge,
 };

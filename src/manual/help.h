@@ -1,18 +1,16 @@
 /* Manual pages, made from the tables of the styles. */
-#ifndef TS_CORE_HELP_H
-#define TS_CORE_HELP_H
+#ifndef TS_MANUAL_HELP_H
+#define TS_MANUAL_HELP_H
 
 #include <stdbool.h>
 
 #include "base/str.h"
-#include "core/style.h"
+#include "core/tables.h"
 
-/* "fix" -> TS_KIND_FIX */
-bool ts_kind_find(const char *name, enum ts_kind *out);
 /* The page of one style, for the terminal or as Markdown. */
 void ts_help_page(const struct ts_style *style, bool markdown, struct ts_str *out);
 /* One line for each style of the kind; as Markdown with links to the pages. */
-void ts_help_list(enum ts_kind kind, bool markdown, struct ts_str *out);
+void ts_help_list(const struct ts_tables *tables, enum ts_kind kind, bool markdown, struct ts_str *out);
 /* A heading, and one item of a list, for pages that are not of styles. */
 void ts_help_heading(const char *text, bool markdown, struct ts_str *out);
 void ts_help_item(const char *name, const char *text, bool markdown, struct ts_str *out);

@@ -6,7 +6,7 @@
 #include "base/map.h"
 #include "core/sim.h"
 #include "script/expr.h"
-#include "script/manual.h"
+#include "manual/manual.h"
 #include "script/variable.h"
 
 #include "base/banned.h"
@@ -53,7 +53,7 @@ static void add_rows(struct word_list *list, const struct ts_arg *row)
 	}
 }
 
-static void add_keywords(struct word_list *list)
+static void add_keywords(const struct ts_tables *tables, struct word_list *list)
 {
 	static const char *const fixed[] = { "all", "NULL", "INF", "EDGE", "SELF",
 					     "yes", "no",   "on",  "off",  "then",
@@ -61,7 +61,7 @@ static void add_keywords(struct word_list *list)
 
 	for (size_t k = 0; k < sizeof fixed / sizeof *fixed; k++)
 		add(list, fixed[k]);
-	for (const struct ts_style *const *s = ts_style_table; *s; s++) {
+	for (const struct ts_style *const *s = tables->styles; *s; s++) {
 		add_rows(list, (*s)->args);
 		add_rows(list, (*s)->coeff);
 	}
@@ -78,28 +78,28 @@ static void add_style(struct word_list *list, const struct ts_style *style)
 		add(list, other);
 }
 
-static void add_styles(struct word_list *list, enum ts_kind kind)
+static void add_styles(const struct ts_tables *tables, struct word_list *list, enum ts_kind kind)
 {
-	for (const struct ts_style *const *s = ts_style_table; *s; s++)
+	for (const struct ts_style *const *s = tables->styles; *s; s++)
 		if ((*s)->kind == kind)
 			add_style(list, *s);
 }
 
-static void add_functions(struct word_list *list)
+static void add_functions(const struct ts_tables *tables, struct word_list *list)
 {
 	for (const struct ts_expr_function *const *t = ts_expr_functions; *t; t++)
 		for (const struct ts_expr_function *f = *t; f->name; f++)
 			add(list, f->name);
-	for (const struct ts_system_style *const *s = ts_system_table; *s; s++)
+	for (const struct ts_system_style *const *s = tables->systems; *s; s++)
 		for (const struct ts_function *f = (*s)->functions; f && f->name; f++)
 			add(list, f->name);
 }
 
-static void add_names(struct word_list *list)
+static void add_names(const struct ts_tables *tables, struct word_list *list)
 {
 	const struct ts_quantity *q;
 
-	for (const struct ts_system_style *const *s = ts_system_table; *s; s++) {
+	for (const struct ts_system_style *const *s = tables->systems; *s; s++) {
 		for (const struct ts_keyword *k = (*s)->keywords; k && k->name; k++)
 			add(list, k->name);
 		for (size_t k = 0; (*s)->quantity_text && (q = (*s)->quantity_text(k)); k++)
@@ -146,14 +146,14 @@ static void vim_alternatives(struct ts_str *out, const struct word_list *list)
 }
 
 /* A keyword wins over every match: one that is a command too would never be seen as one. */
-static void vim_keywords(struct ts_str *out, const char *group, const char *options,
+static void vim_keywords(const struct ts_tables *tables, struct ts_str *out, const char *group, const char *options,
 			 const struct word_list *list)
 {
 	size_t column = 100;
 
 	for (size_t k = 0; k < list->n; k++) {
 		if (is_vim_option(list->word[k]) ||
-		    ts_style_find(TS_KIND_COMMAND, list->word[k])) {
+		    ts_style_find(tables, TS_KIND_COMMAND, list->word[k])) {
 			ts_str_addf(out, "\nsyn match %s /\\<%s\\>/ %s", group, list->word[k],
 				    options);
 			column = 100;
@@ -170,7 +170,7 @@ static void vim_keywords(struct ts_str *out, const char *group, const char *opti
 	out->failed |= list->failed;
 }
 
-static void vim_styles(struct ts_str *out)
+static void vim_styles(const struct ts_tables *tables, struct ts_str *out)
 {
 	struct word_list list = { 0 };
 
@@ -182,14 +182,14 @@ static void vim_styles(struct ts_str *out)
 			ts_str_add(out, "\\S\\+\\s\\+");
 		snprintf(group, sizeof group, "tsim_%s", ts_kind_name(places[k].kind));
 		ts_str_addf(out, "/ contains=tsimCommand,tsimVariable nextgroup=%s", group);
-		add_styles(&list, places[k].kind);
-		vim_keywords(out, group, "contained", &list);
+		add_styles(tables, &list, places[k].kind);
+		vim_keywords(tables, out, group, "contained", &list);
 		ts_str_addf(out, "hi def link %s Type\n", group);
 		release(&list);
 	}
 }
 
-void ts_grammar_vim(struct ts_str *out)
+void ts_grammar_vim(const struct ts_tables *tables, struct ts_str *out)
 {
 	static const char start[] =
 		"\" Vim syntax file for scripts of tsim, made by `tsim -grammar vim`\n"
@@ -221,25 +221,25 @@ void ts_grammar_vim(struct ts_str *out)
 
 	ts_str_add(out, start);
 	ts_str_add(out, "\n\" keywords and words to choose from");
-	add_keywords(&list);
-	vim_keywords(out, "tsimKeyword", "", &list);
+	add_keywords(tables, &list);
+	vim_keywords(tables, out, "tsimKeyword", "", &list);
 	release(&list);
 	ts_str_add(out, "\n\" numbers of the simulation and of particles");
-	add_names(&list);
-	vim_keywords(out, "tsimName", "", &list);
+	add_names(tables, &list);
+	vim_keywords(tables, out, "tsimName", "", &list);
 	release(&list);
-	add_functions(&list);
+	add_functions(tables, &list);
 	ts_str_add(out, "\nsyn match tsimFunction /\\<\\%(");
 	vim_alternatives(out, &list);
 	ts_str_add(out, "\\)\\ze(/\n");
 	release(&list);
-	add_styles(&list, TS_KIND_COMMAND);
+	add_styles(tables, &list, TS_KIND_COMMAND);
 	ts_str_add(out, "\n\" commands, at the start of a line\nsyn match tsimCommand /^\\s*\\%(");
 	vim_alternatives(out, &list);
 	ts_str_add(out, "\\)\\ze\\%(\\s\\|$\\)/\n");
 	release(&list);
 	ts_str_add(out, "\n\" styles, behind their command, name and group\n");
-	vim_styles(out);
+	vim_styles(tables, out);
 	ts_str_add(out, end);
 }
 
@@ -265,7 +265,7 @@ static void json_rule(struct ts_str *out, const char *scope, const char *before,
 	ts_str_addf(out, ")%s\" },\n", after);
 }
 
-static void json_styles(struct ts_str *out)
+static void json_styles(const struct ts_tables *tables, struct ts_str *out)
 {
 	struct word_list list = { 0 };
 
@@ -274,7 +274,7 @@ static void json_styles(struct ts_str *out)
 		for (int w = 0; w < places[k].words; w++)
 			ts_str_add(out, "\\\\S+\\\\s+");
 		ts_str_add(out, "(");
-		add_styles(&list, places[k].kind);
+		add_styles(tables, &list, places[k].kind);
 		json_alternatives(out, &list);
 		ts_str_addf(out, ")(?=\\\\s|$)\", \"captures\": { \"1\": { \"name\": "
 				 "\"keyword.control.tsim\" }, \"2\": { \"name\": "
@@ -284,7 +284,7 @@ static void json_styles(struct ts_str *out)
 	}
 }
 
-void ts_grammar_textmate(struct ts_str *out)
+void ts_grammar_textmate(const struct ts_tables *tables, struct ts_str *out)
 {
 	static const char start[] =
 		"{\n"
@@ -318,17 +318,17 @@ void ts_grammar_textmate(struct ts_str *out)
 	struct word_list list = { 0 };
 
 	ts_str_add(out, start);
-	json_styles(out);
-	add_styles(&list, TS_KIND_COMMAND);
+	json_styles(tables, out);
+	add_styles(tables, &list, TS_KIND_COMMAND);
 	json_rule(out, "keyword.control", "^\\\\s*", &list, "(?=\\\\s|$)");
 	release(&list);
-	add_functions(&list);
+	add_functions(tables, &list);
 	json_rule(out, "support.function", "\\\\b", &list, "(?=\\\\()");
 	release(&list);
-	add_keywords(&list);
+	add_keywords(tables, &list);
 	json_rule(out, "variable.language.keyword", "(?<![A-Za-z0-9_/])", &list, "(?![A-Za-z0-9_/])");
 	release(&list);
-	add_names(&list);
+	add_names(tables, &list);
 	json_rule(out, "constant.language", "(?<![A-Za-z0-9_/])", &list, "(?![A-Za-z0-9_/])");
 	release(&list);
 	ts_str_add(out, end);

@@ -1,0 +1,315 @@
+#include "core/life.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/clock.h"
+#include "core/pending.h"
+#include "core/settings.h"
+#include "math/gsl.h"
+
+#include "base/banned.h"
+
+static void instance_free(struct ts_instance *inst)
+{
+	if (inst->style->fini && inst->state)
+		inst->style->fini(inst);
+	ts_arena_release(&inst->arena);
+	ts_table_release(&inst->table);
+	ts_free(inst->state);
+	ts_free(inst);
+}
+
+static enum ts_status instance_new(struct tsim *sim, const struct ts_style *style, const char *id,
+				   int group, const struct ts_place *where,
+				   struct ts_instance **out)
+{
+	struct ts_instance *inst = ts_alloc(1, sizeof *inst);
+
+	if (!inst)
+		return ts_nomem(&sim->error);
+	inst->style = style;
+	inst->group = group;
+	if (where)
+		inst->where = *where;
+	inst->state = ts_alloc_aligned(1, style->state_size ? style->state_size : 1);
+	inst->id = ts_arena_strdup(&inst->arena, id);
+	if (!inst->state || !inst->id) {
+		instance_free(inst);
+		return ts_nomem(&sim->error);
+	}
+	*out = inst;
+	return TS_OK;
+}
+
+static enum ts_status start_systems(struct tsim *sim)
+{
+	struct ts_instances *list = &sim->instances[TS_KIND_SYSTEM];
+
+	for (const struct ts_system_style *const *s = sim->tables->systems; *s; s++) {
+		struct ts_instance *inst = NULL;
+
+		if (TS_GROW(list->item, list->capacity, list->n + 1) != TS_OK)
+			return ts_nomem(&sim->error);
+		TS_TRY(instance_new(sim, &(*s)->style, (*s)->style.name, 0, NULL, &inst));
+		list->item[list->n++] = inst;
+		if ((*s)->slot)
+			*(void **)((char *)sim + (*s)->slot) = inst->state;
+		if ((*s)->style.init)
+			TS_TRY((*s)->style.init(inst, sim));
+	}
+	return TS_OK;
+}
+
+static void set_defaults(struct tsim *sim)
+{
+	const char *threads = getenv("OMP_NUM_THREADS");
+	int64_t n;
+
+	sim->clock = (struct ts_clock){ .dt = 0.005 };
+	sim->bill.last = (struct ts_price){ .seconds = NAN, .crowded = NAN };
+	sim->units = TS_UNITS_LJ;
+	sim->dimension = 3;
+	if (sim->grain == 0)
+		sim->grain = 8192;
+	sim->columns = 0;
+	sim->fingerprint = 0;
+	sim->planned = sim->open_clock = sim->box_moves = false;
+	sim->hard_particles = sim->soft_particles = sim->newton_on = sim->still_ghosts = false;
+	sim->running = sim->rebuild = sim->in_setup = sim->resuming = sim->halted = false;
+	if (sim->threads == 0)
+		sim->threads = threads && ts_parse_int(threads, &n) && n > 0 && n < 1024 ? (int)n
+											 : 1;
+	ts_review_set(sim, NULL, TS_REVIEW_WARN);
+	sim->review.made = sim->review.stale = sim->review.doubtful = false;
+	sim->units_given = false;
+	sim->timeout = 0;
+	sim->timeout_every = 10;
+	for (int k = 0; k < TS_NSTANDARD; k++)
+		sim->standard[k] = NULL;
+}
+
+struct tsim *ts_sim_new(const struct ts_tables *tables)
+{
+	struct tsim *sim = ts_alloc(1, sizeof *sim);
+
+	if (!sim)
+		return NULL;
+	ts_math_init();
+	sim->tables = tables;
+	sim->log.files = &sim->files;
+	sim->files.stop = &sim->stop;
+	set_defaults(sim);
+	sim->pool = ts_pool_new();
+	if (!sim->pool || start_systems(sim) != TS_OK) {
+		ts_sim_free(sim);
+		return NULL;
+	}
+	return sim;
+}
+
+static void free_list(struct ts_instances *list)
+{
+	while (list->n)
+		instance_free(list->item[--list->n]);
+	ts_free(list->item);
+	*list = (struct ts_instances){ 0 };
+}
+
+/* Later kinds may refer to earlier ones, systems to nothing: free in reverse. */
+static void free_instances(struct tsim *sim)
+{
+	for (int kind = TS_NKIND - 1; kind >= 0; kind--)
+		free_list(&sim->instances[kind]);
+	free_list(&sim->retired);
+	ts_pending_free(sim);
+}
+
+void ts_sim_free(struct tsim *sim)
+{
+	if (!sim)
+		return;
+	free_instances(sim);
+	ts_log_close(&sim->log, &sim->error);
+	ts_holds_end(&sim->holds);
+	ts_review_release(&sim->review);
+	ts_pool_free(sim->pool);
+	ts_files_release(&sim->files);
+	ts_free(sim);
+}
+
+enum ts_status ts_sim_clear(struct tsim *sim)
+{
+	free_instances(sim);
+	set_defaults(sim);
+	sim->era++;
+	return start_systems(sim);
+}
+
+/* Pair and bond get their coefficients later; all others can be checked when they are made. */
+static enum ts_status first_init(struct tsim *sim, struct ts_instance *inst, struct ts_words args)
+{
+	const struct ts_instances *systems = &sim->instances[TS_KIND_SYSTEM];
+	enum ts_kind kind = inst->style->kind;
+
+	sim->columns |= inst->style->columns;
+	for (size_t k = 0; k < systems->n; k++)
+		if (systems->item[k]->style->init)
+			TS_TRY(systems->item[k]->style->init(systems->item[k], sim));
+	if (inst->style->init && kind != TS_KIND_PAIR && kind != TS_KIND_BOND)
+		TS_TRY(inst->style->init(inst, sim));
+	return ts_pending_apply(sim, inst, args);
+}
+
+static enum ts_status place_of_new(struct tsim *sim, enum ts_kind kind, const struct ts_style *style,
+				   const char *id, const struct ts_place *where, size_t *at)
+{
+	struct ts_instances *list = &sim->instances[kind];
+
+	for (*at = 0; *at < list->n; ++*at)
+		if (ts_streq(list->item[*at]->id, id))
+			break;
+	if (*at < list->n && *id && list->item[*at]->style != style)
+		return ts_fail(&sim->error, TS_STATE, where,
+			       "%s id '%s' is already in use by style %s (line %d)",
+			       ts_kind_name(kind), id, list->item[*at]->style->name,
+			       list->item[*at]->where.line);
+	if (*at == list->n && TS_GROW(list->item, list->capacity, list->n + 1) != TS_OK)
+		return ts_nomem(&sim->error);
+	return TS_OK;
+}
+
+enum ts_status ts_sim_create(struct tsim *sim, enum ts_kind kind, const struct ts_style *style,
+			     const char *id, int group, struct ts_words args,
+			     const struct ts_place *where, struct ts_instance **out)
+{
+	struct ts_instances *list = &sim->instances[kind];
+	struct ts_instance *inst = NULL;
+	enum ts_status status;
+	char what[128];
+	size_t at;
+
+	TS_TRY(place_of_new(sim, kind, style, id, where, &at));
+	TS_TRY(instance_new(sim, style, id, group, where, &inst));
+	snprintf(what, sizeof what, "%s %s", ts_kind_name(kind), style->name);
+	status = ts_words_copy(&inst->arena, args, &inst->words) == TS_OK ? TS_OK : ts_nomem(&sim->error);
+	if (status == TS_OK)
+		status = ts_args_parse(sim, what, style->args, args, where, &inst->arena,
+				       inst->state);
+	if (status == TS_OK)
+		status = ts_args_outputs(sim, what, style->args, inst->state, args, where);
+	if (status == TS_OK)
+		status = first_init(sim, inst, args);
+	if (status != TS_OK) {
+		instance_free(inst);
+		return status;
+	}
+	if (at < list->n) {
+		instance_free(list->item[at]);
+		sim->removals++;
+	} else {
+		list->n++;
+	}
+	list->item[at] = inst;
+	ts_settings_log(sim, what, style->args, inst->state, args);
+	if (out)
+		*out = inst;
+	return TS_OK;
+}
+
+enum ts_status ts_sim_choose(struct tsim *sim, enum ts_kind kind, struct ts_words line,
+			     const struct ts_place *where)
+{
+	const struct ts_word id = { .text = "", .place = line.word[0].place };
+	const struct ts_style *style;
+
+	if (line.n == 1 && ts_streq(line.word[0].text, "none"))
+		return ts_sim_only(sim, kind) ? ts_sim_destroy(sim, kind, &id) : TS_OK;
+	TS_TRY(ts_style_require(sim, kind, &line.word[0], &style));
+	return ts_sim_create(sim, kind, style, "", 0, ts_words_from(line, 1), where, NULL);
+}
+
+static enum ts_status take_out(struct tsim *sim, enum ts_kind kind, const struct ts_word *id,
+			       struct ts_instance **out)
+{
+	struct ts_instances *list = &sim->instances[kind];
+	size_t at = 0;
+
+	TS_TRY(ts_sim_require(sim, kind, id, out));
+	while (list->item[at] != *out)
+		at++;
+	memmove(&list->item[at], &list->item[at + 1], (list->n - at - 1) * sizeof *list->item);
+	list->n--;
+	sim->removals++;
+	return TS_OK;
+}
+
+enum ts_status ts_sim_destroy(struct tsim *sim, enum ts_kind kind, const struct ts_word *id)
+{
+	struct ts_instance *inst = NULL;
+
+	TS_TRY(take_out(sim, kind, id, &inst));
+	instance_free(inst);
+	return TS_OK;
+}
+
+enum ts_status ts_sim_retire(struct tsim *sim, enum ts_kind kind, const struct ts_word *id)
+{
+	struct ts_instances *list = &sim->retired;
+	struct ts_instance *inst = NULL;
+
+	if (TS_GROW(list->item, list->capacity, list->n + 1) != TS_OK)
+		return ts_nomem(&sim->error);
+	TS_TRY(take_out(sim, kind, id, &inst));
+	list->item[list->n++] = inst;
+	return TS_OK;
+}
+
+/* Commands can run others. */
+static enum ts_status run_command(struct tsim *sim, const struct ts_command_style *command,
+				  void *state, struct ts_words words)
+{
+	struct ts_words outer = sim->line;
+	enum ts_status status;
+
+	sim->line = words;
+	if (command->needs_box)
+		ts_settings_log(sim, command->style.name, command->style.args, state,
+				ts_words_from(words, 1));
+	status = command->run(sim, state, &words.word[0].place);
+	sim->line = outer;
+	return status;
+}
+
+enum ts_status ts_sim_command(struct tsim *sim, struct ts_words words)
+{
+	const struct ts_style *style;
+	const struct ts_command_style *command;
+	struct ts_arena arena = { 0 };
+	struct ts_place where = words.word[0].place;
+	enum ts_status status;
+	void *state;
+
+	TS_TRY(ts_style_require(sim, TS_KIND_COMMAND, &words.word[0], &style));
+	for (size_t k = 2; k < words.n; k++) /* the first is an ID or the like */
+		ts_keywords_named(sim, words.word[k].text);
+	command = (const struct ts_command_style *)style;
+	if (command->needs_box && !ts_sim_has_box(sim))
+		return ts_fail(&sim->error, TS_STATE, &where,
+			       "'%s' needs a simulation box: use create_box or read_restart first",
+			       style->name);
+	state = ts_alloc_aligned(1, style->state_size ? style->state_size : 1);
+	if (!state)
+		return ts_nomem(&sim->error);
+	status = ts_args_parse(sim, style->name, style->args, ts_words_from(words, 1), &where, &arena,
+			       state);
+	if (status == TS_OK)
+		status = ts_args_outputs(sim, style->name, style->args, state, words, &where);
+	if (status == TS_OK && command->run)
+		status = run_command(sim, command, state, words);
+	ts_arena_release(&arena);
+	ts_free(state);
+	return status;
+}

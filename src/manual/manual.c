@@ -1,0 +1,159 @@
+#include "manual/manual.h"
+
+#include <string.h>
+
+#include "core/known.h"
+#include "core/sim.h"
+#include "manual/help.h"
+#include "manual/topics.h"
+#include "script/expr.h"
+#include "script/variable.h"
+
+#include "base/banned.h"
+
+void ts_manual_index(const struct ts_tables *tables, struct ts_str *out)
+{
+	ts_str_add(out, "# Commands and styles\n\nMade from the tables of the program; `tsim -help "
+			"NAME` shows the same pages. Endings of accelerated variants\n(/omp, /opt, "
+			"/kk, /intel, /gpu) are the style itself.\n\n## language\n\n");
+	for (const struct ts_topic *t = ts_topics; t->name; t++)
+		ts_str_addf(out, "- [%s](%s.md) — %s\n", t->name, t->name, t->summary);
+	for (int kind = TS_KIND_COMMAND; kind < TS_NKIND; kind++) {
+		ts_str_addf(out, "\n## %s\n\n", ts_kind_name((enum ts_kind)kind));
+		ts_help_list(tables, (enum ts_kind)kind, true, out);
+	}
+}
+
+/* "pair_style" is how scripts say the kind. */
+static bool find_kind(const char *word, enum ts_kind *kind)
+{
+	struct ts_str name = { 0 };
+	bool found;
+
+	if (ts_kind_find(word, kind))
+		return true;
+	if (!ts_ends_with(word, "_style"))
+		return false;
+	ts_str_add_n(&name, word, strlen(word) - strlen("_style"));
+	found = ts_kind_find(ts_str_text(&name), kind);
+	ts_str_release(&name);
+	return found;
+}
+
+/* One line for everything in the tables that is not a style. */
+static void find_words(const struct ts_tables *tables, const char *name, struct ts_str *out)
+{
+	const struct ts_quantity *q;
+	const struct ts_expr_function *f = ts_expr_function_find(name);
+	const struct ts_keyword *k = ts_keyword_find(tables, name);
+	const struct ts_function *g = ts_function_find(tables, name);
+
+	if (f)
+		ts_topic_entry(f->name, f->arguments, f->help, "function of formulas", false, out);
+	if (g)
+		ts_topic_entry(g->name, g->arguments, g->help, "function of formulas", false, out);
+	if (k)
+		ts_topic_entry(k->name, NULL, k->help, "keyword of thermo_style and formulas", false, out);
+	for (const struct ts_system_style *const *s = tables->systems; *s; s++)
+		for (size_t i = 0; (*s)->quantity_text && (q = (*s)->quantity_text(i)); i++)
+			if (ts_streq(q->name, name))
+				ts_topic_entry(q->name, NULL, q->help, "quantity of each particle", false,
+				     out);
+	for (const struct ts_variable_style *const *v = ts_variable_styles; *v; v++)
+		if (ts_streq((*v)->name, name))
+			ts_topic_entry((*v)->name, NULL, (*v)->help, "style of variables", false, out);
+	for (const struct ts_known *w = ts_known_table; w->name; w++)
+		if (ts_glob(w->name, name))
+			ts_str_addf(out, "  %s %s of LIGGGHTS or LAMMPS: %s\n", ts_kind_name(w->kind),
+				    name, w->remark);
+}
+
+/* Styles in whose name the word stands, and further pages with it. */
+static void find_similar(const struct ts_tables *tables, const char *name, struct ts_str *out)
+{
+	for (const struct ts_style *const *s = tables->styles; *s; s++)
+		if (strstr((*s)->name, name))
+			ts_str_addf(out, "  %-8s %-20s %s\n", ts_kind_name((*s)->kind), (*s)->name,
+				    (*s)->summary);
+	ts_str_add(out, out->length ? "\n" : "");
+	ts_manual_search(tables, name, out);
+}
+
+static void find_pages(const struct ts_tables *tables, const char *name, const enum ts_kind *of, struct ts_str *out)
+{
+	for (const struct ts_style *const *s = tables->styles; *s; s++)
+		if ((!of || (*s)->kind == *of) && ts_style_find(tables, (*s)->kind, name) == *s) {
+			ts_str_add(out, out->length ? "\n\n" : "");
+			ts_help_page(*s, false, out);
+		}
+}
+
+static void suggest(const struct ts_tables *tables, const char *name, const char *of, struct ts_str *out)
+{
+	struct ts_suggest suggest = ts_suggest_start(name);
+
+	for (const struct ts_style *const *s = tables->styles; *s; s++)
+		if (!of || ts_streq(ts_kind_name((*s)->kind), of))
+			ts_suggest_try(&suggest, (*s)->name);
+	for (const struct ts_topic *t = ts_topics; !of && t->name; t++)
+		ts_suggest_try(&suggest, t->name);
+	for (int kind = TS_KIND_COMMAND; !of && kind < TS_NKIND; kind++)
+		ts_suggest_try(&suggest, ts_kind_name((enum ts_kind)kind));
+	ts_str_addf(out, "there is no %s '%s'%s", of ? of : "kind or style", name,
+		    ts_suggest_text(&suggest));
+}
+
+/* A style of a kind: its page, or why there is none. */
+static bool find_style(const struct ts_tables *tables, const char *name, enum ts_kind kind, struct ts_str *out)
+{
+	const struct ts_known *known = ts_known_find(kind, name);
+
+	find_pages(tables, name, &kind, out);
+	if (!out->length && known)
+		ts_str_addf(out, "  %s %s of LIGGGHTS or LAMMPS: %s\n", ts_kind_name(kind), name,
+			    known->remark);
+	if (out->length)
+		return true;
+	suggest(tables, name, ts_kind_name(kind), out);
+	return false;
+}
+
+static void find_word(const struct ts_tables *tables, const char *name, struct ts_str *out)
+{
+	enum ts_kind kind;
+
+	find_pages(tables, name, NULL, out);
+	if (ts_kind_find(name, &kind)) {
+		ts_str_add(out, out->length ? "\n\n" : "");
+		ts_help_list(tables, kind, false, out);
+		ts_str_addf(out, "\n'tsim -help %s NAME' shows the page of one of them\n", name);
+	}
+	find_words(tables, name, out);
+	if (!out->length)
+		find_similar(tables, name, out);
+}
+
+bool ts_manual_find(const struct ts_tables *tables, const char *words, struct ts_str *out)
+{
+	const char *blank = strchr(words, ' ');
+	struct ts_str first = { 0 };
+	enum ts_kind kind;
+	bool style;
+
+	for (const struct ts_topic *t = ts_topics; t->name; t++)
+		if (ts_streq(t->name, words)) {
+			t->page(tables, false, out);
+			return true;
+		}
+	ts_str_add_n(&first, words, blank ? (size_t)(blank - words) : 0);
+	style = blank && find_kind(ts_str_text(&first), &kind) && !strchr(blank + 1, ' ');
+	ts_str_release(&first);
+	if (style)
+		return find_style(tables, blank + 1, kind, out);
+	if (!blank)
+		find_word(tables, words, out);
+	if (out->length || ts_manual_search(tables, words, out))
+		return true;
+	suggest(tables, words, NULL, out);
+	return false;
+}
