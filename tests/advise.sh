@@ -94,7 +94,7 @@ run 1500
 END
 advise 0 20 at 1001 steps 160 -var step 2e-5
 report 'grains are tried in the middle of a run' $? ../err
-grep -q 'at step 1001, time 0.02002, in.scene:26: run of 1500 steps, with 60 particles' ../out
+shows 'at step 1001, time 0.02002, in.scene:26: run of 1500 steps, with 60 particles' ../out
 report 'where they start is told' $? ../out
 here=$(row 'as it is: 2e-05, 1 thread')
 [ -n "$here" ] && [ "$(row 'neighbor 0.0005 bin')" = "$here" ] && [ "$(row 'neighbor 0.002 bin')" = "$here" ]
@@ -110,7 +110,7 @@ advise 0 20 at 1001 steps 160 -var step 2e-5
 untimed >../second
 same 'the same again, but for the times' ../first ../second
 advise 0 2 -var step 2e-5
-grep -q 'in.scene:26: run of 1500 steps' ../out
+shows 'in.scene:26: run of 1500 steps' ../out
 report 'a short script is tried where most is done' $? ../out
 
 # nothing touches: no advice about laws of contacts, whatever the times
@@ -144,17 +144,17 @@ mv in.grains in.scene
 
 # refusals
 "$TSIM" -advise >../out 2>../err
-[ $? = 2 ] && grep -q -- '-advise needs a script: -in FILE' ../err
+[ $? = 2 ] && shows '-advise needs a script: -in FILE' ../err
 report 'no script' $? ../err
-advise 2 twenty && grep -q twenty ../err
+advise 2 twenty && shows twenty ../err
 report 'a wrong time' $? ../err
-advise 2 60 tolerence 0.1 && grep -q "did you mean 'tolerance'" ../err
+advise 2 60 tolerence 0.1 && shows "did you mean 'tolerance'" ../err
 report 'a wrong word' $? ../err
-advise 1 at 7777 -var step 2e-5 && grep -q 'no run that goes on from step 7777' ../err
+advise 1 at 7777 -var step 2e-5 && shows 'no run that goes on from step 7777' ../err
 report 'a step that does not come' $? ../err
 advise 1 -var step 2e-5x && grep -q '^in.scene:24:10: error: ' ../err && [ ! -s ../out ]
 report 'an error of the scene' $? ../err
 sed -i '/^run/d' in.scene
-advise 1 -var step 2e-5 && grep -q 'runs no steps' ../err
+advise 1 -var step 2e-5 && shows 'runs no steps' ../err
 report 'a scene that runs nothing' $? ../err
 finish

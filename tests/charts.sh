@@ -74,16 +74,16 @@ awk -F, '/^#/ || $1 == "chart" { next }
 	$3 == "nve/noforce" && ($5 != "nan" || $8 != 0) { bad = 1; print "off: " $0 }
 	END { exit bad || n != 5 }' made/tiny.csv >out 2>&1
 report 'errors are those of the scheme' $? out
-grep -q '^# took' made/tiny.csv && grep -qF '| exact | 1e-2 | nve/euler |' made/charts.md && grep -q 'velocity Verlet' made/charts.md
+grep -q '^# took' made/tiny.csv && shows '| exact | 1e-2 | nve/euler |' made/charts.md && shows 'velocity Verlet' made/charts.md
 report 'the page has the sentence and the cheapest points' $? made/charts.md
 if has gnuplot gnuplot-nox; then
-	[ -s made/tiny.svg ] && [ -s made/tiny.png ] && [ -s made/tiny-setting.svg ] && grep -q '</svg>' made/tiny.svg
+	[ -s made/tiny.svg ] && [ -s made/tiny.png ] && [ -s made/tiny-setting.svg ] && shows '</svg>' made/tiny.svg
 	report 'the pictures are drawn' $?
 fi
 LONG=1 make_charts tiny >out 2>&1 && [ "$(grep -c '^tiny,' made/tiny.csv)" = 7 ]
 report 'LONG=1 adds settings' $? out
 make_charts nosuch >out 2>&1
-[ $? = 1 ] && grep -q "there is no chart 'nosuch'" out
+[ $? = 1 ] && shows "there is no chart 'nosuch'" out
 report 'an unknown name is an error' $? out
 # all charts together: 15 minutes
 sum=$(sed -n 's/^budget=//p' "$charts"/*.sh | awk '{ s += $1 } END { print s }')

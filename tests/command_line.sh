@@ -1,6 +1,8 @@
 #!/bin/bash
 # Options, exit statuses, and the form of errors of the program.
 set -u
+# shellcheck source=tests/lib_text.sh
+. "$top_srcdir/tests/lib_text.sh" || exit 99
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 99
@@ -68,7 +70,7 @@ timeout -s TERM 1 "$TSIM" -in in.loop -log none >out 2>err
 page() { # FIRST LINE THAT IS THERE, then the words
 	local line=$1
 	shift
-	"$TSIM" -help "$@" >out 2>err && grep -qF -- "$line" out || { echo "FAILED: -help $*"; failed=1; }
+	"$TSIM" -help "$@" >out 2>err && shows "$line" out || { echo "FAILED: -help $*"; failed=1; }
 }
 page 'pair gran: ' pair_style gran
 page 'pair gran: ' 'pair_style gran'
@@ -83,6 +85,6 @@ page 'tsim -help command flow_boundary' outlet
 page '      v = sum m v / sum m' fix ave/euler
 expect 'words that stand nowhere' 2 '' "tsim: there is no kind or style 'angle of repoze'
 $more" -help 'angle of repoze'
-mkdir pages && "$TSIM" -doc pages && grep -q 'command_print.md' pages/index.md &&
+mkdir pages && "$TSIM" -doc pages && shows 'command_print.md' pages/index.md &&
 	grep -q '^# command print$' pages/command_print.md || { echo 'FAILED: -doc'; failed=1; }
 exit $failed

@@ -19,14 +19,10 @@ errors() {
 	while read -r place text; do
 		n=$((n + 1))
 		line=$(sed -n "${n}p" found)
-		case $line in
-		"$place "*"$text"*) ;;
-		*)
-			echo "expected $place $text"
-			echo "found    $line"
-			good=1
-			;;
-		esac
+		[[ $line = "$place "* ]] && shows "$text" <<<"$line" && continue
+		echo "expected $place $text"
+		echo "found    $line"
+		good=1
 	done <expected >>difference
 	[ "$(wc -l <found)" = "$n" ] && [ $good = 0 ] && { [ $n = 0 ] || [ $status = 1 ]; }
 	report "$1" $? err
@@ -411,7 +407,7 @@ errors 'no error that only follows' <<'END'
 1:26: zhi is 'one', expected a number, INF or EDGE
 5:18: unknown name 'nothing'
 END
-grep -q 'left out' out
+shows 'left out' out
 report 'says that messages were left out' $? out
 
 # a lost name in quotes does not make an error one that follows: it must be what is missing

@@ -147,10 +147,10 @@ thermo -1"
 many='create_atoms 1 random 1000000000 12345 box'
 printf '%s\n' "$box" "$many" >in.script
 timeout 10 "$TSIM" -in in.script -log none >out 2>err </dev/null
-[ $? = 1 ] && grep -qF "in.script:5:1: error: create_atoms: out of memory: 1000000000 particles take " err
+[ $? = 1 ] && shows "in.script:5:1: error: create_atoms: out of memory: 1000000000 particles take " err
 report "more particles than memory" $? err
 timeout 10 "$TSIM" -check -in in.script -log none >out 2>&1 </dev/null
-[ $? = 1 ] && grep -qF 'create_atoms: out of memory: 1000000000 particles take ' out
+[ $? = 1 ] && shows 'create_atoms: out of memory: 1000000000 particles take ' out
 report "more particles than memory, -check" $? out
 if ! nm "$TSIM" 2>/dev/null | grep -q __asan_init; then
 	printf '%s\n' "$box" 'lattice sc 0.0025' 'create_atoms 1 box' >in.script

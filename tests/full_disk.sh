@@ -127,7 +127,7 @@ report 'a screen file that grows too large' $? err
 [ $? = 1 ] && grep -q "screen.*No space left" err
 report 'a screen that is full' $? err
 "$TSIM" -in in.full -log pipe.log 2>err | head -n 12 >out
-[ "${PIPESTATUS[0]}" = 1 ] && grep -q 'Broken pipe' err && grep -q 'Broken pipe' pipe.log
+[ "${PIPESTATUS[0]}" = 1 ] && shows 'Broken pipe' err && shows 'Broken pipe' pipe.log
 report 'a reader of the screen that goes' $? err
 
 # places where nothing can be written
@@ -148,7 +148,7 @@ printf 'include scene\ndump d all custom 1000000000 out.frame id x y z\nrun 1000
 	ulimit -f 2
 	exec timeout -k 20 -s INT 0.5 "$TSIM" -in in.full -log none -screen none -restart-on-signal inner/state
 ) 2>err
-[ $? = 124 ] && grep -q 'stopped on request' err && grep -qE "inner/state.*$reason" err &&
+[ $? = 124 ] && shows 'stopped on request' err && grep -qE "inner/state.*$reason" err &&
 	[ "$(grep -c . out.frame)" = 39 ] && [ -z "$(ls inner)" ]
 report 'an interrupt when the state cannot be saved' $? err
 finish

@@ -7,7 +7,7 @@ top_srcdir=$(cd "$OLDPWD" && cd "$top_srcdir" && pwd)
 "$TSIM" -grammar vim >tsim.vim
 "$TSIM" -grammar vscode >tsim.json
 "$TSIM" -grammar emacs >out 2>err
-[ $? = 2 ] && grep -q "expected vim or vscode after -grammar, found 'emacs'" err
+[ $? = 2 ] && shows "expected vim or vscode after -grammar, found 'emacs'" err
 report 'another editor' $? err
 
 cat >in.scene <<'END'

@@ -53,7 +53,7 @@ compute nb all nbond/atom
 compute sum all reduce sum c_nb
 run 200
 write_data out.data nocoeff
-print \"bonds \$(c_sum) vy \$(vy[2147483645]:%.3f) last \$(x[1000]<0.5)\"" 'bonds 4 vy 0.3' 'last 1'
+print \"bonds \$(c_sum) vy \$(vy[2147483645]:%.3f) last \$(x[1000]<0.5)\"" 'bonds 4 vy 0.300 last 1'
 sed -n '/^Atoms/,/^Velocities/p' out.data | awk 'NF > 5 { print $1 }' | tr '\n' ' ' >ids
 grep -q '^7 1000 2147483645 $' ids
 report 'write_data goes by identity' $? ids

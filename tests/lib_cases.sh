@@ -1,4 +1,6 @@
 # For shell tests: a folder of their own, counted cases, and the last line they end with.
+# shellcheck source=tests/lib_text.sh
+. "${top_srcdir:-.}/tests/lib_text.sh" || exit 99
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 99
@@ -55,18 +57,18 @@ refused() {
 	local what=$1 text=$2
 	shift 2
 	"$TSIM" -log none "$@" >out 2>err </dev/null
-	[ $? = 1 ] && grep -qF -- "$text" err
+	[ $? = 1 ] && shows "$text" err
 	report "$what" $? err
 }
 
-# prints SCRIPT LINES...: the script runs and prints each of the lines
+# prints SCRIPT LINES...: the script runs and prints each of the lines, '*TEXT' as a part of one
 prints() {
 	local script=$1 ok=0 line
 	shift
 	printf '%s\n' "$script" >in.script
 	"$TSIM" -in in.script -log none >out 2>&1 </dev/null || ok=1
 	for line in "$@"; do
-		grep -qF -- "$line" out || { ok=1; echo "missing: $line" >>out; }
+		says_line "$line" out || { ok=1; echo "missing: $line" >>out; }
 	done
 	report "$script" $ok out
 }

@@ -300,6 +300,6 @@ report 'the fluid turns a ball' $? told
 go pour without -threads 2 && go pour with -threads 2 -full && diff -r without with >difference
 report 'all at once' $? difference
 "$TSIM" -full columns wings -in in.free >told 2>&1
-[ $? = 2 ] && grep -q "found 'wings'" told
+[ $? = 2 ] && shows "found 'wings'" told
 report 'a part that is none' $? told
 finish

@@ -39,6 +39,6 @@ fi
 "$python" "$top_srcdir/examples/library/bounce.py" >out 2>&1
 report 'examples/library/bounce.py' $? out
 TSIM_LIBRARY=/nowhere/libtsim.so "$python" -c 'import tsim' >out 2>&1
-grep -q 'TSIM_LIBRARY' out
+shows 'TSIM_LIBRARY' out
 report 'a missing library is told' $? out
 finish

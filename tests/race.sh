@@ -10,6 +10,6 @@ done
 "$top_srcdir/bench/laws" tiny >out 2>&1 && [ "$(grep -c '^| LIGGGHTS: \|^| LAMMPS: ' out)" -gt 25 ]
 report 'bench/laws' $? out
 "$top_srcdir/bench/race" no-such-scene >out 2>&1
-[ $? = 2 ] && grep -q "no scene 'no-such-scene'" out
+[ $? = 2 ] && shows "no scene 'no-such-scene'" out
 report 'a scene that is none' $? out
 finish

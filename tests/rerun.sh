@@ -36,7 +36,7 @@ report 'the rerun' $? again.out
 rows again.out >again.rows
 same 'the same table of the log' whole.rows again.rows
 same 'the same dump' whole.dump again.dump
-grep -q 'Rerun of 6 frames' again.out
+shows 'Rerun of 6 frames' again.out
 report 'all frames' $? again.out
 
 steps() { # WHAT WORDS STEPS...
@@ -58,7 +58,7 @@ print "ke $(ke)"' >in.read
 sed -i 's/:%.8g//' in.read
 "$TSIM" -in in.read -log none >read.out 2>&1
 report 'read_dump' $? read.out
-grep -q '^step 60' read.out
+grep -q '^step 60 ' read.out
 report 'the step is that of the frame' $? read.out
 printf '%s\n' 'units si
 boundary p p f
@@ -110,7 +110,7 @@ torn() {
 		n && !/#$/ { if (!--n) { k++; rest = 0 } } END { print k + 0, rest + 0 }')
 	rows torn.out >torn.rows
 	if [ "$frames" = 0 ]; then
-		[ $status = 1 ] && grep -q 'has no whole frame' torn.err
+		[ $status = 1 ] && shows 'has no whole frame' torn.err
 	else
 		[ $status = 0 ] && head -n "$frames" whole.rows | cmp - torn.rows &&
 			{ [ "$rest" = 0 ] || grep -q 'left out' torn.out; }
@@ -147,7 +147,7 @@ awk '/TIMESTEP/ { n++ } n <= 2' whole.dump | head -c -3 >on.dump
 "$TSIM" -in in.on -log none >on.out 2>&1
 "$TSIM" -in in.torn -log none >torn.out 2>&1
 rows torn.out | awk '{ print $1 }' | tr '\n' ' ' >steps
-[ "$(cat steps)" = '0 40 60 ' ] && grep -q "the frame of step 20 is not whole, it has 199 of 200 rows" torn.out
+[ "$(cat steps)" = '0 40 60 ' ] && shows "the frame of step 20 is not whole, it has 199 of 200 rows" torn.out
 report 'a cut number is no number' $? torn.out
 head -c $((size / 2)) whole.dump.gz >on.dump.gz
 sed -i 's/on.dump/on.dump.gz/' in.on

@@ -19,7 +19,7 @@ again() { # OPTIONS...: continues from first.restart
 		-var from first.restart "$@" >out 2>err </dev/null
 }
 says() { # WHAT TEXT FILE
-	grep -qF -- "$2" "$3"
+	shows "$2" "$3"
 	report "$1" $? "$3"
 }
 refused_change() { # WHAT TEXT OPTIONS...

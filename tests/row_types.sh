@@ -34,7 +34,7 @@ right() {
 	report "compiles: $*" $? out
 }
 wrong() {
-	! compiles "$@" && grep -q 'differ in type' out
+	! compiles "$@" && shows 'differ in type' out
 	report "does not compile: $*" $? out
 }
 for field in x v turn parts.a; do right "TS_SAVE_F64(struct state, $field),"; done

@@ -28,7 +28,7 @@ stops() {
 	"$TSIM" -in in.script -log log.tsim >out 2>err </dev/null
 	[ $? = 1 ] || ok=1
 	for text in "$@"; do
-		grep -qF -- "$text" err || { ok=1; echo "missing: $text"; }
+		shows "$text" err || { ok=1; echo "missing: $text"; }
 	done
 	tail -n 3 log.tsim | grep -qF 'error: ' || ok=1
 	report "$what" $ok err
@@ -51,7 +51,7 @@ set atom 2 vy 0.1
 thermo_modify lost error
 dump d all custom 50 lost.dump id x y z vx
 run 5000" 'particle 2 (type 1) left the box through its fixed face xhi at step 1258' \
-	'position (1.0' 'velocity (2.385 ' 'last contacts: none' 'no wall stands at that face'
+	'position (1.00003 ' 'velocity (2.385 ' 'last contacts: none' 'no wall stands at that face'
 frames lost.dump 26
 grep -qE '^ +1200 ' log.tsim
 report 'the table up to there' $?
@@ -91,7 +91,7 @@ stops 'a step beyond the limit' "$balls
 pair_coeff * * stiffness 1e4 damping 0
 timestep 0.0295
 dump d all custom 10 beyond.dump id x y z
-run 100" 'a contact of types 1 and 1' '0.028'
+run 100" 'a contact of types 1 and 1' '0.0289441'
 [ ! -s beyond.dump ] && ! grep -q '^ *Step' log.tsim
 report 'nothing is written then' $?
 printf '%s\n' "$balls" 'pair_coeff * * stiffness 1e4 damping 0' 'timestep 0.0285' 'run 1' >in.script
@@ -105,7 +105,7 @@ printf 'include nowhere\n' >in.script
 refused 'no included script' "cannot open script 'nowhere'" -in in.script
 head -c 3000 /dev/urandom >in.script
 "$TSIM" -in in.script -log none >out 2>err
-[ $? = 1 ] && grep -q 'error: ' err
+[ $? = 1 ] && shows 'error: ' err
 report 'noise as script' $?
 printf 'print "no end\n' >in.script
 refused 'a quote without end' 'quote' -in in.script
@@ -125,20 +125,20 @@ compute='compute k all ke'
 bad_target() { # TARGET REASON
 	stops "dump to $1" "$balls
 dump d all custom 10 $1 id x y z
-run 100" 'in.script:14' "$2"
+run 100" 'in.script:14:' "$2"
 	stops "thermo_log to $1" "$balls
 thermo_log $1
-run 100" 'in.script:1' "$2"
+run 100" 'in.script:14:1' "$2"
 	stops "averages to $1" "$balls
 $compute
 fix a all ave/time 5 2 10 c_k file $1
-run 100" 'in.script:1' "$2"
+run 100" 'in.script:15:36' "$2"
 	stops "broken bonds to $1" "$balls
 bond_style contact
 bond_coeff 1 stiffness 1e4 ultimate 1e-9
 create_bonds single/bond 1 1 2
 fix a all bond/breakage file $1
-run 2000" 'in.script:1' "$2"
+run 2000" 'in.script:17:30' "$2"
 }
 bad_target full 'No space left'
 bad_target pipe/file "pipe/file'"
@@ -148,7 +148,7 @@ dump d all custom 10 full.gz id x y z
 run 4000" 'in.script:14'
 for target in full in.script/file .; do
 	"$TSIM" -in in.script -log $target >out 2>err </dev/null
-	[ $? = 1 ] && grep -q "log file" err
+	[ $? = 1 ] && shows "log file" err
 	report "log to $target" $? err
 done
 # a restart file is renamed into place, which a device or a pipe would not survive
@@ -192,11 +192,11 @@ refused 'a long line of a file variable' 'the line has more than 20000 bytes' -i
 "$TSIM" -in in.long -log none -screen none -input-limit 0.04 2>err
 report 'the limit can be raised' $? err
 "$TSIM" -in in.long -input-limit none >out 2>err
-[ $? = 2 ] && grep -q 'number of GB' err
+[ $? = 2 ] && shows 'number of GB' err
 report 'the limit is a number' $? err
 stops 'restart during a run' "$balls
 dump save all restart 10 pipe
-run 100" 'in.script:14:1' 'not a plain file'
+run 100" 'in.script:14:15' 'not a plain file'
 "$TSIM" -in in.script -log none >full 2>err </dev/null
 [ $? = 1 ]
 report 'a full screen' $? err

@@ -20,7 +20,7 @@ script() {
 stops() {
 	local what=$1 text=$3
 	script "$2" "${@:4}"
-	[ $? = 1 ] && grep -qF -- "$text" ../err
+	[ $? = 1 ] && shows "$text" ../err
 	report "$what" $? ../err
 }
 # runs WHAT LINES OPTIONS
@@ -137,10 +137,10 @@ for kernel in yes no; do
 	runs "$s: /dev/null" 'print a file /dev/null' "${with[@]}"
 	rm -rf link linked dangling hard pipe sub
 	timeout -s KILL 60 "$TSIM" "${with[@]}" -in ../script/in.part -log ../other/log >../out 2>../err
-	[ $? != 0 ] && grep -qF "$writes" ../err
+	[ $? != 0 ] && shows "$writes" ../err
 	report "$s: -log" $? ../err
 	timeout -s KILL 60 "$TSIM" "${with[@]}" -in ../script/in.part -screen ../other/screen >../out 2>../err
-	[ $? != 0 ] && grep -qF "$writes" ../err
+	[ $? != 0 ] && shows "$writes" ../err
 	report "$s: -screen" $? ../err
 	unharmed "$s"
 	[ ! -e /tmp/ts_sandbox_$$ ] && [ ! -e /dev/shm/ts_sandbox_$$ ] && [ "$(ls ../script)" = $'in.part\nin.script' ]
@@ -156,7 +156,7 @@ for kernel in yes no; do
 	for other in '-shell yes' '-crosscheck lammps' -advise; do
 		# shellcheck disable=SC2086
 		script 'print a' "${with[@]}" $other
-		[ $? = 2 ] && grep -q 'cannot be given together' ../err
+		[ $? = 2 ] && shows 'cannot be given together' ../err
 		report "$s: with $other" $? ../err
 	done
 
@@ -175,7 +175,7 @@ for kernel in yes no; do
 		"has written all that -sandbox allows" "${with[@]}" disk 1e-4
 	rm -rf many
 	script "$grain"$'\nrun 2000000000' "${with[@]}" time 1
-	[ $? = 152 ] && grep -q 'the processor time that -sandbox allows' ../err && [ -s tsim.interrupted.restart ]
+	[ $? = 152 ] && shows 'the processor time that -sandbox allows' ../err && [ -s tsim.interrupted.restart ]
 	report "$s: time" $? ../err
 	rm -f tsim.interrupted.restart
 	if ! "$TSIM" -in ../script/in.part -log none 2>&1 | grep -q ERROR && ! nm "$TSIM" 2>/dev/null | grep -q __asan_init; then
@@ -187,19 +187,19 @@ done
 
 # who keeps it so is said
 script 'print a' -sandbox kernel no
-grep -q 'files are kept by tsim alone' ../out && grep -q 'sockets are kept away by tsim alone' ../out
+shows 'files are kept by tsim alone' ../out && shows 'sockets are kept away by tsim alone' ../out
 report 'says that the kernel does not help' $? ../out
 script 'print a' -sandbox
 grep -qE 'files are kept by (the kernel \(Landlock [0-9]+\) and by tsim|tsim alone.*no Landlock)' ../out
 report 'says who helps' $? ../out
-grep -qF "reads below '$(cd ../script && pwd -P)'" ../out && grep -qF "writes below '$here'" ../out
+shows "reads below '$(cd ../script && pwd -P)'" ../out && shows "writes below '$here'" ../out
 report 'says where' $? ../out
 script 'print a' -sandbox memory none
-[ $? = 2 ] && grep -q memory ../err
+[ $? = 2 ] && shows memory ../err
 report 'a wrong word' $? ../err
 script "$grain"$'\nrun 10' -sandbox -explain
 report 'with -explain' $? ../err
-grep -q 'about' ../out
+shows 'about' ../out
 report 'which prices' $? ../out
 script "$grain"$'\nrun 10' -sandbox -threads 2
 report 'with threads' $? ../err

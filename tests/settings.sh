@@ -53,7 +53,7 @@ report 'defaults of a region' $? log.a
 report 'settings only where they have changed' $? log.a
 grep -q '^# settings: units si dimension 3 (default) timestep 0.0001 ' log.a
 report 'settings of the simulation' $? log.a
-grep -q '^# run: N 2; by default: pre yes post yes' log.a
+grep -qx '# run: N 2; by default: pre yes post yes unsafe no' log.a
 report 'defaults of a run' $? log.a
 printf 'echo none\nunits si\nregion b block 0 1 0 1 0 1\ncreate_box 1 b\nrun 0\n' >in.b
 "$TSIM" -in in.b -log log.b >out 2>err

@@ -131,6 +131,7 @@ shell_tests = \
 	tests/kill.sh \
 	tests/layers.sh \
 	tests/manual_current.sh \
+	tests/matching.sh \
 	tests/meshes.sh \
 	tests/momentum.sh \
 	tests/omissions.sh \

@@ -31,7 +31,7 @@ velocity a set -1.5 0.1 0"
 prints "$periodic
 run 10000
 print \"\$(x[1]:%.9f) \$(vy[1]:%.9f) \$(x[2]:%.6f)\"" '0.084715321 0.070758852 0.940000' \
-	'warning: fix wall/gran: a plane wall across the periodic dimension x'
+	'*warning: fix wall/gran: a plane wall across the periodic dimension x'
 rejects "${box/f f f/p p f}
 fix x1 all wall/gran hooke 1e5 NULL 10 NULL 0.5 0 xplane 0 1" 'a plane wall across the periodic dimension x'
 

@@ -33,8 +33,8 @@ flow_style projection cells 20 8 1 viscosity 1 density 1'
 prints "$scene
 flow_grid x around 0 1 before 5 inside 10
 compute x all flow/line cells x 0.5 0 values x
-print \"\$(c_x[6][1]) \$(c_x[15][1]:%.6f) first \$(c_x[1][1] < -1.4) last \$(c_x[20][1] > 2.4)\"" \
-	'0.0500000000' '0.950000 first 1 last 1'
+print \"\$(c_x[6][1]:%.15g) \$(c_x[15][1]:%.6f) first \$(c_x[1][1] < -1.4) last \$(c_x[20][1] > 2.4)\"" \
+	'0.05 0.950000 first 1 last 1'
 rejects "$scene
 flow_grid x around 0 1 before 12 inside 10" 'do not fit'
 rejects "$scene

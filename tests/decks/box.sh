@@ -81,7 +81,7 @@ for way in copied larger; do
 	report "block $way" $? out.$way
 	grep '^energy' out.$way >energy.$way
 done
-grep -q '  486 bonds' out.copied
+shows '  486 bonds' out.copied
 report 'all bonds copied' $? out.copied
 same 'a copied block is a larger block' energy.copied energy.larger
 

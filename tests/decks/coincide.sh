@@ -153,7 +153,7 @@ moves() {
 rejects "$(moves 'fix mv all move/mesh mesh cad linear 0 0 -250' 1e-3)" 'moves by 0.25 in step 1, more than the radius 0.05 of particle 1'
 rejects "$(moves 'fix mv all move/mesh mesh cad linear 0 0 -250' 1e-3)" 'use `timestep 0.00018`'
 rejects "$(moves 'set atom 1 y 0.03 z 0.74
-fix mv all move/mesh mesh cad rotate origin 0.5 0.5 0.8 axis 1 0 0 period 0.05' 1e-3)" 'of mesh cad moves by 0.06'
+fix mv all move/mesh mesh cad rotate origin 0.5 0.5 0.8 axis 1 0 0 period 0.05' 1e-3)" 'of mesh cad moves by 0.0628 in step 1'
 for going in 'linear 0 0 -250 1.8e-4' 'linear 0 0 250 3e-4' 'linear 0 0 -70 1e-3'; do
 	prints "$(moves "fix mv all move/mesh mesh cad ${going% *}" "${going##* }")
 print 'went on'" 'went on'

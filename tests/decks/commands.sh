@@ -1,5 +1,7 @@
 #!/bin/bash
 # The set-up commands: what they print, and every rejection with a place and a reason.
+# shellcheck source=tests/lib_text.sh
+. "$top_srcdir/tests/lib_text.sh" || exit 99
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
@@ -27,7 +29,7 @@ good() { # name, script, lines ...
 	shift 2
 	run_script || ok=1
 	for line in "$@"; do
-		grep -qF -- "$line" out || { ok=1; echo "missing: $line"; }
+		says_line "$line" out || { ok=1; echo "missing: $line"; }
 	done
 	report "$name" $ok
 }
@@ -37,7 +39,7 @@ bad() { # script, text
 	local ok=0
 	printf '%s\n' "$1" >in.script
 	run_script && ok=1
-	grep -qF -- "$2" out || ok=1
+	shows "$2" out || ok=1
 	report "rejects: $1" $ok
 }
 
@@ -66,14 +68,14 @@ create_atoms 2 region low" 'Created 8 atoms'
 good 'region lengths in lattice units' "units si
 lattice none 0.5
 region box block 0 2 0 2 0 2 units lattice
-create_box 1 box" 'to (1 1 1)'
+create_box 1 box" 'Created orthogonal box = (0 0 0) to (1 1 1)'
 good 'random without overlap' "units si
 $box
 create_atoms 1 random 200 86028157 NULL overlap 0.1
 delete_atoms overlap 0.1 all all" 'Created 200 atoms' 'Deleted 0 atoms, new total = 200'
 good 'too many' "units si
 $box
-create_atoms 1 random 50 86028157 NULL overlap 0.5 maxtry 100" 'warning: only'
+create_atoms 1 random 50 86028157 NULL overlap 0.5 maxtry 100" 'in.script:4: warning: only 6 of 50 particles could be placed, with 100 tries each'
 good 'sets, groups, velocities' "variable two equal 2.385
 $ball
 region top block INF INF INF INF 0.6 INF units box
@@ -87,11 +89,11 @@ group left subtract both b
 group none intersect b left
 group upper region top
 group fast variable v_fast
-print \"mass \$(mass(lower)) \$(mass(b)) \$(count(left)) \$(vcm(b,x))\"
+print \"mass \$(mass(lower):%.15g) \$(mass(b)) \$(count(left)) \$(vcm(b,x):%.15g)\"
 delete_atoms group b
 group b delete" '1 atoms in group b' '2 atoms in group both' '1 atoms in group left' \
 	'0 atoms in group none' '1 atoms in group upper' '1 atoms in group fast' \
-	'mass 4.18879020478639' '3.5 1 2.385' 'Deleted 1 atoms, new total = 1'
+	'mass 4.18879020478639 3.5 1 2.385' 'Deleted 1 atoms, new total = 1'
 good 'velocity create is exact and keyed by identity' "units lj
 boundary p p p
 $box

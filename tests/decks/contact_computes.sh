@@ -258,7 +258,7 @@ print \$(c_s[1])" 'has 10 elements'
 rejects "$six
 compute c all property/local patom1 natom2" "'patom1' and 'natom2' are of different lists"
 rejects "$six
-compute c all property/local patom3" "did you mean 'patom"
+compute c all property/local patom3" "did you mean 'patom1'?"
 rejects "$six
 compute c all pair/local eng" "unknown quantity 'eng'"
 rejects "$six

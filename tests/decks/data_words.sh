@@ -45,14 +45,14 @@ print "sums $(c_s[1]) $(c_s[2]) $(c_s[3]) $(c_s[4]) $(c_s[5])"'
 prints "$head
 read_data three.data fix m NULL Molecules fix p crossterms \"My Marks\" extra/angle/types 2 extra/dihedral/types 1 &
 extra/improper/types 1 extra/angle/per/atom 3 extra/dihedral/per/atom 3 extra/improper/per/atom 3 extra/special/per/atom 2
-$sums" 'sums 4.3849999999999997868 4 99 19 1' '3 lines'
+$sums" 'sums 4.3849999999999997868 4 99 19 1' '*3 lines'
 prints "$head
 read_data three.data fix m NULL Molecules fix p crossterms \"My Marks\"
 read_data three.data add 100 shift 0 0 0.3 fix m NULL Molecules fix p crossterms \"My Marks\"
 group far id 109
 compute m all property/atom mol
 compute f far reduce sum c_m d_age
-print \"far \$(c_f[1]) \$(c_f[2])\"" 'far 5 2.38499'
+print \"far \$(c_f[1]) \$(c_f[2]:%.15g)\"" 'far 5 2.385'
 rejects "$head
 read_data three.data fix m NULL Molecules" "three.data:5:"
 rejects "$head
@@ -81,7 +81,7 @@ write_data bare.data nofix
 clear
 $head
 read_data one.data fix m NULL Molecules fix p NULL p
-write_data two.data" '3 lines'
+write_data two.data" '*3 lines'
 same 'sections come back' one.data two.data
 grep -q 'Molecules\|^p$' bare.data
 report 'nofix' $((1 - $?)) bare.data
@@ -95,7 +95,7 @@ create_box 2 box
 create_atoms 1 single 0.5 0.8 0.5 units box'
 prints "$box
 read_data plain.data add group new
-print \"there \$(atoms) \$(xhi) \$(count(new))\"" 'there 4 0.9'
+print \"there \$(atoms) \$(xhi:%.15g) \$(count(new))\"" 'there 4 0.9 3'
 sed -i 's/0.6 0.2 0.2/0.95 0.2 0.2/' plain.data
 rejects "$box
 read_data plain.data add" 'lies outside the box'

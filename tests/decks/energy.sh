@@ -192,5 +192,5 @@ compute stored all pe pear" "did you mean 'pair'"
 
 prints "$head
 thermo_style custom step cu ecouple econserve timeremain ecoul elong etail eangle edihed eimp angles dihedrals impropers
-run 0" 'TimeoutLeft' 'Impros'
+run 0" '*TimeoutLeft' '*Impros'
 finish

@@ -66,7 +66,7 @@ create_atoms 1 single 0.1 0.05 0.05
 set group all diameter 0.02 density 2385
 run 2
 print "count $(f_e[2][10])"' 'count 1'
-grep -q '^POINTS 0' none2.vtk && grep -q '^POINTS 3' none4.vtk
+grep -q '^POINTS 0 ' none2.vtk && grep -q '^POINTS 3 ' none4.vtk
 report 'dump euler/vtk writes what there is' $? none4.vtk
 rejects 'include in.begin
 dump d all euler/vtk 10 e*.vtk' 'dump euler/vtk needs a fix ave/euler'

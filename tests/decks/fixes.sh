@@ -81,9 +81,9 @@ exact() {
 	same "$what: dump, threads" whole1.dump whole2.dump
 }
 
-# says WHAT TEXT: in the output of the last script
+# says WHAT LINE: in the output of the last script
 says() {
-	grep -qF -- "$2" script.out
+	says_line "$2" script.out
 	report "$1" $? script.out
 }
 
@@ -377,14 +377,14 @@ says 'shrunk' 'part 0.875 90 0.875 0.875 0.125'
 says 'deleted below a radius' 'the small ones go 30 60 1'
 grep -q '^fix remove r: step 10, mass 0.0.* removed, 0 particles deleted, 90 chosen from' script.out
 report 'told' $? script.out
-# without the balance the mean is right
+# without the balance the mean is right; what is left is that of the last step, in which no lot fell
 script <<END
 $removal
 fix r all remove nevery 1 massrate \$(0.05*v_m1/0.001) style delete seed 5143 atomtype 1 integrated_error no
 run 600
-print "by lot \$(f_r[2]>=22 && f_r[2]<=38) \$(f_r[3]<=0)"
+print "by lot \$(f_r[2]>=22 && f_r[2]<=38) \$(f_r[3]/v_m1:%.6f)"
 END
-says 'the mean is right' 'by lot 1'
+says 'the mean is right' 'by lot 1 0.050000'
 
 # diameters by the distance from a centre or an axis
 script <<'END'
@@ -415,8 +415,8 @@ displace_atoms all move 0.08 0 0 units box
 run 5
 print "side $(radius[1]:%.6g)"
 END
-says 'linear to the centre' 'linear 0.0050000000000000001041 0.00875 0.01 '
-says 'the mass follows' ' 0.669921875 1'
+says 'linear to the centre' '*linear 0.0050000000000000001041 0.00875 0.01 '
+says 'the mass follows' '* 0.669921875 1'
 says 'once only' 'once 0.005'
 says 'a cylinder ends' 'axis 0.03 0.03 0.01 0.01'
 says 'the outer part' 'side 0.026'
@@ -454,7 +454,7 @@ print "disk at $(step)"
 END
 says 'halt continue' 'continued at 42'
 says 'its message' 'Fix halt condition for fix-id h met on step 42 with value 0.605'
-says 'the table has the last step' '      42 '
+says 'the table has the last step' '*      42 '
 says 'halt soft' 'soft at 85'
 says 'later runs are skipped' 'skipped at 85'
 says 'until the timer is reset' 'again at 88'

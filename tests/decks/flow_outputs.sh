@@ -95,7 +95,7 @@ print "is spot $(c_spot[1][1]) $(300+40*0.15+12*0.15)"
 print "is spot $(c_spot[2][1]) $(300+40*0.31+12*0.125)"
 print "is line $(c_line[6][2]) $(300+40*5.5/12+12*0.125)"'
 rejects 'include warm
-compute p all flow/probe 0.1 0.2 0.2 values f_t' "f_"
+compute p all flow/probe 0.1 0.2 0.2 values f_t' "there is no fix 't'; known: T"
 rejects 'include warm
 fix m all ave/time 1 1 1 c_thermo_temp
 compute p all flow/probe 0.1 0.2 0.2 values f_m' 'fix m (style ave/time) carries no scalar'

@@ -33,7 +33,7 @@ told() {
 	grep '(review: flow_resolution)' run.log >told
 	[ "$(grep -c . told)" = $(($# > 0)) ] || ok=1
 	for text in "$@"; do
-		grep -qF -- "$text" told || ok=1
+		shows "$text" told || ok=1
 	done
 	report "$what" $ok told
 }

@@ -150,7 +150,7 @@ END
 	echo 'print "HIT $(f_free[6] < -0.1 && vz[1] > -1)"'
 } >deck
 agree 'momentum and angular momentum in a collision' "$(cat deck)"
-grep -q '^HIT 1' out
+grep -qx 'HIT 1' out
 report 'a grain moves it' $? out
 
 # ---- a block on four grains that are held comes to rest; they bear it
@@ -172,7 +172,7 @@ print "REST $(f_free[20] < 1e-8) $(abs(f_block[3]/f_free[19]/9.81-1) < 1e-3) $(a
 END
 } >in.rest
 "$TSIM" -in in.rest -log none >out 2>&1
-grep -q '^REST 1 1 1 1' out
+grep -qx 'REST 1 1 1 1' out
 report 'a block at rest on grains' $? out
 
 # ---- in a fluid a mesh of 288 corners sinks as the sphere in it, of the same mass

@@ -166,7 +166,7 @@ run 40
 print "NOTHING $(abs(f_ball[1])+abs(f_ball[2])+abs(f_ball[3])+abs(f_ball[4])+abs(f_ball[5])+abs(f_ball[6]) < 1e-10)"
 END2
 "$TSIM" -in in.carried -log none >out 2>&1
-grep -q '^NOTHING 1' out
+grep -qx 'NOTHING 1' out
 report 'a body that goes with the flow feels nothing' $? out
 
 # ---- a mesh is the block that it is the surface of
@@ -230,7 +230,7 @@ run 600
 print "REST $(abs(z[1]-0.5) < 0.002) $(abs(vz[1]) < 0.05) $(f_body[1] > 0)"
 END2
 "$TSIM" -in in.wall -log none >out 2>&1
-grep -q '^REST 1 1 1' out
+grep -qx 'REST 1 1 1' out
 report 'a grain on a block' $? out
 
 # ---- restart, and threads: byte for byte
@@ -321,7 +321,7 @@ region b block \$(0.2*$unit) \$(0.8*$unit) INF INF \$(0.25*$unit) \$(0.74*$unit)
 fix b all immersed/boundary region b
 run 1" '3.92 cells across along z, fewer than 4'
 	"$TSIM" -check -in in.script >out 2>&1
-	[ $? = 1 ] && grep -q 'say .min_cells 3.9.' out
+	[ $? = 1 ] && shows 'say `min_cells 3.9`' out
 	report "-check refuses a body of few cells, lengths of $unit" $? out
 	prints "$(few $unit)
 region b block \$(0.2*$unit) \$(0.8*$unit) INF INF \$(0.25*$unit) \$(0.74*$unit) units box
@@ -368,7 +368,7 @@ print went" went
 # warns WHAT REGION TEXT
 warns() {
 	printf '%s\nregion b %s units box\nfix b all immersed/boundary region b min_cells 0\ntimestep 1e-4\nrun 1\n' "$scene" "$2" >in.script
-	"$TSIM" -in in.script -log none >out 2>&1 && grep -qF -- "$3" out
+	"$TSIM" -in in.script -log none >out 2>&1 && shows "$3" out
 	report "$1" $? out
 }
 warns 'outside' 'sphere 3 3 3 0.5' 'outside the grid'

@@ -20,8 +20,8 @@ report 'info' $? out
 for line in '  no box yet' '  units micro, 3 dimensions, step 0, time 0, time step 2' \
 	'  box (0 0 0) to (1 1 1), faces pp pp pp' '  20 particles of 2 types, 0 bonds of 0 types, 0 lost' \
 	'  few, static, 3 particles' '  dy, dynamic, 3 particles' '  box, block, in.info:3' \
-	'  hot, ke, group all, in.info:7' '  fall, gravity, group all, in.info:6' '  region: block'; do
-	grep -qF -- "$line" out
+	'  hot, ke, group all, in.info:7' '  fall, gravity, group all, in.info:6' '*  region: block'; do
+	says_line "$line" out
 	report "says: $line" $? out
 done
 prints 'variable b index x y z
@@ -30,7 +30,7 @@ variable k equal 2*l
 next l
 next b
 info variables time configuration styles region accelerator fft' '  b, index, x y z, now y, in.script:1' \
-	'  l, loop, 3, now 2, in.script:2' '  k, equal, 2*l, in.script:3' '  region: block cone'
+	'  l, loop, 3, now 2, in.script:2' '  k, equal, 2*l, in.script:3' '*  region: block cone'
 prints 'print begun file state.txt
 info groups out append state.txt fft
 info groups out screen' '  all, static, 0 particles'

@@ -34,12 +34,12 @@ END
 "$TSIM" -in in.lists -log none >out 2>err
 report 'lists of inputs' $? err
 has() {
-	grep -qF -- "$1" out
+	says_line "$1" out
 	report "$1" $? out
 }
 has 'row 0.02 0.637 0.75 0.379'
 has 'slope 0.004 least 0.75 tail 0.774'
-has '       most[1]        most[2]        most[3]        most[4]        mean[1]        mean[2]'
+has '*       most[1]        most[2]        most[3]        most[4]        mean[1]        mean[2]'
 grep -qxF '# TimeStep c_centre[1] c_centre[2]' mean.txt
 report 'names of the averages' $? mean.txt
 grep -qxF 'ITEM: ATOMS id c_p[1] c_p[2] c_p[3] ' dump.lists

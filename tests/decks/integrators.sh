@@ -23,7 +23,7 @@ twice() {
 	printf '%s\n' "$start" "$1" 'run 10' >in.script
 	refused "twice: $1" "$2" -in in.script
 	"$TSIM" -check -in in.script >out 2>&1 </dev/null
-	[ $? = 1 ] && grep -qF -- "$2" out
+	[ $? = 1 ] && shows "$2" out
 	report "-check: $1" $? out
 }
 # once LINES: runs, and passes -check
@@ -51,7 +51,7 @@ fix b two nve
 fix a all rigid single' 'fix b (nve) moves particle 2, which belongs to a rigid body'
 once 'fix a all rigid single
 fix b all nve/sphere'
-grep -q 'review: members' out
+shows 'review: members' out
 report 'told by default' $? out
 once 'fix a one rigid single
 fix b two nve'

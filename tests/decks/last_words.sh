@@ -45,7 +45,7 @@ compute thermo_temp all ke
 print 'is own \$(c_thermo_temp) \$(ke)'"
 prints "$scene
 thermo_style custom step c_thermo_temp c_thermo_press[3]
-run 0" 'thermo_t'
+run 0" '    Step    thermo_temp thermo_press[3] '
 agree 'no pair style any more' "$scene
 compute n all contacts
 run 0

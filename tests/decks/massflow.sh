@@ -93,7 +93,7 @@ compute mark all reduce sum f_massflow_flow
 run 20
 print 'mark \$(c_mark)'
 run 60
-print 'mark \$(c_mark)'" 'mark 0' 'mark 2' ' 1  0.051   0.1  0.1  0.1 -0.0005'
+print 'mark \$(c_mark)'" 'mark 0' 'mark 2' '* 1  0.051   0.1  0.1  0.1 -0.0005'
 
 # a clump counts sphere by sphere, and is deleted when all of it has passed; ages are 2 and 3
 agree 'clumps' "$start

@@ -29,7 +29,7 @@ $start"
 prints "$start
 fix rim all mesh/surface fix lid type 2
 dump rim all mesh/vtk 1 rim*.vtk area rim
-run 0" 'Step'
+run 0" '*Step'
 [ "$(sed -n '/^area/,$p' rim0.vtk | grep -o '0\.09625' | wc -l)" = 16 ]
 report 'areas' $? rim0.vtk
 [ "$(sed -n 's/^POINTS \([0-9]*\) .*/\1/p' rim0.vtk)" = 48 ]

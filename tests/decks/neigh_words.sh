@@ -124,6 +124,6 @@ read_data nothing.data
 set type 1 mass 1
 END
 refused 'check in two dimensions' "nothing.data" -check -in in.two
-grep -q nested err
+shows nested err
 report 'nothing is nested' $((1 - $?)) err
 finish

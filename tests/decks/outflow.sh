@@ -23,7 +23,7 @@ last_with_two() {
 	printf '%s\n%s\n' "$scene" "$1" >in.outflow
 	"$TSIM" -in in.outflow -log none >out 2>&1
 	[ "$(awk 'NF == 2 && $2 == 2 { last = $1 } END { print last }' out)" = "$2" ] &&
-		grep -q '^Particles lost through fixed faces so far: 1' out
+		grep -qx 'Particles lost through fixed faces so far: 1' out
 	report "$1" $? out
 }
 last_with_two 'thermo_modify lost warn

@@ -29,7 +29,7 @@ run 0
 print \"sphere \$(mass(left)/v_m:%.12g) \$(erotate/(0.2*v_m*0.051^2*7.3^2):%.12g)\"" 'sphere 1 1'
 prints "$plane
 fix move all nve/sphere
-run 0" 'warning: particles turn as discs'
+run 0" '*warning: particles turn as discs'
 
 # A torque T for a time t: omega = T t / (m R^2 / 2), and a torque on a sphere T t / (0.4 m R^2).
 turned() { # words, factor
@@ -88,7 +88,7 @@ print "stays $(count(all)) $(c_out)"' 'stays 1500 0'
 prints "$plane
 set atom 1 z 0.01
 fix move all nve
-run 0" 'particle 1 is out of the plane'
+run 0" '*particle 1 is out of the plane'
 
 rejects 'dimension 2
 boundary p p f

@@ -24,14 +24,14 @@ $rain diam range 0.08 0.12 vol 0.1 50 vel 0.1 0.1 -0.2 -0.2 -1.3 region sky
 run 1
 print \"first \$(f_rain) \$(count(all)) \$(type[17])\"
 variable left equal vz[17]+sqrt(1.3^2+2*9.81*(1.8-z[17]))
-print \"left \$(abs(v_left+0.5e-4*9.81)<1e-12) \$(vx[17]) \$(vy[17])\"
+print \"left \$(abs(v_left+0.5e-4*9.81)<1e-12) \$(vx[17]:%.15g) \$(vy[17]:%.15g)\"
 run 2414
 print \"before \$(f_rain)\"
 run 1
 print \"then \$(f_rain)\"
 run 6000
 print \"all \$(f_rain)\"" 'Particle insertion: 99 every 2415 steps, 300 by step 7246' 'first 99 99 2' \
-	'left 1 0.1' 'before 99' 'then 198' 'all 300'
+	'left 1 0.1 -0.2' 'before 99' 'then 198' 'all 300'
 # the interval is that of the step when the fix was defined, as in LAMMPS
 prints "$box
 $down
@@ -39,12 +39,12 @@ timestep 2e-4
 $rain diam one 0.1 vol 0.05 50 region tube
 timestep 1e-4
 run 1749
-print \"two \$(f_rain)\"" 'need 3497 steps to leave the region' 'Particle insertion: 45 every 1749 steps' 'two 45'
+print \"two \$(f_rain)\"" '*need 3497 steps to leave the region' '*Particle insertion: 45 every 1749 steps' 'two 45'
 # no place: told once, made up for later
 prints "$box
 $down
 $rain diam one 0.1 vol 0.7 1 region tube
-run 1" 'less insertions than requested'
+run 1" '*less insertions than requested'
 # the region rises
 prints "$box
 $down

@@ -9,7 +9,7 @@ check() { # WHO TEXT: of in.case
 	"$TSIM" -in in.case -log none >out 2>err </dev/null
 	local status=$?
 	case $1 in
-	both | tsim) [ $status = 1 ] && grep -qF -- "$2" err && grep -q '^in.case:[0-9]*:[0-9]*: error' err ;;
+	both | tsim) [ $status = 1 ] && shows "$2" err && grep -q '^in.case:[0-9]*:[0-9]*: error' err ;;
 	*) [ $status = 0 ] ;;
 	esac
 }

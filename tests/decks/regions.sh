@@ -58,8 +58,8 @@ compute most all reduce sum v_top
 fix move all nve
 fix say all print 1 'step \$(step) particle \$(c_who) both \$(c_most)' screen yes
 timestep 0.1
-run 8" 'step 1 particle 0' 'step 2 particle 2 both 0' 'step 4 particle 3 both 0' \
-	'step 6 particle 4' 'step 8 particle 1'
+run 8" '*step 1 particle 0' 'step 2 particle 2 both 0' 'step 4 particle 3 both 0' \
+	'*step 6 particle 4' '*step 8 particle 1'
 # One that is moved as a whole, and the box around it.
 prints "$grid
 region a block 0 0.2 0 0.3 0 0.4 units box
@@ -98,11 +98,11 @@ print \"now \$(volume(f))\"" 'inside 0' 'volume 6' 'now 0.25'
 prints 'units si
 lattice none 0.5
 region box block 0 2 0 2 0 2
-print "as it is $(volume(box))"' 'as it is 8' 'as in LIGGGHTS'
+print "as it is $(volume(box))"' 'as it is 8' '*as in LIGGGHTS'
 prints 'units lj
 lattice none 0.5
 region box block 0 2 0 2 0 2
-print "in spacings $(volume(box))"' 'in spacings 1' 'as in LAMMPS'
+print "in spacings $(volume(box))"' 'in spacings 1' '*as in LAMMPS'
 
 rejects 'region r block EDGE 1 0 1 0 1' 'there is no box yet'
 rejects 'region r block 1 0 0 1 0 1' 'is above'

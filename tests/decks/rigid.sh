@@ -94,7 +94,7 @@ prints 'variable faces index "p p f"
 include in.scene
 fix g left gravity 40 vector 0 0 1
 thermo_style custom step atoms
-run 2000' '    2000        3'
+run 2000' '*    2000        3'
 
 prints 'variable faces index "p p p"
 include in.scene

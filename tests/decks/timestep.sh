@@ -87,8 +87,8 @@ print \"is legacy \$(f_tl[2]*1e10:%.17g) 1\""
 prints "include in.two
 $law
 fix ts all check/timestep/gran 1 0.01 0.003
-run 3" "the time step is 1.114 % of Rayleigh's time at step 1, more than 1 %" \
-	'% of the Hertz time at step 1, more than 0.3 %'
+run 3" "*the time step is 1.114 % of Rayleigh's time at step 1, more than 1 %" \
+	'*% of the Hertz time at step 1, more than 0.3 %'
 echo "include in.two
 $law
 fix ts all check/timestep/gran 1 0.01 0.003 warn no

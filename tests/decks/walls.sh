@@ -125,10 +125,10 @@ warms 'contact_area constant 0.002385' 0.002385 0.002385
 warms 'contact_area projection' 'PI*0.1^2' 'PI*0.1^2'
 prints 'include in.sphere
 fix w all wall/gran ${law} zplane 0.0 temperature 300
-run 0' 'the temperature has no effect without fix heat/gran'
+run 0' '*the temperature has no effect without fix heat/gran'
 prints 'include in.sphere
 fix w all wall/gran ${law} zplane 0.0 shear z 1
-run 0' 'a shear along the normal moves no plane'
+run 0' '*a shear along the normal moves no plane'
 
 rejects 'include in.sphere
 fix w all wall/gran ${law} zplane 0.0 shear w 1' "shear is along 'w', expected x, y or z"

@@ -1,5 +1,7 @@
 #!/bin/bash
 # The guard of the time step while a run goes on: what it says, when, and that a run cut in two says the same.
+# shellcheck source=tests/lib_text.sh
+. "$top_srcdir/tests/lib_text.sh" || exit 99
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
@@ -112,7 +114,7 @@ ok=1
 press 1.5 no 0 && ok=0
 for text in 'in.press:21' 'error: at step' 'the time step 1.5 is beyond the stability limit 1.41421 of' \
 	'all contacts together, about particle 1 of type 1 (2 contacts) at (0 0 0)' 'timestep 0.14'; do
-	grep -qF -- "$text" out || { ok=0; echo "missing: $text"; }
+	shows "$text" out || { ok=0; echo "missing: $text"; }
 done
 report 'beyond it: stopped, with cause, place and what to do' $ok
 

@@ -1,5 +1,7 @@
 #!/bin/bash
 # A step beyond the limit: the message names the step, the limit and the line that set it.
+# shellcheck source=tests/lib_text.sh
+. "$top_srcdir/tests/lib_text.sh" || exit 99
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
@@ -31,7 +33,7 @@ check() { # what, expected exit status, step, unsafe, texts ...
 	shift 4
 	[ "$status" = "$expected" ] || ok=0
 	for text in "$@"; do
-		grep -qF -- "$text" out || { ok=0; echo "missing: $text"; }
+		shows "$text" out || { ok=0; echo "missing: $text"; }
 	done
 	if [ $ok = 1 ]; then
 		passed=$((passed + 1))
