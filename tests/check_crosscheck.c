@@ -116,7 +116,7 @@ START_TEST(thermo_of_screens)
 	ck_assert_uint_eq(column(&p, "rotation")->side[TS_PEER].n, 2);
 	ck_assert_int_eq(ke->at, 10);
 	/* 3e-5 minus one unit of the sixth digit, over a range of 1.00003 */
-	ck_assert_double_eq_tol(ke->most, (3e-5 - 1e-5) / 1.00003, 1e-9);
+	ck_assert_double_eq_tol(ke->most, (3e-5 - 1e-5) / 1.00003, 1e-10);
 	ck_assert(ke->parts && atoms->parts && !column(&p, "1")->parts);
 	ck_assert_int_eq(atoms->parts_at, 20);
 	ck_assert_double_eq_tol(atoms->most, 1, 1e-12);
@@ -144,7 +144,7 @@ START_TEST(dumps)
 	ck_assert_uint_eq(p.alone[TS_PEER], 0);
 	ck_assert_uint_eq(p.rows_alone, 1);
 	ck_assert_int_eq(p.alone_at, 5);
-	ck_assert_double_eq_tol(vx->most, 0.5 / 4.5, 1e-4);
+	ck_assert_double_eq_tol(vx->most, 0.5 / 4.5, 1e-5);
 	ck_assert_int_eq(vx->at, 10);
 	ck_assert_msg(vy->most < 1e-15 && !vy->parts, "round-off in a component that is zero");
 	ts_compare_release(&p);

@@ -85,7 +85,7 @@ START_TEST(shapes)
 
 		examine(soup, 1);
 		ck_assert_int_eq(only(ill[k], 1)->triangle, 0);
-		ck_assert_double_eq_tol(only(ill[k], 1)->amount, angle[k], 1e-9);
+		ck_assert_double_eq_tol(only(ill[k], 1)->amount, angle[k], 1e-15);
 	}
 	const double collapsed[][3][3] = { A, { { 0, 0, 0 }, { 1e-9, 0, 0 }, { 0, 2.5, 0 } } };
 

@@ -210,7 +210,7 @@ START_TEST(faces)
 		ck_assert_double_ge(box->hi[0], x2 - 0.0076);
 		ck_assert_double_le(box->hi[0], x2 + 2e-4);
 		if (_i == 1) {
-			DECK_NEAR(box->hi[1] - box->lo[1], 2e-4, 1e-12);
+			DECK_NEAR(box->hi[1] - box->lo[1], 2e-4, 1e-16);
 		} else {
 			ck_assert_double_eq(box->lo[1], 0);
 			ck_assert_double_eq(box->hi[1], 1);

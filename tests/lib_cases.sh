@@ -79,15 +79,17 @@ rejects() {
 	refused "rejects: $(tail -n 1 in.script)" "$2" -in in.script
 }
 
-# agree WHAT SCRIPT: it runs, and in every line `is WHAT value reference` of its output both agree
+# agree WHAT SCRIPT: it runs, and in every line `is WHAT value reference [scale]` of its output both agree to 1e-13 of
+# the scale, the reference itself where none is given: a reference of 0 needs one, unless the value is 0, too
 agree() {
 	printf '%s\n' "$2" >in.script
 	"$TSIM" -in in.script -log none >out 2>&1 && awk '
 		$1 == "is" {
 			n++
 			d = $3 - $4
-			size = $4 < 0 ? -$4 : $4
-			if (!(d <= 1e-13 * (1 + size) && -d <= 1e-13 * (1 + size))) { print "differs: " $0; bad = 1 }
+			size = NF > 4 ? $5 : $4
+			if (size < 0) size = -size
+			if (NF < 4 || NF > 5 || !(d <= 1e-13 * size && -d <= 1e-13 * size)) { print "differs: " $0; bad = 1 }
 		}
 		END { exit bad || !n }' out >>out 2>&1
 	report "$1" $? out

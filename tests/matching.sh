@@ -34,7 +34,8 @@ for line in 'n 5 6' ' n 5' '*n 5' '*50'; do
 done
 
 # what the helpers with these searches make of a wrong number
-for wrong in 'prints "print 17" 1' 'prints "print \"n 5 6\"" "n 5"' 'prints "print 1.25" "*1.2"' 'rejects "bogus" "unknown command '\''bogu"'; do
+for wrong in 'prints "print 17" 1' 'prints "print \"n 5 6\"" "n 5"' 'prints "print 1.25" "*1.2"' 'rejects "bogus" "unknown command '\''bogu"' \
+	'agree small "print \"is x 1e-20 2e-20\""' 'agree scale "print \"is x 0.11 0.1 0.1\""'; do
 	(eval "$wrong"; [ "$failed" = 0 ]) >/dev/null
 	[ $? = 1 ]
 	report "fails: $wrong" $?

@@ -80,7 +80,7 @@ START_TEST(verlet_discrete_solution)
 	deck(sim, "timestep %.17g\nrun 0", h / omega);
 	for (int n = 1; n <= 400; n++) {
 		deck(sim, "run 1 pre no post no");
-		DECK_NEAR(look(sim).extension / AMPLITUDE, cos(n * theta), 1e-9);
+		DECK_NEAR(look(sim).extension / AMPLITUDE, cos(n * theta), 1e-11);
 	}
 	tsim_close(sim);
 }
@@ -127,7 +127,7 @@ START_TEST(verlet_period)
 		h[k] = 0.31 / (1 << k);
 		exact = pi * h[k] / asin(h[k] / 2); /* of the discrete scheme */
 		error[k] = 1 - period("nve", h[k]) / (2 * pi);
-		DECK_NEAR(period("nve", h[k]), exact, 1e-6 * exact);
+		DECK_NEAR(period("nve", h[k]), exact, 1e-13 * exact);
 		ck_assert_double_gt(error[k], 0); /* too fast, by omega^2 h^2/24 */
 		DECK_NEAR(error[k] / (h[k] * h[k] / 24), 1, 0.02);
 	}
@@ -153,7 +153,7 @@ static double energy_error(const char *integrator, double h, int steps)
 		x = s.extension / AMPLITUDE;
 		/* v^2 + w^2 x^2 (1 - w^2 h^2/4), and v^2 + w^2 x^2 - h w^2 x v */
 		invariant = verlet ? e - x * x * h * h / 4 : e - h * x * s.rate / omega / AMPLITUDE;
-		DECK_NEAR(invariant, verlet ? 1 - h * h / 4 : 1, 1e-8);
+		DECK_NEAR(invariant, verlet ? 1 - h * h / 4 : 1, 1e-10);
 		worst = fmax(worst, fabs(e - 1));
 	}
 	tsim_close(sim);
@@ -190,7 +190,7 @@ START_TEST(euler_grows)
 
 		deck(sim, "run 1 pre no post no");
 		now = energy(look(sim), omega);
-		DECK_NEAR(now / before, 1 + h * h, 1e-9);
+		DECK_NEAR(now / before, 1 + h * h, 1e-11);
 		before = now;
 	}
 	tsim_close(sim);

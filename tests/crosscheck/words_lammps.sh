@@ -84,7 +84,7 @@ paste -d' ' theirs.rows ours.rows | awk '
 		d = $k - $(k + n)
 		size = $k < 0 ? -$k : $k
 		if (d < 0) d = -d
-		if (!(d <= 1e-12 * (1 + size))) { print "row " NR " column " k ": " $k " " $(k + n); bad = 1 }
+		if (!(d <= 1e-12 * size)) { print "row " NR " column " k ": " $k " " $(k + n); bad = 1 }
 		count++
 	  } }
 	END { print count " numbers"; exit bad || count != 11 * 8 }' >difference

@@ -80,7 +80,7 @@ print \"is dx \$(c_x) \$(2.385*0.15)\"
 print \"is distance \$(c_d) \$(0.15*sqrt(2.385^2+0.5^2))\"
 print \"is msd \$(c_m[4]) \$(0.15^2*(2.385^2+0.5^2))\"
 print \"is msd \$(c_m[1]) \$((0.15*2.385)^2)\"
-print \"is drift \$(c_c[4]) 0\"
+print \"is drift \$(sqrt(c_c[4])) 0 \$(0.15*sqrt(2.385^2+0.5^2))\"
 print \"is vacf \$(c_v[4]) \$(2.385^2+0.5^2)\"
 uncompute way
 compute way all displace/atom
@@ -90,7 +90,7 @@ set atom 3 diameter 0.1 density 1000 vx 1.25
 group last id 3
 compute last last reduce max c_way[1]
 run 100
-print \"is later \$(c_last) 0.0125\""
+print \"is later \$(c_last) 0.0125 0.5\""
 agree 'mean squared distance from the mean place' "$box
 create_atoms 1 single 0.3 0.2 0.3 units box
 set type 1 diameter 0.1 density 1000
@@ -100,7 +100,7 @@ compute m all msd average yes
 thermo_style custom step c_m[1]
 thermo 1000
 run 1000
-print \"is half \$(c_m[1]) \$(0.1^2*(4/9))\""
+print \"is half \$(c_m[1]) \$(0.1^2*(4/9)) \$(0.1*0.3)\""
 agree 'temperature' "units lj
 thermo_modify norm no
 boundary p p p

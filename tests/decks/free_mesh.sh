@@ -50,8 +50,8 @@ END
 } >deck
 agree 'mass, centre and moments of a tetrahedron' "$(cat deck)"
 
-# ---- a free top, nearly about the middle axis: L and the path of the centre to round-off, energy and orientation
-# to second order; what is fixed to the mesh goes along
+# ---- a free top, nearly about the middle axis: L and the path of the centre to round-off (of 40000 steps at most, in a
+# box that reaches to 1), energy and orientation to second order; what is fixed to the mesh goes along
 top() {
 	{
 		two_materials
@@ -70,8 +70,8 @@ run \$(round(1/dt))
 print "is lx \$(f_free[10]/v_l2:%.17g) \$(v_l1/v_l2:%.17g)"
 print "is ly \$(f_free[11]/v_l2:%.17g) 1"
 print "is lz \$(f_free[12]/v_l2:%.17g) \$(v_l3/v_l2:%.17g)"
-print "is x \$(f_free[1]:%.17g) 0.1"
-print "is z \$(f_free[3]:%.17g) -0.03"
+print "is x \$(f_free[1]:%.17g) 0.1 1"
+print "is z \$(f_free[3]:%.17g) -0.03 1"
 variable d equal sqrt((f_block[7]-f_free[1])^2+(f_block[8]-f_free[2])^2+(f_block[9]-f_free[3])^2)
 print "is corner \$(v_d:%.17g) \$(sqrt(0.14):%.17g)"
 print "TOP \$((f_free[20]-v_e0)/v_e0:%.17g) \$(f_block[7]:%.17g) \$(f_block[8]:%.17g) \$(f_block[9]:%.17g)"
@@ -146,7 +146,9 @@ run 0
 END
 	for v in px py pz lx ly lz; do echo "variable ${v}0 equal \$(v_$v:%.17g)"; done
 	echo 'run 5000'
-	for v in px py pz lx ly lz; do echo "print \"is $v \$(v_$v:%.17g) \${${v}0}\""; done
+	# to round-off of the grain's momentum, and of that by its arm
+	for v in px py pz; do echo "print \"is $v \$(v_$v:%.17g) \${${v}0} \$(v_m*2.385)\""; done
+	for v in lx ly lz; do echo "print \"is $v \$(v_$v:%.17g) \${${v}0} \$(v_m*2.385*0.25)\""; done
 	echo 'print "HIT $(f_free[6] < -0.1 && vz[1] > -1)"'
 } >deck
 agree 'momentum and angular momentum in a collision' "$(cat deck)"
