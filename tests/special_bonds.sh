@@ -39,7 +39,7 @@ force_at() { # LOG STEP
 	awk -v step="$2" '$1 == step { f = $3 } END { print f }' "$1"
 }
 expect() { # WHAT FOUND WANTED
-	awk -v a="$2" -v b="$3" 'BEGIN { d = a - b; exit !(a != "" && d * d <= 1e-24) }'
+	awk -v a="$2" -v b="$3" 'BEGIN { d = a - b; exit !(a != "" && d * d <= 1e-28 * b * b) }'
 	report "$1: found '$2', expected $3" $?
 }
 

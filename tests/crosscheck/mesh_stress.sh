@@ -45,7 +45,7 @@ numbers() {
 			if (NF != n) bad = 1
 			for (k = 1; k <= n; k++) {
 				d = a[k] - $k; size = a[k] < 0 ? -a[k] : a[k]
-				if (number(a[k]) ? !(d <= 1e-9 * (size + 1) && -d <= 1e-9 * (size + 1)) : a[k] != $k) {
+				if (number(a[k]) ? !(d <= 1e-9 * size && -d <= 1e-9 * size) : a[k] != $k) {
 					print "line " lines ": " a[k] " and " $k; bad = 1
 				}
 			}
