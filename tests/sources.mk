@@ -113,6 +113,7 @@ shell_tests = \
 	tests/decks/velocity_words.sh \
 	tests/decks/wall_contacts.sh \
 	tests/decks/walls.sh \
+	tests/decks/wear.sh \
 	tests/door.sh \
 	tests/drilling.sh \
 	tests/dry_run.sh \
