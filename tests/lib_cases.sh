@@ -47,6 +47,16 @@ python_with() {
 	return 1
 }
 
+# wait_for CONDITION...: until the command succeeds, for ten seconds at most
+wait_for() {
+	local k
+	for ((k = 0; k < 1000; k++)); do
+		"$@" 2>/dev/null && return
+		sleep 0.01
+	done
+	return 1
+}
+
 # The rows of the thermo tables of a log, without the repeated ones where one run follows another.
 rows() {
 	grep -hE '^ +[0-9]+ +[-+0-9.e ]+$' "$@" | uniq

@@ -1,11 +1,11 @@
 #!/bin/bash
 # Every deck whole is the same deck cut at random steps and continued from a restart file: what it writes,
-# its tables and its final state, byte for byte; the second part on two threads. SEED repeats a test;
+# its tables and its final state, byte for byte; the second part on two threads. SEED chooses the steps;
 # CUTS (3) is how often each deck is cut.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
 needs python3
-seed=${SEED:-$(od -An -tu4 -N 4 /dev/urandom | tr -d ' ')}
+seed=${SEED:-20231}
 echo "SEED=$seed"
 RANDOM=$((seed % 32768))
 export OMP_WAIT_POLICY=passive

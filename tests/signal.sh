@@ -15,6 +15,29 @@ END
 sed "s|^run|fix pace all print 1 \"\$(step) $(head -c 4000 /dev/zero | tr '\0' x)\" file pace screen no title none\nrun|" \
 	in.part >in.paced
 
+# blocked WAY PROCESS...: each reads from an empty pipe, or writes to a full one (a kernel may tell only that they sleep)
+blocked() {
+	local way=$1 state place
+	for process in "${@:2}"; do
+		state=$(<"/proc/$process/stat") && place=$(<"/proc/$process/wchan") &&
+			[[ ${state##*) } == S* && $place == @(0|*pipe_$way) ]] || return 1
+	done
+}
+# caught PROCESS BIT: it has a handler for the signals of that bit
+caught() {
+	local mask
+	mask=$(sed -n 's/^SigCgt:[[:space:]]*//p' "/proc/$1/status") && ((0x$mask & $2))
+}
+# taken PROCESS: no signal waits for it
+taken() {
+	[ "$(grep -cE '^(SigPnd|ShdPnd):[[:space:]]*0*$' "/proc/$1/status")" = 2 ]
+}
+
+# gone SIGNAL PROCESS: it has ended. If not, it gets the signal again: one within 0.2 s of the first is the same.
+gone() {
+	! kill "-$1" "$2"
+}
+
 # interrupted SIGNAL STEP OPTIONS...: sends it when the run has come to the step; its exit status
 interrupted() {
 	local signal=$1 at=$2
@@ -23,11 +46,17 @@ interrupted() {
 	# HUP may be ignored by who called this test (nohup).
 	env --default-signal=HUP "$TSIM" -in in.paced -log a.log -var out a -var last 700 "$@" >out 2>err &
 	local run=$!
-	exec 3< <(timeout 60 cat pace) # a run that never opens it must not hang this test
-	while read -r step _ && [ "${step/none/0}" -lt "$at" ]; do :; done <&3
-	[ -z "$again" ] || sleep 0.5 # until the pipe is full
+	exec 3< <(exec cat pace)
+	local reader=$!
+	while read -t 60 -r step _ && [ "${step/none/0}" -lt "$at" ]; do :; done <&3
+	[ -n "$step" ] || kill $reader # a run that never opens it must not hang this test
+	# who reads is held up for good, since nobody reads on here; then also the run
+	[ -z "$again" ] || wait_for blocked write $reader $run || echo "off: $signal: the pipe is never full"
 	kill "-$signal" $run
-	[ -z "$again" ] || { sleep 0.4 && kill "-$signal" $run; }
+	case $again in
+	taken) wait_for taken $run && kill "-$signal" $run ;;
+	gone) wait_for gone "$signal" $run ;;
+	esac
 	cat <&3 >rest
 	exec 3<&-
 	wait $run
@@ -75,7 +104,7 @@ mv in.paced.all in.paced
 interrupted INT 5 -restart-on-signal in.paced/file
 [ $status = 130 ] && shows "in.paced/file'" err
 report 'a file that cannot be written' $? err
-again=yes
+again=gone
 interrupted INT 5
 [ $status = 130 ] && ! grep -q stopped err && ! ls ./*.interrupted.restart 2>/dev/null
 report 'the second signal stops at once' $? err
@@ -94,7 +123,7 @@ same 'USR1: so is the state at the end' whole.restart a.restart
 "$TSIM" -in in.part -log b.log -screen none -var out b -var last 700 -var from tsim.interrupted.restart 2>err
 report 'USR1: the file can be gone on from' $? err
 same 'USR1: to the same state' whole.restart b.restart
-again=yes
+again=taken
 interrupted USR1 5 -restart-on-signal 'step*.restart'
 [ $status = 0 ] && [ "$(grep -c '^Signal USR1' out)" = 1 ] && [ "$(echo step[0-9]*.restart | wc -w)" = 1 ]
 report 'USR1: two in one step are one; the file is named after the step' $? out
@@ -121,14 +150,18 @@ sh -c 'echo $$ >pid; exec "$0" -in in.signals -shell yes -log none' "$TSIM" >out
 [ $? = 140 ] && shows 'no simulation box yet' out && shows early out && ! grep -q late out &&
 	[ "$(grep -c 'state at step 0 is saved' out)" = 2 ] && [ -s tsim.interrupted.restart ]
 report 'between runs' $? out
-rm -f tsim.interrupted.restart
+rm -f tsim.interrupted.restart pid
+# it has read the box, and waits for more
+ready() {
+	[ -s pid ] && caught "$(<pid)" 0x200 && blocked read "$(<pid)"
+}
 {
 	cat in.box
-	sleep 0.3
+	wait_for ready || touch never
 	sh send USR1
 	echo 'print "late"'
 } | sh -c 'echo $$ >pid; exec "$0" -check -log none' "$TSIM" >out 2>err
-[ $? = 0 ] && [ ! -e tsim.interrupted.restart ]
+[ $? = 0 ] && [ ! -e tsim.interrupted.restart ] && [ ! -e never ]
 report '-check goes on and writes nothing' $? err
 
 printf 'label a\njump SELF a\n' >in.loop
