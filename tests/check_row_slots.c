@@ -51,13 +51,13 @@ static void add_chunk(const struct watch *w, size_t c)
 
 		if (!w->waiting[r]) /* far */
 			continue;
-		ck_assert_uint_eq(rows->sum[at++] & 1, rows->gather.entry[k] & 1);
-		ck_assert_uint_ne(w->place[slot], 0); /* nobody has written over it */
-		ck_assert_uint_eq(rows->near[w->place[slot] - 1].row, r);
+		deck_assert((rows->sum[at++] & 1) == (rows->gather.entry[k] & 1));
+		deck_assert(w->place[slot] != 0); /* nobody has written over it */
+		deck_assert(rows->near[w->place[slot] - 1].row == r);
 		if (!--w->waiting[r])
 			w->place[slot] = 0;
 	}
-	ck_assert_uint_eq(at, rows->sum_first[last]);
+	deck_assert(at == rows->sum_first[last]);
 }
 
 /* The loop over rows, without forces. */
@@ -74,8 +74,8 @@ static void follow(const struct watch *w, size_t share)
 		for (size_t k = block->first; k < end; k++) {
 			const struct ts_row_near *near = &rows->near[k];
 
-			ck_assert_uint_lt(near->slot * (size_t)rows->parts, rows->room);
-			ck_assert_uint_eq(w->place[near->slot], 0);
+			deck_assert(near->slot * (size_t)rows->parts < rows->room);
+			deck_assert(w->place[near->slot] == 0);
 			w->place[near->slot] = k + 1;
 			w->waiting[near->row] = (uint8_t)(1 + ((size_t)near->j < rows->particles));
 		}
@@ -100,12 +100,12 @@ static void check_slots(struct tsim *sim)
 	for (size_t k = rows->span[0].near; k < rows->span[0].near_end; k++)
 		most = rows->near[k].slot >= most ? rows->near[k].slot + 1 : most;
 	if (rows->shares == 1)
-		ck_assert_uint_lt(most, rows->n / 2);
+		deck_assert(most < rows->n / 2);
 	for (int share = 0; share < rows->shares; share++)
 		follow(&w, (size_t)share);
 	/* what is left belongs to chunks whose rows are in the shares of several threads */
 	for (size_t r = 0; r < rows->n && rows->shares == 1; r++)
-		ck_assert_int_eq(w.waiting[r], 0);
+		deck_assert(w.waiting[r] == 0);
 	ts_free(w.place);
 	ts_free(w.waiting);
 }
@@ -136,7 +136,7 @@ START_TEST(none_missed)
 			const double *a = sim->particles->x[rows->i[r]], *b = sim->particles->x[rows->j[r]];
 			double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
 
-			ck_assert_int_eq(rows->touching[r], x * x + y * y + z * z < 0.072 * 0.072);
+			deck_assert(rows->touching[r] == (x * x + y * y + z * z < 0.072 * 0.072));
 		}
 		for (int k = 0; k < rows->shares; k++)
 			far += rows->n / (size_t)rows->shares - (rows->span[k].near_end - rows->span[k].near);

@@ -50,13 +50,12 @@ if [ "$steps" != src/core/plan.c ]; then
 	status=1
 fi
 
-for file in $(sources); do
-	lines=$(wc -l <"$file")
-	if [ "$lines" -gt 800 ]; then
-		echo "$file: $lines lines, at most 800"
-		status=1
-	fi
-done
+# shellcheck disable=SC2046
+long=$(wc -l $(sources) | awk '$1 > 800 && $2 != "total" { print $2 ": " $1 " lines, at most 800" }')
+if [ -n "$long" ]; then
+	echo "$long"
+	status=1
+fi
 
 # Functions begin and end with a brace in the first column.
 long=$(awk '/^\{$/ { start = FNR } /^\}$/ && FNR - start > 60 {
@@ -68,10 +67,10 @@ if [ -n "$long" ]; then
 fi
 
 # Every header says what it is for; so does a source without a header, unless it is a style.
-for file in $(find src tests -name '*.[ch]'); do
-	case $(head -n 1 "$file") in
-	'/*'*) continue ;;
-	esac
+# shellcheck disable=SC2046
+silent=$(awk 'FNR == 1 && !/^\/\*/ { print FILENAME } { nextfile }' \
+	$(find src tests -name '*.[ch]'))
+for file in $silent; do
 	case $file in
 	*.c) [ -f "${file%c}h" ] && continue ;;
 	esac
@@ -80,11 +79,14 @@ for file in $(find src tests -name '*.[ch]'); do
 	status=1
 done
 
-for file in $(find src -name '*.c'); do
-	last=$(sed -n 's/^#include //p' "$file" | tail -n 1)
-	if [ "$last" != '"base/banned.h"' ]; then
-		echo "$file: the last include is $last, not \"base/banned.h\""
-		status=1
-	fi
-done
+# shellcheck disable=SC2046
+found=$(awk 'function told() { if (FNR_of && last != "\"base/banned.h\"")
+		print file ": the last include is " last ", not \"base/banned.h\"" }
+	FNR == 1 { told(); file = FILENAME; last = ""; FNR_of = 1 }
+	/^#include / { last = substr($0, 10) }
+	END { told() }' $(find src -name '*.c'))
+if [ -n "$found" ]; then
+	echo "$found"
+	status=1
+fi
 exit $status

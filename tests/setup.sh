@@ -43,7 +43,7 @@ CONFIGURE_FLAGS=--enable-werror builds 'other flags' $'configured --enable-werro
 rm build/configured_with
 builds 'configured by hand: its flags stay' $'status --recheck\nstatus \n'
 
-printf 'shell_tests = \\\n\ttests/a.sh \\\n\ttests/b.sh \\\n\ttests/c.sh\nunit_tests = \\\n\ttests/check_d \\\n\ttests/check_e\ntests_common = \\\n\ttests/cloud.c \\\n\ttests/cloud.h\n' \
+printf 'shell_tests = \\\n\ttests/a.sh \\\n\ttests/b.sh \\\n\ttests/c.sh\nunit_tests = \\\n\ttests/check_d \\\n\ttests/check_e\nlibtests_a_SOURCES = \\\n\ttests/cloud.c \\\n\ttests/cloud.h\n' \
 	>tests/sources.mk
 ran() { # TEST RESULT LOG
 	echo ":test-result: $2" >"build/tests/$1.trs"

@@ -138,6 +138,7 @@ shell_tests = \
 	tests/omissions.sh \
 	tests/price.sh \
 	tests/python.sh \
+	tests/quick.sh \
 	tests/race.sh \
 	tests/rerun.sh \
 	tests/restart.sh \
@@ -216,7 +217,7 @@ unit_tests = \
 	tests/stability/check_limits \
 	tests/stability/check_network \
 	tests/stability/check_relaxation
-tests_common = \
+libtests_a_SOURCES = \
 	tests/cloud.c \
 	tests/cloud.h \
 	tests/deck.c \
@@ -226,226 +227,226 @@ tests_common = \
 	tests/script_case.c \
 	tests/script_case.h
 
-tests_accuracy_check_breakage_SOURCES = tests/accuracy/check_breakage.c $(tests_common)
+tests_accuracy_check_breakage_SOURCES = tests/accuracy/check_breakage.c
 tests_accuracy_check_breakage_CFLAGS = $(tests_cflags)
 tests_accuracy_check_breakage_LDADD = $(tests_ldadd)
 
-tests_accuracy_check_heat_SOURCES = tests/accuracy/check_heat.c $(tests_common)
+tests_accuracy_check_heat_SOURCES = tests/accuracy/check_heat.c
 tests_accuracy_check_heat_CFLAGS = $(tests_cflags)
 tests_accuracy_check_heat_LDADD = $(tests_ldadd)
 
-tests_accuracy_check_invariance_SOURCES = tests/accuracy/check_invariance.c $(tests_common)
+tests_accuracy_check_invariance_SOURCES = tests/accuracy/check_invariance.c
 tests_accuracy_check_invariance_CFLAGS = $(tests_cflags)
 tests_accuracy_check_invariance_LDADD = $(tests_ldadd)
 
-tests_accuracy_check_located_SOURCES = tests/accuracy/check_located.c $(tests_common)
+tests_accuracy_check_located_SOURCES = tests/accuracy/check_located.c
 tests_accuracy_check_located_CFLAGS = $(tests_cflags)
 tests_accuracy_check_located_LDADD = $(tests_ldadd)
 
-tests_accuracy_check_momentum_SOURCES = tests/accuracy/check_momentum.c $(tests_common)
+tests_accuracy_check_momentum_SOURCES = tests/accuracy/check_momentum.c
 tests_accuracy_check_momentum_CFLAGS = $(tests_cflags)
 tests_accuracy_check_momentum_LDADD = $(tests_ldadd)
 
-tests_accuracy_check_oscillator_SOURCES = tests/accuracy/check_oscillator.c $(tests_common)
+tests_accuracy_check_oscillator_SOURCES = tests/accuracy/check_oscillator.c
 tests_accuracy_check_oscillator_CFLAGS = $(tests_cflags)
 tests_accuracy_check_oscillator_LDADD = $(tests_ldadd)
 
-tests_accuracy_check_restitution_SOURCES = tests/accuracy/check_restitution.c $(tests_common)
+tests_accuracy_check_restitution_SOURCES = tests/accuracy/check_restitution.c
 tests_accuracy_check_restitution_CFLAGS = $(tests_cflags)
 tests_accuracy_check_restitution_LDADD = $(tests_ldadd)
 
-tests_accuracy_check_settling_SOURCES = tests/accuracy/check_settling.c $(tests_common)
+tests_accuracy_check_settling_SOURCES = tests/accuracy/check_settling.c
 tests_accuracy_check_settling_CFLAGS = $(tests_cflags)
 tests_accuracy_check_settling_LDADD = $(tests_ldadd)
 
-tests_check_alloc_SOURCES = tests/check_alloc.c $(tests_common)
+tests_check_alloc_SOURCES = tests/check_alloc.c
 tests_check_alloc_CFLAGS = $(tests_cflags)
 tests_check_alloc_LDADD = $(tests_ldadd)
 
-tests_check_args_SOURCES = tests/check_args.c $(tests_common)
+tests_check_args_SOURCES = tests/check_args.c
 tests_check_args_CFLAGS = $(tests_cflags)
 tests_check_args_LDADD = $(tests_ldadd)
 
-tests_check_bonds_SOURCES = tests/check_bonds.c $(tests_common)
+tests_check_bonds_SOURCES = tests/check_bonds.c
 tests_check_bonds_CFLAGS = $(tests_cflags)
 tests_check_bonds_LDADD = $(tests_ldadd)
 
-tests_check_contact_parts_SOURCES = tests/check_contact_parts.c $(tests_common)
+tests_check_contact_parts_SOURCES = tests/check_contact_parts.c
 tests_check_contact_parts_CFLAGS = $(tests_cflags)
 tests_check_contact_parts_LDADD = $(tests_ldadd)
 
-tests_check_coupling_SOURCES = tests/check_coupling.c $(tests_common)
+tests_check_coupling_SOURCES = tests/check_coupling.c
 tests_check_coupling_CFLAGS = $(tests_cflags)
 tests_check_coupling_LDADD = $(tests_ldadd)
 
-tests_check_crosscheck_SOURCES = tests/check_crosscheck.c $(tests_common)
+tests_check_crosscheck_SOURCES = tests/check_crosscheck.c
 tests_check_crosscheck_CFLAGS = $(tests_cflags)
 tests_check_crosscheck_LDADD = $(tests_ldadd)
 
-tests_check_drag_SOURCES = tests/check_drag.c $(tests_common)
+tests_check_drag_SOURCES = tests/check_drag.c
 tests_check_drag_CFLAGS = $(tests_cflags)
 tests_check_drag_LDADD = $(tests_ldadd)
 
-tests_check_drag_order_SOURCES = tests/check_drag_order.c $(tests_common)
+tests_check_drag_order_SOURCES = tests/check_drag_order.c
 tests_check_drag_order_CFLAGS = $(tests_cflags)
 tests_check_drag_order_LDADD = $(tests_ldadd)
 
-tests_check_energy_SOURCES = tests/check_energy.c $(tests_common)
+tests_check_energy_SOURCES = tests/check_energy.c
 tests_check_energy_CFLAGS = $(tests_cflags)
 tests_check_energy_LDADD = $(tests_ldadd)
 
-tests_check_files_SOURCES = tests/check_files.c $(tests_common)
+tests_check_files_SOURCES = tests/check_files.c
 tests_check_files_CFLAGS = $(tests_cflags)
 tests_check_files_LDADD = $(tests_ldadd)
 
-tests_check_flow_SOURCES = tests/check_flow.c $(tests_common)
+tests_check_flow_SOURCES = tests/check_flow.c
 tests_check_flow_CFLAGS = $(tests_cflags)
 tests_check_flow_LDADD = $(tests_ldadd)
 
-tests_check_flow_measures_SOURCES = tests/check_flow_measures.c $(tests_common)
+tests_check_flow_measures_SOURCES = tests/check_flow_measures.c
 tests_check_flow_measures_CFLAGS = $(tests_cflags)
 tests_check_flow_measures_LDADD = $(tests_ldadd)
 
-tests_check_formulas_SOURCES = tests/check_formulas.c $(tests_common)
+tests_check_formulas_SOURCES = tests/check_formulas.c
 tests_check_formulas_CFLAGS = $(tests_cflags)
 tests_check_formulas_LDADD = $(tests_ldadd)
 
-tests_check_geom_SOURCES = tests/check_geom.c $(tests_common)
+tests_check_geom_SOURCES = tests/check_geom.c
 tests_check_geom_CFLAGS = $(tests_cflags)
 tests_check_geom_LDADD = $(tests_ldadd)
 
-tests_check_insertion_SOURCES = tests/check_insertion.c $(tests_common)
+tests_check_insertion_SOURCES = tests/check_insertion.c
 tests_check_insertion_CFLAGS = $(tests_cflags)
 tests_check_insertion_LDADD = $(tests_ldadd)
 
-tests_check_io_SOURCES = tests/check_io.c $(tests_common)
+tests_check_io_SOURCES = tests/check_io.c
 tests_check_io_CFLAGS = $(tests_cflags)
 tests_check_io_LDADD = $(tests_ldadd)
 
-tests_check_law_SOURCES = tests/check_law.c $(tests_common)
+tests_check_law_SOURCES = tests/check_law.c
 tests_check_law_CFLAGS = $(tests_cflags)
 tests_check_law_LDADD = $(tests_ldadd)
 
-tests_check_law_stages_SOURCES = tests/check_law_stages.c $(tests_common)
+tests_check_law_stages_SOURCES = tests/check_law_stages.c
 tests_check_law_stages_CFLAGS = $(tests_cflags)
 tests_check_law_stages_LDADD = $(tests_ldadd)
 
-tests_check_leaving_SOURCES = tests/check_leaving.c $(tests_common)
+tests_check_leaving_SOURCES = tests/check_leaving.c
 tests_check_leaving_CFLAGS = $(tests_cflags)
 tests_check_leaving_LDADD = $(tests_ldadd)
 
-tests_check_library_SOURCES = tests/check_library.c $(tests_common)
+tests_check_library_SOURCES = tests/check_library.c
 tests_check_library_CFLAGS = $(tests_cflags)
 tests_check_library_LDADD = $(tests_ldadd)
 
-tests_check_library_null_SOURCES = tests/check_library_null.c $(tests_common)
+tests_check_library_null_SOURCES = tests/check_library_null.c
 tests_check_library_null_CFLAGS = $(tests_cflags)
 tests_check_library_null_LDADD = $(tests_ldadd)
 
-tests_check_library_steps_SOURCES = tests/check_library_steps.c $(tests_common)
+tests_check_library_steps_SOURCES = tests/check_library_steps.c
 tests_check_library_steps_CFLAGS = $(tests_cflags)
 tests_check_library_steps_LDADD = $(tests_ldadd)
 
-tests_check_math_SOURCES = tests/check_math.c $(tests_common)
+tests_check_math_SOURCES = tests/check_math.c
 tests_check_math_CFLAGS = $(tests_cflags)
 tests_check_math_LDADD = $(tests_ldadd)
 
-tests_check_mesh_SOURCES = tests/check_mesh.c $(tests_common)
+tests_check_mesh_SOURCES = tests/check_mesh.c
 tests_check_mesh_CFLAGS = $(tests_cflags)
 tests_check_mesh_LDADD = $(tests_ldadd)
 
-tests_check_mesh_doctor_SOURCES = tests/check_mesh_doctor.c $(tests_common)
+tests_check_mesh_doctor_SOURCES = tests/check_mesh_doctor.c
 tests_check_mesh_doctor_CFLAGS = $(tests_cflags)
 tests_check_mesh_doctor_LDADD = $(tests_ldadd)
 
-tests_check_mesh_files_SOURCES = tests/check_mesh_files.c $(tests_common)
+tests_check_mesh_files_SOURCES = tests/check_mesh_files.c
 tests_check_mesh_files_CFLAGS = $(tests_cflags)
 tests_check_mesh_files_LDADD = $(tests_ldadd)
 
-tests_check_neigh_SOURCES = tests/check_neigh.c $(tests_common)
+tests_check_neigh_SOURCES = tests/check_neigh.c
 tests_check_neigh_CFLAGS = $(tests_cflags)
 tests_check_neigh_LDADD = $(tests_ldadd)
 
-tests_check_order_SOURCES = tests/check_order.c $(tests_common)
+tests_check_order_SOURCES = tests/check_order.c
 tests_check_order_CFLAGS = $(tests_cflags)
 tests_check_order_LDADD = $(tests_ldadd)
 
-tests_check_pairs_SOURCES = tests/check_pairs.c $(tests_common)
+tests_check_pairs_SOURCES = tests/check_pairs.c
 tests_check_pairs_CFLAGS = $(tests_cflags)
 tests_check_pairs_LDADD = $(tests_ldadd)
 
-tests_check_particles_SOURCES = tests/check_particles.c $(tests_common)
+tests_check_particles_SOURCES = tests/check_particles.c
 tests_check_particles_CFLAGS = $(tests_cflags)
 tests_check_particles_LDADD = $(tests_ldadd)
 
-tests_check_poisson_SOURCES = tests/check_poisson.c $(tests_common)
+tests_check_poisson_SOURCES = tests/check_poisson.c
 tests_check_poisson_CFLAGS = $(tests_cflags)
 tests_check_poisson_LDADD = $(tests_ldadd)
 
-tests_check_price_SOURCES = tests/check_price.c $(tests_common)
+tests_check_price_SOURCES = tests/check_price.c
 tests_check_price_CFLAGS = $(tests_cflags)
 tests_check_price_LDADD = $(tests_ldadd)
 
-tests_check_rigid_SOURCES = tests/check_rigid.c $(tests_common)
+tests_check_rigid_SOURCES = tests/check_rigid.c
 tests_check_rigid_CFLAGS = $(tests_cflags)
 tests_check_rigid_LDADD = $(tests_ldadd)
 
-tests_check_row_slots_SOURCES = tests/check_row_slots.c $(tests_common)
+tests_check_row_slots_SOURCES = tests/check_row_slots.c
 tests_check_row_slots_CFLAGS = $(tests_cflags)
 tests_check_row_slots_LDADD = $(tests_ldadd)
 
-tests_check_scalar_SOURCES = tests/check_scalar.c $(tests_common)
+tests_check_scalar_SOURCES = tests/check_scalar.c
 tests_check_scalar_CFLAGS = $(tests_cflags)
 tests_check_scalar_LDADD = $(tests_ldadd)
 
-tests_check_script_SOURCES = tests/check_script.c $(tests_common)
+tests_check_script_SOURCES = tests/check_script.c
 tests_check_script_CFLAGS = $(tests_cflags)
 tests_check_script_LDADD = $(tests_ldadd)
 
-tests_check_styles_SOURCES = tests/check_styles.c $(tests_common)
+tests_check_styles_SOURCES = tests/check_styles.c
 tests_check_styles_CFLAGS = $(tests_cflags)
 tests_check_styles_LDADD = $(tests_ldadd)
 
-tests_check_sweep_SOURCES = tests/check_sweep.c $(tests_common)
+tests_check_sweep_SOURCES = tests/check_sweep.c
 tests_check_sweep_CFLAGS = $(tests_cflags)
 tests_check_sweep_LDADD = $(tests_ldadd)
 
-tests_check_unbreakable_SOURCES = tests/check_unbreakable.c $(tests_common)
+tests_check_unbreakable_SOURCES = tests/check_unbreakable.c
 tests_check_unbreakable_CFLAGS = $(tests_cflags)
 tests_check_unbreakable_LDADD = $(tests_ldadd)
 
-tests_check_variables_SOURCES = tests/check_variables.c $(tests_common)
+tests_check_variables_SOURCES = tests/check_variables.c
 tests_check_variables_CFLAGS = $(tests_cflags)
 tests_check_variables_LDADD = $(tests_ldadd)
 
-tests_check_wear_SOURCES = tests/check_wear.c $(tests_common)
+tests_check_wear_SOURCES = tests/check_wear.c
 tests_check_wear_CFLAGS = $(tests_cflags)
 tests_check_wear_LDADD = $(tests_ldadd)
 
-tests_stability_check_contacts_SOURCES = tests/stability/check_contacts.c $(tests_common)
+tests_stability_check_contacts_SOURCES = tests/stability/check_contacts.c
 tests_stability_check_contacts_CFLAGS = $(tests_cflags)
 tests_stability_check_contacts_LDADD = $(tests_ldadd)
 
-tests_stability_check_couplings_SOURCES = tests/stability/check_couplings.c $(tests_common)
+tests_stability_check_couplings_SOURCES = tests/stability/check_couplings.c
 tests_stability_check_couplings_CFLAGS = $(tests_cflags)
 tests_stability_check_couplings_LDADD = $(tests_ldadd)
 
-tests_stability_check_drag_lag_SOURCES = tests/stability/check_drag_lag.c $(tests_common)
+tests_stability_check_drag_lag_SOURCES = tests/stability/check_drag_lag.c
 tests_stability_check_drag_lag_CFLAGS = $(tests_cflags)
 tests_stability_check_drag_lag_LDADD = $(tests_ldadd)
 
-tests_stability_check_flow_limits_SOURCES = tests/stability/check_flow_limits.c $(tests_common)
+tests_stability_check_flow_limits_SOURCES = tests/stability/check_flow_limits.c
 tests_stability_check_flow_limits_CFLAGS = $(tests_cflags)
 tests_stability_check_flow_limits_LDADD = $(tests_ldadd)
 
-tests_stability_check_limits_SOURCES = tests/stability/check_limits.c $(tests_common)
+tests_stability_check_limits_SOURCES = tests/stability/check_limits.c
 tests_stability_check_limits_CFLAGS = $(tests_cflags)
 tests_stability_check_limits_LDADD = $(tests_ldadd)
 
-tests_stability_check_network_SOURCES = tests/stability/check_network.c $(tests_common)
+tests_stability_check_network_SOURCES = tests/stability/check_network.c
 tests_stability_check_network_CFLAGS = $(tests_cflags)
 tests_stability_check_network_LDADD = $(tests_ldadd)
 
-tests_stability_check_relaxation_SOURCES = tests/stability/check_relaxation.c $(tests_common)
+tests_stability_check_relaxation_SOURCES = tests/stability/check_relaxation.c
 tests_stability_check_relaxation_CFLAGS = $(tests_cflags)
 tests_stability_check_relaxation_LDADD = $(tests_ldadd)

@@ -1,6 +1,6 @@
 #!/bin/bash
 # Fuzzing with libFuzzer, address and undefined-behaviour sanitizers: FUZZ_SECONDS in all, shared by the
-# targets named (all); without FUZZ_SECONDS, as in make check, the same inputs each time, about a minute.
+# targets named (all); without FUZZ_SECONDS, as in make check-full, the same inputs each time, about a minute.
 # Works in FUZZ_FOLDER (fuzzing in the build folder), where the corpus grows from call to call. Skipped
 # where clang has no libFuzzer (apt-get install clang libclang-rt-14-dev).
 cd "${top_builddir:-.}" || exit 99
