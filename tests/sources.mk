@@ -158,6 +158,7 @@ shell_tests = \
 	tests/symbols.sh \
 	tests/thermo.sh \
 	tests/threads.sh \
+	tests/version.sh \
 	tests/vtk.sh \
 	tests/vtk_formats.sh
 unit_tests = \
