@@ -27,7 +27,7 @@ says "$top_srcdir/debian/changelog" '1s/^tsim (\(.*\)-[0-9]*) .*/\1/p'
 	printf '#include "tsim.h"\nint main(void) { printf("tsim_version: %%s\\n", tsim_version()); return 0; }\n' >v.c
 	# shellcheck disable=SC2086
 	${CC:-gcc} $CFLAGS -I"$top_srcdir/src" v.c -o v "$top_builddir/$SHARED" $TSIM_LIBS 2>err &&
-		LD_LIBRARY_PATH=$top_builddir ./v
+		ln -s "$top_builddir/$SHARED" libtsim.so.0 && LD_LIBRARY_PATH=. ./v
 )
 # nowhere else: a number like this one in the files of the build
 grep -lF "$version" "$top_srcdir"/{Makefile.am,setup,tests/Makefile.inc,src/Makefile.inc,src/tsim.pc.in,src/tsim.h,python/tsim.py} >found

@@ -101,12 +101,12 @@ enum ts_status ts_chunks_archive(struct ts_archive *archive, struct tsim *sim,
 				 struct ts_chunks *chunks);
 void ts_chunks_release(struct ts_chunks *chunks);
 
-/* How many coordinates a chunk has, and the k-th of the middle of chunk c (from 1), as a user would give
+/* How many coordinates a chunk has, and the k-th of the middle of a chunk (counted from 1), as a user would give
  * it. */
 int ts_chunks_dimension(const struct ts_chunks *chunks);
-double ts_chunks_coordinate(const struct ts_chunks *chunks, size_t c, int k);
+double ts_chunks_coordinate(const struct ts_chunks *c, size_t chunk, int k);
 /* Volume of a bin, in two dimensions its area; of chunks that are no bins that of the box. */
-double ts_chunks_volume(const struct ts_chunks *chunks, size_t c);
+double ts_chunks_volume(const struct ts_chunks *c, size_t chunk);
 
 /* The chunks of compute chunk/atom of this name. */
 enum ts_status ts_chunks_find(struct tsim *sim, const struct ts_instance *user, const char *id,

@@ -11,7 +11,7 @@
 
 static int number_of(const struct tsim *sim, const char *name)
 {
-	for (int k = 0; sim->tables->checks[k].name && k < TS_REVIEW_MOST; k++)
+	for (int k = 0; k < TS_REVIEW_MOST && sim->tables->checks[k].name; k++)
 		if (ts_streq(sim->tables->checks[k].name, name))
 			return k;
 	return -1;

@@ -37,7 +37,7 @@ static double outer_velocity(const struct ts_fluid *fluid, int c, const struct t
 	const struct ts_grid *grid = &fluid->grid;
 	double sum = 0;
 
-	for (int k = 0; k <= (grid->dimensions > 2); k++)
+	for (int k = 0; k < (grid->dimensions > 2 ? 2 : 1); k++)
 		for (int j = 0; j < 2; j++)
 			for (int i = 0; i < 2; i++) {
 				const int step[3] = { i, j, k };
