@@ -727,6 +727,8 @@ library_sources = \
 	src/particle/moments.h \
 	src/particle/particles.c \
 	src/particle/particles.h \
+	src/particle/prescribed.c \
+	src/particle/prescribed.h \
 	src/particle/quantity.c \
 	src/particle/reference.c \
 	src/particle/reference.h \

@@ -6,10 +6,9 @@
 #include <unistd.h>
 
 #include "advise/trial.h"
-#include "contact/limits.h"
 #include "core/sim.h"
 #include "neigh/neigh.h"
-#include "particle/particles.h"
+#include "particle/prescribed.h"
 
 #include "base/banned.h"
 

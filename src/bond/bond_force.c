@@ -11,15 +11,6 @@
 
 #include "base/banned.h"
 
-void ts_bond_separation(const struct tsim *sim, size_t i, size_t j, double d[3])
-{
-	const struct ts_particles *p = sim->particles;
-
-	for (int k = 0; k < 3; k++)
-		d[k] = p->x[i][k] - p->x[j][k];
-	ts_box_nearest(&sim->domain->box, d);
-}
-
 static enum ts_status record_event(struct tsim *sim, size_t b)
 {
 	struct ts_bonds *bonds = sim->bonds;

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "box/domain.h"
 #include "core/report.h"
 #include "math/vec3.h"
 #include "neigh/coincide.h"
@@ -155,6 +156,15 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	(void)sim;
 	((struct ts_bonds *)self->state)->shown = false; /* outputs say so in theirs */
 	return TS_OK;
+}
+
+void ts_bond_separation(const struct tsim *sim, size_t i, size_t j, double d[3])
+{
+	const struct ts_particles *p = sim->particles;
+
+	for (int k = 0; k < 3; k++)
+		d[k] = p->x[i][k] - p->x[j][k];
+	ts_box_nearest(&sim->domain->box, d);
 }
 
 static enum ts_status check_places(struct tsim *sim, const struct ts_bonds *b)

@@ -45,6 +45,15 @@ double ts_domain_moved(const struct ts_domain *domain)
 	return sqrt(square);
 }
 
+bool ts_domain_all_fixed(const struct tsim *sim)
+{
+	bool fixed = true;
+
+	for (int k = 0; k < 2 * sim->dimension; k++)
+		fixed &= sim->domain->box.face[k / 2][k % 2] == TS_FACE_FIXED;
+	return fixed;
+}
+
 /* A moving face stays this part of the first box length outside the outermost centre. */
 static const double SHRINK_MARGIN = 1e-4;
 

@@ -35,6 +35,8 @@ enum ts_status ts_domain_make(struct tsim *sim, int ntypes, const double lo[3], 
 void ts_domain_hold(struct ts_domain *domain);
 /* How much the periodic images have moved relative to their originals since then, at most. */
 double ts_domain_moved(const struct ts_domain *domain);
+/* Whether particles that reach a face leave: all faces of the box are of style f. */
+bool ts_domain_all_fixed(const struct tsim *sim);
 /* Fits `s` and `m` faces to the particles. */
 void ts_domain_shrink(struct tsim *sim);
 

@@ -6,6 +6,7 @@
 #include "insert/template.h"
 #include "material/property.h"
 #include "particle/body.h"
+#include "particle/prescribed.h"
 #include "rigid/rigid.h"
 
 #include "base/banned.h"
@@ -22,17 +23,6 @@ static void insert(struct ts_lightest *l, double inverse_mass, double radius)
 	}
 	l->inverse_mass[k] = inverse_mass;
 	l->radius[k] = radius;
-}
-
-uint32_t ts_prescribed(const struct tsim *sim)
-{
-	const struct ts_instance *fix;
-	uint32_t groups = 0;
-
-	for (size_t k = 0; (fix = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_PRESCRIBED, &k));)
-		if (!((const struct ts_prescribed_motion *)fix->state)->free)
-			groups |= (uint32_t)1 << fix->group;
-	return groups;
 }
 
 struct ts_lightest *ts_lightest(const struct tsim *sim, int group)
@@ -54,17 +44,6 @@ struct ts_lightest *ts_lightest(const struct tsim *sim, int group)
 			insert(&list[t], inverse_mass, radius);
 	}
 	return list;
-}
-
-double ts_fastest(const struct tsim *sim, int group)
-{
-	const struct ts_particles *p = sim->particles;
-	double most = 0;
-
-	for (size_t i = 0; i < p->n; i++)
-		if (ts_in_group(p, i, group))
-			most = fmax(most, ts_dot(p->v[i], p->v[i]));
-	return sqrt(most);
 }
 
 /* Where nothing integrates the motion, contacts cannot swing (heat in a packing at rest). */

@@ -7,23 +7,12 @@
 #include "law/granular_limit.h"
 #include "particle/particles.h"
 
-/* Family of fixes that move particles whatever acts on them, unless they are free: to contacts they are walls. */
-#define TS_FAMILY_PRESCRIBED "prescribed"
-struct ts_prescribed_motion {
-	bool free; /* some component moves as forces say; set in init */
-};
-/* The groups that these fixes move, as bits of particles->mask. */
-uint32_t ts_prescribed(const struct tsim *sim);
-
 /* The two lightest particles of a type that can move, and whether there are held ones. */
 struct ts_lightest {
 	double inverse_mass[2], radius[2]; /* -1: there is none; 0: held */
 };
 /* By type, 0 .. ntypes; of the group. NULL: out of memory. ts_free when done. */
 struct ts_lightest *ts_lightest(const struct tsim *sim, int group);
-
-/* The largest speed in the group. */
-double ts_fastest(const struct tsim *sim, int group);
 
 /* Reports the largest steps of the motion along the normal and of slip. `overlap`: the deepest that there is
  * now, for laws that stiffen, `speed`: of collisions to expect. */

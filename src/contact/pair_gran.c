@@ -5,6 +5,7 @@
 #include "contact/row_models.h"
 #include "energy/contact_energy.h"
 #include "insert/template.h"
+#include "particle/prescribed.h"
 
 #include "base/banned.h"
 

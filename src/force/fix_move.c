@@ -2,12 +2,12 @@
 #include "core/sim.h"
 
 #include "box/domain.h"
-#include "contact/limits.h"
 #include "core/each.h"
 #include "core/sweep.h"
 #include "force/restraint.h"
 #include "math/vec3.h"
 #include "particle/moments.h"
+#include "particle/prescribed.h"
 #include "particle/reference.h"
 #include "region/region.h"
 

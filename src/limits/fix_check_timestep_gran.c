@@ -6,6 +6,7 @@
 
 #include "mesh/mesh_surface.h"
 #include "neigh/neigh.h"
+#include "particle/prescribed.h"
 
 #include "base/banned.h"
 

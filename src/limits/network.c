@@ -17,6 +17,7 @@
 #include "limits/linkage.h"
 #include "wall/wall.h"
 #include "particle/body.h"
+#include "particle/prescribed.h"
 #include "box/domain.h"
 #include "rigid/rigid.h"
 #include "math/rigid_turn.h"

@@ -3,7 +3,7 @@
 #include <inttypes.h>
 #include <math.h>
 
-#include "contact/limits.h"
+#include "particle/prescribed.h"
 #include "contact/pair.h"
 #include "wall/mesh_wall.h"
 

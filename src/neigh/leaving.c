@@ -15,7 +15,7 @@
 bool ts_leaving_apart(const struct tsim *sim)
 {
 	return sim->particles->lost_policy == TS_LOST_IGNORE && sim->particles->xseen &&
-	       ts_neigh_all_fixed(sim);
+	       ts_domain_all_fixed(sim);
 }
 
 enum ts_status ts_leaving_init(struct tsim *sim)

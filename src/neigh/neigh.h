@@ -50,7 +50,6 @@ void ts_neigh_radii(const struct ts_particles *p, double *least, double *most);
 double ts_neigh_skin(const struct tsim *sim);
 /* The one that suits the speeds and the step as they are now; more than that only if all faces are fixed. */
 double ts_neigh_choose_skin(const struct tsim *sim);
-bool ts_neigh_all_fixed(const struct tsim *sim);
 /* For the init of outputs and of what may end a run: they look at forces of contacts at multiples of `every`. */
 void ts_neigh_show_every(struct ts_neigh *neigh, int64_t every);
 /* Whether neigh_modify names the group of this bit. */

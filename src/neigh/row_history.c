@@ -2,7 +2,8 @@
 
 #include <string.h>
 
-#include "contact/row_loop.h"
+#include "base/parallel.h"
+#include "math/vec3.h"
 #include "neigh/row_memory.h"
 #include "neigh/row_slots.h"
 #include "particle/identity.h"
@@ -112,9 +113,9 @@ enum ts_status ts_row_history_take_memories(struct tsim *sim, struct ts_rows *ro
 static bool overlap(const struct ts_particles *p, const struct ts_rows *rows, size_t r)
 {
 	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
-	double d[3], sum = p->radius[i] + p->radius[j];
+	double sum = p->radius[i] + p->radius[j];
 
-	return ts_row_distance2(p, i, j, d) < sum * sum;
+	return ts_distance2(p->x[i], p->x[j]) < sum * sum;
 }
 
 /* Number k of the old ones had a bridge of liquid. */

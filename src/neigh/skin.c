@@ -2,12 +2,11 @@
 #include <math.h>
 
 #include "box/domain.h"
-#include "contact/limits.h"
 #include "core/settings.h"
 #include "mesh/mesh_surface.h"
 #include "neigh/leaving.h"
 #include "neigh/neigh.h"
-#include "particle/particles.h"
+#include "particle/prescribed.h"
 #include "wall/wall.h"
 
 #include "base/banned.h"
@@ -56,22 +55,13 @@ enum { SELDOM = 40 };
 /* Where everything rests now, it may begin to move. */
 static const double LEAST = 0.02; /* of the smallest radius */
 
-bool ts_neigh_all_fixed(const struct tsim *sim)
-{
-	bool fixed = true;
-
-	for (int k = 0; k < 2 * sim->dimension; k++)
-		fixed &= sim->domain->box.face[k / 2][k % 2] == TS_FACE_FIXED;
-	return fixed;
-}
-
 /* At other faces rebuilds do what can be seen, particles are wrapped and faces fitted: if they are more seldom than
  * with the skin given, this is a surprise. */
 static double quick_skin(const struct tsim *sim, double skin, double pace, double size)
 {
 	double quick = fmin(2 * SELDOM * pace, BEST * size * pow(pace / size, 0.25));
 
-	if (!ts_neigh_all_fixed(sim) || quick <= skin)
+	if (!ts_domain_all_fixed(sim) || quick <= skin)
 		return 0;
 	return sim->particles->lost_policy == TS_LOST_IGNORE ? ts_leaving_skin(skin, quick) : quick;
 }

@@ -2,9 +2,9 @@
 #include "review/checks.h"
 
 #include "bond/bonds.h"
-#include "contact/limits.h"
 #include "math/unionfind.h"
 #include "particle/identity.h"
+#include "particle/prescribed.h"
 #include "rigid/rigid.h"
 
 #include "base/banned.h"

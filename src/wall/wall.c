@@ -10,6 +10,7 @@
 #include "contact/substep_contacts.h"
 #include "core/report.h"
 #include "insert/template.h"
+#include "particle/prescribed.h"
 #include "rigid/rigid.h"
 
 #include "base/banned.h"
