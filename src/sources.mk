@@ -150,7 +150,8 @@ library_sources = \
 	src/contact/contact_columns.h \
 	src/contact/contact_list.c \
 	src/contact/contact_list.h \
-	src/contact/contact_pressure.c \
+	src/contact/contact_system.c \
+	src/contact/contact_system.h \
 	src/contact/fix_multicontact_halfspace.c \
 	src/contact/gran_coeff.c \
 	src/contact/gran_coeff.h \
@@ -571,6 +572,8 @@ library_sources = \
 	src/library/tables.c \
 	src/library/tables.h \
 	src/limits/fix_check_timestep_gran.c \
+	src/limits/limits_system.c \
+	src/limits/limits_system.h \
 	src/limits/linkage.c \
 	src/limits/linkage.h \
 	src/limits/network.c \
@@ -892,6 +895,7 @@ library_sources = \
 	src/wall/mesh_stress.h \
 	src/wall/mesh_wall.c \
 	src/wall/mesh_wall.h \
+	src/wall/mesh_wall_push.c \
 	src/wall/primitive_wall.c \
 	src/wall/primitive_wall.h \
 	src/wall/region_wall.c \
@@ -901,6 +905,8 @@ library_sources = \
 	src/wall/wall.c \
 	src/wall/wall.h \
 	src/wall/wall_batch.h \
+	src/wall/wall_coincide.c \
+	src/wall/wall_coincide.h \
 	src/wall/wall_contacts.c \
 	src/wall/wall_contacts.h \
 	src/wall/wall_law.c \
@@ -909,4 +915,6 @@ library_sources = \
 	src/wall/wall_push.c \
 	src/wall/wall_push.h \
 	src/wall/wall_stages.c \
-	src/wall/wall_stages.h
+	src/wall/wall_stages.h \
+	src/wall/wall_system.c \
+	src/wall/wall_system.h

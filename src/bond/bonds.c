@@ -9,6 +9,7 @@
 #include "core/report.h"
 #include "math/vec3.h"
 #include "neigh/coincide.h"
+#include "neigh/neigh.h"
 #include "particle/identity.h"
 #include "particle/particles.h"
 
@@ -151,9 +152,14 @@ enum ts_status ts_bonds_index(struct tsim *sim)
 	return TS_OK;
 }
 
+static bool bonded(const struct tsim *sim, int32_t tag_a, int32_t tag_b)
+{
+	return ts_bonds_has(sim->bonds, tag_a, tag_b);
+}
+
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
-	(void)sim;
+	sim->neigh->ask.bonded = bonded;
 	((struct ts_bonds *)self->state)->shown = false; /* outputs say so in theirs */
 	return TS_OK;
 }

@@ -151,6 +151,14 @@ double ts_pair_reach(const struct tsim *sim, double radius)
 	return pair && pair->model.multi ? 2 * TS_BULGE_MOST * radius : most;
 }
 
+bool ts_pair_interact(const struct tsim *sim, size_t i, size_t j)
+{
+	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
+	const struct ts_particles *p = sim->particles;
+
+	return pair && ts_pair_model(pair->state, p->type[i], p->type[j])->normal != TS_NORMAL_OFF;
+}
+
 static void types_present(const struct tsim *sim, bool *present)
 {
 	const struct ts_particles *p = sim->particles;

@@ -54,6 +54,8 @@ static inline const struct ts_granular_model *ts_pair_model(const struct ts_pair
 
 /* How far beyond their touch the surfaces of particles of this radius, or smaller ones, may still pull. */
 double ts_pair_reach(const struct tsim *sim, double radius);
+/* Whether there is a pair style and its law of the types of particles i and j acts. */
+bool ts_pair_interact(const struct tsim *sim, size_t i, size_t j);
 
 /* What pair_coeff does. */
 enum ts_status ts_pair_set(struct tsim *sim, struct ts_types a, struct ts_types b,

@@ -59,11 +59,11 @@ static bool touches(const struct ts_row_task *task, const struct ts_row_block *b
 	const struct ts_row_near *near = &task->rows->near[block->first + at];
 	const struct ts_particles *p = task->p;
 	size_t i = (size_t)near->i, j = (size_t)near->j;
-	double d[3], sum = p->radius[i] + p->radius[j];
+	double sum = p->radius[i] + p->radius[j];
 
 	if (task->pair->sticks)
 		sum += beyond(task, block, at);
-	return ts_row_distance2(p, i, j, d) < sum * sum;
+	return ts_distance2(p->x[i], p->x[j]) < sum * sum;
 }
 
 static void work(const struct ts_row_task *task, const struct ts_row_block *block, size_t at)

@@ -20,16 +20,6 @@ struct ts_row_task {
 	bool keep;    /* a pair that parts remembers until the next rebuild */
 };
 
-TS_INLINE double
-ts_row_distance2(const struct ts_particles *p, size_t i, size_t j, double d[3])
-{
-	const double *xi = p->x[i], *xj = p->x[j];
-
-	for (int k = 0; k < 3; k++)
-		d[k] = xi[k] - xj[k];
-	return d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-}
-
 /* The waiting row of the block that stands at `at` touches: it becomes the last of the active ones. */
 TS_INLINE void ts_row_meet(const struct ts_rows *rows, struct ts_row_block *block, size_t at)
 {

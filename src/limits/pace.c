@@ -32,12 +32,9 @@ static double nearest(const double m[3], const double d[3])
 /* Whether they act on each other when they touch. */
 static bool meet(const struct tsim *sim, size_t i, size_t j)
 {
-	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
-	const struct ts_particles *p = sim->particles;
 	ts_excluded_fn *excluded = ts_neigh_excluded(sim);
 
-	return pair && ts_pair_model(pair->state, p->type[i], p->type[j])->normal != TS_NORMAL_OFF &&
-	       !(excluded && excluded(sim, i, j));
+	return ts_pair_interact(sim, i, j) && !(excluded && excluded(sim, i, j));
 }
 
 /* Seen from j the particle i goes along a line, farther than its radius, and comes near enough; or it pulls at a bond. */

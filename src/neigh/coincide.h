@@ -1,12 +1,10 @@
-/* Centres at the same place, or in the surface of a wall: a contact has no direction there, and so
- * no force. Such a scene is refused, for it would go on without a word. Rows of particles are
- * looked at when they are built, contacts with walls in each step. On the axis of a cylinder there
- * is no force by symmetry: that is right. */
+/* Centres at the same place, or in the surface of a wall (wall/wall_coincide.h): a contact has no direction there, and
+ * so no force. Such a scene is refused, for it would go on without a word. Rows of particles are looked at when they are
+ * built, contacts with walls in each step. On the axis of a cylinder there is no force by symmetry: that is right. */
 #ifndef TS_NEIGH_COINCIDE_H
 #define TS_NEIGH_COINCIDE_H
 
 #include "neigh/rows.h"
-#include "wall/wall.h"
 
 /* Centres nearer to each other, or to a surface, than this part of a radius are told apart by
  * rounding only. */
@@ -20,14 +18,6 @@ static inline bool ts_coincide(double distance, double radius)
 /* Refuses rows of two particles at the same place, of which one is free to move; to be called where
  * there may be some. */
 enum ts_status ts_coincide_rows(struct tsim *sim, const struct ts_rows *rows);
-/* Refuses a contact whose particle has its centre in the wall, if ts_wall_finish has found one.
- * `part` names the part of the wall for the contact k; NULL: it has none. */
-typedef void ts_wall_part_fn(const void *context, size_t k, struct ts_str *out);
-enum ts_status ts_coincide_wall(struct tsim *sim, struct ts_wall *wall, ts_wall_part_fn *part,
-				const void *context);
-/* The same where nothing is computed (-check, -explain): looks at all contacts that are listed, as they are now. For
- * the slot `review` of walls. */
-enum ts_status ts_coincide_foresee(struct ts_instance *self, struct tsim *sim);
 /* Refuses a bond between particles at the same place; `distance` is that of the rows i and j. */
 enum ts_status ts_coincide_bond(struct tsim *sim, const struct ts_place *where, size_t i, size_t j,
 				double distance);

@@ -6,14 +6,10 @@
 
 #include "base/clones.h"
 #include "base/parallel.h"
-#include "bond/bonds.h"
 #include "box/domain.h"
-#include "contact/pair.h"
 #include "core/report.h"
 #include "core/settings.h"
 #include "core/sweep.h"
-#include "limits/network.h"
-#include "limits/pace.h"
 #include "math/vec3.h"
 #include "neigh/leaving.h"
 #include "neigh/order.h"
@@ -22,7 +18,6 @@
 #include "particle/exchange.h"
 #include "particle/particles.h"
 #include "rigid/rigid.h"
-#include "wall/loss.h"
 
 #include "base/banned.h"
 
@@ -58,7 +53,6 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct ts_neigh *nb = self->state;
 
 	sim->particles->describe_contacts = describe_contacts;
-	sim->particles->explain_loss = ts_explain_loss;
 	nb->wanted = ts_sim_only(sim, TS_KIND_PAIR) || sim->full & TS_FULL_ROWS;
 	nb->builds = 0;
 	nb->skin_counts = nb->shown = false; /* whose outputs do says so in its init */
@@ -122,7 +116,7 @@ static enum ts_status stop_runaways(struct tsim *sim, double dt2)
 
 	for (size_t i = 0; i < p->n; i++)
 		if (runs_away(p, i, dt2) &&
-		    (!isfinite(ts_norm(p->v[i]) + ts_norm(p->x[i])) || ts_pace_hits(sim, i, past, sizeof past)))
+		    (!isfinite(ts_norm(p->v[i]) + ts_norm(p->x[i])) || sim->neigh->ask.hits(sim, i, past, sizeof past)))
 			return runaway(sim, i, past);
 	return TS_OK;
 }
@@ -231,7 +225,7 @@ static bool excluded(const struct tsim *sim, size_t i, size_t j)
 	for (int k = 0; k < nb->nexclude; k++)
 		if (excludes(&nb->exclude[k], p, i, j))
 			return true;
-	return nb->skip_bonded && ts_bonds_has(sim->bonds, p->tag[i], p->tag[j]);
+	return nb->skip_bonded && nb->ask.bonded(sim, p->tag[i], p->tag[j]);
 }
 
 ts_excluded_fn *ts_neigh_excluded(const struct tsim *sim)
@@ -249,7 +243,7 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 
 	ts_neigh_radii(p, &least, &largest);
 	nb->least_radius = least;
-	reach = nb->wanted ? ts_pair_reach(sim, largest) : 0;
+	reach = nb->wanted ? nb->ask.reach(sim, largest) : 0;
 	if (!sim->resuming)
 		TS_TRY(ts_order_by_place(sim));
 	nb->given_skin = ts_neigh_skin(sim);
@@ -436,7 +430,6 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 	const struct ts_neigh *nb = self->state;
 	size_t rows = nb->rows.n;
 
-	TS_TRY(ts_network_report(report, sim));
 	if (!nb->wanted) {
 		ts_report_left_out(report, "contact rows", TS_FULL_ROWS, 0, "no pair_style");
 		return TS_OK;
@@ -473,6 +466,26 @@ static void fini(struct ts_instance *self)
 	ts_rows_release(&nb->rows);
 	ts_row_history_release(&nb->saved);
 }
+
+static enum ts_status count_builds(struct tsim *sim, double *out)
+{
+	*out = (double)sim->neigh->builds;
+	return TS_OK;
+}
+
+/* Rows are built anew exactly when a particle has moved half the skin: no contact is ever missed. */
+static enum ts_status count_dangerous_builds(struct tsim *sim, double *out)
+{
+	(void)sim;
+	*out = 0;
+	return TS_OK;
+}
+
+static const struct ts_keyword keywords[] = {
+	{ "nbuild", "Nbuild", "", "how often neighbours were searched in this run", 1, count_builds },
+	{ "ndanger", "Ndanger", "", "searches that came too late: 0", 1, count_dangerous_builds },
+	{ .name = NULL },
+};
 
 static const struct ts_saved saved[] = {
 	TS_SAVE_F64(struct ts_neigh, skin),
@@ -512,5 +525,5 @@ const struct ts_system_style ts_neigh_system = {
 		   .fini = fini },
 	.slot = offsetof(struct tsim, neigh),
 	.settings = settings,
-	.keywords = ts_neigh_keywords,
+	.keywords = keywords,
 };

@@ -20,6 +20,22 @@ struct ts_exclude {
 struct ts_row_follower;
 struct ts_multicontact;
 
+/* What the search has to know of contacts, bonds and walls, whose folders stand above this one: each is set by the init
+ * of their systems (src/systems.c), and so always there. */
+struct ts_neigh_questions {
+	/* How far beyond their touch the surfaces of particles of this radius, or smaller ones, may still pull. */
+	double (*reach)(const struct tsim *sim, double radius);
+	/* Whether the types of particles i and j have a contact law. */
+	bool (*interact)(const struct tsim *sim, size_t i, size_t j);
+	/* Whether there is a bond between the particles of these identities. */
+	bool (*bonded)(const struct tsim *sim, int32_t tag_a, int32_t tag_b);
+	/* Whether a wall, other than of meshes, moves. */
+	bool (*walls_move)(const struct tsim *sim);
+	/* Whether particle i, which has just moved by more than its radius, may have met something on its way; `what`
+	 * says it: " past ...". */
+	bool (*hits)(struct tsim *sim, size_t i, char *what, size_t room);
+};
+
 struct ts_neigh {
 	double skin;        /* at most; <= 0: chosen from the particles, see ts_neigh_skin */
 	bool fixed_skin;    /* not less either */
@@ -41,6 +57,7 @@ struct ts_neigh {
 	struct ts_multicontact *multicontact; /* how contacts of one grain act on each other; NULL: not at all */
 	struct ts_row_follower *follower; /* of the forces of this step, see row_walk.h; NULL: none */
 	struct ts_row_history saved; /* from a restart file, for the next build */
+	struct ts_neigh_questions ask;
 };
 
 /* Of the smallest and the largest particle; infinite and 0 where there are none. */
@@ -58,8 +75,6 @@ bool ts_neigh_uses_group(const struct ts_neigh *neigh, int bit);
 /* The pairs that neigh_modify exclude and special_bonds leave out; NULL: none. */
 ts_excluded_fn *ts_neigh_excluded(const struct tsim *sim);
 
-/* Pressure and counts of searches for the table of the log: contact/contact_pressure.c. */
-extern const struct ts_keyword ts_neigh_keywords[];
 extern const struct ts_system_style ts_neigh_system;
 
 #endif

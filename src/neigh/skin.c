@@ -7,7 +7,6 @@
 #include "neigh/leaving.h"
 #include "neigh/neigh.h"
 #include "particle/prescribed.h"
-#include "wall/wall.h"
 
 #include "base/banned.h"
 
@@ -34,12 +33,9 @@ double ts_neigh_skin(const struct tsim *sim)
 /* What else than particles has moved since the last rebuild, or will, and uses up the skin with them. */
 static bool surroundings_move(const struct tsim *sim)
 {
-	bool move = ts_domain_moved(sim->domain) > 0;
+	bool move = ts_domain_moved(sim->domain) > 0 || sim->neigh->ask.walls_move(sim);
 	const struct ts_instance *mesh;
-	const struct ts_wall *wall;
 
-	for (size_t k = 0; (wall = ts_walls_next(sim, &k, NULL));)
-		move |= wall->moves;
 	for (size_t k = 0; (mesh = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_MESH, &k));)
 		move |= ((const struct ts_mesh_surface *)mesh->state)->travelled > 0;
 	return move;

@@ -4,6 +4,7 @@
 #include "bond/bonds.h"
 #include "box/domain.h"
 #include "core/life.h"
+#include "math/vec3.h"
 #include "neigh/coincide.h"
 #include "particle/identity.h"
 #include "particle/user_columns.h"

@@ -1,11 +1,11 @@
 #include "wall/mesh_stress.h"
 #include "wall/primitive_wall.h"
+#include "wall/wall_coincide.h"
 #include "wall/wall_law.h"
 
 #include <math.h>
 
 #include "core/sim.h"
-#include "neigh/coincide.h"
 
 #include "base/banned.h"
 

@@ -1,7 +1,7 @@
 /* Fix wall/gran/region: the surface of a region is a wall. */
 #include "core/sim.h"
-#include "neigh/coincide.h"
 #include "wall/region_wall.h"
+#include "wall/wall_coincide.h"
 #include "wall/wall_law.h"
 
 #include "base/banned.h"

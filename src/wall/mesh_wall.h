@@ -81,21 +81,40 @@ enum ts_status ts_mesh_wall_list(struct ts_instance *self, struct tsim *sim, str
 bool ts_mesh_wall_has_moved(const struct tsim *sim, const struct ts_mesh_wall *mw);
 /* Refuses a mesh that moves through particles in one step. */
 enum ts_status ts_mesh_wall_check_pace(struct ts_instance *self, struct tsim *sim, struct ts_mesh_wall *mw);
-/* All forces. */
+/* All forces: mesh_wall_push.c. */
 enum ts_status ts_mesh_wall_push(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw);
 void ts_mesh_wall_release(struct ts_mesh_wall *mw);
 
 /* How far particle i is from the triangle of contact k now. */
 double ts_mesh_wall_distance(const struct tsim *sim, const struct ts_mesh_wall *mw, size_t k, size_t i);
 
-/* ", triangle 12 of mesh cad": of contact k; `context` is the mesh wall. For ts_coincide_wall. */
-void ts_mesh_wall_name(const void *context, size_t k, struct ts_str *out);
+/* ", triangle 12 of mesh cad": of contact k. */
+void ts_mesh_wall_name(const struct ts_mesh_wall *mw, size_t k, struct ts_str *out);
 /* Where particle i sees the image of the mesh. */
 void ts_mesh_wall_place(const struct tsim *sim, const struct ts_mesh_near *near, size_t i, double x[3]);
 /* Whether there is a contact: as of the last step, or found in this one. */
 static inline double *ts_mesh_alive(const struct ts_wall_contacts *c, size_t k)
 {
 	return ts_wall_memory(c, k) + c->width - TS_MESH_MEMORY;
+}
+
+/* How far the meshes have gone since the last call, at most; infinite if nothing is known of it: images move with the
+ * box. */
+double ts_mesh_wall_come_nearer(const struct tsim *sim, struct ts_mesh_wall *mw);
+/* How far from its surface a particle may begin a contact: surfaces that stick have to touch first. */
+double ts_mesh_wall_outreach(const struct tsim *sim, const struct ts_wall *w, double radius);
+
+/* A touch may be found when a particle is farther by so much: twice the tolerance of the triangle, and rounding. */
+static inline double ts_mesh_wall_slack(const struct ts_mesh *m, int32_t triangle)
+{
+	return 4 * ts_mesh_tolerance(m, (size_t)triangle);
+}
+
+/* The rest of the gap between a sphere and a triangle both can go in any way; rounding counts less than what is left
+ * of it. */
+static inline double ts_mesh_wall_safe_way(const struct ts_mesh *m, int32_t triangle, double distance, double radius)
+{
+	return 0.999 * (distance - radius - ts_mesh_wall_slack(m, triangle));
 }
 
 /* Mesh and triangle of the contact k, for who reads reports. */

@@ -6,6 +6,7 @@
 #include "box/domain.h"
 #include "core/sim.h"
 #include "neigh/coincide.h"
+#include "wall/wall_coincide.h"
 #include "wall/wall_push.h"
 
 #include "base/banned.h"
@@ -397,7 +398,7 @@ enum ts_status ts_primitive_wall_push(struct tsim *sim, struct ts_wall *wall, co
 		push.at[k] = moved_by(w, k, moved);
 	ts_wall_contacts_parallel(sim, &wall->contacts, push_share, &push);
 	ts_wall_finish(wall);
-	return ts_coincide_wall(sim, wall, NULL, NULL);
+	return ts_coincide_wall(sim, wall);
 }
 
 void ts_primitive_wall_plan(struct ts_instance *self, struct tsim *sim,

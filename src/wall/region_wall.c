@@ -6,6 +6,7 @@
 #include "math/vec3.h"
 #include "neigh/coincide.h"
 #include "particle/particles.h"
+#include "wall/wall_coincide.h"
 #include "wall/wall_push.h"
 
 #include "base/banned.h"
@@ -337,7 +338,7 @@ enum ts_status ts_region_wall_push(struct tsim *sim, struct ts_wall *wall, struc
 	else
 		push_contacts(&task, 0, wall->contacts.n, w->spot);
 	ts_wall_finish(wall);
-	return ts_coincide_wall(sim, wall, NULL, NULL);
+	return ts_coincide_wall(sim, wall);
 }
 
 enum ts_status ts_region_wall_archive(struct ts_archive *a, struct ts_region_wall *w)

@@ -100,7 +100,7 @@ static inline bool ts_wall_meets(const struct ts_instance *self, const struct ts
 /* Forces and what is stored of them are 0. */
 void ts_wall_start(struct ts_wall *w, struct tsim *sim);
 /* Adds up the force on the wall, in the order of contacts; notes whether a centre lies in its surface, which
- * ts_coincide_wall (neigh/coincide.h) refuses. */
+ * ts_coincide_wall (wall/wall_coincide.h) refuses. */
 void ts_wall_finish(struct ts_wall *w);
 
 /* Checks that the law exists for particles of the group and a wall of this type, and reports the

@@ -140,7 +140,7 @@ syn keyword tsimName  id type radius diameter
 syn match tsimName /\<mass\>/ 
 syn keyword tsimName  density mol x y z vx vy vz fx fy fz omegax omegay omegaz tqx tqy
 syn keyword tsimName  tqz xu yu zu xs ys zs xsu ysu zsu ix iy iz proc thread angmomx
-syn keyword tsimName  angmomy angmomz press pxx pyy pzz pxy pxz pyz nbuild ndanger bonds
+syn keyword tsimName  angmomy angmomz nbuild ndanger press pxx pyy pzz pxy pxz pyz bonds
 syn keyword tsimName  numbonds numbond brokenbonds gonebonds flow_ke flow_px flow_py
 syn keyword tsimName  flow_pz flow_div flow_cfl flow_iter flow_res flow_dt flow_time
 syn keyword tsimName  flow_steps step elapsed elaplong part time dt cpu tpcpu spcpu

@@ -1,5 +1,7 @@
-/* What the neighbour search and the contacts give to the table of the log. */
+#include "contact/contact_system.h"
+
 #include "contact/contact_list.h"
+#include "contact/pair.h"
 #include "core/standard.h"
 #include "group/temperature.h"
 
@@ -59,21 +61,7 @@ COMPONENT(pxy, 3)
 COMPONENT(pxz, 4)
 COMPONENT(pyz, 5)
 
-static enum ts_status nbuild(struct tsim *sim, double *out)
-{
-	*out = (double)sim->neigh->builds;
-	return TS_OK;
-}
-
-/* Rows are built anew exactly when a particle has moved half the skin: no contact is ever missed. */
-static enum ts_status ndanger(struct tsim *sim, double *out)
-{
-	(void)sim;
-	*out = 0;
-	return TS_OK;
-}
-
-const struct ts_keyword ts_neigh_keywords[] = {
+static const struct ts_keyword keywords[] = {
 	{ "press", "Press", "pressure", "pressure of all particles, see compute pressure", TS_KEYWORD_CONTACTS, press },
 	{ "pxx", "Pxx", "pressure", "its tensor, xx", TS_KEYWORD_CONTACTS, pxx },
 	{ "pyy", "Pyy", "pressure", "its tensor, yy", TS_KEYWORD_CONTACTS, pyy },
@@ -81,7 +69,21 @@ const struct ts_keyword ts_neigh_keywords[] = {
 	{ "pxy", "Pxy", "pressure", "its tensor, xy", TS_KEYWORD_CONTACTS, pxy },
 	{ "pxz", "Pxz", "pressure", "its tensor, xz", TS_KEYWORD_CONTACTS, pxz },
 	{ "pyz", "Pyz", "pressure", "its tensor, yz", TS_KEYWORD_CONTACTS, pyz },
-	{ "nbuild", "Nbuild", "", "how often neighbours were searched in this run", 1, nbuild },
-	{ "ndanger", "Ndanger", "", "searches that came too late: 0", 1, ndanger },
 	{ .name = NULL },
+};
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	(void)self;
+	sim->neigh->ask.reach = ts_pair_reach;
+	sim->neigh->ask.interact = ts_pair_interact;
+	return TS_OK;
+}
+
+const struct ts_system_style ts_contact_system = {
+	.style = { .name = "contact",
+		   .kind = TS_KIND_SYSTEM,
+		   .summary = "what the search for neighbours asks of contact laws; the pressure in the log",
+		   .init = init },
+	.keywords = keywords,
 };

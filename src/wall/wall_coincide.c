@@ -1,0 +1,73 @@
+#include "wall/wall_coincide.h"
+
+#include <inttypes.h>
+
+#include "neigh/coincide.h"
+#include "particle/prescribed.h"
+#include "wall/mesh_wall.h"
+
+#include "base/banned.h"
+
+static const struct ts_instance *instance_of(const struct tsim *sim, const struct ts_wall *wall)
+{
+	const struct ts_instance *by = NULL;
+	const struct ts_wall *w;
+
+	for (size_t k = 0; (w = ts_walls_next(sim, &k, &by)) && w != wall;)
+		;
+	return by;
+}
+
+enum ts_status ts_coincide_wall(struct tsim *sim, const struct ts_wall *wall)
+{
+	const struct ts_particles *p = sim->particles;
+	const struct ts_instance *by;
+	struct ts_str where = { 0 };
+	size_t k = wall->inside, i;
+	enum ts_status status;
+
+	if (k == TS_WALL_NONE)
+		return TS_OK;
+	i = (size_t)wall->contacts.row[k];
+	if (p->mask[i] & ts_prescribed(sim))
+		return TS_OK;
+	by = instance_of(sim, wall);
+	if (wall->mesh)
+		ts_mesh_wall_name(wall->mesh, k, &where);
+	status = ts_fail(
+		&sim->error, TS_PHYSICS, by ? &by->where : NULL,
+		"at step %" PRId64
+		" the centre of particle %d (type %d) at (%g %g %g) lies in the surface of wall "
+		"%s%s: it is on neither side, and no contact force has a direction there; %s",
+		sim->clock.step, p->tag[i], p->type[i], p->x[i][0], p->x[i][1], p->x[i][2],
+		by ? by->id : "", ts_str_text(&where),
+		sim->in_setup || sim->explain ? "place it a radius away from the wall, or move the wall"
+			      : "the time step is too large or the contact too soft, or the "
+				"particle was put there");
+	ts_str_release(&where);
+	return status;
+}
+
+/* Whether the contact is computed: particles that are held are only where the forces on a mesh are summed. */
+static bool counts(const struct ts_wall *w, const struct tsim *sim, size_t k)
+{
+	return sim->particles->imass[w->contacts.row[k]] > 0 ||
+	       (w->mesh && w->mesh->mesh[w->mesh->near[k].mesh].surface->stress);
+}
+
+enum ts_status ts_coincide_foresee(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_wall *w = self->state;
+
+	if (!sim->explain || sim->review.stale)
+		return TS_OK;
+	w->inside = TS_WALL_NONE;
+	for (size_t k = 0; w->distance && k < w->contacts.n && w->inside == TS_WALL_NONE; k++) {
+		size_t i = (size_t)w->contacts.row[k];
+		int type;
+
+		if (counts(w, sim, k) && ts_coincide(w->distance(self, sim, k, &type), sim->particles->radius[i]))
+			w->inside = k;
+	}
+	return ts_coincide_wall(sim, w);
+}
