@@ -912,6 +912,8 @@ library_sources = \
 	src/wall/wall_law.c \
 	src/wall/wall_law.h \
 	src/wall/wall_models.c \
+	src/wall/wall_multicontact.c \
+	src/wall/wall_multicontact.h \
 	src/wall/wall_push.c \
 	src/wall/wall_push.h \
 	src/wall/wall_stages.c \

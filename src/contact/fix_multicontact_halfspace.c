@@ -1,7 +1,6 @@
 /* Fix multicontact/halfspace: contacts of one grain act on each other. */
 #include "contact/multicontact.h"
 #include "core/sim.h"
-#include "wall/wall.h"
 
 #include "base/banned.h"
 
@@ -28,13 +27,9 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 			   struct ts_plan_report *report)
 {
 	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
-	bool any = pair && ((const struct ts_pair *)pair->state)->model.multi;
-	const struct ts_wall *w;
 
 	(void)report;
-	for (size_t k = 0; (w = ts_walls_next(sim, &k, NULL));)
-		any |= ts_wall_has_law(w, sim) && ts_wall_model(w, sim)->multi;
-	if (any)
+	if ((pair && ((const struct ts_pair *)pair->state)->model.multi) || sim->neigh->multicontact_walls->any(sim))
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, &self->where,
 		       "fix multicontact/halfspace: no contacts know of each other; they do with `surface "

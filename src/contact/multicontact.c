@@ -5,7 +5,6 @@
 #include "base/parallel.h"
 #include "material/property.h"
 #include "neigh/row_memory.h"
-#include "wall/wall.h"
 
 #include "base/banned.h"
 
@@ -67,49 +66,11 @@ static struct ts_multicontact_load row_load(const struct ts_pair *pair, const st
 	return one;
 }
 
-static enum ts_status wall_load(struct tsim *sim, const struct ts_wall *w, size_t k,
-				const struct ts_place *where, struct ts_multicontact_load *one)
-{
-	const struct ts_particles *p = sim->particles;
-	const double *memory =
-		ts_wall_memory(&w->contacts, k) + ts_granular_multi_at(ts_wall_model(w, sim));
-	size_t i = (size_t)w->contacts.row[k];
-	double distance = ts_norm(memory + TS_MULTI_ARM), radius = p->radius[i];
-
-	*one = (struct ts_multicontact_load){ .load.force = memory[TS_MULTI_FORCE], .wall = w };
-	for (int d = 0; d < 3; d++) {
-		one->load.e[d] = memory[TS_MULTI_ARM + d] / distance;
-		one->load.point[d] = -memory[TS_MULTI_ARM + d];
-	}
-	one->load.within = sqrt(radius * fmax(0, radius + memory[TS_MULTI_BULGE] - distance));
-	if (memory[TS_MULTI_BULGE] <= TS_BULGE_MOST * radius)
-		return TS_OK;
-	return ts_fail(&sim->error, TS_RANGE, where,
-		       "fix multicontact/halfspace: the surface of particle %d stands out by %.3g radii at a wall, "
-		       "the limit is %g: the grains are pressed too far for the theory of small strains",
-		       p->tag[i], memory[TS_MULTI_BULGE] / radius, TS_BULGE_MOST);
-}
-
-/* Whether a wall has contacts that others know of: those remember where they are. */
-static bool is_felt(const struct ts_wall *w, const struct tsim *sim)
-{
-	return ts_wall_has_law(w, sim) && ts_wall_model(w, sim)->multi && w->contacts.n;
-}
-
-static bool is_met(const struct ts_wall *w, const struct tsim *sim, size_t k)
-{
-	const double *memory =
-		ts_wall_memory(&w->contacts, k) + ts_granular_multi_at(ts_wall_model(w, sim));
-
-	return ts_norm(memory + TS_MULTI_ARM) > 0;
-}
-
 static enum ts_status count(struct ts_multicontact *m, const struct tsim *sim,
 			    const struct ts_pair *pair)
 {
 	const struct ts_rows *rows = &sim->neigh->rows;
 	const struct ts_gather *g = &rows->gather;
-	const struct ts_wall *w;
 	size_t n = sim->particles->n;
 
 	if (TS_GROW(m->first, m->first_capacity, n + 1) != TS_OK ||
@@ -121,9 +82,7 @@ static enum ts_status count(struct ts_multicontact *m, const struct tsim *sim,
 		     k++)
 			m->next[i] += loads(pair, rows, sim->particles, g->entry[k] >> 1);
 	}
-	for (size_t walls = 0; (w = ts_walls_next(sim, &walls, NULL));)
-		for (size_t k = 0; is_felt(w, sim) && k < w->contacts.n; k++)
-			m->next[w->contacts.row[k]] += is_met(w, sim, k);
+	sim->neigh->multicontact_walls->count(m, sim);
 	m->first[0] = 0;
 	for (size_t i = 0; i < n; i++) {
 		m->first[i + 1] = m->first[i] + m->next[i];
@@ -137,7 +96,6 @@ static enum ts_status collect(struct ts_multicontact *m, struct tsim *sim,
 {
 	const struct ts_rows *rows = &sim->neigh->rows;
 	const struct ts_gather *g = &rows->gather;
-	const struct ts_wall *w;
 
 	if (count(m, sim, pair) != TS_OK)
 		return ts_nomem(&sim->error);
@@ -147,12 +105,7 @@ static enum ts_status collect(struct ts_multicontact *m, struct tsim *sim,
 				m->load[m->next[i]++] =
 					row_load(pair, rows, sim->particles, g->entry[k] >> 1,
 						 (int)(g->entry[k] & 1));
-	for (size_t walls = 0; (w = ts_walls_next(sim, &walls, NULL));)
-		for (size_t k = 0; is_felt(w, sim) && k < w->contacts.n; k++)
-			if (is_met(w, sim, k))
-				TS_TRY(wall_load(sim, w, k, where,
-						 &m->load[m->next[w->contacts.row[k]]++]));
-	return TS_OK;
+	return sim->neigh->multicontact_walls->collect(m, sim, where);
 }
 
 /* ---- what they do */

@@ -15,6 +15,18 @@ struct ts_multicontact_load {
 	const struct ts_wall *wall; /* of a contact with a wall; NULL: of two grains */
 };
 
+struct ts_multicontact;
+
+/* The loads that walls put on particles: sim->neigh->multicontact_walls. */
+struct ts_multicontact_walls {
+	/* Whether some wall has contacts that know of the others of their grain. */
+	bool (*any)(const struct tsim *sim);
+	/* Adds to m->next[i] how many there are on particle i. */
+	void (*count)(struct ts_multicontact *m, const struct tsim *sim);
+	/* Notes each on particle i in m->load[m->next[i]++]. */
+	enum ts_status (*collect)(struct ts_multicontact *m, struct tsim *sim, const struct ts_place *where);
+};
+
 struct ts_multicontact {
 	double prefactor;	      /* gamma */
 	int group;		      /* grains that give way */

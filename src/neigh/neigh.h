@@ -19,6 +19,7 @@ struct ts_exclude {
 
 struct ts_row_follower;
 struct ts_multicontact;
+struct ts_multicontact_walls;
 
 /* What the search has to know of contacts, bonds and walls, whose folders stand above this one: each is set by the init
  * of their systems (src/systems.c), and so always there. */
@@ -55,6 +56,7 @@ struct ts_neigh {
 	int64_t show_every; /* at these steps too; 0: none */
 	struct ts_rows rows;
 	struct ts_multicontact *multicontact; /* how contacts of one grain act on each other; NULL: not at all */
+	const struct ts_multicontact_walls *multicontact_walls; /* the part of walls in it; set by their system */
 	struct ts_row_follower *follower; /* of the forces of this step, see row_walk.h; NULL: none */
 	struct ts_row_history saved; /* from a restart file, for the next build */
 	struct ts_neigh_questions ask;

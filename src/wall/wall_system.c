@@ -3,6 +3,7 @@
 #include "neigh/neigh.h"
 #include "wall/loss.h"
 #include "wall/wall.h"
+#include "wall/wall_multicontact.h"
 
 #include "base/banned.h"
 
@@ -20,6 +21,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	(void)self;
 	sim->neigh->ask.walls_move = walls_move;
+	sim->neigh->multicontact_walls = &ts_wall_multicontact;
 	sim->particles->explain_loss = ts_explain_loss;
 	return TS_OK;
 }
