@@ -148,6 +148,8 @@ library_sources = \
 	src/contact/compute_stress_atom.c \
 	src/contact/contact_columns.c \
 	src/contact/contact_columns.h \
+	src/contact/contact_energy.c \
+	src/contact/contact_energy.h \
 	src/contact/contact_list.c \
 	src/contact/contact_list.h \
 	src/contact/contact_system.c \
@@ -325,8 +327,6 @@ library_sources = \
 	src/dump/dump_xyz.c \
 	src/energy/compute_pe.c \
 	src/energy/compute_pe_atom.c \
-	src/energy/contact_energy.c \
-	src/energy/contact_energy.h \
 	src/energy/fix_energy_ledger.c \
 	src/energy/ledger.c \
 	src/energy/ledger.h \

@@ -4,7 +4,7 @@ TS_UNROLLED
 #include <math.h>
 
 #include "bond/bond_loop.h"
-#include "energy/contact_energy.h"
+#include "contact/contact_energy.h"
 #include "law/spring_dashpot.h"
 
 #include "base/banned.h"

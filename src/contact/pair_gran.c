@@ -1,9 +1,9 @@
+#include "contact/contact_energy.h"
 #include "contact/limits.h"
 #include "contact/materials.h"
 #include "contact/pair.h"
 #include "contact/row_loop.h"
 #include "contact/row_models.h"
-#include "energy/contact_energy.h"
 #include "insert/template.h"
 #include "particle/prescribed.h"
 

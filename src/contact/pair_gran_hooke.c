@@ -1,5 +1,5 @@
+#include "contact/contact_energy.h"
 #include "contact/gran_numbers.h"
-#include "energy/contact_energy.h"
 
 #include "base/banned.h"
 

@@ -1,9 +1,9 @@
 /* Pair style granular: LAMMPS' table of contact laws, for each pair of types its own. */
+#include "contact/contact_energy.h"
 #include "contact/gran_coeff.h"
 #include "contact/pair.h"
 #include "contact/row_loop.h"
 #include "contact/row_models.h"
-#include "energy/contact_energy.h"
 
 #include "base/banned.h"
 

@@ -1,9 +1,9 @@
 #include "law/spring_dashpot.h"
 
+#include "contact/contact_energy.h"
 #include "contact/pair.h"
 #include "contact/row_loop.h"
 #include "contact/row_models.h"
-#include "energy/contact_energy.h"
 
 #include "base/banned.h"
 

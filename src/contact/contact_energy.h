@@ -1,18 +1,21 @@
 /* Elastic energy in contacts and bonds; law/elastic_energy.h has the equations. */
-#ifndef TS_ENERGY_CONTACT_ENERGY_H
-#define TS_ENERGY_CONTACT_ENERGY_H
+#ifndef TS_CONTACT_CONTACT_ENERGY_H
+#define TS_CONTACT_CONTACT_ENERGY_H
 
 #include "contact/contact_list.h"
-#include "energy/potential_energy.h"
+
+struct ts_elastic_parts {
+	bool pair, bond;
+};
 
 /* Slots of pair and bond styles. */
 enum ts_status ts_pair_energy(struct ts_instance *self, struct tsim *sim, double *out);
 enum ts_status ts_bond_energy(struct ts_instance *self, struct tsim *sim, double *out);
 
 /* Refuses models whose forces have no potential, and contacts that are not known now. */
-enum ts_status ts_energy_require(struct tsim *sim, const struct ts_instance *self,
-				 const struct ts_energy_parts *parts);
+enum ts_status ts_elastic_require(struct tsim *sim, const struct ts_instance *self,
+				  const struct ts_elastic_parts *parts);
 /* Half the energy of each contact and bond of particle i. */
-double ts_energy_of(const struct tsim *sim, size_t i, const struct ts_energy_parts *parts);
+double ts_elastic_of(const struct tsim *sim, size_t i, const struct ts_elastic_parts *parts);
 
 #endif

@@ -1,4 +1,4 @@
-#include "energy/contact_energy.h"
+#include "contact/contact_energy.h"
 
 #include "bond/bonds.h"
 #include "contact/row_loop.h"
@@ -56,7 +56,7 @@ static double of_bonds(const struct tsim *sim, size_t i)
 	return sum;
 }
 
-double ts_energy_of(const struct tsim *sim, size_t i, const struct ts_energy_parts *parts)
+double ts_elastic_of(const struct tsim *sim, size_t i, const struct ts_elastic_parts *parts)
 {
 	double sum = 0;
 
@@ -67,8 +67,8 @@ double ts_energy_of(const struct tsim *sim, size_t i, const struct ts_energy_par
 	return sum;
 }
 
-enum ts_status ts_energy_require(struct tsim *sim, const struct ts_instance *self,
-				 const struct ts_energy_parts *parts)
+enum ts_status ts_elastic_require(struct tsim *sim, const struct ts_instance *self,
+				  const struct ts_elastic_parts *parts)
 {
 	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
 	const struct ts_instance *bond = ts_sim_only(sim, TS_KIND_BOND);
@@ -89,23 +89,23 @@ enum ts_status ts_energy_require(struct tsim *sim, const struct ts_instance *sel
 
 static void term(const struct tsim *sim, size_t i, void *context, double *out)
 {
-	*out = ts_energy_of(sim, i, context);
+	*out = ts_elastic_of(sim, i, context);
 }
 
-static enum ts_status total(struct ts_instance *self, struct tsim *sim, struct ts_energy_parts parts,
+static enum ts_status total(struct ts_instance *self, struct tsim *sim, struct ts_elastic_parts parts,
 			    double *out)
 {
-	TS_TRY(ts_energy_require(sim, self, &parts));
+	TS_TRY(ts_elastic_require(sim, self, &parts));
 	ts_group_sum(sim, 0, 1, term, &parts, out);
 	return TS_OK;
 }
 
 enum ts_status ts_pair_energy(struct ts_instance *self, struct tsim *sim, double *out)
 {
-	return total(self, sim, (struct ts_energy_parts){ .pair = true }, out);
+	return total(self, sim, (struct ts_elastic_parts){ .pair = true }, out);
 }
 
 enum ts_status ts_bond_energy(struct ts_instance *self, struct tsim *sim, double *out)
 {
-	return total(self, sim, (struct ts_energy_parts){ .bond = true }, out);
+	return total(self, sim, (struct ts_elastic_parts){ .bond = true }, out);
 }
