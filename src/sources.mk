@@ -896,6 +896,7 @@ library_sources = \
 	src/wall/mesh_wall.c \
 	src/wall/mesh_wall.h \
 	src/wall/mesh_wall_push.c \
+	src/wall/mesh_wall_push.h \
 	src/wall/primitive_wall.c \
 	src/wall/primitive_wall.h \
 	src/wall/region_wall.c \

@@ -1,4 +1,5 @@
 #include "wall/mesh_stress.h"
+#include "wall/mesh_wall_push.h"
 #include "wall/primitive_wall.h"
 #include "wall/wall_coincide.h"
 #include "wall/wall_law.h"

@@ -81,8 +81,6 @@ enum ts_status ts_mesh_wall_list(struct ts_instance *self, struct tsim *sim, str
 bool ts_mesh_wall_has_moved(const struct tsim *sim, const struct ts_mesh_wall *mw);
 /* Refuses a mesh that moves through particles in one step. */
 enum ts_status ts_mesh_wall_check_pace(struct ts_instance *self, struct tsim *sim, struct ts_mesh_wall *mw);
-/* All forces: mesh_wall_push.c. */
-enum ts_status ts_mesh_wall_push(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wall *mw);
 void ts_mesh_wall_release(struct ts_mesh_wall *mw);
 
 /* How far particle i is from the triangle of contact k now. */

@@ -1,4 +1,5 @@
-/* Forces of a wall of meshes: which of the listed contacts touch, and how one goes on from triangle to triangle. */
+#include "wall/mesh_wall_push.h"
+
 #include <math.h>
 
 #include "base/parallel.h"
