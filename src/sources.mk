@@ -216,6 +216,7 @@ library_sources = \
 	src/core/definition.h \
 	src/core/each.c \
 	src/core/each.h \
+	src/core/group.c \
 	src/core/group.h \
 	src/core/host.h \
 	src/core/known.c \
@@ -441,10 +442,12 @@ library_sources = \
 	src/group/compute_ke.c \
 	src/group/compute_temp.c \
 	src/group/compute_temp_com.c \
-	src/group/group.c \
 	src/group/group_dynamic.c \
 	src/group/group_dynamic.h \
 	src/group/group_function.c \
+	src/group/group_function.h \
+	src/group/group_members.c \
+	src/group/group_members.h \
 	src/group/group_spin.c \
 	src/group/group_spin.h \
 	src/group/kinetic_energy.c \
@@ -647,6 +650,8 @@ library_sources = \
 	src/mesh/mesh_soup.c \
 	src/mesh/mesh_soup.h \
 	src/mesh/mesh_stl.c \
+	src/mesh/mesh_style.c \
+	src/mesh/mesh_style.h \
 	src/mesh/mesh_surface.c \
 	src/mesh/mesh_surface.h \
 	src/mesh/mesh_touch.c \
@@ -822,6 +827,7 @@ library_sources = \
 	src/rigid/rigid.h \
 	src/rigid/rigid_motion.c \
 	src/rigid/rigid_motion.h \
+	src/rigid/rigid_system.c \
 	src/run/command_reset_timestep.c \
 	src/run/command_run.c \
 	src/run/command_timer.c \

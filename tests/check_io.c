@@ -12,6 +12,7 @@
 #include "core/pending.h"
 #include "core/life.h"
 #include "box/domain.h"
+#include "particle/particles.h"
 #include "io/decimal.h"
 #include "io/format.h"
 #include "io/replace.h"
@@ -307,7 +308,7 @@ START_TEST(restart_damaged)
 	const double lo[3] = { 0 }, hi[3] = { 1, 2.385, 3 };
 	struct ts_str whole;
 
-	ck_assert_int_eq(ts_domain_make(sim, 1, lo, hi, NULL), TS_OK);
+	ck_assert_int_eq(ts_particles_make_box(sim, 1, lo, hi, NULL), TS_OK);
 	path_in(path, sizeof path, "state");
 	path_in(bad, sizeof bad, "bad");
 	sim->clock.step = 4711;

@@ -16,7 +16,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	const struct state *s = state;
 	enum ts_face face[3][2];
 
-	if (sim->domain->exists)
+	if (sim->has_box)
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "boundary must come before the simulation box is created; later it "
 			       "is `change_box all boundary x y z`");

@@ -3,6 +3,7 @@
 
 #include "bond/bonds.h"
 #include "box/domain.h"
+#include "particle/particles.h"
 #include "region/region.h"
 
 #include "base/banned.h"
@@ -19,7 +20,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	const struct state *s = state;
 	double lo[3], hi[3];
 
-	if (sim->domain->exists)
+	if (sim->has_box)
 		return ts_fail(&sim->error, TS_STATE, where, "there is a simulation box already");
 	for (int k = 0; k < 6; k++)
 		if (s->none[k])
@@ -32,7 +33,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 			       "built", s->region->id);
 	TS_TRY(ts_region_update(s->region, sim));
 	ts_region_bounds(s->region, lo, hi);
-	TS_TRY(ts_domain_make(sim, (int)s->ntypes, lo, hi, where));
+	TS_TRY(ts_particles_make_box(sim, (int)s->ntypes, lo, hi, where));
 	if (s->bond_types > sim->bonds->ntypes)
 		sim->bonds->ntypes = (int)s->bond_types;
 	ts_log(&sim->log, "Created orthogonal box = (%g %g %g) to (%g %g %g)\n", lo[0], lo[1],

@@ -13,7 +13,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 {
 	const struct state *s = state;
 
-	if (sim->domain->exists)
+	if (sim->has_box)
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "dimension must come before the simulation box is created");
 	sim->dimension = (int)s->dimension;

@@ -5,23 +5,15 @@
 
 #include "core/report.h"
 #include "core/settings.h"
-#include "mesh/mesh_surface.h"
-#include "particle/particles.h"
-#include "region/region.h"
 
 #include "base/banned.h"
 
 enum ts_status ts_domain_require(struct tsim *sim, const struct ts_place *where)
 {
-	if (sim->domain->exists)
+	if (sim->has_box)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, where,
 		       "there is no simulation box yet: use create_box or read_restart first");
-}
-
-bool ts_sim_has_box(const struct tsim *sim)
-{
-	return sim->domain->exists;
 }
 
 void ts_domain_hold(struct ts_domain *domain)
@@ -54,49 +46,12 @@ bool ts_domain_all_fixed(const struct tsim *sim)
 	return fixed;
 }
 
-/* A moving face stays this part of the first box length outside the outermost centre. */
+/* A part of the first box length. */
 static const double SHRINK_MARGIN = 1e-4;
 
-static double margin_of(const struct ts_domain *d, int dim)
+double ts_domain_margin(const struct ts_domain *d, int dim)
 {
 	return SHRINK_MARGIN * (d->first_hi[dim] - d->first_lo[dim]);
-}
-
-static void shrink_dimension(const struct tsim *sim, int dim)
-{
-	struct ts_domain *d = sim->domain;
-	const struct ts_particles *p = sim->particles;
-	double margin = margin_of(d, dim);
-	double lo = INFINITY, hi = -INFINITY;
-
-	if (d->box.face[dim][0] < TS_FACE_SHRINK && d->box.face[dim][1] < TS_FACE_SHRINK)
-		return; /* neither follows */
-
-	for (size_t i = 0; i < p->n; i++) {
-		lo = fmin(lo, p->x[i][dim]);
-		hi = fmax(hi, p->x[i][dim]);
-	}
-	ts_mesh_surface_extent(sim, dim, &lo, &hi);
-	if (!(lo <= hi))
-		return;
-	if (d->box.face[dim][0] == TS_FACE_SHRINK)
-		d->box.lo[dim] = lo - margin;
-	else if (d->box.face[dim][0] == TS_FACE_MINIMUM)
-		d->box.lo[dim] = fmin(lo - margin, d->first_lo[dim]);
-	if (d->box.face[dim][1] == TS_FACE_SHRINK)
-		d->box.hi[dim] = hi + margin;
-	else if (d->box.face[dim][1] == TS_FACE_MINIMUM)
-		d->box.hi[dim] = fmax(hi + margin, d->first_hi[dim]);
-}
-
-void ts_domain_shrink(struct tsim *sim)
-{
-	for (int dim = 0; dim < 3; dim++) {
-		const enum ts_face *face = sim->domain->box.face[dim];
-
-		sim->box_moves |= face[0] >= TS_FACE_SHRINK || face[1] >= TS_FACE_SHRINK;
-		shrink_dimension(sim, dim);
-	}
 }
 
 /* "p", "f", "fs": one letter for both faces of a dimension, or one for each. */
@@ -163,31 +118,11 @@ enum ts_status ts_domain_set_box(struct tsim *sim, const double lo[3], const dou
 		d->box.lo[k] = lo[k];
 		d->box.hi[k] = hi[k];
 		if (d->box.face[k][0] == TS_FACE_SHRINK)
-			d->box.lo[k] -= margin_of(d, k);
+			d->box.lo[k] -= ts_domain_margin(d, k);
 		if (d->box.face[k][1] == TS_FACE_SHRINK)
-			d->box.hi[k] += margin_of(d, k);
+			d->box.hi[k] += ts_domain_margin(d, k);
 	}
-	d->exists = true;
-	return TS_OK;
-}
-
-enum ts_status ts_domain_make(struct tsim *sim, int ntypes, const double lo[3], const double hi[3],
-			      const struct ts_place *where)
-{
-	struct ts_particles *p = sim->particles;
-	double *type_mass = ts_alloc((size_t)ntypes + 1, sizeof *type_mass);
-	enum ts_status status;
-
-	if (!type_mass)
-		return ts_nomem(&sim->error);
-	status = ts_domain_set_box(sim, lo, hi, where);
-	if (status != TS_OK) {
-		ts_free(type_mass);
-		return status;
-	}
-	ts_free(p->type_mass);
-	p->type_mass = type_mass;
-	p->ntypes = ntypes;
+	sim->has_box = true;
 	return TS_OK;
 }
 
@@ -242,24 +177,6 @@ static void fingerprint(const struct ts_instance *self, const struct tsim *sim,
 	ts_hash_add(hash, d->box.face, sizeof d->box.face);
 }
 
-/* Nothing holds particles in the plane but the script. */
-static void warn_out_of_plane(struct tsim *sim)
-{
-	const struct ts_particles *p = sim->particles;
-
-	for (size_t i = 0; sim->dimension == 2 && i < p->n; i++) {
-		bool spins = p->omega && (p->omega[i][0] != 0 || p->omega[i][1] != 0);
-
-		if (p->x[i][2] == 0 && p->v[i][2] == 0 && !spins)
-			continue;
-		ts_warn(&sim->log, NULL,
-			"dimension 2: particle %d is out of the plane z = 0, moves out of it or turns "
-			"about an axis in it; fix enforce2d keeps particles in the plane",
-			p->tag[i]);
-		return;
-	}
-}
-
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 			   struct ts_plan_report *report)
 {
@@ -267,7 +184,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 	static const char letters[] = "pfsm";
 	char faces[12] = "";
 
-	warn_out_of_plane(sim);
+	(void)sim;
 	for (int k = 0; k < 6; k++) {
 		faces[k + k / 2] = letters[d->box.face[k / 2][k % 2]];
 		if (k % 2)
@@ -327,7 +244,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 		    d->box.face[k][0] > TS_FACE_MINIMUM || d->box.face[k][1] > TS_FACE_MINIMUM ||
 		    ts_box_periodic(&d->box, k) != (d->box.face[k][1] == TS_FACE_PERIODIC))
 			return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible simulation box");
-	d->exists = true;
+	sim->has_box = true;
 	return TS_OK;
 }
 
@@ -353,5 +270,4 @@ const struct ts_system_style ts_domain_system = {
 		   .fini = fini },
 	.slot = offsetof(struct tsim, domain),
 	.settings = settings,
-	.functions = ts_region_functions,
 };

@@ -12,7 +12,6 @@ struct ts_domain {
 	double held_lo[3], held_hi[3];   /* as the rows were built: periodic images are of this box */
 	double drift[3]; /* velocity of an image relative to its original, for fix deform remap v */
 	int drift_group; /* whose velocities change so when they cross a face */
-	bool exists;                     /* after create_box or read_restart */
 	struct ts_lattice lattice;       /* of constant 1 without `lattice` command */
 	bool units_warned;
 };
@@ -28,17 +27,14 @@ enum ts_status ts_domain_read_faces(struct tsim *sim, const char *const text[3],
  * where it has no volume, or does not fit `dimension 2`. */
 enum ts_status ts_domain_set_box(struct tsim *sim, const double lo[3], const double hi[3],
 				 const struct ts_place *where);
-/* The same, with room for so many types of particles; `where` may be NULL. */
-enum ts_status ts_domain_make(struct tsim *sim, int ntypes, const double lo[3], const double hi[3],
-			      const struct ts_place *where);
 /* The rows are built now: images are of the box as it is. */
 void ts_domain_hold(struct ts_domain *domain);
 /* How much the periodic images have moved relative to their originals since then, at most. */
 double ts_domain_moved(const struct ts_domain *domain);
 /* Whether particles that reach a face leave: all faces of the box are of style f. */
 bool ts_domain_all_fixed(const struct tsim *sim);
-/* Fits `s` and `m` faces to the particles. */
-void ts_domain_shrink(struct tsim *sim);
+/* How far an `s` or `m` face stays outside of what it encloses. */
+double ts_domain_margin(const struct ts_domain *domain, int dim);
 
 /* A length along a dimension given with `units lattice|box` (0|1) times this is one of the simulation.
  * -1, not said: as LIGGGHTS takes it, box, but in lj units as LAMMPS does, lattice. */

@@ -44,22 +44,28 @@ static enum ts_status instance_new(struct tsim *sim, const struct ts_style *styl
 	return TS_OK;
 }
 
-static enum ts_status start_systems(struct tsim *sim)
+static enum ts_status start_system(struct tsim *sim, const struct ts_system_style *system)
 {
 	struct ts_instances *list = &sim->instances[TS_KIND_SYSTEM];
+	struct ts_instance *inst = NULL;
 
-	for (const struct ts_system_style *const *s = sim->tables->systems; *s; s++) {
-		struct ts_instance *inst = NULL;
+	if (TS_GROW(list->item, list->capacity, list->n + 1) != TS_OK)
+		return ts_nomem(&sim->error);
+	TS_TRY(instance_new(sim, &system->style, system->style.name, 0, NULL, &inst));
+	list->item[list->n++] = inst;
+	if (system->slot)
+		*(void **)((char *)sim + system->slot) = inst->state;
+	return system->style.init ? system->style.init(inst, sim) : TS_OK;
+}
 
-		if (TS_GROW(list->item, list->capacity, list->n + 1) != TS_OK)
-			return ts_nomem(&sim->error);
-		TS_TRY(instance_new(sim, &(*s)->style, (*s)->style.name, 0, NULL, &inst));
-		list->item[list->n++] = inst;
-		if ((*s)->slot)
-			*(void **)((char *)sim + (*s)->slot) = inst->state;
-		if ((*s)->style.init)
-			TS_TRY((*s)->style.init(inst, sim));
-	}
+static enum ts_status start_systems(struct tsim *sim)
+{
+	for (const struct ts_system_style *const *s = sim->tables->systems; *s; s++)
+		if (!(*s)->names_only)
+			TS_TRY(start_system(sim, *s));
+	for (const struct ts_system_style *const *s = sim->tables->systems; *s; s++)
+		if ((*s)->connect)
+			(*s)->connect(sim);
 	return TS_OK;
 }
 
@@ -76,7 +82,8 @@ static void set_defaults(struct tsim *sim)
 		sim->grain = 8192;
 	sim->columns = 0;
 	sim->fingerprint = 0;
-	sim->planned = sim->open_clock = sim->box_moves = false;
+	sim->planned = sim->open_clock = sim->has_box = sim->box_moves = false;
+	sim->groups = (struct ts_groups){ .name = { "all" } };
 	sim->hard_particles = sim->soft_particles = sim->newton_on = sim->still_ghosts = false;
 	sim->running = sim->rebuild = sim->in_setup = sim->resuming = sim->halted = false;
 	if (sim->threads == 0)

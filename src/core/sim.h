@@ -10,6 +10,7 @@
 #include "base/log.h"
 #include "base/status.h"
 #include "base/str.h"
+#include "core/group.h"
 #include "core/host.h"
 #include "core/review.h"
 #include "core/style.h"
@@ -19,6 +20,7 @@
 /* Systems, owned by the folders of their names; the core knows them by pointer only. */
 struct ts_domain;
 struct ts_particles;
+struct ts_materials;
 struct ts_neigh;
 struct ts_bonds;
 struct ts_rigid;
@@ -118,6 +120,7 @@ struct tsim {
 	bool dry;	   /* formulas are only read: do names exist, are shapes right? */
 	bool unreached;    /* -check: reads a line that is not run: names are not looked up */
 	bool open_clock;   /* -explain: how many steps were made before, only a run can tell */
+	bool has_box;	   /* there is a simulation box; set by the domain */
 	bool box_moves;	   /* a run changes the box */
 	char from_run[48]; /* -explain: a value read by this line that only a run can give */
 	bool hard_particles, soft_particles; /* Young's moduli beyond the usual are meant */
@@ -162,9 +165,12 @@ struct tsim {
 	struct ts_instances instances[TS_NKIND]; /* systems, pair, bond, flow, pressure: at most one live  */
 	struct ts_instances retired; /* deleted, but others may still refer to them */
 
+	struct ts_groups groups;
+
 	/* the systems, by type: set when they are created */
 	struct ts_domain *domain;
 	struct ts_particles *particles;
+	struct ts_materials *materials; /* held by the particles */
 	struct ts_neigh *neigh;
 	struct ts_bonds *bonds;
 	struct ts_rigid *rigid;
@@ -212,8 +218,11 @@ struct ts_instance *ts_sim_next_of(const struct tsim *sim, enum ts_kind kind, co
 /* The one live pair, bond or flow, or NULL. */
 struct ts_instance *ts_sim_only(const struct tsim *sim, enum ts_kind kind);
 
-/* Whether create_box or read_restart has been done; defined by the domain system. */
-bool ts_sim_has_box(const struct tsim *sim);
+/* Whether create_box or read_restart has been done. */
+static inline bool ts_sim_has_box(const struct tsim *sim)
+{
+	return sim->has_box;
+}
 
 /* For reporting several errors at once: with -check an error is noted and becomes TS_OK. */
 enum ts_status ts_pardon(struct tsim *sim, enum ts_status status);

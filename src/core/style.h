@@ -124,6 +124,9 @@ struct ts_style {
 	/* What a check of the table in review/table.c cannot see: told by ts_review_find, see core/review.h. */
 	ts_hook_fn *review;
 	unsigned integrates; /* fixes: enum ts_integrates */
+	/* Fixes: widens lo..hi of one dimension by the space that it takes up, which faces of the box that move
+	 * (boundary s, m) enclose. */
+	void (*extent)(const struct ts_instance *self, int dim, double *lo, double *hi);
 	void (*fini)(struct ts_instance *self);
 };
 
@@ -159,6 +162,10 @@ struct ts_command_style {
 struct ts_system_style {
 	struct ts_style style;
 	size_t slot; /* offset of that pointer in struct tsim; 0: it has no state that others see */
+	/* It only gives names to formulas, or functions to other systems: no live instance, state or stages. */
+	bool names_only;
+	/* Sets the functions of its folder that systems of the folders below call; called when all systems live. */
+	void (*connect)(struct tsim *sim);
 	/* Adds what commands have set, for the record in the log; core/settings.h. */
 	void (*settings)(const struct ts_instance *self, const struct tsim *sim, struct ts_str *out);
 	const struct ts_keyword *keywords;

@@ -4,6 +4,7 @@
 
 #include "base/alloc.h"
 #include "force/restraint.h"
+#include "group/group_members.h"
 #include "particle/body.h"
 #include "particle/particles.h"
 #include "rigid/rigid.h"

@@ -5,6 +5,7 @@
 #include "average/particle_tally.h"
 #include "force/gravity.h"
 #include "group/chosen.h"
+#include "group/group_members.h"
 #include "particle/particles.h"
 #include "region/region.h"
 

@@ -47,11 +47,11 @@ static void groups(struct tsim *sim, struct ts_str *out)
 	for (int bit = 0; bit < TS_MAX_GROUPS; bit++) {
 		size_t count = 0;
 
-		if (!p->group[bit])
+		if (!ts_group_name(sim, bit))
 			continue;
 		for (size_t i = 0; i < p->n; i++)
 			count += ts_in_group(p, i, bit);
-		ts_str_addf(out, "  %s, %s, %zu particles\n", p->group[bit],
+		ts_str_addf(out, "  %s, %s, %zu particles\n", ts_group_name(sim, bit),
 		       p->dynamic[bit].every ? "dynamic" : "static", count);
 	}
 }

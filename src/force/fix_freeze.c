@@ -1,5 +1,6 @@
 #include "average/particle_tally.h"
 #include "core/sweep.h"
+#include "group/group_members.h"
 #include "particle/particles.h"
 
 #include <string.h>

@@ -5,6 +5,7 @@
 #include "core/each.h"
 #include "core/sweep.h"
 #include "force/restraint.h"
+#include "group/group_members.h"
 #include "math/vec3.h"
 #include "particle/moments.h"
 #include "particle/prescribed.h"

@@ -5,6 +5,7 @@
 #include "base/clones.h"
 #include "base/four.h"
 #include "core/sweep.h"
+#include "group/group_members.h"
 #include "particle/particles.h"
 #include "particle/type_factors.h"
 

@@ -1,5 +1,6 @@
 #include "force/restraint.h"
 
+#include "group/group_members.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"

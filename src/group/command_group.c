@@ -177,7 +177,7 @@ static enum ts_status make_dynamic(struct tsim *sim, const struct state *s, int 
 
 	if (s->parent == bit || p->dynamic[s->parent].every)
 		return ts_fail(&sim->error, TS_STATE, where,
-			       "group %s: its parent group %s is %s", s->id, p->group[s->parent],
+			       "group %s: its parent group %s is %s", s->id, ts_group_name(sim, s->parent),
 			       s->parent == bit ? "itself" : "dynamic too");
 	if (s->variable) { /* blamed here, where it is written */
 		TS_TRY(ts_group_variable(sim, s->variable, where, &value));
@@ -218,12 +218,12 @@ static enum ts_status delete_group(struct tsim *sim, const struct state *s,
 		    sim->particles->dynamic[child].parent == bit)
 			return ts_fail(&sim->error, TS_STATE, where,
 				       "group '%s' is the parent of the dynamic group '%s'", s->id,
-				       sim->particles->group[child]);
+				       ts_group_name(sim, child));
 	if (ts_neigh_uses_group(sim->neigh, bit))
 		return ts_fail(&sim->error, TS_STATE, where, "group '%s' is used by neigh_modify", s->id);
 	remove_all(sim->particles, bit);
 	sim->particles->dynamic[bit].every = 0;
-	sim->particles->group[bit] = NULL;
+	sim->groups.name[bit] = NULL;
 	return TS_OK;
 }
 
@@ -320,7 +320,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 		return delete_group(sim, s, where);
 	if (s->mode == INCLUDE || s->mode == MOLECULE)
 		TS_TRY(ts_particles_need_molecules(sim, "group", where));
-	bit = ts_group_find(p, s->id);
+	bit = ts_group_find(sim, s->id);
 	if (bit >= 0 && p->dynamic[bit].every && s->mode != DYNAMIC && s->mode != STATIC)
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "group '%s' is dynamic and changes by itself: `group %s static` ends that",

@@ -34,15 +34,14 @@ enum ts_status ts_group_variable(struct tsim *sim, const char *name, const struc
 
 static enum ts_status check(struct tsim *sim, int bit)
 {
-	const struct ts_particles *p = sim->particles;
-	const struct ts_dynamic_group *g = &p->dynamic[bit];
+	const struct ts_dynamic_group *g = &sim->particles->dynamic[bit];
 
-	if (!p->group[g->parent])
+	if (!ts_group_name(sim, g->parent))
 		return ts_fail(&sim->error, TS_STATE, NULL,
-			       "dynamic group %s: its parent group is gone", p->group[bit]);
+			       "dynamic group %s: its parent group is gone", ts_group_name(sim, bit));
 	if (g->region && !region_of(sim, bit))
 		return ts_fail(&sim->error, TS_STATE, NULL,
-			       "dynamic group %s: there is no region %s", p->group[bit], g->region);
+			       "dynamic group %s: there is no region %s", ts_group_name(sim, bit), g->region);
 	return TS_OK;
 }
 
@@ -70,7 +69,7 @@ enum ts_status ts_group_choose(struct tsim *sim, int bit)
 	return status;
 }
 
-static enum ts_status choose_due(struct tsim *sim, bool all)
+enum ts_status ts_group_choose_due(struct tsim *sim, bool all)
 {
 	const struct ts_particles *p = sim->particles;
 
@@ -80,48 +79,5 @@ static enum ts_status choose_due(struct tsim *sim, bool all)
 			ts_sweep(sim);
 			TS_TRY(ts_group_choose(sim, bit));
 		}
-	return TS_OK;
-}
-
-enum ts_status ts_group_step(struct ts_instance *self, struct tsim *sim)
-{
-	(void)self;
-	return choose_due(sim, false);
-}
-
-/* Exchange comes before the first step only if something has changed since the last: then the members
- * are chosen anew. A run that goes on keeps those it has. */
-enum ts_status ts_group_start(struct ts_instance *self, struct tsim *sim)
-{
-	(void)self;
-	return sim->clock.step == sim->clock.first_step ? choose_due(sim, true) : TS_OK;
-}
-
-enum ts_status ts_group_archive_dynamic(struct tsim *sim, struct ts_archive *a)
-{
-	struct ts_particles *p = sim->particles;
-
-	for (int bit = 1; bit < TS_MAX_GROUPS; bit++) {
-		struct ts_dynamic_group *g = &p->dynamic[bit];
-		const char *region = g->region ? g->region : "";
-		const char *variable = g->variable ? g->variable : "";
-		int64_t numbers[2] = { g->every, g->parent };
-		char name[40];
-
-		snprintf(name, sizeof name, "dynamic%d", bit);
-		if (!ts_archive_has(a, name) || (ts_archive_writing(a) && !g->every))
-			continue;
-		TS_TRY(ts_archive_fixed(a, name, TS_SAVED_I64, numbers, 2));
-		snprintf(name, sizeof name, "dynamic%d_region", bit);
-		TS_TRY(ts_archive_string(a, name, &region));
-		snprintf(name, sizeof name, "dynamic%d_variable", bit);
-		TS_TRY(ts_archive_string(a, name, &variable));
-		if (numbers[0] < 1 || numbers[1] < 0 || numbers[1] >= TS_MAX_GROUPS)
-			return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible dynamic group");
-		*g = (struct ts_dynamic_group){ .every = numbers[0],
-						.parent = (int)numbers[1],
-						.region = *region ? region : NULL,
-						.variable = *variable ? variable : NULL };
-	}
 	return TS_OK;
 }

@@ -12,8 +12,7 @@ enum ts_status ts_group_choose(struct tsim *sim, int bit);
 enum ts_status ts_group_variable(struct tsim *sim, const char *name, const struct ts_place *where,
 				 struct ts_table *out);
 
-/* Hooks and archive of the particles system. */
-ts_hook_fn ts_group_step, ts_group_start;
-enum ts_status ts_group_archive_dynamic(struct tsim *sim, struct ts_archive *archive);
+/* Chooses the members of all dynamic groups, or of those whose turn it is in this step. */
+enum ts_status ts_group_choose_due(struct tsim *sim, bool all);
 
 #endif

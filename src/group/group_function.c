@@ -1,8 +1,11 @@
 /* Functions of formulas that sum over a group, or over the part of it in a region. As in LAMMPS positions
  * count without the wrapping at periodic faces, and particles as points. */
+#include "group/group_function.h"
+
 #include <math.h>
 
 #include "box/domain.h"
+#include "group/group_dynamic.h"
 #include "group/kinetic_energy.h"
 #include "material/property.h"
 #include "math/exactsum.h"
@@ -362,6 +365,29 @@ static enum ts_status each_rmask(struct tsim *sim, struct ts_words args, struct 
 	return mask(&c, out);
 }
 
+static enum ts_status read_type(struct tsim *sim, const struct ts_word *word, int *out)
+{
+	int64_t type;
+
+	if (!ts_parse_int(word->text, &type) || type < 1 || type > sim->particles->ntypes)
+		return ts_fail(&sim->error, TS_RANGE, &word->place,
+			       "property(): expected a particle type from 1 to %d, found '%s'",
+			       sim->particles->ntypes, word->text);
+	*out = (int)type;
+	return TS_OK;
+}
+
+/* property(NAME,TYPE) and property(NAME,TYPE,TYPE) */
+static enum ts_status eval_property(struct tsim *sim, struct ts_words args, double *out)
+{
+	int a = 0, b = 0;
+
+	TS_TRY(read_type(sim, &args.word[1], &a));
+	if (args.n > 2)
+		TS_TRY(read_type(sim, &args.word[2], &b));
+	return ts_property_value(sim, args.word[0].text, a, b, "property()", &args.word[0].place, out);
+}
+
 #define WHOLE(name_, f, help_)                                                                     \
 	{ .name = (name_), .arguments = "group[,region]", .help = (help_), .least = 1, .most = 2,  \
 	  .eval = (f) }
@@ -369,7 +395,7 @@ static enum ts_status each_rmask(struct tsim *sim, struct ts_words args, struct 
 	{ .name = (name_), .arguments = "group," part "[,region]", .help = (help_), .least = 2,    \
 	  .most = 3, .eval = (f) }
 
-const struct ts_function ts_group_functions[] = {
+static const struct ts_function functions[] = {
 	WHOLE("count", eval_count, "number of particles"),
 	WHOLE("mass", eval_mass, "total mass"),
 	WHOLE("ke", eval_ke, "kinetic energy of translation"),
@@ -386,7 +412,7 @@ const struct ts_function ts_group_functions[] = {
 	PART("bound", "xmin|xmax|ymin|ymax|zmin|zmax", eval_bound, "extreme coordinate of centres"),
 	{ .name = "property", .arguments = "name,type[,type]",
 	  .help = "property of a material or of a pair of materials, see fix property/global",
-	  .least = 2, .most = 3, .eval = ts_property_eval },
+	  .least = 2, .most = 3, .eval = eval_property },
 	{ .name = "gmask", .arguments = "group", .help = "1 for particles of the group, else 0",
 	  .least = 1, .most = 1, .peratom = each_gmask },
 	{ .name = "rmask", .arguments = "region", .help = "1 for particles in the region, else 0",
@@ -395,4 +421,16 @@ const struct ts_function ts_group_functions[] = {
 	  .help = "1 for particles of the group in the region, else 0", .least = 2, .most = 2,
 	  .peratom = each_gmask },
 	{ .name = NULL },
+};
+
+static void connect_groups(struct tsim *sim)
+{
+	sim->particles->choose_members = ts_group_choose_due;
+}
+
+const struct ts_system_style ts_groups_system = {
+	.style = { .name = "groups", .kind = TS_KIND_SYSTEM, .summary = "functions of formulas over groups" },
+	.names_only = true,
+	.connect = connect_groups,
+	.functions = functions,
 };

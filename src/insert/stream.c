@@ -7,7 +7,8 @@
 
 enum { PLACE, START = 3, RELEASE, DRIFT, VELOCITY = 8, OMEGA = 11, NUMBERS = 14 };
 
-int ts_stream_quantity(const struct tsim *sim, const char *name)
+/* Which of them, from 0; -1: another name, or there is no stream. */
+static int quantity_of(const struct tsim *sim, const char *name)
 {
 	static const char ours[] = "release_fix_insert_stream[";
 	char index[4] = "";
@@ -39,7 +40,7 @@ static double value_of(const struct ts_stream *stream, const struct tsim *sim, c
 			      : stream->base.omega[k - OMEGA];
 }
 
-double ts_stream_value(const struct tsim *sim, size_t i, int k)
+static double value_of_particle(const struct tsim *sim, size_t i, int k)
 {
 	const struct ts_instance *inst;
 
@@ -52,3 +53,28 @@ double ts_stream_value(const struct tsim *sim, size_t i, int k)
 	}
 	return 0;
 }
+
+static bool has_quantity(const struct tsim *sim, const char *name)
+{
+	return quantity_of(sim, name) >= 0;
+}
+
+static enum ts_status quantity(struct tsim *sim, const char *name, struct ts_table *out)
+{
+	size_t n = sim->particles->n;
+	int k = quantity_of(sim, name);
+
+	if (ts_table_resize(out, n, 1) != TS_OK)
+		return ts_nomem(&sim->error);
+	for (size_t i = 0; i < n; i++)
+		out->data[i] = value_of_particle(sim, i, k);
+	return TS_OK;
+}
+
+const struct ts_system_style ts_stream_system = {
+	.style = { .name = "stream", .kind = TS_KIND_SYSTEM, .summary = "quantities of the particles of a stream" },
+	.names_only = true,
+	.has_quantity = has_quantity,
+	.keeps_quantity = has_quantity,
+	.quantity = quantity,
+};

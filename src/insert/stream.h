@@ -32,10 +32,9 @@ static inline double *ts_stream_memory(const struct ts_stream *stream, const str
 	return (double *)sim->particles->column[stream->column].data + i * TS_STREAM_MEMORY;
 }
 
-/* What LIGGGHTS keeps of each particle of a stream: release_fix_insert_stream[1] to [14], place, step and velocity at
- * which it began, the step in which it goes through the face, velocity and angular velocity that it gets there.
- * -1: another name, or there is no stream; else from 0. */
-int ts_stream_quantity(const struct tsim *sim, const char *name);
-double ts_stream_value(const struct tsim *sim, size_t i, int k);
+/* What LIGGGHTS keeps of each particle of a stream, as quantities: release_fix_insert_stream[1] to [14], place, step and
+ * velocity at which it began, the step in which it goes through the face, velocity and angular velocity that it gets
+ * there. */
+extern const struct ts_system_style ts_stream_system;
 
 #endif

@@ -3,6 +3,7 @@
 #include "base/clones.h"
 #include "base/inline.h"
 #include "core/sweep.h"
+#include "group/group_members.h"
 #include "particle/body.h"
 
 #include "base/banned.h"

@@ -87,7 +87,7 @@ static bool shared(const struct tsim *sim)
 	return twice;
 }
 
-enum ts_status ts_integrators_check(struct tsim *sim)
+static enum ts_status check_all(struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
 	uint32_t groups = ts_integrated(sim, TS_MOVES);
@@ -104,7 +104,7 @@ enum ts_status ts_integrators_check(struct tsim *sim)
 	return TS_OK;
 }
 
-enum ts_status ts_integrators_check_members(struct tsim *sim, const int32_t *row, size_t n)
+static enum ts_status check_members(struct tsim *sim, const int32_t *row, size_t n)
 {
 	uint32_t groups = ts_integrated(sim, TS_MOVES);
 
@@ -113,3 +113,17 @@ enum ts_status ts_integrators_check_members(struct tsim *sim, const int32_t *row
 			TS_TRY(check_one(sim, (size_t)row[m]));
 	return TS_OK;
 }
+
+static void connect_integrators(struct tsim *sim)
+{
+	sim->particles->check_movers = check_all;
+	sim->rigid->check_members = check_members;
+}
+
+const struct ts_system_style ts_integrators_system = {
+	.style = { .name = "integrators",
+		   .kind = TS_KIND_SYSTEM,
+		   .summary = "no particle is moved by two integrators" },
+	.names_only = true,
+	.connect = connect_integrators,
+};

@@ -5,7 +5,6 @@
 
 #include "base/hash.h"
 #include "core/coeff.h"
-#include "particle/particles.h"
 
 #include "base/banned.h"
 
@@ -120,7 +119,7 @@ static void release(struct ts_material *m)
 
 enum ts_status ts_material_read(struct tsim *sim, int type, const struct ts_word *file)
 {
-	struct ts_materials *all = &sim->particles->materials;
+	struct ts_materials *all = sim->materials;
 	struct ts_material m = { 0 };
 	struct ts_arena arena = { 0 };
 	struct ts_words words;
@@ -146,7 +145,7 @@ enum ts_status ts_material_read(struct tsim *sim, int type, const struct ts_word
 static const struct ts_material *material_of(const struct tsim *sim, int type)
 {
 	static const struct ts_material none;
-	const struct ts_materials *all = &sim->particles->materials;
+	const struct ts_materials *all = sim->materials;
 
 	return type > 0 && (size_t)type < all->n ? &all->of[type] : &none;
 }
@@ -185,7 +184,7 @@ static enum ts_status check_agreement(struct tsim *sim, const struct ts_material
 static enum ts_status tell_mean(struct tsim *sim, const struct ts_material *a, const struct ts_material *b,
 				const struct ts_material_value *own, double mean)
 {
-	struct ts_map *told = &sim->particles->materials.told;
+	struct ts_map *told = &sim->materials->told;
 	bool turn = strcmp(a->name, b->name) > 0;
 	struct ts_str key = { 0 };
 	const char *kept;
@@ -246,7 +245,7 @@ const struct ts_place *ts_material_place(const struct tsim *sim, const char *nam
 
 bool ts_material_given(const struct tsim *sim, const char *name)
 {
-	const struct ts_materials *all = &sim->particles->materials;
+	const struct ts_materials *all = sim->materials;
 
 	for (size_t t = 0; t < all->n; t++)
 		for (size_t k = 0; k < all->of[t].n; k++)

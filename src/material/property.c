@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "particle/particles.h"
+#include "material/material.h"
 
 #include "base/banned.h"
 
@@ -46,7 +46,7 @@ static void files_lack(const struct tsim *sim, int a, int b, char *out, size_t s
 	const char *one = ts_material_name(sim, a), *other = ts_material_name(sim, b);
 
 	out[0] = '\0';
-	if (sim->particles->materials.n)
+	if (sim->materials->n)
 		snprintf(out, size, ", or a line in the files of the materials");
 	if (one && (b == 0 || (other && ts_streq(one, other))))
 		snprintf(out, size, ", or a line in the files of the materials; that of %.60s gives none", one);
@@ -122,26 +122,4 @@ enum ts_status ts_property_value(struct tsim *sim, const char *name, int a, int 
 			p->kind >= TS_PROPERTY_PAIR ? p->columns : p->n, a > b ? a : b);
 	*out = p->value[row * p->columns + column];
 	return TS_OK;
-}
-
-static enum ts_status read_type(struct tsim *sim, const struct ts_word *word, int *out)
-{
-	int64_t type;
-
-	if (!ts_parse_int(word->text, &type) || type < 1 || type > sim->particles->ntypes)
-		return ts_fail(&sim->error, TS_RANGE, &word->place,
-			       "property(): expected a particle type from 1 to %d, found '%s'",
-			       sim->particles->ntypes, word->text);
-	*out = (int)type;
-	return TS_OK;
-}
-
-enum ts_status ts_property_eval(struct tsim *sim, struct ts_words args, double *out)
-{
-	int a = 0, b = 0;
-
-	TS_TRY(read_type(sim, &args.word[1], &a));
-	if (args.n > 2)
-		TS_TRY(read_type(sim, &args.word[2], &b));
-	return ts_property_value(sim, args.word[0].text, a, b, "property()", &args.word[0].place, out);
 }

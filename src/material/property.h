@@ -37,7 +37,4 @@ enum ts_status ts_property_value(struct tsim *sim, const char *name, int a, int 
 /* Where that value is written, for messages about it. */
 const struct ts_place *ts_property_place(const struct tsim *sim, const char *name, int a, int b);
 
-/* property(NAME,TYPE) and property(NAME,TYPE,TYPE) of formulas. */
-enum ts_status ts_property_eval(struct tsim *sim, struct ts_words args, double *out);
-
 #endif

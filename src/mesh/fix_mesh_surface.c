@@ -1,5 +1,6 @@
 /* Fix mesh/surface: a surface of triangles. */
 #include "mesh/mesh_load.h"
+#include "mesh/mesh_style.h"
 
 #include "base/banned.h"
 
@@ -52,6 +53,7 @@ const struct ts_style ts_fix_mesh_surface = {
 	.state_size = sizeof(struct state),
 	.archive = ts_mesh_surface_archive,
 	.fingerprint = ts_mesh_surface_fingerprint,
+	.extent = ts_mesh_surface_extent,
 	.init = init,
 	.hook = { [TS_STAGE_POST_BUILD] = ts_mesh_surface_post_build },
 	.plan = ts_mesh_surface_plan,

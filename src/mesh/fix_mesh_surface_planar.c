@@ -1,6 +1,7 @@
 /* Fix mesh/surface/planar: a flat surface of triangles. */
 #include "mesh/mesh_load.h"
 #include "mesh/mesh_motion.h"
+#include "mesh/mesh_style.h"
 
 #include "base/banned.h"
 
@@ -43,6 +44,7 @@ const struct ts_style ts_fix_mesh_surface_planar = {
 	.state_size = sizeof(struct state),
 	.archive = ts_mesh_surface_archive,
 	.fingerprint = ts_mesh_surface_fingerprint,
+	.extent = ts_mesh_surface_extent,
 	.init = init,
 	.hook = { [TS_STAGE_POST_BUILD] = ts_mesh_surface_post_build },
 	.plan = ts_mesh_surface_plan,

@@ -8,6 +8,7 @@
 #include "mesh/mesh_motion.h"
 #include "mesh/mesh_read.h"
 #include "mesh/mesh_soup.h"
+#include "mesh/mesh_style.h"
 
 #include "base/banned.h"
 

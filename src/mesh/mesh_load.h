@@ -68,7 +68,7 @@ extern const char *const ts_mesh_heal_names[];
 				.help = "origin ox oy oz axis ax ay az omega om: the surface "      \
 					"turns about an axis, om in radian/time; the mesh stays")
 
-/* In init of each style of TS_FAMILY_MESH, whose other slots are in mesh/mesh_surface.h. The first time
+/* In init of each style of TS_FAMILY_MESH, whose other slots are in mesh/mesh_style.h. The first time
  * the mesh is read and built, and the velocity of the surface set. */
 enum ts_status ts_mesh_surface_init(struct ts_instance *self, struct tsim *sim,
 				    const struct ts_mesh_words *words);

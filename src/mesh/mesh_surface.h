@@ -58,24 +58,6 @@ static inline void ts_mesh_surface_velocity(const struct ts_mesh_surface *s, siz
 		ts_axpy(weight[k], s->v[t][k], v);
 }
 
-void ts_mesh_surface_release(struct ts_mesh_surface *surface);
-
-/* Slots for the styles of the family. */
-enum ts_status ts_mesh_surface_post_build(struct ts_instance *self, struct tsim *sim);
-enum ts_status ts_mesh_surface_archive(struct ts_instance *self, struct tsim *sim,
-				       struct ts_archive *archive);
-void ts_mesh_surface_fingerprint(const struct ts_instance *self, const struct tsim *sim,
-				 struct ts_hash *hash);
-enum ts_status ts_mesh_surface_plan(struct ts_instance *self, struct tsim *sim,
-				    struct ts_plan_report *report);
-void ts_mesh_surface_fini(struct ts_instance *self);
-
-/* Before a run: every triangle has its centre in the box, or beyond a periodic or moving face. */
-enum ts_status ts_mesh_surface_check_box(const struct ts_instance *by, struct tsim *sim,
-					 const struct ts_mesh_surface *surface);
-/* Widens lo..hi of one dimension to hold all meshes. */
-void ts_mesh_surface_extent(const struct tsim *sim, int dim, double *lo, double *hi);
-
 /* NULL: there is no mesh of that id. */
 struct ts_mesh_surface *ts_mesh_surface_find(const struct tsim *sim, const char *id);
 /* The same, or an error at the word with a suggestion. */

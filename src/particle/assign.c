@@ -119,7 +119,7 @@ static enum ts_status unknown(struct tsim *sim, const char *name)
 {
 	struct ts_suggest suggest = ts_suggest_start(name);
 
-	if (ts_particles_has_quantity(sim, name))
+	if (ts_quantity_has(sim, name))
 		return ts_fail(&sim->error, TS_STATE, NULL, "'%s' of particles cannot be written",
 			       name);
 	for (int k = 0; k < NTARGETS; k++)

@@ -18,7 +18,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	struct ts_str text = { 0 };
 	const char *kept;
 
-	if (sim->domain->exists)
+	if (sim->has_box)
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "atom_style must come before the simulation box is created");
 	for (size_t k = 0; k < s->words.n; k++)

@@ -126,13 +126,61 @@ static enum ts_status drop_lost(struct tsim *sim)
 	return status;
 }
 
+/* Room that fixes such as meshes take up. */
+static void add_fixes(const struct tsim *sim, int dim, double *lo, double *hi)
+{
+	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
+
+	for (size_t k = 0; k < fixes->n; k++)
+		if (fixes->item[k]->style->extent)
+			fixes->item[k]->style->extent(fixes->item[k], dim, lo, hi);
+}
+
+static void shrink_dimension(const struct tsim *sim, int dim)
+{
+	struct ts_domain *d = sim->domain;
+	const struct ts_particles *p = sim->particles;
+	double margin = ts_domain_margin(d, dim);
+	double lo = INFINITY, hi = -INFINITY;
+
+	if (d->box.face[dim][0] < TS_FACE_SHRINK && d->box.face[dim][1] < TS_FACE_SHRINK)
+		return; /* neither follows */
+
+	for (size_t i = 0; i < p->n; i++) {
+		lo = fmin(lo, p->x[i][dim]);
+		hi = fmax(hi, p->x[i][dim]);
+	}
+	add_fixes(sim, dim, &lo, &hi);
+	if (!(lo <= hi))
+		return;
+	if (d->box.face[dim][0] == TS_FACE_SHRINK)
+		d->box.lo[dim] = lo - margin;
+	else if (d->box.face[dim][0] == TS_FACE_MINIMUM)
+		d->box.lo[dim] = fmin(lo - margin, d->first_lo[dim]);
+	if (d->box.face[dim][1] == TS_FACE_SHRINK)
+		d->box.hi[dim] = hi + margin;
+	else if (d->box.face[dim][1] == TS_FACE_MINIMUM)
+		d->box.hi[dim] = fmax(hi + margin, d->first_hi[dim]);
+}
+
+/* Fits `s` and `m` faces to the particles. */
+static void fit_moving_faces(struct tsim *sim)
+{
+	for (int dim = 0; dim < 3; dim++) {
+		const enum ts_face *face = sim->domain->box.face[dim];
+
+		sim->box_moves |= face[0] >= TS_FACE_SHRINK || face[1] >= TS_FACE_SHRINK;
+		shrink_dimension(sim, dim);
+	}
+}
+
 enum ts_status ts_exchange_migrate(struct tsim *sim)
 {
 	sim->particles->nghost = 0;
 	for (int dim = 0; dim < 3; dim++)
 		TS_TRY(wrap(sim, dim));
 	TS_TRY(drop_lost(sim));
-	ts_domain_shrink(sim);
+	fit_moving_faces(sim);
 	return TS_OK;
 }
 

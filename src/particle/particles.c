@@ -1,9 +1,8 @@
 #include "particle/particles.h"
 
+#include "box/domain.h"
 #include "core/report.h"
 #include "geom/box.h"
-#include "group/group_dynamic.h"
-#include "integrate/integrators.h"
 #include "material/property.h"
 
 #include "base/banned.h"
@@ -34,14 +33,34 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	if (!p->ncolumns) {
 		TS_TRY(describe_columns(sim, p));
-		p->group[0] = "all";
 		p->lost_policy = TS_LOST_WARN;
 		sim->generation++;
 		p->holds = &sim->holds;
+		sim->materials = &p->materials;
 	}
 	if (sim->full & TS_FULL_COLUMNS)
 		return ts_particles_need(sim, (1u << TS_NCOLUMN_BUILTIN) - 1);
 	return ts_particles_need(sim, sim->columns);
+}
+
+enum ts_status ts_particles_make_box(struct tsim *sim, int ntypes, const double lo[3], const double hi[3],
+				     const struct ts_place *where)
+{
+	struct ts_particles *p = sim->particles;
+	double *type_mass = ts_alloc((size_t)ntypes + 1, sizeof *type_mass);
+	enum ts_status status;
+
+	if (!type_mass)
+		return ts_nomem(&sim->error);
+	status = ts_domain_set_box(sim, lo, hi, where);
+	if (status != TS_OK) {
+		ts_free(type_mass);
+		return status;
+	}
+	ts_free(p->type_mass);
+	p->type_mass = type_mass;
+	p->ntypes = ntypes;
+	return TS_OK;
 }
 
 static void fini(struct ts_instance *self)
@@ -61,15 +80,42 @@ static void fini(struct ts_instance *self)
 	ts_free(p->by_tag);
 }
 
-static enum ts_status archive_groups(struct ts_particles *p, struct ts_archive *a)
+static enum ts_status archive_groups(struct tsim *sim, struct ts_archive *a)
 {
 	for (int g = 1; g < TS_MAX_GROUPS; g++) {
 		char name[24];
-		const char *text = p->group[g] ? p->group[g] : "";
+		const char *text = sim->groups.name[g] ? sim->groups.name[g] : "";
 
 		snprintf(name, sizeof name, "group%d", g);
 		TS_TRY(ts_archive_string(a, name, &text));
-		p->group[g] = *text ? text : NULL;
+		sim->groups.name[g] = *text ? text : NULL;
+	}
+	return TS_OK;
+}
+
+static enum ts_status archive_dynamic(struct tsim *sim, struct ts_particles *p, struct ts_archive *a)
+{
+	for (int bit = 1; bit < TS_MAX_GROUPS; bit++) {
+		struct ts_dynamic_group *g = &p->dynamic[bit];
+		const char *region = g->region ? g->region : "";
+		const char *variable = g->variable ? g->variable : "";
+		int64_t numbers[2] = { g->every, g->parent };
+		char name[40];
+
+		snprintf(name, sizeof name, "dynamic%d", bit);
+		if (!ts_archive_has(a, name) || (ts_archive_writing(a) && !g->every))
+			continue;
+		TS_TRY(ts_archive_fixed(a, name, TS_SAVED_I64, numbers, 2));
+		snprintf(name, sizeof name, "dynamic%d_region", bit);
+		TS_TRY(ts_archive_string(a, name, &region));
+		snprintf(name, sizeof name, "dynamic%d_variable", bit);
+		TS_TRY(ts_archive_string(a, name, &variable));
+		if (numbers[0] < 1 || numbers[1] < 0 || numbers[1] >= TS_MAX_GROUPS)
+			return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible dynamic group");
+		*g = (struct ts_dynamic_group){ .every = numbers[0],
+						.parent = (int)numbers[1],
+						.region = *region ? region : NULL,
+						.variable = *variable ? variable : NULL };
 	}
 	return TS_OK;
 }
@@ -138,8 +184,8 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 		p->ntypes = ntypes;
 		p->settled = sim->clock.step > 0 ? p->max_tag : 0;
 	}
-	TS_TRY(archive_groups(p, a));
-	TS_TRY(ts_group_archive_dynamic(sim, a));
+	TS_TRY(archive_groups(sim, a));
+	TS_TRY(archive_dynamic(sim, p, a));
 	TS_TRY(archive_columns(sim, p, a));
 	return ts_archive_writing(a) ? TS_OK : check_particles(sim, p);
 }
@@ -158,6 +204,24 @@ static void fingerprint(const struct ts_instance *self, const struct tsim *sim,
 				    p->n * p->column[k].width * p->column[k].element);
 }
 
+/* Nothing holds particles in the plane but the script. */
+static void warn_out_of_plane(struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+
+	for (size_t i = 0; sim->dimension == 2 && i < p->n; i++) {
+		bool spins = p->omega && (p->omega[i][0] != 0 || p->omega[i][1] != 0);
+
+		if (p->x[i][2] == 0 && p->v[i][2] == 0 && !spins)
+			continue;
+		ts_warn(&sim->log, NULL,
+			"dimension 2: particle %d is out of the plane z = 0, moves out of it or turns "
+			"about an axis in it; fix enforce2d keeps particles in the plane",
+			p->tag[i]);
+		return;
+	}
+}
+
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 			   struct ts_plan_report *report)
 {
@@ -165,7 +229,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 	double bytes = 0, saved_bytes = 0;
 	struct ts_str unused = { 0 };
 
-	(void)sim;
+	warn_out_of_plane(sim);
 	for (size_t k = 0; k < p->ncolumns; k++) {
 		const struct ts_column *c = &p->column[k];
 		double size = (double)(p->capacity * c->width * c->element);
@@ -180,11 +244,27 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 				   "%s: no live style needs them", ts_str_text(&unused));
 	ts_str_release(&unused);
 	if (!report->limits_only)
-		TS_TRY(ts_integrators_check(sim));
+		TS_TRY(p->check_movers(sim));
 	report->bytes += bytes;
 	ts_report_line(report, "particles", "%zu of %d types, %.0f bytes each", p->n, p->ntypes,
 		       p->capacity ? bytes / (double)p->capacity : 0.0);
 	return TS_OK;
+}
+
+static enum ts_status choose_due(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_particles *p = self->state;
+
+	return p->choose_members(sim, false);
+}
+
+/* Exchange comes before the first step only if something has changed since the last: then the members of dynamic
+ * groups are chosen anew. A run that goes on keeps those it has. */
+static enum ts_status choose_all(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_particles *p = self->state;
+
+	return sim->clock.step == sim->clock.first_step ? p->choose_members(sim, true) : TS_OK;
 }
 
 /* From now on forces decide where the particles lie. */
@@ -214,14 +294,13 @@ const struct ts_system_style ts_particles_system = {
 		   .fingerprint = fingerprint,
 		   .init = init,
 		   .plan = plan,
-		   .hook = { [TS_STAGE_POST_INTEGRATE] = ts_group_step,
-			     [TS_STAGE_EXCHANGE] = ts_group_start,
+		   .hook = { [TS_STAGE_POST_INTEGRATE] = choose_due,
+			     [TS_STAGE_EXCHANGE] = choose_all,
 			     [TS_STAGE_SETUP] = settle },
 		   .waits = TS_WAITS(POST_INTEGRATE),
 		   .fini = fini },
 	.slot = offsetof(struct tsim, particles),
 	.crowd = ts_particles_crowd,
-	.functions = ts_group_functions,
 	.has_property = ts_property_given,
 	.keeps_quantity = ts_particles_keeps_quantity,
 	.has_quantity = ts_particles_has_quantity,

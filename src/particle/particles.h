@@ -57,10 +57,8 @@ struct ts_column {
 	double *initial; /* of new particles, `width` numbers; NULL: 0 */
 };
 
-enum { TS_MAX_GROUPS = 32 };
-
-/* See group/group_dynamic.h. The names belong to the string pool; region and variable are looked
- * up when they are needed, so they may be defined again. */
+/* A group whose members are chosen anew while a run goes on: group/group_dynamic.h. The names belong to the string
+ * pool; region and variable are looked up when they are needed, so they may be defined again. */
 struct ts_dynamic_group {
 	int64_t every; /* 0: not dynamic */
 	int parent;
@@ -96,10 +94,9 @@ struct ts_particles {
 	int32_t max_tag;
 	int32_t settled; /* particles up to this identity have been in a run: they lie as forces have put them */
 	enum ts_inertia inertia; /* as its integrator says */
-	struct ts_materials materials; /* of the types, from files */
+	struct ts_materials materials; /* of the types, from files; sim->materials */
 	double *type_mass; /* `mass` command, by type; 0: not given */
-	const char *group[TS_MAX_GROUPS]; /* names; NULL: free. group[0] = "all" */
-	struct ts_dynamic_group dynamic[TS_MAX_GROUPS];
+	struct ts_dynamic_group dynamic[TS_MAX_GROUPS]; /* by bit */
 
 	/* ghosts: where they come from */
 	int32_t *ghost_owner;  /* local index of the original */
@@ -119,10 +116,19 @@ struct ts_particles {
 	void (*describe_contacts)(struct tsim *sim, size_t i, struct ts_str *out);
 	/* Says why particle i may have left through face 2 * dim + side; set by who knows the walls. */
 	void (*explain_loss)(struct tsim *sim, size_t i, int face, struct ts_str *out);
+	/* Chooses the members of all dynamic groups, or of those whose turn it is in this step; set by the groups. */
+	enum ts_status (*choose_members)(struct tsim *sim, bool all);
+	/* Refuses particles that two fixes would move; set by the integrators. */
+	enum ts_status (*check_movers)(struct tsim *sim);
+	/* Density of what particle i is made of, in a clump that of its material; set by the rigid bodies. */
+	double (*material_density)(const struct tsim *sim, size_t i);
 };
 
 enum ts_lost { TS_LOST_IGNORE, TS_LOST_WARN, TS_LOST_ERROR };
 
+/* Makes the box, from lo to hi, with room for so many types of particles; `where` may be NULL. */
+enum ts_status ts_particles_make_box(struct tsim *sim, int ntypes, const double lo[3], const double hi[3],
+				     const struct ts_place *where);
 /* Adds n particles with consecutive new tags at the end of the locals (ghosts are dropped); they are
  * in group all, v = 0, radius 0.5, mass from density 1; the caller fills in the rest. */
 enum ts_status ts_particles_add(struct tsim *sim, size_t n, size_t *first);
@@ -181,22 +187,11 @@ const struct ts_quantity *ts_particles_quantity_text(size_t k);
 /* Name of the k-th quantity that can be read; NULL: there are no more. */
 const char *ts_particles_quantity_name(size_t k);
 
-/* Groups. */
-int ts_group_find(const struct ts_particles *p, const char *name); /* bit, or -1 */
-
-enum ts_status ts_group_make(struct tsim *sim, const char *name, const struct ts_place *where,
-			     int *bit);
 static inline bool ts_in_group(const struct ts_particles *p, size_t i, int group)
 {
 	return (p->mask[i] >> group) & 1u;
 }
-/* How many of the particles from .. to-1. */
-size_t ts_group_members(const struct ts_particles *p, int group, size_t from, size_t to);
-/* Whether groups have, or will have, particles in common: as far as can be told now. */
-bool ts_groups_meet(const struct ts_particles *p, int a, int b);
 
-/* Functions of expressions over groups: count(g), mass(g), xcm(g,x) ... */
-extern const struct ts_function ts_group_functions[];
 extern const struct ts_system_style ts_particles_system;
 
 #endif

@@ -2,10 +2,8 @@
 #include <string.h>
 
 #include "box/domain.h"
-#include "insert/stream.h"
 #include "particle/moments.h"
 #include "particle/particles.h"
-#include "rigid/rigid.h"
 
 #include "base/banned.h"
 
@@ -102,7 +100,7 @@ static double mass(const struct tsim *sim, size_t i)
 
 static double density(const struct tsim *sim, size_t i)
 {
-	return ts_material_density(sim, i);
+	return sim->particles->material_density(sim, i);
 }
 
 static double body(const struct tsim *sim, size_t i)
@@ -224,16 +222,14 @@ bool ts_particles_has_quantity(const struct tsim *sim, const char *name)
 {
 	size_t k;
 
-	return find(name) || ts_particles_named_column(sim->particles, name, &k) ||
-	       ts_stream_quantity(sim, name) >= 0;
+	return find(name) || ts_particles_named_column(sim->particles, name, &k);
 }
 
 bool ts_particles_keeps_quantity(const struct tsim *sim, const char *name)
 {
 	size_t k;
 
-	return !find(name) && (ts_particles_named_column(sim->particles, name, &k) ||
-			       ts_stream_quantity(sim, name) >= 0);
+	return !find(name) && ts_particles_named_column(sim->particles, name, &k);
 }
 
 void ts_particles_suggest_quantity(struct ts_suggest *suggest)
@@ -257,7 +253,6 @@ enum ts_status ts_particles_quantity(struct tsim *sim, const char *name, struct 
 	const struct ts_particles *p = sim->particles;
 	const struct quantity *q = find(name);
 	const struct ts_column *named;
-	int stream = ts_stream_quantity(sim, name);
 	size_t k;
 
 	if (ts_table_resize(out, p->n, 1) != TS_OK)
@@ -265,7 +260,6 @@ enum ts_status ts_particles_quantity(struct tsim *sim, const char *name, struct 
 	named = ts_particles_named_column(p, name, &k); /* first: `mol` may be one */
 	for (size_t i = 0; i < p->n; i++)
 		out->data[i] = named ? ((const double *)named->data)[i * named->width + k]
-			       : stream >= 0 ? ts_stream_value(sim, i, stream)
-					     : q->value(sim, i);
+				     : q->value(sim, i);
 	return TS_OK;
 }

@@ -318,8 +318,8 @@ enum ts_status ts_region_init(struct ts_instance *self, struct tsim *sim)
 	ts_domain_units_said(sim, r->units, &self->where);
 	for (int k = 0; k < 3; k++) {
 		r->scale[k] = ts_domain_scale(sim, r->units, k);
-		r->edge[0][k] = domain->exists ? domain->box.lo[k] : NAN;
-		r->edge[1][k] = domain->exists ? domain->box.hi[k] : NAN;
+		r->edge[0][k] = sim->has_box ? domain->box.lo[k] : NAN;
+		r->edge[1][k] = sim->has_box ? domain->box.hi[k] : NAN;
 		r->axis[k] = k == 2;
 		r->turn[k][k] = 1;
 	}
@@ -372,7 +372,7 @@ static enum ts_status eval_volume(struct tsim *sim, struct ts_words args, double
 		       "the volume of a region of style %s is not known", region->style->name);
 }
 
-const struct ts_function ts_region_functions[] = {
+static const struct ts_function functions[] = {
 	{ .name = "volume",
 	  .arguments = "region",
 	  .help = "exact volume of a region, where it is known",
@@ -380,4 +380,10 @@ const struct ts_function ts_region_functions[] = {
 	  .most = 1,
 	  .eval = eval_volume },
 	{ .name = NULL },
+};
+
+const struct ts_system_style ts_regions_system = {
+	.style = { .name = "regions", .kind = TS_KIND_SYSTEM, .summary = "functions of formulas over regions" },
+	.names_only = true,
+	.functions = functions,
 };

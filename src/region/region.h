@@ -125,7 +125,7 @@ enum ts_status ts_region_length(struct ts_instance *self, struct tsim *sim,
 #define TS_REGION_PI 3.14159265358979323846
 extern const char *const ts_region_axes[];
 
-/* Expression functions over regions: volume(region). */
-extern const struct ts_function ts_region_functions[];
+/* Functions of formulas over regions: volume(region). */
+extern const struct ts_system_style ts_regions_system;
 
 #endif

@@ -27,7 +27,7 @@ static enum ts_status read_add(struct tsim *sim, struct read_data *c, const stru
 	const char *how = c->add.n > 1 ? c->add.word[1].text : "merge";
 	struct ts_suggest suggest = ts_suggest_start(how);
 
-	if (!c->add.n && sim->domain->exists)
+	if (!c->add.n && sim->has_box)
 		return ts_fail(&sim->error, TS_STATE, where,
 			       "there is a simulation box already: use `add append` or `add merge`");
 	if (!c->add.n)

@@ -145,7 +145,7 @@ enum ts_status ts_data_apply(struct tsim *sim, const struct ts_data *data,
 	struct ts_domain *domain = sim->domain;
 	struct ts_domain wanted = *domain;
 	struct ts_particles *p = sim->particles;
-	bool new = !domain->exists;
+	bool new = !sim->has_box;
 	int ntypes = new ? (int)(data->ntypes + o->extra_types) : p->ntypes;
 
 	if (o->add == TS_DATA_APPEND)
@@ -158,7 +158,7 @@ enum ts_status ts_data_apply(struct tsim *sim, const struct ts_data *data,
 		unite(data, o->shift, &wanted);
 	TS_TRY(check_atoms(sim, data, &wanted.box, ntypes, o));
 	if (new)
-		TS_TRY(ts_domain_make(sim, ntypes, wanted.box.lo, wanted.box.hi, NULL));
+		TS_TRY(ts_particles_make_box(sim, ntypes, wanted.box.lo, wanted.box.hi, NULL));
 	else
 		*domain = wanted;
 	for (int64_t t = 1; data->mass && t <= data->ntypes; t++)

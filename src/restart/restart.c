@@ -456,7 +456,7 @@ static enum ts_status restore_all(struct reader *r)
 /* A file that holds together may still hold nonsense; nothing is left of it then. */
 static void forget(struct tsim *sim)
 {
-	sim->domain->exists = false;
+	sim->has_box = false;
 	sim->particles->n = 0;
 	ts_pending_free(sim);
 }

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "integrate/integrators.h"
 #include "math/rigid_turn.h"
 #include "particle/body.h"
 #include "particle/moments.h"
@@ -218,8 +217,7 @@ enum ts_status ts_rigid_accelerate(struct tsim *sim, int group, const double a[3
 	return TS_OK;
 }
 
-/* Members left of bodies that are no longer whole are deleted, and their bodies. */
-static enum ts_status drop_incomplete(struct tsim *sim)
+enum ts_status ts_rigid_drop_incomplete(struct tsim *sim)
 {
 	struct ts_particles *p = sim->particles;
 	struct ts_rigid *r = sim->rigid;
@@ -243,7 +241,7 @@ static enum ts_status drop_incomplete(struct tsim *sim)
 	return status == TS_OK && any ? ts_rigid_list(sim) : status;
 }
 
-static bool owner_lives(const struct tsim *sim, int64_t owner)
+bool ts_rigid_owner_lives(const struct tsim *sim, int64_t owner)
 {
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
 
@@ -260,7 +258,7 @@ enum ts_status ts_rigid_dissolve_orphans(struct tsim *sim)
 	size_t b = 0;
 
 	while (b < r->n) {
-		if (r->owner[b] == lives || owner_lives(sim, r->owner[b])) {
+		if (r->owner[b] == lives || ts_rigid_owner_lives(sim, r->owner[b])) {
 			lives = r->owner[b++];
 		} else {
 			TS_TRY(ts_rigid_dissolve(sim, r->owner[b]));
@@ -269,118 +267,3 @@ enum ts_status ts_rigid_dissolve_orphans(struct tsim *sim)
 	}
 	return TS_OK;
 }
-
-/* After particles were lost, and their inverse masses made anew. */
-static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
-{
-	struct ts_rigid *r = self->state;
-
-	if (!r->n)
-		return TS_OK;
-	TS_TRY(ts_rigid_dissolve_orphans(sim));
-	TS_TRY(ts_rigid_list(sim));
-	TS_TRY(drop_incomplete(sim));
-	if (sim->rebuild && r->n)
-		TS_TRY(ts_integrators_check_members(sim, r->member, r->start[r->n]));
-	for (size_t b = 0; b < r->n; b++)
-		for (size_t k = r->start[b]; k < r->start[b + 1]; k++)
-			sim->particles->imass[r->member[k]] = 1 / r->body[b].mass;
-	return TS_OK;
-}
-
-/* A damaged file may have members of bodies that are not there. */
-static enum ts_status check_members(struct tsim *sim)
-{
-	const struct ts_particles *p = sim->particles;
-	const struct ts_rigid *r = sim->rigid;
-
-	for (size_t b = 0; b < r->n; b++)
-		if (r->id[b] <= (b ? r->id[b - 1] : 0) || r->id[b] > r->last_id ||
-		    !(r->body[b].mass > 0))
-			return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible rigid bodies");
-	for (size_t i = 0; i < p->n; i++)
-		if (ts_rigid_member(p, i) && body_of(r, p->body[i]) == r->n)
-			return ts_fail(&sim->error, TS_DAMAGED, NULL,
-				       "particle %d belongs to a body that does not exist",
-				       p->tag[i]);
-	return r->n && !p->body ? ts_fail(&sim->error, TS_DAMAGED, NULL,
-					  "rigid bodies without members")
-				: TS_OK;
-}
-
-static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
-{
-	struct ts_rigid *r = self->state;
-	size_t numbers = r->n * TS_BODY_NUMBERS, room = r->body_capacity * TS_BODY_NUMBERS;
-	size_t ids = r->n, sizes = r->n, owners = r->n;
-
-	if (!ts_archive_writing(a) && !ts_archive_has(a, "body"))
-		return TS_OK; /* older files */
-	TS_TRY(ts_archive_array(a, "body", TS_SAVED_F64, (void **)&r->body, &room, &numbers));
-	r->body_capacity = room / TS_BODY_NUMBERS;
-	TS_TRY(ts_archive_array(a, "id", TS_SAVED_I32, (void **)&r->id, &r->id_capacity, &ids));
-	TS_TRY(ts_archive_array(a, "size", TS_SAVED_I32, (void **)&r->size, &r->size_capacity,
-				&sizes));
-	TS_TRY(ts_archive_array(a, "owner", TS_SAVED_I64, (void **)&r->owner, &r->owner_capacity,
-				&owners));
-	TS_TRY(ts_archive_fixed(a, "last_id", TS_SAVED_I32, &r->last_id, 1));
-	if (numbers != ids * TS_BODY_NUMBERS || sizes != ids || owners != ids)
-		return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible rigid bodies");
-	r->n = ids;
-	r->generation = 0;
-	return check_members(sim);
-}
-
-static void fingerprint(const struct ts_instance *self, const struct tsim *sim,
-			struct ts_hash *hash)
-{
-	const struct ts_rigid *r = self->state;
-
-	ts_hash_add(hash, r->id, r->n * sizeof *r->id);
-	for (size_t b = 0; b < r->n; b++)
-		if ((b == 0 || r->owner[b] != r->owner[b - 1]) && !owner_lives(sim, r->owner[b]))
-			ts_hash_text(hash, "comes apart");
-}
-
-static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
-			   struct ts_plan_report *report)
-{
-	const struct ts_rigid *r = self->state;
-
-	(void)sim;
-	if (r->n)
-		ts_report_line(report, "rigid bodies", "%zu, of %zu particles", r->n,
-			       r->start ? r->start[r->n] : 0);
-	return TS_OK;
-}
-
-static void fini(struct ts_instance *self)
-{
-	struct ts_rigid *r = self->state;
-
-	ts_free(r->body);
-	ts_free(r->id);
-	ts_free(r->size);
-	ts_free(r->owner);
-	ts_free(r->member);
-	ts_free(r->order);
-	ts_free(r->start);
-}
-
-const struct ts_system_style ts_rigid_system = {
-	.style = { .name = "rigid",
-		   .kind = TS_KIND_SYSTEM,
-		   .summary = "rigid bodies of particles",
-		   .state_size = sizeof(struct ts_rigid),
-		   .archive = archive,
-		   .fingerprint = fingerprint,
-		   .hook = { [TS_STAGE_INITIAL_INTEGRATE] = ts_rigid_initial,
-			     [TS_STAGE_EXCHANGE] = exchange,
-			     [TS_STAGE_PRE_FORCE] = ts_rigid_clear,
-			     [TS_STAGE_FINAL_INTEGRATE] = ts_rigid_final,
-			     [TS_STAGE_SETUP] = ts_rigid_setup },
-		   .waits = TS_WAITS(INITIAL_INTEGRATE) | TS_WAITS(FINAL_INTEGRATE),
-		   .plan = plan,
-		   .fini = fini },
-	.slot = offsetof(struct tsim, rigid),
-};

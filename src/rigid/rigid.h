@@ -50,6 +50,8 @@ struct ts_rigid {
 	int32_t *order; /* the bodies as their members follow each other in memory; those without members are not there */
 	size_t ordered, order_capacity;
 	uint64_t generation; /* of the particles, as the members were listed; 0: not listed */
+	/* Refuses members, in rows[0..n-1], that fixes would move, too; set by the integrators. */
+	enum ts_status (*check_members)(struct tsim *sim, const int32_t *row, size_t n);
 };
 
 /* A number for the fix of this id; its bodies come apart when it is gone. */
@@ -71,6 +73,12 @@ enum ts_status ts_rigid_dissolve(struct tsim *sim, int64_t owner);
 /* The same for all bodies whose fix is gone. Done before steps, not as soon as it goes: after a restart
  * the bodies are there before the script has their fix. */
 enum ts_status ts_rigid_dissolve_orphans(struct tsim *sim);
+
+/* Whether the fix with this number is there. */
+bool ts_rigid_owner_lives(const struct tsim *sim, int64_t owner);
+
+/* Members left of bodies that are no longer whole are deleted, and their bodies. The members are listed. */
+enum ts_status ts_rigid_drop_incomplete(struct tsim *sim);
 
 /* Lists the members anew if particles have moved in memory. */
 enum ts_status ts_rigid_list(struct tsim *sim);

@@ -1,7 +1,5 @@
 #include "rigid/rigid_motion.h"
 
-#include <string.h>
-
 #include "box/domain.h"
 #include "math/rigid_turn.h"
 #include "math/symmetric3.h"
@@ -36,51 +34,6 @@ void ts_rigid_place(struct tsim *sim, const struct ts_body *body, const int32_t 
 	}
 }
 
-/* Velocities only: places are those of the step. */
-static void set_velocities(struct tsim *sim, size_t b)
-{
-	const struct ts_rigid *r = sim->rigid;
-	const struct ts_body *body = &r->body[b];
-	struct ts_particles *p = sim->particles;
-	double m[3][3], arm[3], turn[3];
-
-	ts_quaternion_matrix(body->q, m);
-	for (size_t k = r->start[b]; k < r->start[b + 1]; k++) {
-		size_t i = (size_t)r->member[k];
-
-		ts_rotate(m, p->body_x[i], arm);
-		ts_cross(body->omega, arm, turn);
-		ts_add(body->v, turn, p->v[i]);
-		memcpy(p->omega[i], body->omega, sizeof body->omega);
-	}
-}
-
-/* F and T of the members act on the body: T += arm x F. */
-static void gather(struct tsim *sim, size_t b)
-{
-	const struct ts_rigid *r = sim->rigid;
-	const struct ts_particles *p = sim->particles;
-	struct ts_body *body = &r->body[b];
-	double m[3][3], arm[3], turn[3];
-
-	memcpy(body->force, body->external, sizeof body->force);
-	memset(body->torque, 0, sizeof body->torque);
-	ts_quaternion_matrix(body->q, m);
-	for (size_t k = r->start[b]; k < r->start[b + 1]; k++) {
-		size_t i = (size_t)r->member[k];
-
-		ts_rotate(m, p->body_x[i], arm);
-		ts_cross(arm, p->f[i], turn);
-		ts_add(body->force, p->f[i], body->force);
-		ts_add(turn, p->torque[i], turn);
-		ts_add(body->torque, turn, body->torque);
-	}
-	for (int k = 0; k < 3; k++) {
-		body->force[k] *= body->free[k];
-		body->torque[k] *= body->free[3 + k];
-	}
-}
-
 void ts_body_kick(struct ts_body *b, double h)
 {
 	for (int k = 0; k < 3; k++) {
@@ -94,85 +47,6 @@ void ts_body_move(struct ts_body *b, double dt)
 {
 	ts_axpy(dt, b->v, b->x);
 	ts_rigid_turn(b->inertia, b->spin, b->omega, dt, b->q);
-}
-
-/* ---- the stages: all that is done with a body, and its members, at once */
-
-static void begin_step(struct tsim *sim, size_t b)
-{
-	struct ts_rigid *r = sim->rigid;
-	double dt = sim->clock.dt;
-
-	ts_body_kick(&r->body[b], 0.5 * dt);
-	ts_body_move(&r->body[b], dt);
-	ts_rigid_place(sim, &r->body[b], r->member + r->start[b], r->start[b + 1] - r->start[b]);
-}
-
-static void end_step(struct tsim *sim, size_t b)
-{
-	gather(sim, b);
-	ts_body_kick(&sim->rigid->body[b], 0.5 * sim->clock.dt);
-	set_velocities(sim, b);
-}
-
-/* Bodies stand in the order of their identities, but are taken as their members are in memory: so many before their
- * turn they are sent for. */
-enum { AHEAD = 4 };
-
-static enum ts_status each_body(struct tsim *sim, void (*work)(struct tsim *sim, size_t b))
-{
-	const struct ts_rigid *r = sim->rigid;
-
-	TS_TRY(ts_rigid_list(sim));
-#pragma omp parallel for num_threads(ts_team(sim, r->n)) schedule(static)
-	for (size_t k = 0; k < r->ordered; k++) {
-		const char *next = (const char *)&r->body[r->order[k + AHEAD < r->ordered ? k + AHEAD : k]];
-
-		for (size_t line = 0; line < sizeof *r->body; line += 64)
-			__builtin_prefetch(next + line, 1);
-		work(sim, (size_t)r->order[k]);
-	}
-	return TS_OK;
-}
-
-enum ts_status ts_rigid_initial(struct ts_instance *self, struct tsim *sim)
-{
-	const struct ts_rigid *r = self->state;
-
-	if (!r->n)
-		return TS_OK;
-	ts_sweep(sim);
-	return each_body(sim, begin_step);
-}
-
-enum ts_status ts_rigid_clear(struct ts_instance *self, struct tsim *sim)
-{
-	struct ts_rigid *r = self->state;
-
-	(void)sim;
-	for (size_t b = 0; b < r->n; b++)
-		memset(r->body[b].external, 0, sizeof r->body[b].external);
-	return TS_OK;
-}
-
-enum ts_status ts_rigid_final(struct ts_instance *self, struct tsim *sim)
-{
-	const struct ts_rigid *r = self->state;
-
-	if (!r->n)
-		return TS_OK;
-	ts_sweep(sim);
-	return each_body(sim, end_step);
-}
-
-/* What acts on the bodies at the start. A run that goes on has it from the last step. */
-enum ts_status ts_rigid_setup(struct ts_instance *self, struct tsim *sim)
-{
-	const struct ts_rigid *r = self->state;
-
-	if (!r->n || sim->resuming)
-		return TS_OK;
-	return each_body(sim, gather);
 }
 
 /* I = sum of (I_i + m (d^2 1 - d d)). */

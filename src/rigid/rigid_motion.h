@@ -1,4 +1,4 @@
-/* The steps of rigid bodies. */
+/* How one rigid body moves. */
 #ifndef TS_RIGID_RIGID_MOTION_H
 #define TS_RIGID_RIGID_MOTION_H
 
@@ -11,7 +11,5 @@ void ts_rigid_place(struct tsim *sim, const struct ts_body *body, const int32_t 
  * its velocities are those of the middle of the step, as with single spheres. */
 void ts_body_kick(struct ts_body *body, double h);
 void ts_body_move(struct ts_body *body, double dt);
-
-ts_hook_fn ts_rigid_initial, ts_rigid_clear, ts_rigid_final, ts_rigid_setup;
 
 #endif

@@ -1,5 +1,6 @@
 /* Fix mesh/surface/stress: a surface of triangles that knows what particles do to it. */
 #include "mesh/mesh_load.h"
+#include "mesh/mesh_style.h"
 #include "wall/mesh_stress.h"
 
 #include "base/banned.h"
@@ -54,6 +55,7 @@ const struct ts_style ts_fix_mesh_surface_stress = {
 	.state_size = sizeof(struct state),
 	.archive = ts_mesh_stress_archive,
 	.fingerprint = ts_mesh_surface_fingerprint,
+	.extent = ts_mesh_surface_extent,
 	.values = values,
 	.init = init,
 	.hook = { [TS_STAGE_POST_BUILD] = ts_mesh_stress_post_build,

@@ -3,6 +3,7 @@
 #include "law/servo.h"
 #include "mesh/mesh_load.h"
 #include "mesh/mesh_motion.h"
+#include "mesh/mesh_style.h"
 #include "neigh/neigh.h"
 #include "wall/mesh_stress.h"
 #include "wall/servo_response.h"
@@ -495,6 +496,7 @@ const struct ts_style ts_fix_mesh_surface_stress_servo = {
 	.saved = saved,
 	.archive = ts_mesh_stress_archive,
 	.fingerprint = ts_mesh_surface_fingerprint,
+	.extent = ts_mesh_surface_extent,
 	.values = values,
 	.init = init,
 	.modify = modify,

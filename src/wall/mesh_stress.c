@@ -5,6 +5,7 @@
 #include "box/domain.h"
 #include "law/wear.h"
 #include "material/property.h"
+#include "mesh/mesh_style.h"
 #include "mesh/mesh_touch.h"
 
 #include "base/banned.h"

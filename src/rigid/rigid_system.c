@@ -1,0 +1,255 @@
+/* The system of rigid bodies: their steps, and what becomes of them when particles are lost or files read. */
+#include "rigid/rigid.h"
+
+#include <string.h>
+
+#include "core/plan.h"
+#include "math/rigid_turn.h"
+#include "rigid/rigid_motion.h"
+
+#include "base/banned.h"
+
+/* Velocities only: places are those of the step. */
+static void set_velocities(struct tsim *sim, size_t b)
+{
+	const struct ts_rigid *r = sim->rigid;
+	const struct ts_body *body = &r->body[b];
+	struct ts_particles *p = sim->particles;
+	double m[3][3], arm[3], turn[3];
+
+	ts_quaternion_matrix(body->q, m);
+	for (size_t k = r->start[b]; k < r->start[b + 1]; k++) {
+		size_t i = (size_t)r->member[k];
+
+		ts_rotate(m, p->body_x[i], arm);
+		ts_cross(body->omega, arm, turn);
+		ts_add(body->v, turn, p->v[i]);
+		memcpy(p->omega[i], body->omega, sizeof body->omega);
+	}
+}
+
+/* F and T of the members act on the body: T += arm x F. */
+static void gather(struct tsim *sim, size_t b)
+{
+	const struct ts_rigid *r = sim->rigid;
+	const struct ts_particles *p = sim->particles;
+	struct ts_body *body = &r->body[b];
+	double m[3][3], arm[3], turn[3];
+
+	memcpy(body->force, body->external, sizeof body->force);
+	memset(body->torque, 0, sizeof body->torque);
+	ts_quaternion_matrix(body->q, m);
+	for (size_t k = r->start[b]; k < r->start[b + 1]; k++) {
+		size_t i = (size_t)r->member[k];
+
+		ts_rotate(m, p->body_x[i], arm);
+		ts_cross(arm, p->f[i], turn);
+		ts_add(body->force, p->f[i], body->force);
+		ts_add(turn, p->torque[i], turn);
+		ts_add(body->torque, turn, body->torque);
+	}
+	for (int k = 0; k < 3; k++) {
+		body->force[k] *= body->free[k];
+		body->torque[k] *= body->free[3 + k];
+	}
+}
+
+/* ---- the stages: all that is done with a body, and its members, at once */
+
+static void begin_step(struct tsim *sim, size_t b)
+{
+	struct ts_rigid *r = sim->rigid;
+	double dt = sim->clock.dt;
+
+	ts_body_kick(&r->body[b], 0.5 * dt);
+	ts_body_move(&r->body[b], dt);
+	ts_rigid_place(sim, &r->body[b], r->member + r->start[b], r->start[b + 1] - r->start[b]);
+}
+
+static void end_step(struct tsim *sim, size_t b)
+{
+	gather(sim, b);
+	ts_body_kick(&sim->rigid->body[b], 0.5 * sim->clock.dt);
+	set_velocities(sim, b);
+}
+
+/* Bodies stand in the order of their identities, but are taken as their members are in memory: so many before their
+ * turn they are sent for. */
+enum { AHEAD = 4 };
+
+static enum ts_status each_body(struct tsim *sim, void (*work)(struct tsim *sim, size_t b))
+{
+	const struct ts_rigid *r = sim->rigid;
+
+	TS_TRY(ts_rigid_list(sim));
+#pragma omp parallel for num_threads(ts_team(sim, r->n)) schedule(static)
+	for (size_t k = 0; k < r->ordered; k++) {
+		const char *next = (const char *)&r->body[r->order[k + AHEAD < r->ordered ? k + AHEAD : k]];
+
+		for (size_t line = 0; line < sizeof *r->body; line += 64)
+			__builtin_prefetch(next + line, 1);
+		work(sim, (size_t)r->order[k]);
+	}
+	return TS_OK;
+}
+
+static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_rigid *r = self->state;
+
+	if (!r->n)
+		return TS_OK;
+	ts_sweep(sim);
+	return each_body(sim, begin_step);
+}
+
+static enum ts_status pre_force(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_rigid *r = self->state;
+
+	(void)sim;
+	for (size_t b = 0; b < r->n; b++)
+		memset(r->body[b].external, 0, sizeof r->body[b].external);
+	return TS_OK;
+}
+
+static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_rigid *r = self->state;
+
+	if (!r->n)
+		return TS_OK;
+	ts_sweep(sim);
+	return each_body(sim, end_step);
+}
+
+/* What acts on the bodies at the start. A run that goes on has it from the last step. */
+static enum ts_status setup(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_rigid *r = self->state;
+
+	if (!r->n || sim->resuming)
+		return TS_OK;
+	return each_body(sim, gather);
+}
+
+/* After particles were lost, and their inverse masses made anew. */
+static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_rigid *r = self->state;
+
+	if (!r->n)
+		return TS_OK;
+	TS_TRY(ts_rigid_dissolve_orphans(sim));
+	TS_TRY(ts_rigid_list(sim));
+	TS_TRY(ts_rigid_drop_incomplete(sim));
+	if (sim->rebuild && r->n)
+		TS_TRY(r->check_members(sim, r->member, r->start[r->n]));
+	for (size_t b = 0; b < r->n; b++)
+		for (size_t k = r->start[b]; k < r->start[b + 1]; k++)
+			sim->particles->imass[r->member[k]] = 1 / r->body[b].mass;
+	return TS_OK;
+}
+
+/* A damaged file may have members of bodies that are not there. */
+static enum ts_status check_members(struct tsim *sim)
+{
+	const struct ts_particles *p = sim->particles;
+	const struct ts_rigid *r = sim->rigid;
+
+	for (size_t b = 0; b < r->n; b++)
+		if (r->id[b] <= (b ? r->id[b - 1] : 0) || r->id[b] > r->last_id ||
+		    !(r->body[b].mass > 0))
+			return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible rigid bodies");
+	for (size_t i = 0; i < p->n; i++)
+		if (ts_rigid_member(p, i) && !ts_rigid_body_of(sim, i))
+			return ts_fail(&sim->error, TS_DAMAGED, NULL,
+				       "particle %d belongs to a body that does not exist",
+				       p->tag[i]);
+	return r->n && !p->body ? ts_fail(&sim->error, TS_DAMAGED, NULL,
+					  "rigid bodies without members")
+				: TS_OK;
+}
+
+static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	struct ts_rigid *r = self->state;
+	size_t numbers = r->n * TS_BODY_NUMBERS, room = r->body_capacity * TS_BODY_NUMBERS;
+	size_t ids = r->n, sizes = r->n, owners = r->n;
+
+	if (!ts_archive_writing(a) && !ts_archive_has(a, "body"))
+		return TS_OK; /* older files */
+	TS_TRY(ts_archive_array(a, "body", TS_SAVED_F64, (void **)&r->body, &room, &numbers));
+	r->body_capacity = room / TS_BODY_NUMBERS;
+	TS_TRY(ts_archive_array(a, "id", TS_SAVED_I32, (void **)&r->id, &r->id_capacity, &ids));
+	TS_TRY(ts_archive_array(a, "size", TS_SAVED_I32, (void **)&r->size, &r->size_capacity,
+				&sizes));
+	TS_TRY(ts_archive_array(a, "owner", TS_SAVED_I64, (void **)&r->owner, &r->owner_capacity,
+				&owners));
+	TS_TRY(ts_archive_fixed(a, "last_id", TS_SAVED_I32, &r->last_id, 1));
+	if (numbers != ids * TS_BODY_NUMBERS || sizes != ids || owners != ids)
+		return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible rigid bodies");
+	r->n = ids;
+	r->generation = 0;
+	return check_members(sim);
+}
+
+static void fingerprint(const struct ts_instance *self, const struct tsim *sim,
+			struct ts_hash *hash)
+{
+	const struct ts_rigid *r = self->state;
+
+	ts_hash_add(hash, r->id, r->n * sizeof *r->id);
+	for (size_t b = 0; b < r->n; b++)
+		if ((b == 0 || r->owner[b] != r->owner[b - 1]) && !ts_rigid_owner_lives(sim, r->owner[b]))
+			ts_hash_text(hash, "comes apart");
+}
+
+static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
+			   struct ts_plan_report *report)
+{
+	const struct ts_rigid *r = self->state;
+
+	(void)sim;
+	if (r->n)
+		ts_report_line(report, "rigid bodies", "%zu, of %zu particles", r->n,
+			       r->start ? r->start[r->n] : 0);
+	return TS_OK;
+}
+
+static void fini(struct ts_instance *self)
+{
+	struct ts_rigid *r = self->state;
+
+	ts_free(r->body);
+	ts_free(r->id);
+	ts_free(r->size);
+	ts_free(r->owner);
+	ts_free(r->member);
+	ts_free(r->order);
+	ts_free(r->start);
+}
+
+static void connect_rigid_bodies(struct tsim *sim)
+{
+	sim->particles->material_density = ts_material_density;
+}
+
+const struct ts_system_style ts_rigid_system = {
+	.style = { .name = "rigid",
+		   .kind = TS_KIND_SYSTEM,
+		   .summary = "rigid bodies of particles",
+		   .state_size = sizeof(struct ts_rigid),
+		   .archive = archive,
+		   .fingerprint = fingerprint,
+		   .hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,
+			     [TS_STAGE_EXCHANGE] = exchange,
+			     [TS_STAGE_PRE_FORCE] = pre_force,
+			     [TS_STAGE_FINAL_INTEGRATE] = final_integrate,
+			     [TS_STAGE_SETUP] = setup },
+		   .waits = TS_WAITS(INITIAL_INTEGRATE) | TS_WAITS(FINAL_INTEGRATE),
+		   .plan = plan,
+		   .fini = fini },
+	.slot = offsetof(struct tsim, rigid),
+	.connect = connect_rigid_bodies,
+};
