@@ -1,5 +1,6 @@
 /* Fix particletemplate/multisphere: clumps of spheres that are inserted as rigid bodies. */
 #include "insert/clump_template.h"
+#include "rigid/rigid_motion.h"
 
 #include "base/banned.h"
 

@@ -1,6 +1,7 @@
 /* Fix: particles as one rigid body, or one per group. */
 #include "core/pending.h"
 #include "rigid/rigid.h"
+#include "rigid/rigid_motion.h"
 
 #include <string.h>
 

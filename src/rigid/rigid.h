@@ -57,12 +57,6 @@ struct ts_rigid {
 /* A number for the fix of this id; its bodies come apart when it is gone. */
 int64_t ts_rigid_owner(const char *fix);
 
-/* Mass, centre, moments, orientation, velocities of the particles as they are, each a sphere; and of a
- * tensor of inertia xx, yy, zz, xy, xz, yz about the centre of mass the moments and the orientation. */
-enum ts_status ts_rigid_of_spheres(struct tsim *sim, const int32_t *row, size_t n,
-				   struct ts_body *body);
-void ts_rigid_principal(struct ts_body *body, const double tensor[6]);
-
 /* Makes the particles of these rows members of a new body. Its mass, moments, orientation, centre and
  * motion are given; the members' motion follows. */
 enum ts_status ts_rigid_add(struct tsim *sim, const struct ts_body *body, int64_t owner,
