@@ -72,18 +72,17 @@ static const struct ts_keyword keywords[] = {
 	{ .name = NULL },
 };
 
-static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+static void connect_contacts(struct tsim *sim)
 {
-	(void)self;
 	sim->neigh->ask.reach = ts_pair_reach;
 	sim->neigh->ask.interact = ts_pair_interact;
-	return TS_OK;
 }
 
 const struct ts_system_style ts_contact_system = {
 	.style = { .name = "contact",
 		   .kind = TS_KIND_SYSTEM,
-		   .summary = "what the search for neighbours asks of contact laws; the pressure in the log",
-		   .init = init },
+		   .summary = "what the search for neighbours asks of contact laws; the pressure in the log" },
 	.keywords = keywords,
+	.names_only = true,
+	.connect = connect_contacts,
 };

@@ -17,18 +17,17 @@ static bool walls_move(const struct tsim *sim)
 	return move;
 }
 
-static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+static void connect_walls(struct tsim *sim)
 {
-	(void)self;
 	sim->neigh->ask.walls_move = walls_move;
 	sim->neigh->multicontact_walls = &ts_wall_multicontact;
 	sim->particles->explain_loss = ts_explain_loss;
-	return TS_OK;
 }
 
 const struct ts_system_style ts_walls_system = {
 	.style = { .name = "walls",
 		   .kind = TS_KIND_SYSTEM,
-		   .summary = "what others ask of all walls",
-		   .init = init },
+		   .summary = "what others ask of all walls" },
+	.names_only = true,
+	.connect = connect_walls,
 };
