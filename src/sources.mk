@@ -263,6 +263,7 @@ library_sources = \
 	src/coupling/drag_force.c \
 	src/coupling/drag_force.h \
 	src/coupling/drag_plan.c \
+	src/coupling/drag_slip.c \
 	src/coupling/fix_added_mass.c \
 	src/coupling/fix_buoyancy.c \
 	src/coupling/fix_couple_cfd.c \
@@ -274,6 +275,7 @@ library_sources = \
 	src/coupling/fix_drag_schiller_naumann.c \
 	src/coupling/fix_drag_stokes.c \
 	src/coupling/fix_drag_wen_yu.c \
+	src/coupling/fix_flow_pressure_gradient.c \
 	src/coupling/fix_lift_magnus.c \
 	src/coupling/fix_lift_saffman.c \
 	src/coupling/fix_void_fraction.c \
@@ -346,12 +348,14 @@ library_sources = \
 	src/explain/price.h \
 	src/flow/advance.c \
 	src/flow/boundary.c \
+	src/flow/boundary_formula.c \
 	src/flow/carried.c \
 	src/flow/carried.h \
 	src/flow/command_flow_boundary.c \
 	src/flow/command_flow_set.c \
 	src/flow/command_flow_style.c \
 	src/flow/compute_flow_flux.c \
+	src/flow/compute_flow_force.c \
 	src/flow/compute_flow_line.c \
 	src/flow/compute_flow_plane.c \
 	src/flow/compute_flow_probe.c \
@@ -359,7 +363,6 @@ library_sources = \
 	src/flow/convection.h \
 	src/flow/dump_flow_vtk.c \
 	src/flow/face_pressure.c \
-	src/flow/fix_flow_pressure_gradient.c \
 	src/flow/fix_flow_scalar.c \
 	src/flow/flow.h \
 	src/flow/flow_limits.c \
@@ -377,7 +380,7 @@ library_sources = \
 	src/flow/measure.h \
 	src/flow/operators.c \
 	src/flow/operators.h \
-	src/flow/packed.c \
+	src/flow/particle_sources.c \
 	src/flow/predict.c \
 	src/flow/prepare.c \
 	src/flow/probe.c \
@@ -386,15 +389,13 @@ library_sources = \
 	src/flow/projection.h \
 	src/flow/resolution.c \
 	src/flow/resolution.h \
-	src/flow/room.c \
 	src/flow/sample.c \
 	src/flow/schemes.c \
 	src/flow/schemes.h \
 	src/flow/transport.c \
 	src/flow/transport.h \
+	src/flow/void_fraction.c \
 	src/flow/watch.c \
-	src/flow/way_out.c \
-	src/flow/way_out.h \
 	src/force/fix_addforce.c \
 	src/force/fix_aveforce.c \
 	src/force/fix_controller.c \
@@ -461,7 +462,8 @@ library_sources = \
 	src/heat/heat_contacts.c \
 	src/heat/heat_flow.c \
 	src/heat/heat_step.c \
-	src/immersed/compute_flow_force.c \
+	src/immersed/closed_regions.c \
+	src/immersed/closed_regions.h \
 	src/immersed/fix_immersed_boundary.c \
 	src/immersed/immersed.c \
 	src/immersed/immersed.h \

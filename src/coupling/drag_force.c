@@ -13,14 +13,6 @@
 #include "base/banned.h"
 
 const char *const ts_drag_schemes[] = { "explicit", "exact", "implicit", NULL };
-const char *const ts_drag_axes[] = { "x", "y", "z", "xy", "xz", "yz", "xyz", NULL };
-
-bool ts_drag_acts_along(const struct ts_drag *drag, int k)
-{
-	static const int bits[] = { 1, 2, 4, 3, 5, 6, 7 };
-
-	return bits[drag->axes] >> k & 1;
-}
 
 static enum ts_status check_numbers(struct ts_instance *self, struct tsim *sim)
 {
@@ -93,78 +85,6 @@ enum ts_status ts_drag_init(struct ts_instance *self, struct tsim *sim)
 	return check_numbers(self, sim);
 }
 
-/* ---- the fluid at a particle */
-
-static double void_at(const struct ts_drag *s, const double place[3], const int cell[3])
-{
-	const struct ts_fluid *fluid = s->fluid;
-
-	if (!isnan(s->fraction))
-		return s->fraction;
-	if (s->interpolation == TS_INTERPOLATE_CELL)
-		return fluid->empty[ts_at(&fluid->grid, cell[0], cell[1], cell[2])];
-	return ts_fluid_value(fluid, fluid->empty, place, NULL);
-}
-
-static double mean(double wa, double wb, double a, double b)
-{
-	return (wa * a + wb * b) / (wa + wb);
-}
-
-/* Velocity of the cell: the mean of its faces; in a bed that of the flow e u through them, so that the slip in
- * a layer of the bed is the flow through it by its own void fraction. */
-static void cell_velocity(const struct ts_fluid *fluid, const int cell[3], double u[3])
-{
-	const struct ts_grid *grid = &fluid->grid;
-	const size_t at = ts_at(grid, cell[0], cell[1], cell[2]);
-	const double *e = fluid->empty;
-
-	for (int c = 0; c < 3; c++) {
-		size_t s = c < grid->dimensions ? (size_t)grid->stride[c] : 0;
-		double low = fluid->u[c][at], high = fluid->u[c][at + s];
-
-		if (e && s) {
-			const double *width = grid->width[c] + cell[c];
-
-			low *= mean(width[-1], width[0], e[at - s], e[at]) / e[at];
-			high *= mean(width[0], width[1], e[at], e[at + s]) / e[at];
-		}
-		u[c] = 0.5 * (low + high);
-	}
-}
-
-bool ts_drag_sample(const struct ts_instance *self, const struct ts_particles *p, size_t i,
-		    struct ts_slip *slip, double w[3])
-{
-	const struct ts_drag *s = self->state;
-	double place[3];
-	int cell[3];
-
-	if (!s->fluid) {
-		ts_flow_style_of(s->flow)->velocity(s->flow, p->x[i], w);
-	} else {
-		if (!ts_fluid_place(s->fluid, p->x[i], place, cell))
-			return false;
-		if (s->interpolation == TS_INTERPOLATE_CELL)
-			cell_velocity(s->fluid, cell, w);
-		else
-			ts_fluid_velocity(s->fluid, place, w);
-	}
-	for (int k = 0; k < 3; k++)
-		w[k] -= p->v[i][k];
-	slip->diameter = 2 * p->radius[i];
-	slip->speed = sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
-	slip->empty = ts_drag_style_of(self)->crowded ? void_at(s, place, cell) : 1;
-	return true;
-}
-
-double ts_drag_mass(const struct ts_drag *s, const struct tsim *sim, size_t i)
-{
-	const struct ts_particles *p = sim->particles;
-
-	return p->mass[i] + ts_added_density(&s->added, p, i) * ts_body_volume(sim, p->radius[i]);
-}
-
 /* ---- what is known before all forces are */
 
 struct findings {
@@ -189,13 +109,6 @@ static void free_parts(const struct ts_drag *s, const struct tsim *sim, size_t i
 		ts_restraints_leave(&s->restraints, sim, i, f);
 		part[k] = f[k];
 	}
-}
-
-bool ts_drag_holds(const struct ts_drag *s, const struct tsim *sim, size_t i)
-{
-	const struct ts_particles *p = sim->particles;
-
-	return p->imass[i] == 0 || (!(p->mask[i] & s->moved) && !sim->outside && !ts_rigid_member(p, i));
 }
 
 /* The explicit force; where the drag relaxes velocities only what has no effect, as the motion is given: whoever takes

@@ -3,7 +3,6 @@
 
 #include "flow/flow_limits.h"
 #include "flow/implicit.h"
-#include "flow/way_out.h"
 
 #include "base/banned.h"
 
@@ -263,8 +262,8 @@ enum ts_status ts_projection_step(struct ts_instance *self, struct tsim *sim, do
 	struct ts_projection *p = self->state;
 	double carry = 0;
 
-	if (p->closed_varies)
-		TS_TRY(ts_flow_way_out(sim));
+	if (p->check_closed)
+		TS_TRY(p->check_closed(sim));
 	p->source_share = p->source_steps > 0 ? 1 / (double)p->source_steps : 0;
 	if (ts_projection_room(p, length) != TS_OK)
 		return ts_nomem(&sim->error);

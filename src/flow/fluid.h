@@ -132,7 +132,7 @@ enum ts_status ts_fluid_want(struct ts_fluid *fluid, struct tsim *sim, unsigned 
 
 struct ts_mesh_surface;
 struct ts_spread_how;
-struct ts_way_out;
+struct ts_closed_search;
 
 /* Who takes part in a step of the fluid: state of a fix begins with this and its family is TS_FAMILY_FLOW_PART.
  * Called in script order; NULL: nothing to do. */
@@ -153,8 +153,8 @@ struct ts_flow_part {
 	/* After all of these, `length` in all: `used` is the mean over them; f and k are still there. */
 	enum ts_status (*settle)(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
 				 double length);
-	/* Tells the search for closed-off fluid which faces of cells it holds (flow/way_out.h). */
-	void (*block)(const struct ts_instance *self, struct ts_way_out *search);
+	/* Tells the search for closed-off fluid which faces of cells it holds (immersed/closed_regions.h). */
+	void (*block)(const struct ts_instance *self, struct ts_closed_search *search);
 	/* What it carries along, at centres, ghosts written: f_ID in dumps and probes (flow/carried.h). */
 	const double *(*scalar)(struct ts_instance *self);
 	/* Adds the force of the last step on the mesh, and the torque about the mesh's anchor; says how much of the

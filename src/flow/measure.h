@@ -13,7 +13,7 @@ extern const char *const ts_flow_side_names[];
 double ts_flow_kinetic_energy(const struct ts_fluid *fluid);
 
 /* Momentum along axis d: sum over cells of V times the mean of rho e u at their two faces. With form conservative e is the
- * one that belongs to u (flow/room.c). */
+ * one that belongs to u (flow/void_fraction.c). */
 double ts_flow_momentum(const struct ts_fluid *fluid, int d);
 
 /* In the middle of a cell: mean of its faces, mean of its edges. */

@@ -59,7 +59,7 @@ struct ts_predictor {
 	double dt, keep, take;
 	const double *u[3], *old[3];
 	/* Where e u is stepped forward: e of the fluxes e u, and what u of the beginning, u and the new one are multiplied
-	 * by (flow/room.c). */
+	 * by (flow/void_fraction.c). */
 	const double *flow[3], *start[3], *last[3], *next[3];
 	double *out[3];
 	int threads;

@@ -81,7 +81,9 @@ struct ts_projection {
 	double history_dt;  /* how long that was; 0: there is none */
 	double *increment;  /* change of the pressure, where viscosity is implicit */
 	double theta;	    /* how far it is: 1/2 or 1 */
-	bool closed_varies; /* what is given where bodies close fluid off changes: it is looked at in each step */
+	/* Set by the search for regions that bodies close off (immersed/closed_regions.h) if what is given there changes with
+	 * time: called before each step of the fluid. NULL: nothing to check. */
+	enum ts_status (*check_closed)(struct tsim *sim);
 	bool told_walls;    /* that walls hold a fluid without viscosity */
 	bool filled;	    /* ghosts of u are those of the faces as they are */
 	double *rhs;
@@ -130,18 +132,15 @@ enum ts_status ts_flow_set_coordinates(struct tsim *sim, const char *const set[3
 enum ts_status ts_projection_prepare(struct ts_instance *self, struct tsim *sim);
 void ts_projection_release(struct ts_projection *projection);
 
-/* packed.c. From `empty`: its ghosts, faces and rate; `elapsed` since the last step. */
+/* void_fraction.c. From `empty`: its ghosts, faces and rate; `elapsed` since the last step. */
 enum ts_status ts_projection_room(struct ts_projection *projection, double elapsed);
 /* Whether e u is stepped forward. */
 static inline bool ts_projection_whole(const struct ts_projection *projection)
 {
 	return projection->form == TS_FORM_CONSERVATIVE && projection->fluid.empty;
 }
-/* room.c. Keeps e of the step before, and makes what its product with u is of in a stage: for the predictor. */
-enum ts_status ts_projection_room_keep(struct ts_projection *projection, double elapsed);
+/* The void fraction in the product e u of a stage, for the predictor. */
 void ts_projection_room_stage(struct ts_projection *projection, struct ts_predictor *stage, int s);
-/* On the lower faces across d, of a field at centres: each cell with its half. */
-void ts_projection_to_faces(const struct ts_projection *projection, int d, const double *field, double *face);
 /* Sum of de/dt over the grid. */
 double ts_projection_room_rate(const struct ts_projection *projection);
 /* Weights of the faces in the projection of a stage of length dt. */

@@ -7,6 +7,7 @@
 #include "core/report.h"
 #include "flow/way_out.h"
 #include "force/restraint.h"
+#include "immersed/closed_regions.h"
 #include "immersed/immersed.h"
 #include "immersed/virtual_mass.h"
 #include "math/exactsum.h"
@@ -87,7 +88,7 @@ static void load(const struct ts_instance *self, const struct ts_mesh_surface *m
 		 double *virtual_density);
 static bool blame(const struct ts_instance *self, const struct ts_fluid *fluid, double dt, char *cause,
 		  size_t size);
-static void block(const struct ts_instance *self, struct ts_way_out *search);
+static void block(const struct ts_instance *self, struct ts_closed_search *search);
 
 /* ---- before a run */
 
@@ -234,12 +235,12 @@ static bool waits(const struct state *s)
 				   s->surface && s->surface->v;
 }
 
-static void block(const struct ts_instance *self, struct ts_way_out *search)
+static void block(const struct ts_instance *self, struct ts_closed_search *search)
 {
 	const struct state *s = self->state;
 
 	if (s->placed)
-		ts_way_out_body(search, self, &s->immersed, s->solid,
+		ts_closed_search_add_body(search, self, &s->immersed, s->solid,
 				s->body == SPHERES ? TS_BODY_FREE : waits(s) ? TS_BODY_UNKNOWN : TS_BODY_DRIVEN);
 }
 
@@ -250,7 +251,7 @@ static enum ts_status seek(struct ts_instance *self, struct tsim *sim)
 
 	s->drift = 0;
 	s->seen_inside = s->immersed.inside;
-	return ts_flow_way_out(sim);
+	return ts_immersed_check_closed(sim);
 }
 
 /* The same when it has moved, or grown, so far that it may have reached something. */

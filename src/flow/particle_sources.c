@@ -1,100 +1,10 @@
-/* The room that particles leave to the fluid, and the forces they put on it. */
-#include <math.h>
+/* Forces of particles on the fluid: explicit force f, semi-implicit coefficient k, and the weights of faces in the
+ * projection that follow from them. */
 #include <string.h>
 
 #include "flow/projection.h"
 
 #include "base/banned.h"
-
-static long all_rows(const struct ts_grid *grid)
-{
-	return (long)(grid->n[1] + 2 * grid->ghosts[1]) * (grid->n[2] + 2 * grid->ghosts[2]);
-}
-
-/* Where the line-th of them begins, ghosts included; there are n + 2 ghosts values. */
-static size_t row_at(const struct ts_grid *grid, long line, int *j, int *k)
-{
-	int height = grid->n[1] + 2 * grid->ghosts[1];
-
-	*j = (int)(line % height) - grid->ghosts[1];
-	*k = (int)(line / height) - grid->ghosts[2];
-	return ts_at(grid, -grid->ghosts[0], *j, *k);
-}
-
-void ts_projection_to_faces(const struct ts_projection *p, int d, const double *e, double *face)
-{
-	const struct ts_grid *grid = &p->fluid.grid;
-	const ptrdiff_t s = grid->stride[d];
-	const int n = grid->n[0] + 2 * grid->ghosts[0];
-
-#pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
-	for (long line = 0; line < all_rows(grid); line++) {
-		int j, k;
-		size_t at = row_at(grid, line, &j, &k);
-		bool lowest = (d == 1 && j == -grid->ghosts[1]) || (d == 2 && k == -grid->ghosts[2]);
-		const double *part = p->operators.mass[d];
-
-		for (int i = 0; i < n; i++, at++) {
-			int m = d == 0 ? i - grid->ghosts[0] : d == 1 ? j : k;
-
-			face[at] = lowest || (d == 0 && i == 0)
-					   ? e[at]
-					   : part[m] * e[(ptrdiff_t)at - s] + (1 - part[m]) * e[at];
-		}
-	}
-}
-
-static void make_rate(const struct ts_projection *p, double elapsed)
-{
-	const struct ts_fluid *fluid = &p->fluid;
-	const size_t size = fluid->grid.size;
-	const double *e = fluid->empty;
-	double *rate = fluid->empty_rate, *before = p->empty_before;
-	const double per_time = p->empty_known ? 1 / elapsed : 0;
-
-#pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
-	for (size_t k = 0; k < size; k++) {
-		rate[k] = (e[k] - before[k]) * per_time;
-		before[k] = e[k];
-	}
-}
-
-enum ts_status ts_projection_room(struct ts_projection *p, double elapsed)
-{
-	struct ts_fluid *fluid = &p->fluid;
-
-	if (!fluid->empty)
-		return TS_OK;
-	if (!p->empty_before && !(p->empty_before = ts_grid_field(&fluid->grid)))
-		return TS_NOMEM;
-	ts_fluid_fill_centred(fluid, fluid->empty);
-	if (ts_projection_whole(p))
-		TS_TRY(ts_projection_room_keep(p, elapsed));
-	make_rate(p, elapsed);
-	p->empty_known = 1;
-	for (int d = 0; d < fluid->grid.dimensions; d++)
-		ts_projection_to_faces(p, d, fluid->empty, fluid->empty_face[d]);
-	return TS_OK;
-}
-
-double ts_projection_room_rate(const struct ts_projection *p)
-{
-	const struct ts_grid *grid = &p->fluid.grid;
-	double sum = 0;
-
-	for (int k = 0; k < grid->n[2] && p->fluid.empty; k++)
-		for (int j = 0; j < grid->n[1]; j++) {
-			const double *rate = p->fluid.empty_rate + ts_at(grid, 0, j, k);
-			double row = 0;
-
-			for (int i = 0; i < grid->n[0]; i++)
-				row += rate[i] * grid->width[0][i];
-			sum += row * grid->width[1][j] * grid->width[2][k];
-		}
-	return sum;
-}
-
-/* ---- forces of particles */
 
 /* What du/dt is multiplied by in the momentum of a stage. */
 static const double *inertia(const struct ts_projection *p, int d)

@@ -1,4 +1,51 @@
-/* The void fraction that belongs to the velocities, where e u is stepped forward (form
+/* The void fraction e as the equations of the fluid use it: on faces, its rate of change, and its values in the
+ * momentum where e u is stepped forward (form conservative). */
+#include <string.h>
+
+#include "flow/projection.h"
+
+#include "base/banned.h"
+
+static long all_rows(const struct ts_grid *grid)
+{
+	return (long)(grid->n[1] + 2 * grid->ghosts[1]) * (grid->n[2] + 2 * grid->ghosts[2]);
+}
+
+/* Where the line-th of them begins, ghosts included; there are n + 2 ghosts values. */
+static size_t row_at(const struct ts_grid *grid, long line, int *j, int *k)
+{
+	int height = grid->n[1] + 2 * grid->ghosts[1];
+
+	*j = (int)(line % height) - grid->ghosts[1];
+	*k = (int)(line / height) - grid->ghosts[2];
+	return ts_at(grid, -grid->ghosts[0], *j, *k);
+}
+
+static void to_faces(const struct ts_projection *p, int d, const double *e, double *face)
+{
+	const struct ts_grid *grid = &p->fluid.grid;
+	const ptrdiff_t s = grid->stride[d];
+	const int n = grid->n[0] + 2 * grid->ghosts[0];
+
+#pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
+	for (long line = 0; line < all_rows(grid); line++) {
+		int j, k;
+		size_t at = row_at(grid, line, &j, &k);
+		bool lowest = (d == 1 && j == -grid->ghosts[1]) || (d == 2 && k == -grid->ghosts[2]);
+		const double *part = p->operators.mass[d];
+
+		for (int i = 0; i < n; i++, at++) {
+			int m = d == 0 ? i - grid->ghosts[0] : d == 1 ? j : k;
+
+			face[at] = lowest || (d == 0 && i == 0)
+					   ? e[at]
+					   : part[m] * e[(ptrdiff_t)at - s] + (1 - part[m]) * e[at];
+		}
+	}
+}
+
+/* ---- form conservative
+ * The void fraction that belongs to the velocities, where e u is stepped forward (form
  * conservative).
  *
  * The projection makes the fluxes G = e u of a step close the balance of its cells, div G = -de/dt,
@@ -10,11 +57,6 @@
  * On faces e is made of halves of cells, and so are the fluxes through the sides of their volumes:
  * what holds in cells holds there (Harlow & Welch's staggered volumes; F. N. Felten & T. S. Lund,
  * J. Comput. Phys. 215 (2006) 465). */
-#include <string.h>
-
-#include "flow/projection.h"
-
-#include "base/banned.h"
 
 static enum ts_status want(const struct ts_projection *p, double *field[3])
 {
@@ -24,7 +66,7 @@ static enum ts_status want(const struct ts_projection *p, double *field[3])
 	return TS_OK;
 }
 
-enum ts_status ts_projection_room_keep(struct ts_projection *p, double elapsed)
+static enum ts_status room_keep(struct ts_projection *p, double elapsed)
 {
 	struct ts_fluid *fluid = &p->fluid;
 	const size_t bytes = fluid->grid.size * sizeof(double);
@@ -38,14 +80,68 @@ enum ts_status ts_projection_room_keep(struct ts_projection *p, double elapsed)
 	for (int d = 0; d < fluid->grid.dimensions; d++) {
 		if (p->empty_known) {
 			memcpy(p->room_before[d], fluid->empty_face[d], bytes);
-			ts_projection_to_faces(p, d, fluid->empty_rate, p->room_rate[d]);
+			to_faces(p, d, fluid->empty_rate, p->room_rate[d]);
 		} else {
-			ts_projection_to_faces(p, d, fluid->empty, p->room_before[d]);
+			to_faces(p, d, fluid->empty, p->room_before[d]);
 			memset(p->room_rate[d], 0, bytes);
 		}
 	}
 	return TS_OK;
 }
+
+/* ---- at the beginning of a step of the fluid */
+
+static void make_rate(const struct ts_projection *p, double elapsed)
+{
+	const struct ts_fluid *fluid = &p->fluid;
+	const size_t size = fluid->grid.size;
+	const double *e = fluid->empty;
+	double *rate = fluid->empty_rate, *before = p->empty_before;
+	const double per_time = p->empty_known ? 1 / elapsed : 0;
+
+#pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
+	for (size_t k = 0; k < size; k++) {
+		rate[k] = (e[k] - before[k]) * per_time;
+		before[k] = e[k];
+	}
+}
+
+enum ts_status ts_projection_room(struct ts_projection *p, double elapsed)
+{
+	struct ts_fluid *fluid = &p->fluid;
+
+	if (!fluid->empty)
+		return TS_OK;
+	if (!p->empty_before && !(p->empty_before = ts_grid_field(&fluid->grid)))
+		return TS_NOMEM;
+	ts_fluid_fill_centred(fluid, fluid->empty);
+	if (ts_projection_whole(p))
+		TS_TRY(room_keep(p, elapsed));
+	make_rate(p, elapsed);
+	p->empty_known = 1;
+	for (int d = 0; d < fluid->grid.dimensions; d++)
+		to_faces(p, d, fluid->empty, fluid->empty_face[d]);
+	return TS_OK;
+}
+
+double ts_projection_room_rate(const struct ts_projection *p)
+{
+	const struct ts_grid *grid = &p->fluid.grid;
+	double sum = 0;
+
+	for (int k = 0; k < grid->n[2] && p->fluid.empty; k++)
+		for (int j = 0; j < grid->n[1]; j++) {
+			const double *rate = p->fluid.empty_rate + ts_at(grid, 0, j, k);
+			double row = 0;
+
+			for (int i = 0; i < grid->n[0]; i++)
+				row += rate[i] * grid->width[0][i];
+			sum += row * grid->width[1][j] * grid->width[2][k];
+		}
+	return sum;
+}
+
+/* ---- form conservative: E in the stages of a step */
 
 /* How far E lags behind e, in steps of the fluid. */
 static double lag_of(const struct ts_time_scheme *scheme)

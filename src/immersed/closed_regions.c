@@ -1,4 +1,4 @@
-#include "flow/way_out.h"
+#include "immersed/closed_regions.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -9,20 +9,20 @@
 
 #include "base/banned.h"
 
-/* Of what a body pushes into a pocket, how much may be that of the steps by which the grid has its
+/* Of what a body pushes into a region, how much may be that of the steps by which the grid has its
  * surface. */
 static const double STEPS = 0.1;
 
 /* Far above round-off. */
 static const double UNEVEN = 1e-9;
 
-/* A pocket narrower than this many cells is not resolved: a gap that closes, or a corner. */
+/* A region narrower than this many cells is not resolved: a gap that closes, or a corner. */
 enum { WIDE = 3 };
 
 /* Labels of cells. */
-enum { OUTSIDE = -1, UNSEEN = 0, FREE = 1, FIRST_POCKET = 2 };
+enum { OUTSIDE = -1, UNSEEN = 0, FREE = 1, FIRST_REGION = 2 };
 
-struct pocket {
+struct region {
 	double net, gross;   /* what comes in by the faces of the grid, per time; with sizes */
 	double pushed, push; /* the same of bodies */
 	int lo[3], hi[3];
@@ -41,7 +41,7 @@ struct body {
 	enum ts_body_motion motion;
 };
 
-struct ts_way_out {
+struct ts_closed_search {
 	struct ts_projection *p;
 	const struct ts_grid *grid;
 	uint16_t *owner[3]; /* of lower faces: the body that gives the velocity, from 1; 0: fluid */
@@ -49,13 +49,13 @@ struct ts_way_out {
 	size_t *stack, nstack;
 	struct body *body;
 	size_t nbodies, body_capacity;
-	struct pocket *pocket;
-	size_t npockets, pocket_capacity;
-	bool varies; /* what is given at a pocket, or under a body, changes with time */
+	struct region *region;
+	size_t nregions, region_capacity;
+	bool varies; /* what is given at a region, or under a body, changes with time */
 	enum ts_status status;
 };
 
-void ts_way_out_body(struct ts_way_out *s, const struct ts_instance *self,
+void ts_closed_search_add_body(struct ts_closed_search *s, const struct ts_instance *self,
 		     const struct ts_immersed *ib, const struct ts_solid *solid,
 		     enum ts_body_motion motion)
 {
@@ -112,13 +112,13 @@ static double area_of(const struct ts_grid *grid, const int i[3], int d)
 	return area;
 }
 
-static bool is_open(const struct ts_way_out *s, int d, int side)
+static bool is_open(const struct ts_closed_search *s, int d, int side)
 {
 	return ts_flow_open(s->p->fluid.face[d][side]);
 }
 
 /* The velocity across the boundary that is given at the cell. */
-static double given_there(const struct ts_way_out *s, const int i[3], int d, int side)
+static double given_there(const struct ts_closed_search *s, const int i[3], int d, int side)
 {
 	const struct ts_flow_given *now = &s->p->now[d][side];
 	int a = d == 0, b = d == 2 ? 1 : 2;
@@ -130,7 +130,7 @@ static double given_there(const struct ts_way_out *s, const int i[3], int d, int
 }
 
 /* Whether that may be another one at the next step. */
-static bool varies_there(const struct ts_way_out *s, int d, int side)
+static bool varies_there(const struct ts_closed_search *s, int d, int side)
 {
 	const struct ts_flow_condition *condition = &s->p->condition[d][side];
 
@@ -139,7 +139,7 @@ static bool varies_there(const struct ts_way_out *s, int d, int side)
 
 /* ---- filling */
 
-static void see(struct ts_way_out *s, size_t cell, int32_t label)
+static void see(struct ts_closed_search *s, size_t cell, int32_t label)
 {
 	if (s->label[cell] != UNSEEN)
 		return;
@@ -147,39 +147,39 @@ static void see(struct ts_way_out *s, size_t cell, int32_t label)
 	s->stack[s->nstack++] = cell;
 }
 
-static void note_end(struct ts_way_out *s, struct pocket *pocket, const int i[3], int d, int side,
+static void note_end(struct ts_closed_search *s, struct region *region, const int i[3], int d, int side,
 		     uint16_t body)
 {
 	double x[3];
 
 	for (int a = 0; a < 3; a++)
 		x[a] = a == d ? s->grid->face[a][i[a] + side] : s->grid->centre[a][i[a]];
-	pocket->unknown |= s->body[body - 1].motion == TS_BODY_UNKNOWN;
-	if (!pocket->body)
-		pocket->body = body;
-	if (pocket->body != body)
+	region->unknown |= s->body[body - 1].motion == TS_BODY_UNKNOWN;
+	if (!region->body)
+		region->body = body;
+	if (region->body != body)
 		return;
-	pocket->ends++;
+	region->ends++;
 	for (int a = 0; a < 3; a++)
-		pocket->place[a] += (x[a] - pocket->place[a]) / (double)pocket->ends;
+		region->place[a] += (x[a] - region->place[a]) / (double)region->ends;
 }
 
-static void note_boundary(struct ts_way_out *s, struct pocket *pocket, const int i[3], int d,
+static void note_boundary(struct ts_closed_search *s, struct region *region, const int i[3], int d,
 			  int side)
 {
 	double flow = given_there(s, i, d, side) * area_of(s->grid, i, d) * (side ? -1 : 1);
 
 	s->varies |= varies_there(s, d, side);
-	pocket->net += flow;
-	pocket->gross += fabs(flow);
-	if (fabs(flow) > pocket->most) {
-		pocket->most = fabs(flow);
-		pocket->face = 2 * d + side;
+	region->net += flow;
+	region->gross += fabs(flow);
+	if (fabs(flow) > region->most) {
+		region->most = fabs(flow);
+		region->face = 2 * d + side;
 	}
 }
 
 /* All that hangs together with the cell on the stack. */
-static void fill_pocket(struct ts_way_out *s, int32_t label, struct pocket *pocket)
+static void fill_closed_region(struct ts_closed_search *s, int32_t label, struct region *region)
 {
 	while (s->nstack) {
 		size_t at = s->stack[--s->nstack];
@@ -187,8 +187,8 @@ static void fill_pocket(struct ts_way_out *s, int32_t label, struct pocket *pock
 
 		index_of(s->grid, at, i);
 		for (int d = 0; d < s->grid->dimensions; d++) {
-			pocket->lo[d] = i[d] < pocket->lo[d] ? i[d] : pocket->lo[d];
-			pocket->hi[d] = i[d] > pocket->hi[d] ? i[d] : pocket->hi[d];
+			region->lo[d] = i[d] < region->lo[d] ? i[d] : region->lo[d];
+			region->hi[d] = i[d] > region->hi[d] ? i[d] : region->hi[d];
 			for (int side = 0; side < 2; side++) {
 				struct link link = link_of(s->grid, at, i, d, side);
 				uint16_t body = s->owner[d][link.face];
@@ -196,9 +196,9 @@ static void fill_pocket(struct ts_way_out *s, int32_t label, struct pocket *pock
 				if (!link.boundary && !body)
 					see(s, link.cell, label);
 				if (body)
-					note_end(s, pocket, i, d, side, body);
+					note_end(s, region, i, d, side, body);
 				if (link.boundary)
-					note_boundary(s, pocket, i, d, side);
+					note_boundary(s, region, i, d, side);
 			}
 		}
 	}
@@ -211,7 +211,7 @@ static void fill_pocket(struct ts_way_out *s, int32_t label, struct pocket *pock
 
 /* The cell across a face, which no body holds, of a cell that is free. Most have one beside them in
  * memory. */
-static inline void go_across(struct ts_way_out *s, size_t at, int d, int side)
+static inline void go_across(struct ts_closed_search *s, size_t at, int d, int side)
 {
 	const size_t stride = (size_t)s->grid->stride[d];
 	size_t cell = side ? at + stride : at - stride, face = side ? cell : at;
@@ -232,7 +232,7 @@ static inline void go_across(struct ts_way_out *s, size_t at, int d, int side)
 }
 
 /* From the cells at an open face on. */
-static void fill_from(struct ts_way_out *s, int d, int side)
+static void fill_from(struct ts_closed_search *s, int d, int side)
 {
 	const struct ts_grid *grid = s->grid;
 	int a = d == 0, b = d == 2 ? 1 : 2, i[3];
@@ -255,7 +255,7 @@ static void fill_from(struct ts_way_out *s, int d, int side)
 	}
 }
 
-static void fill_free(struct ts_way_out *s)
+static void fill_free(struct ts_closed_search *s)
 {
 	for (int d = 0; d < s->grid->dimensions; d++)
 		for (int side = 0; side < 2; side++)
@@ -263,46 +263,46 @@ static void fill_free(struct ts_way_out *s)
 				fill_from(s, d, side);
 }
 
-static enum ts_status fill_pockets(struct ts_way_out *s)
+static enum ts_status fill_closed_regions(struct ts_closed_search *s)
 {
 	int i[3];
 
 	EACH_CELL(s->grid, i)
 	{
 		size_t at = ts_at(s->grid, i[0], i[1], i[2]);
-		struct pocket pocket = { .face = -1 };
-		int32_t label = FIRST_POCKET + (int32_t)s->npockets;
+		struct region region = { .face = -1 };
+		int32_t label = FIRST_REGION + (int32_t)s->nregions;
 
 		if (s->label[at] != UNSEEN)
 			continue;
-		memcpy(pocket.lo, i, sizeof pocket.lo);
-		memcpy(pocket.hi, i, sizeof pocket.hi);
+		memcpy(region.lo, i, sizeof region.lo);
+		memcpy(region.hi, i, sizeof region.hi);
 		see(s, at, label);
-		fill_pocket(s, label, &pocket);
-		if (memcmp(pocket.lo, pocket.hi, sizeof pocket.lo) == 0 && pocket.gross == 0) {
+		fill_closed_region(s, label, &region);
+		if (memcmp(region.lo, region.hi, sizeof region.lo) == 0 && region.gross == 0) {
 			s->label[at] = FREE; /* within a body */
 			continue;
 		}
-		TS_TRY(TS_GROW(s->pocket, s->pocket_capacity, s->npockets + 1));
-		s->pocket[s->npockets++] = pocket;
+		TS_TRY(TS_GROW(s->region, s->region_capacity, s->nregions + 1));
+		s->region[s->nregions++] = region;
 	}
 	return TS_OK;
 }
 
 /* ---- what bodies push */
 
-static void push(struct ts_way_out *s, int32_t label, double flow)
+static void push(struct ts_closed_search *s, int32_t label, double flow)
 {
-	struct pocket *pocket;
+	struct region *region;
 
-	if (label < FIRST_POCKET)
+	if (label < FIRST_REGION)
 		return;
-	pocket = &s->pocket[label - FIRST_POCKET];
-	pocket->pushed += flow;
-	pocket->push += fabs(flow);
+	region = &s->region[label - FIRST_REGION];
+	region->pushed += flow;
+	region->push += fabs(flow);
 }
 
-static void push_all(struct ts_way_out *s, const struct body *body)
+static void push_all(struct ts_closed_search *s, const struct body *body)
 {
 	const struct ts_immersed *ib = body->ib;
 
@@ -342,34 +342,34 @@ static void name_of(const struct body *body, char *out, size_t size)
 		snprintf(out + n, size - (size_t)n, ")");
 }
 
-static bool is_wide(const struct ts_way_out *s, const struct pocket *pocket)
+static bool is_wide(const struct ts_closed_search *s, const struct region *region)
 {
 	for (int d = 0; d < s->grid->dimensions; d++)
-		if (pocket->hi[d] - pocket->lo[d] + 1 < WIDE && s->grid->n[d] >= WIDE)
+		if (region->hi[d] - region->lo[d] + 1 < WIDE && s->grid->n[d] >= WIDE)
 			return false;
 	return true;
 }
 
-static enum ts_status judge(const struct ts_way_out *s, struct tsim *sim,
-			    const struct pocket *pocket)
+static enum ts_status judge(const struct ts_closed_search *s, struct tsim *sim,
+			    const struct region *region)
 {
-	const struct ts_instance *self = pocket->body ? s->body[pocket->body - 1].self : NULL;
-	double net = pocket->net + pocket->pushed, gross = pocket->gross + pocket->push;
-	const double *x = pocket->place;
+	const struct ts_instance *self = region->body ? s->body[region->body - 1].self : NULL;
+	double net = region->net + region->pushed, gross = region->gross + region->push;
+	const double *x = region->place;
 	char name[256];
 
-	if (!self || pocket->unknown || fabs(net) <= (pocket->push > 0 ? STEPS : UNEVEN) * gross)
+	if (!self || region->unknown || fabs(net) <= (region->push > 0 ? STEPS : UNEVEN) * gross)
 		return TS_OK;
-	name_of(&s->body[pocket->body - 1], name, sizeof name);
-	if (pocket->gross > UNEVEN * gross)
+	name_of(&s->body[region->body - 1], name, sizeof name);
+	if (region->gross > UNEVEN * gross)
 		return ts_fail(&sim->error, TS_PHYSICS, &self->where,
 			       "%s: the body closes off the fluid beside flow_boundary %s about (%.4g %.4g %.4g): "
 			       "through the faces of the grid it flows %s there at %g per time, and there is no "
 			       "way to an outlet; leave a gap of a cell or more, or make the velocities given "
 			       "there balance",
-			       name, ts_flow_side_names[pocket->face],
-			       x[0], x[1], x[2], pocket->net < 0 ? "out" : "in", fabs(pocket->net));
-	if (!is_wide(s, pocket))
+			       name, ts_flow_side_names[region->face],
+			       x[0], x[1], x[2], region->net < 0 ? "out" : "in", fabs(region->net));
+	if (!is_wide(s, region))
 		return TS_OK;
 	return ts_fail(&sim->error, TS_PHYSICS, &self->where,
 		       "%s: the body %s fluid at %g per time that it closes off about (%.4g %.4g %.4g), and which "
@@ -389,7 +389,7 @@ static bool near_face(const struct ts_grid *grid, int d, int side, const double 
 }
 
 /* Whether one part of a body stands where the fluid comes in with another velocity than it has. */
-static enum ts_status look_at_inlet(struct ts_way_out *s, struct tsim *sim, const struct body *body,
+static enum ts_status look_at_inlet(struct ts_closed_search *s, struct tsim *sim, const struct body *body,
 				    size_t part, int d, int side)
 {
 	const struct ts_grid *grid = s->grid;
@@ -424,7 +424,7 @@ static enum ts_status look_at_inlet(struct ts_way_out *s, struct tsim *sim, cons
 	return TS_OK;
 }
 
-static enum ts_status look_at_inlets(struct ts_way_out *s, struct tsim *sim)
+static enum ts_status look_at_inlets(struct ts_closed_search *s, struct tsim *sim)
 {
 	for (size_t k = 0; k < s->nbodies; k++)
 		for (size_t part = 0; part < s->body[k].solid->parts; part++) {
@@ -443,7 +443,7 @@ static enum ts_status look_at_inlets(struct ts_way_out *s, struct tsim *sim)
 
 /* ---- all of it */
 
-static void mark_bodies(struct ts_way_out *s, struct tsim *sim)
+static void mark_bodies(struct ts_closed_search *s, struct tsim *sim)
 {
 	struct ts_instance *part;
 
@@ -455,7 +455,7 @@ static void mark_bodies(struct ts_way_out *s, struct tsim *sim)
 	}
 }
 
-static enum ts_status take_memory(struct ts_way_out *s)
+static enum ts_status take_memory(struct ts_closed_search *s)
 {
 	for (int d = 0; d < s->grid->dimensions; d++)
 		if (!(s->owner[d] = ts_alloc(s->grid->size, sizeof **s->owner)))
@@ -466,7 +466,7 @@ static enum ts_status take_memory(struct ts_way_out *s)
 }
 
 /* All that is not a cell of the grid. */
-static void mark_outside(struct ts_way_out *s)
+static void mark_outside(struct ts_closed_search *s)
 {
 	const struct ts_grid *grid = s->grid;
 
@@ -477,7 +477,7 @@ static void mark_outside(struct ts_way_out *s)
 			       (size_t)grid->n[0] * sizeof *s->label);
 }
 
-static enum ts_status search(struct ts_way_out *s, struct tsim *sim)
+static enum ts_status search(struct ts_closed_search *s, struct tsim *sim)
 {
 	enum ts_status status = take_memory(s);
 
@@ -490,20 +490,20 @@ static enum ts_status search(struct ts_way_out *s, struct tsim *sim)
 	TS_TRY(look_at_inlets(s, sim));
 	mark_outside(s);
 	fill_free(s);
-	if (fill_pockets(s) != TS_OK)
+	if (fill_closed_regions(s) != TS_OK)
 		return ts_nomem(&sim->error);
-	for (size_t k = 0; k < s->nbodies && s->npockets; k++)
+	for (size_t k = 0; k < s->nbodies && s->nregions; k++)
 		if (s->body[k].motion == TS_BODY_DRIVEN)
 			push_all(s, &s->body[k]);
-	for (size_t k = 0; k < s->npockets; k++)
-		TS_TRY(judge(s, sim, &s->pocket[k]));
+	for (size_t k = 0; k < s->nregions; k++)
+		TS_TRY(judge(s, sim, &s->region[k]));
 	return TS_OK;
 }
 
-enum ts_status ts_flow_way_out(struct tsim *sim)
+enum ts_status ts_immersed_check_closed(struct tsim *sim)
 {
 	struct ts_instance *flow = ts_sim_only(sim, TS_KIND_FLOW);
-	struct ts_way_out s = { 0 };
+	struct ts_closed_search s = { 0 };
 	enum ts_status status;
 
 	if (!flow || !ts_streq(flow->style->family, TS_FAMILY_PROJECTION))
@@ -511,12 +511,12 @@ enum ts_status ts_flow_way_out(struct tsim *sim)
 	s.p = flow->state;
 	s.grid = &s.p->fluid.grid;
 	status = search(&s, sim);
-	s.p->closed_varies = s.varies;
+	s.p->check_closed = s.varies ? ts_immersed_check_closed : NULL;
 	for (int d = 0; d < 3; d++)
 		ts_free(s.owner[d]);
 	ts_free(s.label);
 	ts_free(s.stack);
 	ts_free(s.body);
-	ts_free(s.pocket);
+	ts_free(s.region);
 	return status;
 }
