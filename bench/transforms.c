@@ -135,7 +135,7 @@ static void compare(int n)
 		make_grid(&grid, &problem, 2, n, periodic);
 		if (ts_transform_make(&o.transform, &problem, 0) != TS_OK)
 			exit(1);
-		o.spare = aligned_alloc(64, (ts_transform_spare(&o.transform) * sizeof(double) + 63) / 64 * 64);
+		o.spare = aligned_alloc(64, (ts_transform_work_size(&o.transform) * sizeof(double) + 63) / 64 * 64);
 		printf("%6d %-10s %8.2f %8.2f", n, periodic ? "Fourier" : "cosine", best_of(ours, &o, values, n),
 		       of_fftw(values, n, periodic));
 		if (periodic)

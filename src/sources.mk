@@ -259,10 +259,12 @@ library_sources = \
 	src/coupling/added_mass.h \
 	src/coupling/cell_order.c \
 	src/coupling/cell_order.h \
+	src/coupling/coupling_force.c \
+	src/coupling/coupling_force.h \
 	src/coupling/drag_exchange.c \
 	src/coupling/drag_force.c \
 	src/coupling/drag_force.h \
-	src/coupling/drag_plan.c \
+	src/coupling/drag_limits.c \
 	src/coupling/drag_slip.c \
 	src/coupling/fix_added_mass.c \
 	src/coupling/fix_buoyancy.c \
@@ -279,14 +281,12 @@ library_sources = \
 	src/coupling/fix_lift_magnus.c \
 	src/coupling/fix_lift_saffman.c \
 	src/coupling/fix_void_fraction.c \
-	src/coupling/flow_force.c \
-	src/coupling/flow_force.h \
-	src/coupling/outside.c \
-	src/coupling/outside.h \
-	src/coupling/share.c \
-	src/coupling/share.h \
-	src/coupling/volume_spread.c \
-	src/coupling/volume_spread.h \
+	src/coupling/interpolation_weights.c \
+	src/coupling/interpolation_weights.h \
+	src/coupling/outside_grid.c \
+	src/coupling/outside_grid.h \
+	src/coupling/volume_distribution.c \
+	src/coupling/volume_distribution.h \
 	src/crosscheck/compare.c \
 	src/crosscheck/compare.h \
 	src/crosscheck/crosscheck.c \
@@ -346,11 +346,9 @@ library_sources = \
 	src/explain/plan_report.h \
 	src/explain/price.c \
 	src/explain/price.h \
-	src/flow/advance.c \
 	src/flow/boundary.c \
 	src/flow/boundary_formula.c \
-	src/flow/carried.c \
-	src/flow/carried.h \
+	src/flow/boundary_pressure.c \
 	src/flow/command_flow_boundary.c \
 	src/flow/command_flow_set.c \
 	src/flow/command_flow_style.c \
@@ -362,40 +360,42 @@ library_sources = \
 	src/flow/convection.c \
 	src/flow/convection.h \
 	src/flow/dump_flow_vtk.c \
-	src/flow/face_pressure.c \
 	src/flow/fix_flow_scalar.c \
 	src/flow/flow.h \
+	src/flow/flow_arguments.c \
+	src/flow/flow_keywords.c \
 	src/flow/flow_limits.c \
 	src/flow/flow_limits.h \
+	src/flow/flow_measures.c \
+	src/flow/flow_measures.h \
 	src/flow/flow_projection.c \
+	src/flow/flow_resolution.c \
+	src/flow/flow_resolution.h \
+	src/flow/flow_sampling.c \
+	src/flow/flow_sampling.h \
+	src/flow/flow_setup.c \
+	src/flow/flow_step.c \
 	src/flow/flow_uniform.c \
-	src/flow/flow_words.c \
 	src/flow/fluid.c \
 	src/flow/fluid.h \
+	src/flow/fluid_interpolation.c \
 	src/flow/ghosts.c \
-	src/flow/implicit.c \
-	src/flow/implicit.h \
-	src/flow/keywords.c \
-	src/flow/measure.c \
-	src/flow/measure.h \
+	src/flow/implicit_viscosity.c \
+	src/flow/implicit_viscosity.h \
 	src/flow/operators.c \
 	src/flow/operators.h \
 	src/flow/particle_sources.c \
-	src/flow/predict.c \
-	src/flow/prepare.c \
-	src/flow/probe.c \
-	src/flow/probe.h \
-	src/flow/project.c \
+	src/flow/predictor.c \
+	src/flow/pressure_projection.c \
 	src/flow/projection.h \
-	src/flow/resolution.c \
-	src/flow/resolution.h \
-	src/flow/sample.c \
-	src/flow/schemes.c \
-	src/flow/schemes.h \
-	src/flow/transport.c \
-	src/flow/transport.h \
+	src/flow/scalar_transport.c \
+	src/flow/scalar_transport.h \
+	src/flow/step_diagnostics.c \
+	src/flow/time_schemes.c \
+	src/flow/time_schemes.h \
+	src/flow/transported_scalars.c \
+	src/flow/transported_scalars.h \
 	src/flow/void_fraction.c \
-	src/flow/watch.c \
 	src/force/fix_addforce.c \
 	src/force/fix_aveforce.c \
 	src/force/fix_controller.c \
@@ -467,15 +467,15 @@ library_sources = \
 	src/immersed/fix_immersed_boundary.c \
 	src/immersed/immersed.c \
 	src/immersed/immersed.h \
-	src/immersed/immersed_place.c \
-	src/immersed/immersed_size.c \
+	src/immersed/immersed_points.c \
+	src/immersed/immersed_resolution.c \
 	src/immersed/solid.c \
 	src/immersed/solid.h \
 	src/immersed/solid_mesh.c \
 	src/immersed/solid_region.c \
 	src/immersed/solid_spheres.c \
-	src/immersed/virtual_mass.c \
-	src/immersed/virtual_mass.h \
+	src/immersed/virtual_mass_stabilization.c \
+	src/immersed/virtual_mass_stabilization.h \
 	src/insert/clump_template.c \
 	src/insert/clump_template.h \
 	src/insert/command_create_atoms.c \
@@ -749,8 +749,8 @@ library_sources = \
 	src/particle/user_columns.c \
 	src/particle/user_columns.h \
 	src/poisson/command_pressure_style.c \
-	src/poisson/conjugate.c \
-	src/poisson/conjugate.h \
+	src/poisson/conjugate_gradient.c \
+	src/poisson/conjugate_gradient.h \
 	src/poisson/direct.c \
 	src/poisson/direct.h \
 	src/poisson/fourier.c \
@@ -761,8 +761,8 @@ library_sources = \
 	src/poisson/multigrid.h \
 	src/poisson/poisson.c \
 	src/poisson/poisson.h \
-	src/poisson/preconditioned.c \
-	src/poisson/preconditioned.h \
+	src/poisson/preconditioned_cg.c \
+	src/poisson/preconditioned_cg.h \
 	src/poisson/pressure_cg.c \
 	src/poisson/pressure_choice.c \
 	src/poisson/pressure_direct.c \

@@ -2,8 +2,8 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "coupling/share.h"
-#include "coupling/volume_spread.h"
+#include "coupling/interpolation_weights.h"
+#include "coupling/volume_distribution.h"
 #include "deck.h"
 #include "flow/flow.h"
 #include "geom/ball_corner.h"
@@ -85,23 +85,23 @@ static double control_volume(const struct ts_grid *grid, int c, const int i[3])
 }
 
 /* What a particle at x lays down is all of it, none of it on the boundary. */
-static void lays_down_all(struct ts_fluid *fluid, const double x[3], int c, enum ts_interpolation how)
+static void lays_down_all(struct ts_fluid *fluid, const double x[3], int c, enum ts_coupling_interpolation how)
 {
 	const struct ts_grid *grid = &fluid->grid;
 	double *q = ts_grid_field(grid), *source = ts_grid_field(grid), *rate = ts_grid_field(grid);
 	double place[3], sums[2] = { 0 }, mean;
-	struct ts_share share;
+	struct ts_coupling_weights share;
 	int cell[3], i[3];
 
 	for (size_t k = 0; k < grid->size; k++)
 		q[k] = 0.3 + 0.01 * (double)(k % 17);
-	ck_assert(ts_fluid_place(fluid, x, place, cell));
+	ck_assert(ts_coupling_locate(fluid, x, place, cell));
 	if (c < 0)
-		ts_share_centre(fluid, place, cell, how, &share);
+		ts_coupling_weights_centre(fluid, place, cell, how, &share);
 	else
-		ts_share_face(fluid, c, place, cell, how, &share);
-	mean = ts_share_react(grid, &share, c, q, 2.385, 0.73, source, rate);
-	DECK_NEAR(mean, ts_share_gather(grid, &share, q), 1e-15);
+		ts_coupling_weights_face(fluid, c, place, cell, how, &share);
+	mean = ts_coupling_distribute_force(grid, &share, c, q, 2.385, 0.73, source, rate);
+	DECK_NEAR(mean, ts_coupling_interpolate(grid, &share, q), 1e-15);
 	for (i[2] = 0; i[2] < grid->n[2]; i[2]++)
 		for (i[1] = 0; i[1] < grid->n[1]; i[1]++)
 			for (i[0] = 0; i[0] < grid->n[0]; i[0]++) {
@@ -132,9 +132,9 @@ START_TEST(what_is_laid_down_is_all_of_it)
 	for (size_t k = 0; k < DECK_LENGTH(places); k++)
 		for (int c = -1; c < 3; c++)
 			for (int how = 0; how < 2; how++)
-				lays_down_all(&fluid, places[k], c, (enum ts_interpolation)how);
-	ck_assert(!ts_fluid_place(&fluid, (const double[]){ 0, -0.01, 1.5 }, place, cell));
-	ck_assert(!ts_fluid_place(&fluid, (const double[]){ 0, 0.5, NAN }, place, cell));
+				lays_down_all(&fluid, places[k], c, (enum ts_coupling_interpolation)how);
+	ck_assert(!ts_coupling_locate(&fluid, (const double[]){ 0, -0.01, 1.5 }, place, cell));
+	ck_assert(!ts_coupling_locate(&fluid, (const double[]){ 0, 0.5, NAN }, place, cell));
 	ts_grid_release(&fluid.grid);
 }
 END_TEST
@@ -159,7 +159,7 @@ static double part_of_cell(const struct ts_grid *grid, int i, int j, int k, cons
 START_TEST(divided_volumes)
 {
 	static const double x[3] = { 0.44, 0.37, 1.33 }, radius = 0.217;
-	const struct ts_spread_how how = { TS_SPREAD_DIVIDED, false, 0 };
+	const struct ts_coupling_volume how = { TS_VOLUME_DIVIDED, false, 0 };
 	struct ts_fluid fluid;
 	const struct ts_grid *grid = &fluid.grid;
 	double place[3], *part, sum = 0;
@@ -167,8 +167,8 @@ START_TEST(divided_volumes)
 
 	make_fluid(&fluid);
 	part = ts_grid_field(grid);
-	ck_assert(ts_fluid_place(&fluid, x, place, cell));
-	ts_spread_volume(grid, &how, place, cell, radius, part);
+	ck_assert(ts_coupling_locate(&fluid, x, place, cell));
+	ts_coupling_volume_add(grid, &how, place, cell, radius, part);
 	for (int k = 0; k < grid->n[2]; k++)
 		for (int j = 0; j < grid->n[1]; j++)
 			for (int i = 0; i < grid->n[0]; i++) {

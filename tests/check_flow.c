@@ -341,7 +341,7 @@ START_TEST(even_room)
 			deck(sim[k], cavity, solid ? 4 : 1, "convection quick time rk3");
 			fluid[k] = fluid_of(sim[k]);
 			if (k == 1) {
-				ck_assert_int_eq(ts_fluid_want(fluid[k], sim[k], TS_FLUID_VOID), TS_OK);
+				ck_assert_int_eq(ts_fluid_require_fields(fluid[k], sim[k], TS_FLUID_VOID), TS_OK);
 				set_room(fluid[k], 0.385, 0);
 			}
 			deck(sim[k], "run 20");
@@ -364,7 +364,7 @@ START_TEST(uneven_room)
 
 		deck(sim, cavity, solid ? 4 : 1, "convection donor time rk2");
 		fluid = fluid_of(sim);
-		ck_assert_int_eq(ts_fluid_want(fluid, sim, TS_FLUID_VOID), TS_OK);
+		ck_assert_int_eq(ts_fluid_require_fields(fluid, sim, TS_FLUID_VOID), TS_OK);
 		set_room(fluid, 0.6, 0.3);
 		deck(sim, "run 20");
 		DECK_NEAR(fluid->divergence, 0, 1e-13);
@@ -398,7 +398,7 @@ START_TEST(bed)
 			  "pressure_style cg tolerance 1e-13\ntimestep 0.01\n",
 		     times[s], u0);
 		fluid = fluid_of(sim);
-		ck_assert_int_eq(ts_fluid_want(fluid, sim, TS_FLUID_VOID | TS_FLUID_EXCHANGE), TS_OK);
+		ck_assert_int_eq(ts_fluid_require_fields(fluid, sim, TS_FLUID_VOID | TS_FLUID_EXCHANGE), TS_OK);
 		set_room(fluid, e, 0);
 		for (int step = 0; step < 5; step++) {
 			set_exchange(fluid, k);
@@ -423,7 +423,7 @@ START_TEST(uneven_inflow)
 		  "flow_boundary xlo inlet velocity 0.31 0 0\nflow_boundary xhi inlet velocity 0.31 0 0\n"
 		  "timestep 0.01\nrun 2\n");
 	fluid = fluid_of(sim);
-	ck_assert_int_eq(ts_fluid_want(fluid, sim, TS_FLUID_VOID), TS_OK);
+	ck_assert_int_eq(ts_fluid_require_fields(fluid, sim, TS_FLUID_VOID), TS_OK);
 	set_room(fluid, 0.6, 0);
 	deck(sim, "run 2");
 	for (int j = 0; j < 6; j++)
@@ -453,7 +453,7 @@ static int use_all(struct tsim *sim)
 	if (code)
 		return code;
 	flow = ts_sim_only(sim, TS_KIND_FLOW);
-	if (ts_fluid_want(ts_flow_style_of(flow)->fluid(flow), sim, TS_FLUID_VOID | TS_FLUID_EXCHANGE) != TS_OK)
+	if (ts_fluid_require_fields(ts_flow_style_of(flow)->fluid(flow), sim, TS_FLUID_VOID | TS_FLUID_EXCHANGE) != TS_OK)
 		return TSIM_NOMEM;
 	return tsim_string(sim, "run 1");
 }

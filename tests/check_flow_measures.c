@@ -5,8 +5,8 @@
 #include <stdlib.h>
 
 #include "core/sim.h"
-#include "flow/measure.h"
-#include "flow/probe.h"
+#include "flow/flow_measures.h"
+#include "flow/flow_sampling.h"
 
 enum { NX = 7, NY = 5, NZ = 6 };
 static const int cells[3] = { NX, NY, NZ };
@@ -260,7 +260,7 @@ START_TEST(flux)
 	const struct ts_grid *grid = &fluid.grid;
 	double at = 0.5 * (grid->face[0][2] + 3 * grid->face[0][3]) / 2, area = 1;
 	double middle[3] = { at, 0, 0 };
-	struct ts_flow_through through;
+	struct ts_flow_flux_sums through;
 
 	set_fluid(1);
 	for (int d = 1; d < 3; d++) {
@@ -281,7 +281,7 @@ START_TEST(forces)
 {
 	const double g = 1.7;
 	const struct ts_grid *grid = &fluid.grid;
-	struct ts_flow_push push;
+	struct ts_flow_face_load push;
 	double area = 1, middle[3];
 	int cell[3];
 
@@ -298,7 +298,7 @@ START_TEST(forces)
 	for (int side = 0; side < 2; side++) {
 		double sign = side ? 1 : -1;
 
-		ts_flow_face_force(&fluid, NULL, 1, (enum ts_side)side, NULL, &push);
+		ts_flow_face_force(&fluid, NULL, 1, (enum ts_grid_side)side, NULL, &push);
 		middle[1] = grid->face[1][side ? NY : 0];
 		ck_assert_double_eq_tol(push.area, area, 1e-13);
 		ck_assert_double_eq_tol(push.pressure[1], sign * area * exact(3, 1, middle), 1e-13);

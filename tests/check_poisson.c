@@ -362,7 +362,7 @@ START_TEST(fourier_as_gsl)
 		struct ts_fourier f;
 
 		ck_assert(ts_fourier_make(&f, lengths[k]) == TS_OK);
-		spare = malloc(ts_fourier_spare(&f, LINES) * sizeof *spare);
+		spare = malloc(ts_fourier_work_size(&f, LINES) * sizeof *spare);
 		for (size_t i = 0; i < n * LINES; i++) {
 			theirs[2 * i] = re[i] = ts_rng_uniform(&rng) - 0.5;
 			theirs[2 * i + 1] = im[i] = ts_rng_uniform(&rng) - 0.5;

@@ -2,10 +2,10 @@
 
 #include "base/banned.h"
 
-struct ts_added ts_added_find(const struct tsim *sim)
+struct ts_added_masses ts_added_mass_find(const struct tsim *sim)
 {
 	const struct ts_instance *flow = ts_sim_only(sim, TS_KIND_FLOW), *inst;
-	struct ts_added added = { 0 };
+	struct ts_added_masses added = { 0 };
 
 	for (size_t k = 0; added.n < sizeof added.of / sizeof *added.of &&
 			   (inst = ts_flow_part_named(sim, "added_mass", &k)); added.n++) {

@@ -2,17 +2,17 @@
 #ifndef TS_COUPLING_ADDED_MASS_H
 #define TS_COUPLING_ADDED_MASS_H
 
-#include "coupling/flow_force.h"
+#include "coupling/coupling_force.h"
 #include "particle/particles.h"
 
 /* The state of fix added_mass begins so. */
 struct ts_added_mass {
-	struct ts_flow_force force; /* first */
+	struct ts_coupling_force force; /* first */
 	double coefficient;	    /* of the displaced mass */
 };
 
 /* Mass per volume that particles take with them, by group: groups of several fixes have no particle in common. */
-struct ts_added {
+struct ts_added_masses {
 	size_t n;
 	struct {
 		int group;
@@ -21,9 +21,9 @@ struct ts_added {
 };
 
 /* There is a fluid. */
-struct ts_added ts_added_find(const struct tsim *sim);
+struct ts_added_masses ts_added_mass_find(const struct tsim *sim);
 
-static inline double ts_added_density(const struct ts_added *added, const struct ts_particles *p, size_t i)
+static inline double ts_added_mass_density(const struct ts_added_masses *added, const struct ts_particles *p, size_t i)
 {
 	double density = 0;
 

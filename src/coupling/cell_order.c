@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
-#include "coupling/share.h"
+#include "coupling/interpolation_weights.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"
@@ -20,7 +20,7 @@ static void find_cells(struct ts_cell_order *order, const struct tsim *sim,
 		int cell[3];
 
 		order->cell[i] = -1;
-		if (ts_in_group(p, i, group) && ts_fluid_place(fluid, p->x[i], place, cell))
+		if (ts_in_group(p, i, group) && ts_coupling_locate(fluid, p->x[i], place, cell))
 			order->cell[i] = (cell[2] * n[1] + cell[1]) * n[0] + cell[0];
 	}
 }
@@ -96,7 +96,7 @@ void ts_cell_order_release(struct ts_cell_order *order)
 }
 
 /* Even slabs, odd slabs, and in a ring of an odd number the last one by itself. */
-void ts_cell_order_each(const struct ts_cell_order *order, int threads, ts_lay_fn *lay,
+void ts_cell_order_each(const struct ts_cell_order *order, int threads, ts_cell_order_fn *lay,
 			void *context)
 {
 	int n = order->nslabs, alone = order->ring && n % 2 && n > 1;

@@ -26,8 +26,8 @@ enum ts_status ts_cell_order_make(struct ts_cell_order *order, struct tsim *sim,
 void ts_cell_order_release(struct ts_cell_order *order);
 
 /* Calls lay for each particle; only those that do not meet at the same time. */
-typedef void ts_lay_fn(void *context, size_t row);
-void ts_cell_order_each(const struct ts_cell_order *order, int threads, ts_lay_fn *lay,
+typedef void ts_cell_order_fn(void *context, size_t row);
+void ts_cell_order_each(const struct ts_cell_order *order, int threads, ts_cell_order_fn *lay,
 			void *context);
 
 #endif

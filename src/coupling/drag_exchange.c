@@ -25,22 +25,22 @@ static void lay(void *context, size_t i)
 	double place[3];
 	int cell[3];
 
-	if (!ts_fluid_place(fluid, sim->particles->x[i], place, cell))
+	if (!ts_coupling_locate(fluid, sim->particles->x[i], place, cell))
 		return;
 	for (int c = 0; c < fluid->grid.dimensions; c++) {
-		struct ts_share st;
+		struct ts_coupling_weights st;
 
 		if (!ts_drag_acts_along(s, c))
 			continue;
-		ts_share_face(fluid, c, place, cell, (enum ts_interpolation)s->interpolation, &st);
-		s->note[i].held[c] = ts_share_react(&fluid->grid, &st, c, fluid->u[c],
+		ts_coupling_weights_face(fluid, c, place, cell, (enum ts_coupling_interpolation)s->interpolation, &st);
+		s->note[i].held[c] = ts_coupling_distribute_force(&fluid->grid, &st, c, fluid->u[c],
 						    s->total.note[i][c], s->note[i].slope[c],
 						    fluid->force[c],
 						    s->lagged ? NULL : fluid->exchange[c]);
 	}
 }
 
-enum ts_status ts_drag_react(struct ts_instance *self, struct tsim *sim)
+enum ts_status ts_drag_add_to_fluid(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_drag *s = self->state;
 	void *context[2] = { self, sim };
@@ -63,15 +63,15 @@ static void add_change(const struct ts_instance *self, const struct tsim *sim, c
 
 	if (slope[0] == 0 && slope[1] == 0 && slope[2] == 0)
 		return;
-	if (!ts_fluid_place(fluid, p->x[i], place, cell))
+	if (!ts_coupling_locate(fluid, p->x[i], place, cell))
 		return;
 	for (int c = 0; c < fluid->grid.dimensions; c++) {
-		struct ts_share st;
+		struct ts_coupling_weights st;
 
 		if (slope[c] == 0)
 			continue;
-		ts_share_face(fluid, c, place, cell, (enum ts_interpolation)s->interpolation, &st);
-		more[c] = slope[c] * (ts_share_gather(&fluid->grid, &st, fluid->used[c]) - s->note[i].held[c]);
+		ts_coupling_weights_face(fluid, c, place, cell, (enum ts_coupling_interpolation)s->interpolation, &st);
+		more[c] = slope[c] * (ts_coupling_interpolate(&fluid->grid, &st, fluid->used[c]) - s->note[i].held[c]);
 		s->total.note[i][c] += more[c];
 	}
 	ts_restraints_leave(&s->restraints, sim, i, more);
@@ -80,11 +80,11 @@ static void add_change(const struct ts_instance *self, const struct tsim *sim, c
 			p->f[i][c] += share * more[c];
 }
 
-enum ts_status ts_drag_settle(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid, double length)
+enum ts_status ts_drag_correct(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid, double length)
 {
 	struct ts_drag *s = self->state;
 	size_t n = sim->particles->n;
-	double share = 1 / ts_fluid_kicks_left(sim);
+	double share = 1 / ts_fluid_kick_fraction(sim);
 
 	(void)length;
 	if (s->noted != n)

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "core/sim.h"
-#include "coupling/outside.h"
+#include "coupling/outside_grid.h"
 #include "integrate/integrators.h"
 #include "particle/body.h"
 #include "particle/particles.h"
@@ -54,7 +54,7 @@ static enum ts_status find_others(struct ts_instance *self, struct tsim *sim)
 
 	s->nlate = 0;
 	for (size_t k = 0; (part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));) {
-		if (part->style->late[TS_LATE_RELAX] != ts_drag_late || !ts_drag_is_late(part))
+		if (part->style->late[TS_LATE_RELAX] != ts_drag_relax || !ts_drag_is_late(part))
 			continue;
 		if (TS_GROW(s->late, s->late_capacity, s->nlate + 1) != TS_OK)
 			return ts_nomem(&sim->error);
@@ -74,11 +74,11 @@ enum ts_status ts_drag_init(struct ts_instance *self, struct tsim *sim)
 	s->fluid = NULL;
 	if (ts_flow_style_of(s->flow)->fluid)
 		TS_TRY(ts_flow_require_fluid(sim, self->style->name, &self->where, &s->fluid));
-	s->part.settle = s->fluid && s->two_way && !s->lagged ? ts_drag_settle : NULL;
+	s->part.settle = s->fluid && s->two_way && !s->lagged ? ts_drag_correct : NULL;
 	if (s->fluid && s->two_way)
-		TS_TRY(ts_fluid_want(s->fluid, sim,
+		TS_TRY(ts_fluid_require_fields(s->fluid, sim,
 				     s->lagged ? TS_FLUID_FORCE : TS_FLUID_FORCE | TS_FLUID_EXCHANGE));
-	s->added = ts_added_find(sim);
+	s->added = ts_added_mass_find(sim);
 	TS_TRY(find_others(self, sim));
 	TS_TRY(ts_restraints_find(&s->restraints, sim, self, ts_drag_is_late(self)));
 	s->moved = ts_integrated(sim, TS_MOVES);
@@ -120,10 +120,10 @@ static void drag_on(const struct ts_instance *self, struct tsim *sim, size_t i, 
 	struct ts_particles *p = sim->particles;
 	double h = sim->clock.dt, w[3], c, most, f[3], later[3] = { 0 }, part[3] = { 0 };
 	double steps = s->part.settle ? ts_drag_steps_to_fluid(s) : 0;
-	bool held = ts_drag_holds(s, sim, i), member = ts_rigid_member(p, i);
+	bool held = ts_drag_motion_prescribed(s, sim, i), member = ts_rigid_member(p, i);
 	bool relaxes = ts_drag_is_late(self) && !held && !member;
 
-	if (!ts_drag_sample(self, p, i, slip, w)) {
+	if (!ts_drag_slip_at(self, p, i, slip, w)) {
 		found->outside = true;
 		return;
 	}
@@ -180,7 +180,7 @@ static enum ts_status finish(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_drag *s = self->state;
 
-	return s->fluid && s->two_way && !sim->in_setup ? ts_drag_react(self, sim) : TS_OK;
+	return s->fluid && s->two_way && !sim->in_setup ? ts_drag_add_to_fluid(self, sim) : TS_OK;
 }
 
 enum ts_status ts_drag_post_force(struct ts_instance *self, struct tsim *sim)
@@ -212,7 +212,7 @@ enum ts_status ts_drag_post_force(struct ts_instance *self, struct tsim *sim)
 		tag = found.outside && p->tag[i] < tag ? p->tag[i] : tag;
 	}
 	if (s->fluid)
-		ts_fluid_note_outside(s->fluid, sim, self, outside, tag);
+		ts_coupling_count_outside(s->fluid, sim, self, outside, tag);
 	s->reynolds = reynolds;
 	if (stiffness > 2 && ts_drag_style_of(self)->inertial && !sim->unsafe)
 		return ts_fail(&sim->error, TS_PHYSICS, &self->where,
@@ -244,7 +244,7 @@ static double component(int scheme, double c, double w, double f, double mass, d
 static void relax_together(const struct ts_drag *first, const struct tsim *sim, size_t i)
 {
 	const struct ts_particles *p = sim->particles;
-	struct ts_drag_change *change = &first->change[i];
+	struct ts_drag_combined *change = &first->change[i];
 	int scheme = TS_DRAG_EXACT;
 	bool some = false;
 
@@ -290,8 +290,8 @@ static void relax(const struct ts_instance *self, struct tsim *sim, size_t i)
 {
 	struct ts_drag *s = self->state;
 	struct ts_particles *p = sim->particles;
-	const struct ts_drag_felt *felt = &s->felt[i];
-	const struct ts_drag_change *change = s->nlate > 1 ? &s->late[0]->change[i] : NULL;
+	const struct ts_drag_relaxation *felt = &s->felt[i];
+	const struct ts_drag_combined *change = s->nlate > 1 ? &s->late[0]->change[i] : NULL;
 	double force[3] = { 0 }, part[3] = { 1, 1, 1 }, mass = ts_drag_mass(s, sim, i), h = sim->clock.dt;
 	double steps = s->part.settle ? ts_drag_steps_to_fluid(s) : 0;
 
@@ -319,7 +319,7 @@ static void relax(const struct ts_instance *self, struct tsim *sim, size_t i)
 	}
 }
 
-enum ts_status ts_drag_late(struct ts_instance *self, struct tsim *sim)
+enum ts_status ts_drag_relax(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_drag *s = self->state;
 	const struct ts_particles *p = sim->particles;

@@ -19,7 +19,7 @@
 #include "average/particle_tally.h"
 #include "coupling/added_mass.h"
 #include "coupling/cell_order.h"
-#include "coupling/share.h"
+#include "coupling/interpolation_weights.h"
 #include "flow/flow.h"
 #include "flow/fluid.h"
 #include "force/restraint.h"
@@ -27,19 +27,19 @@
 
 enum { TS_DRAG_EXPLICIT, TS_DRAG_EXACT, TS_DRAG_IMPLICIT };
 
-struct ts_drag_note {
+struct ts_drag_exchange {
 	double slope[3]; /* B */
 	double held[3];	 /* sum of weight * velocity of the fluid before its step */
 };
 
 /* Of a particle whose velocity a drag relaxes, before all forces are known: coefficient and slip. */
-struct ts_drag_felt {
+struct ts_drag_relaxation {
 	double c, w[3]; /* c = 0: there is no fluid, or the force is explicit */
 };
 
 /* Where several drags relax the velocity of a particle, by component: the sum of their coefficients, how the mean slip
  * over the step differs from that before, B by the sum. */
-struct ts_drag_change {
+struct ts_drag_combined {
 	double c[3], slip[3], part[3];
 };
 
@@ -53,17 +53,17 @@ struct ts_drag {
 
 	struct ts_instance *flow;
 	struct ts_fluid *fluid; /* NULL: imposed */
-	struct ts_added added;	/* mass that particles take with them */
+	struct ts_added_masses added;	/* mass that particles take with them */
 	struct ts_restraints restraints;
 	uint32_t moved; /* groups of particles that a fix moves; others stay where they are */
 	struct ts_drag **late; /* those of the simulation that relax velocities, in script order */
 	size_t nlate, late_capacity;
-	struct ts_drag_felt *felt; /* of one that relaxes */
+	struct ts_drag_relaxation *felt; /* of one that relaxes */
 	size_t felt_capacity;
-	struct ts_drag_change *change; /* of the first of several */
+	struct ts_drag_combined *change; /* of the first of several */
 	size_t change_capacity;
 	struct ts_cell_order order;
-	struct ts_drag_note *note; /* where the fluid is solved for */
+	struct ts_drag_exchange *note; /* where the fluid is solved for */
 	size_t capacity, noted;
 	struct ts_tally total;
 	double reynolds; /* the largest of the last step */
@@ -93,7 +93,7 @@ extern const char *const ts_drag_axes[], *const ts_drag_schemes[];
 		TS_BOOL("lagged", struct ts_drag, lagged, .fallback = "no",                        \
 			.help = "whether the fluid gets the force as it is, not at its new velocity: "    \
 				"leaves any pressure solver, but bounds the step"),                \
-		TS_ENUM("interpolation", struct ts_drag, interpolation, ts_interpolation_names,   \
+		TS_ENUM("interpolation", struct ts_drag, interpolation, ts_coupling_interpolation_names,   \
 			.fallback = "linear",                                                      \
 			.help = "of the fluid's fields to the particle: between points, or of "    \
 				"its cell")
@@ -135,10 +135,10 @@ extern const char *const ts_drag_axes[], *const ts_drag_schemes[];
 extern const struct ts_value ts_drag_values[];
 enum ts_status ts_drag_init(struct ts_instance *self, struct tsim *sim);
 enum ts_status ts_drag_post_force(struct ts_instance *self, struct tsim *sim);
-enum ts_status ts_drag_late(struct ts_instance *self, struct tsim *sim);
+enum ts_status ts_drag_relax(struct ts_instance *self, struct tsim *sim);
 bool ts_drag_is_late(const struct ts_instance *self);
 enum ts_status ts_drag_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a);
-enum ts_status ts_drag_plan(struct ts_instance *self, struct tsim *sim,
+enum ts_status ts_drag_report_limits(struct ts_instance *self, struct tsim *sim,
 			    struct ts_plan_report *report);
 void ts_drag_fini(struct ts_instance *self);
 
@@ -146,25 +146,25 @@ void ts_drag_fini(struct ts_instance *self);
 	.kind = TS_KIND_FIX, .family = TS_FAMILY_FLOW_PART, .state_size = sizeof(struct ts_drag),  \
 	.init = ts_drag_init, .archive = ts_drag_archive, .values = ts_drag_values,                \
 	.hook = { [TS_STAGE_POST_FORCE] = ts_drag_post_force },                                     \
-	.late = { [TS_LATE_RELAX] = ts_drag_late }, .is_late = ts_drag_is_late,                    \
-	.plan = ts_drag_plan,                                                                      \
+	.late = { [TS_LATE_RELAX] = ts_drag_relax }, .is_late = ts_drag_is_late,                    \
+	.plan = ts_drag_report_limits,                                                                      \
 	.fini = ts_drag_fini
 
 /* ---- between the files of drag */
 
 bool ts_drag_acts_along(const struct ts_drag *drag, int k);
 /* Whether particle i keeps its velocity whatever pushes it. (A program around tsim may move those that no fix does.) */
-bool ts_drag_holds(const struct ts_drag *drag, const struct tsim *sim, size_t i);
+bool ts_drag_motion_prescribed(const struct ts_drag *drag, const struct tsim *sim, size_t i);
 /* Of particle i, added mass included. */
 double ts_drag_mass(const struct ts_drag *s, const struct tsim *sim, size_t i);
 /* The fluid where particle i is, and the slip; false: there is none. */
-bool ts_drag_sample(const struct ts_instance *self, const struct ts_particles *p, size_t i,
+bool ts_drag_slip_at(const struct ts_instance *self, const struct ts_particles *p, size_t i,
 		    struct ts_slip *slip, double w[3]);
 /* The fluid takes the mean over so many steps of the simulation; 0: it does not make its step in this one, and
  * what it gets now is the force as it is. */
 double ts_drag_steps_to_fluid(const struct ts_drag *s);
-enum ts_status ts_drag_react(struct ts_instance *self, struct tsim *sim);
+enum ts_status ts_drag_add_to_fluid(struct ts_instance *self, struct tsim *sim);
 /* The fluid has made its step with the new velocity: the particles get what it has felt. */
-enum ts_status ts_drag_settle(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid, double length);
+enum ts_status ts_drag_correct(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid, double length);
 
 #endif

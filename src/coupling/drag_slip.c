@@ -56,7 +56,7 @@ static void cell_velocity(const struct ts_fluid *fluid, const int cell[3], doubl
 	}
 }
 
-bool ts_drag_sample(const struct ts_instance *self, const struct ts_particles *p, size_t i,
+bool ts_drag_slip_at(const struct ts_instance *self, const struct ts_particles *p, size_t i,
 		    struct ts_slip *slip, double w[3])
 {
 	const struct ts_drag *s = self->state;
@@ -66,7 +66,7 @@ bool ts_drag_sample(const struct ts_instance *self, const struct ts_particles *p
 	if (!s->fluid) {
 		ts_flow_style_of(s->flow)->velocity(s->flow, p->x[i], w);
 	} else {
-		if (!ts_fluid_place(s->fluid, p->x[i], place, cell))
+		if (!ts_coupling_locate(s->fluid, p->x[i], place, cell))
 			return false;
 		if (s->interpolation == TS_INTERPOLATE_CELL)
 			cell_velocity(s->fluid, cell, w);
@@ -85,10 +85,10 @@ double ts_drag_mass(const struct ts_drag *s, const struct tsim *sim, size_t i)
 {
 	const struct ts_particles *p = sim->particles;
 
-	return p->mass[i] + ts_added_density(&s->added, p, i) * ts_body_volume(sim, p->radius[i]);
+	return p->mass[i] + ts_added_mass_density(&s->added, p, i) * ts_body_volume(sim, p->radius[i]);
 }
 
-bool ts_drag_holds(const struct ts_drag *s, const struct tsim *sim, size_t i)
+bool ts_drag_motion_prescribed(const struct ts_drag *s, const struct tsim *sim, size_t i)
 {
 	const struct ts_particles *p = sim->particles;
 

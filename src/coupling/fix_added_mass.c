@@ -20,12 +20,12 @@ struct state {
 };
 
 /* Du/Dt at the particle */
-static void fluid_acceleration(const struct state *s, const struct ts_flow_around *around, double a[3])
+static void fluid_acceleration(const struct state *s, const struct ts_coupling_local_flow *around, double a[3])
 {
 	const struct ts_fluid *fluid = s->mass.force.fluid;
 
 	for (int c = 0; c < 3; c++) {
-		struct ts_share share;
+		struct ts_coupling_weights share;
 
 		a[c] = 0;
 		if (!fluid || !s->accelerates)
@@ -34,8 +34,8 @@ static void fluid_acceleration(const struct state *s, const struct ts_flow_aroun
 			a[c] += around->u[k] * around->slope[c][k];
 		if (!s->size || c >= fluid->grid.dimensions)
 			continue;
-		ts_share_face(fluid, c, around->place, around->cell, TS_INTERPOLATE_LINEAR, &share);
-		a[c] += ts_share_gather(&fluid->grid, &share, s->rate[c]);
+		ts_coupling_weights_face(fluid, c, around->place, around->cell, TS_INTERPOLATE_LINEAR, &share);
+		a[c] += ts_coupling_interpolate(&fluid->grid, &share, s->rate[c]);
 	}
 }
 
@@ -50,7 +50,7 @@ static double added_to(const struct ts_instance *self, const struct tsim *sim, s
 
 /* The part that does not depend on how the particle moves. */
 static void act(const struct ts_instance *self, const struct tsim *sim, size_t i,
-		const struct ts_flow_around *around, double f[3], double torque[3])
+		const struct ts_coupling_local_flow *around, double f[3], double torque[3])
 {
 	double added = added_to(self, sim, i);
 
@@ -89,10 +89,10 @@ static enum ts_status late(struct ts_instance *self, struct tsim *sim)
 		int cell[3];
 
 		if (ts_in_group(p, i, self->group) &&
-		    (!s->mass.force.fluid || ts_fluid_place(s->mass.force.fluid, p->x[i], place, cell)))
+		    (!s->mass.force.fluid || ts_coupling_locate(s->mass.force.fluid, p->x[i], place, cell)))
 			resist(self, sim, i);
 	}
-	return ts_flow_force_react(self, sim);
+	return ts_coupling_force_add_to_fluid(self, sim);
 }
 
 static enum ts_status carry(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid, double dt)
@@ -140,7 +140,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 
-	TS_TRY(ts_flow_force_init(self, sim));
+	TS_TRY(ts_coupling_force_init(self, sim));
 	TS_TRY(refuse(self, sim));
 	TS_TRY(ts_restraints_find(&s->restraints, sim, self, true));
 	s->mass.force.part.carry = s->mass.force.fluid && s->accelerates ? carry : NULL;
@@ -155,7 +155,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 						 { "ratex", "ratey", "ratez" } };
 	struct state *s = self->state;
 
-	TS_TRY(ts_flow_force_archive(self, sim, a));
+	TS_TRY(ts_coupling_force_archive(self, sim, a));
 	for (int c = 0; c < 3; c++) {
 		TS_TRY(ts_archive_array(a, names[0][c], TS_SAVED_F64, (void **)&s->last[c],
 					&s->capacity[0][c], &s->size));
@@ -169,7 +169,7 @@ static void fini(struct ts_instance *self)
 {
 	struct state *s = self->state;
 
-	ts_flow_force_fini(self);
+	ts_coupling_force_fini(self);
 	ts_restraints_release(&s->restraints);
 	for (int c = 0; c < 3; c++) {
 		ts_free(s->last[c]);
@@ -182,12 +182,12 @@ static const struct ts_arg args[] = {
 		.unit = "", .help = "part of the displaced mass that moves with the particle"),
 	TS_BOOL("fluid_acceleration", struct state, accelerates, .fallback = "yes",
 		.help = "whether Du/Dt counts; no: the fluid is taken as steady and uniform"),
-	TS_FLOW_FORCE_ARGS(struct state, mass.force),
+	TS_COUPLING_FORCE_ARGS(struct state, mass.force),
 	TS_ARGS_END,
 };
 
-TS_STYLE(fix, ts_flow_force_style, ts_fix_added_mass)
-const struct ts_flow_force_style ts_fix_added_mass = {
+TS_STYLE(fix, ts_coupling_force_style, ts_fix_added_mass)
+const struct ts_coupling_force_style ts_fix_added_mass = {
 	.style = {
 		.name = "added_mass",
 		.summary = "the fluid that an accelerated particle takes with it",
@@ -206,7 +206,7 @@ const struct ts_flow_force_style ts_fix_added_mass = {
 		.init = init,
 		.archive = archive,
 		.fini = fini,
-		TS_FLOW_FORCE_SLOTS,
+		TS_COUPLING_FORCE_SLOTS,
 		.late = { [TS_LATE_INERTIA] = late },
 	},
 	.act = act,

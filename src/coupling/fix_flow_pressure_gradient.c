@@ -1,10 +1,10 @@
-#include "coupling/flow_force.h"
+#include "coupling/coupling_force.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "core/review.h"
-#include "coupling/volume_spread.h"
+#include "coupling/volume_distribution.h"
 #include "flow/projection.h"
 #include "force/restraint.h"
 #include "particle/body.h"
@@ -17,7 +17,7 @@ enum { BY_VOLUME = 2 }; /* of interpolation */
 static const char *const interpolations[] = { "linear", "cell", "volume", NULL };
 
 struct state {
-	struct ts_flow_force force; /* first */
+	struct ts_coupling_force force; /* first */
 	int interpolation, how;
 	const struct ts_instance *room; /* who makes the void fraction */
 	struct ts_restraints restraints;
@@ -61,16 +61,16 @@ static void by_volume(const struct state *s, const struct tsim *sim, size_t i, c
 {
 	const struct ts_fluid *fluid = s->force.fluid;
 	struct push push = { .fluid = fluid, .p = p };
-	struct ts_spread_how how;
+	struct ts_coupling_volume how;
 
 	((const struct ts_flow_part *)s->room->state)->spread(s->room, sim, &how);
-	ts_spread_each(&fluid->grid, &how, place, cell, sim->particles->radius[i], add_cell, &push);
+	ts_coupling_volume_each_cell(&fluid->grid, &how, place, cell, sim->particles->radius[i], add_cell, &push);
 	for (int d = 0; d < 3; d++)
 		f[d] = fluid->grid.by_depth ? push.f[d] / fluid->grid.width[2][0] : push.f[d];
 }
 
 static void act(const struct ts_instance *self, const struct tsim *sim, size_t i,
-		const struct ts_flow_around *around, double f[3], double torque[3])
+		const struct ts_coupling_local_flow *around, double f[3], double torque[3])
 {
 	const struct state *s = self->state;
 	const struct ts_fluid *fluid = s->force.fluid;
@@ -82,10 +82,10 @@ static void act(const struct ts_instance *self, const struct tsim *sim, size_t i
 		return;
 	}
 	for (int c = 0; c < fluid->grid.dimensions; c++) {
-		struct ts_share share;
+		struct ts_coupling_weights share;
 
-		ts_share_face(fluid, c, around->place, around->cell, (enum ts_interpolation)s->how, &share);
-		f[c] = -volume * ts_share_gradient(&fluid->grid, &share, c, fluid->p);
+		ts_coupling_weights_face(fluid, c, around->place, around->cell, (enum ts_coupling_interpolation)s->how, &share);
+		f[c] = -volume * ts_coupling_interpolate_gradient(&fluid->grid, &share, c, fluid->p);
 	}
 }
 
@@ -98,7 +98,7 @@ static void add_change(struct ts_instance *self, const struct tsim *sim, size_t 
 	double *note = s->force.total.note[i], place[3], more[3];
 	int cell[3];
 
-	if (!ts_fluid_place(s->force.fluid, p->x[i], place, cell))
+	if (!ts_coupling_locate(s->force.fluid, p->x[i], place, cell))
 		return;
 	by_volume(s, sim, i, place, cell, s->force.fluid->p_mean, more);
 	for (int k = 0; k < 3; k++) {
@@ -114,7 +114,7 @@ static enum ts_status settle(struct ts_instance *self, struct tsim *sim, struct 
 {
 	struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
-	const double share = 1 / ts_fluid_kicks_left(sim);
+	const double share = 1 / ts_fluid_kick_fraction(sim);
 
 	(void)fluid;
 	(void)length;
@@ -146,7 +146,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct state *s = self->state;
 	bool whole;
 
-	TS_TRY(ts_flow_force_init(self, sim));
+	TS_TRY(ts_coupling_force_init(self, sim));
 	s->room = find_room(sim);
 	whole = s->room && ts_streq(s->force.flow->style->family, TS_FAMILY_PROJECTION) &&
 		((const struct ts_projection *)s->force.flow->state)->form == TS_FORM_CONSERVATIVE;
@@ -157,7 +157,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 			       "the volume is");
 	s->force.part.settle = s->how == BY_VOLUME && whole ? settle : NULL;
 	TS_TRY(ts_restraints_find(&s->restraints, sim, self, false));
-	return s->force.part.settle ? ts_fluid_want(s->force.fluid, sim, TS_FLUID_P_MEAN) : TS_OK;
+	return s->force.part.settle ? ts_fluid_require_fields(s->force.fluid, sim, TS_FLUID_P_MEAN) : TS_OK;
 }
 
 /* Where nothing can leave through faces, that momentum is not kept is a change of it that should not be. */
@@ -181,7 +181,7 @@ static enum ts_status review(struct ts_instance *self, struct tsim *sim)
 static void fini(struct ts_instance *self)
 {
 	ts_restraints_release(&((struct state *)self->state)->restraints);
-	ts_flow_force_fini(self);
+	ts_coupling_force_fini(self);
 }
 
 static const struct ts_arg args[] = {
@@ -191,8 +191,8 @@ static const struct ts_arg args[] = {
 	TS_ARGS_END,
 };
 
-TS_STYLE(fix, ts_flow_force_style, ts_fix_flow_pressure_gradient)
-const struct ts_flow_force_style ts_fix_flow_pressure_gradient = {
+TS_STYLE(fix, ts_coupling_force_style, ts_fix_flow_pressure_gradient)
+const struct ts_coupling_force_style ts_fix_flow_pressure_gradient = {
 	.style = {
 		.name = "flow/pressure_gradient",
 		.summary = "force of the fluid's pressure gradient on each particle",
@@ -212,9 +212,9 @@ const struct ts_flow_force_style ts_fix_flow_pressure_gradient = {
 		.state_size = sizeof(struct state),
 		.init = init,
 		.review = review,
-		.archive = ts_flow_force_archive,
+		.archive = ts_coupling_force_archive,
 		.fini = fini,
-		TS_FLOW_FORCE_SLOTS,
+		TS_COUPLING_FORCE_SLOTS,
 	},
 	.act = act,
 	.solved = true,

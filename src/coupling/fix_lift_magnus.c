@@ -1,4 +1,4 @@
-#include "coupling/flow_force.h"
+#include "coupling/coupling_force.h"
 
 #include "law/lift.h"
 #include "math/vec3.h"
@@ -10,19 +10,19 @@ enum { RUBINOW, OESTERLE };
 static const char *const laws[] = { "rubinow", "oesterle", NULL };
 
 struct state {
-	struct ts_flow_force force; /* first */
+	struct ts_coupling_force force; /* first */
 	int law;
 	bool torque;
 };
 
 static void act(const struct ts_instance *self, const struct tsim *sim, size_t i,
-		const struct ts_flow_around *around, double f[3], double torque[3])
+		const struct ts_coupling_local_flow *around, double f[3], double torque[3])
 {
 	const struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
 	double d = 2 * p->radius[i], spin[3], c;
 
-	ts_flow_curl(around->slope, spin);
+	ts_coupling_curl(around->slope, spin);
 	for (int k = 0; k < 3; k++)
 		spin[k] = 0.5 * spin[k] - p->omega[i][k];
 	c = ts_lift_magnus(d, around->density);
@@ -41,12 +41,12 @@ static const struct ts_arg args[] = {
 		.help = "of small Reynolds numbers, or a fit for larger ones"),
 	TS_BOOL("torque", struct state, torque, .fallback = "yes",
 		.help = "whether the fluid also brakes the spin"),
-	TS_FLOW_FORCE_ARGS(struct state, force),
+	TS_COUPLING_FORCE_ARGS(struct state, force),
 	TS_ARGS_END,
 };
 
-TS_STYLE(fix, ts_flow_force_style, ts_fix_lift_magnus)
-const struct ts_flow_force_style ts_fix_lift_magnus = {
+TS_STYLE(fix, ts_coupling_force_style, ts_fix_lift_magnus)
+const struct ts_coupling_force_style ts_fix_lift_magnus = {
 	.style = {
 		.name = "lift/magnus",
 		.summary = "lift on particles that spin, and the torque of the fluid on them",
@@ -62,10 +62,10 @@ const struct ts_flow_force_style ts_fix_lift_magnus = {
 		.args = args,
 		.state_size = sizeof(struct state),
 		.columns = TS_NEED(OMEGA) | TS_NEED(TORQUE),
-		.init = ts_flow_force_init,
-		.archive = ts_flow_force_archive,
-		.fini = ts_flow_force_fini,
-		TS_FLOW_FORCE_SLOTS,
+		.init = ts_coupling_force_init,
+		.archive = ts_coupling_force_archive,
+		.fini = ts_coupling_force_fini,
+		TS_COUPLING_FORCE_SLOTS,
 	},
 	.act = act,
 	.sheared = true,

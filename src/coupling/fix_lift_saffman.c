@@ -1,4 +1,4 @@
-#include "coupling/flow_force.h"
+#include "coupling/coupling_force.h"
 
 #include "law/lift.h"
 #include "math/vec3.h"
@@ -10,18 +10,18 @@ enum { SAFFMAN, MEI };
 static const char *const laws[] = { "saffman", "mei", NULL };
 
 struct state {
-	struct ts_flow_force force; /* first */
+	struct ts_coupling_force force; /* first */
 	int law;
 };
 
 static void act(const struct ts_instance *self, const struct tsim *sim, size_t i,
-		const struct ts_flow_around *around, double f[3], double torque[3])
+		const struct ts_coupling_local_flow *around, double f[3], double torque[3])
 {
 	const struct state *s = self->state;
 	double d = 2 * sim->particles->radius[i], curl[3], vorticity, c;
 
 	(void)torque;
-	ts_flow_curl(around->slope, curl);
+	ts_coupling_curl(around->slope, curl);
 	vorticity = ts_norm(curl);
 	c = ts_lift_saffman(d, around->density, around->viscosity, vorticity);
 	if (s->law == MEI)
@@ -34,12 +34,12 @@ static void act(const struct ts_instance *self, const struct tsim *sim, size_t i
 static const struct ts_arg args[] = {
 	TS_ENUM("law", struct state, law, laws, .fallback = "mei",
 		.help = "of small Reynolds numbers, or Mei's fit for larger ones"),
-	TS_FLOW_FORCE_ARGS(struct state, force),
+	TS_COUPLING_FORCE_ARGS(struct state, force),
 	TS_ARGS_END,
 };
 
-TS_STYLE(fix, ts_flow_force_style, ts_fix_lift_saffman)
-const struct ts_flow_force_style ts_fix_lift_saffman = {
+TS_STYLE(fix, ts_coupling_force_style, ts_fix_lift_saffman)
+const struct ts_coupling_force_style ts_fix_lift_saffman = {
 	.style = {
 		.name = "lift/saffman",
 		.summary = "lift of a sheared flow on particles that slip",
@@ -53,10 +53,10 @@ const struct ts_flow_force_style ts_fix_lift_saffman = {
 		.cite = "P. G. Saffman, J. Fluid Mech. 22 (1965) 385; R. Mei, Int. J. Multiphase Flow 18 (1992) 145",
 		.args = args,
 		.state_size = sizeof(struct state),
-		.init = ts_flow_force_init,
-		.archive = ts_flow_force_archive,
-		.fini = ts_flow_force_fini,
-		TS_FLOW_FORCE_SLOTS,
+		.init = ts_coupling_force_init,
+		.archive = ts_coupling_force_archive,
+		.fini = ts_coupling_force_fini,
+		TS_COUPLING_FORCE_SLOTS,
 	},
 	.act = act,
 	.sheared = true,

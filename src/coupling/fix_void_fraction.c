@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "coupling/cell_order.h"
-#include "coupling/share.h"
-#include "coupling/volume_spread.h"
+#include "coupling/interpolation_weights.h"
+#include "coupling/volume_distribution.h"
 #include "flow/flow.h"
 #include "math/exactsum.h"
 #include "particle/particles.h"
@@ -30,12 +30,12 @@ struct state {
 	struct tsim *sim; /* evaluation may fail */
 };
 
-static struct ts_spread_how how_of(const struct state *s, const struct tsim *sim)
+static struct ts_coupling_volume how_of(const struct state *s, const struct tsim *sim)
 {
-	return (struct ts_spread_how){ (enum ts_spread)s->method, sim->dimension == 2, s->reach };
+	return (struct ts_coupling_volume){ (enum ts_coupling_volume_method)s->method, sim->dimension == 2, s->reach };
 }
 
-static void spread(const struct ts_instance *self, const struct tsim *sim, struct ts_spread_how *how)
+static void spread(const struct ts_instance *self, const struct tsim *sim, struct ts_coupling_volume *how)
 {
 	*how = how_of(self->state, sim);
 }
@@ -49,12 +49,12 @@ static void lay(void *data, size_t i)
 {
 	const struct context *c = data;
 	const struct ts_particles *p = c->sim->particles;
-	struct ts_spread_how how = how_of(c->state, c->sim);
+	struct ts_coupling_volume how = how_of(c->state, c->sim);
 	double place[3];
 	int cell[3];
 
-	if (ts_fluid_place(c->state->fluid, p->x[i], place, cell))
-		ts_spread_volume(&c->state->fluid->grid, &how, place, cell, p->radius[i],
+	if (ts_coupling_locate(c->state->fluid, p->x[i], place, cell))
+		ts_coupling_volume_add(&c->state->fluid->grid, &how, place, cell, p->radius[i],
 				 c->state->fluid->empty);
 }
 
@@ -78,7 +78,7 @@ static enum ts_status check_centre(struct ts_instance *self, struct tsim *sim, d
 	for (int d = 0; d < grid->dimensions; d++)
 		for (int i = 0; i < grid->n[d]; i++)
 			least = fmin(least, grid->width[d][i]);
-	if (s->method != TS_SPREAD_CENTRE || !(least < diameter))
+	if (s->method != TS_VOLUME_CENTRE || !(least < diameter))
 		return TS_OK;
 	return ts_fail(&sim->error, TS_RANGE, &self->where,
 		       "fix void_fraction: method centre puts all of a particle into one cell, and cells are down to "
@@ -99,7 +99,7 @@ static void check_kernel(struct ts_instance *self, struct tsim *sim, double diam
 	for (int d = 0; d < grid->dimensions; d++)
 		for (int i = 0; i < grid->n[d] && grid->n[d] > 1; i++)
 			most = fmax(most, grid->width[d][i]);
-	if (s->told || s->method != TS_SPREAD_KERNEL || !(diameter > 0) || !(most > 1.000001 * fits))
+	if (s->told || s->method != TS_VOLUME_KERNEL || !(diameter > 0) || !(most > 1.000001 * fits))
 		return;
 	s->told = true;
 	ts_warn(&sim->log, &self->where,
@@ -113,18 +113,18 @@ static void check_kernel(struct ts_instance *self, struct tsim *sim, double diam
 static enum ts_status farthest(struct ts_instance *self, struct tsim *sim, int *reach)
 {
 	const struct state *s = self->state;
-	struct ts_spread_how how = how_of(s, sim);
+	struct ts_coupling_volume how = how_of(s, sim);
 	double largest = largest_radius(self, sim->particles);
 
 	TS_TRY(check_centre(self, sim, 2 * largest));
 	check_kernel(self, sim, 2 * largest);
-	*reach = ts_spread_reach(&s->fluid->grid, &how, largest);
-	if (2 * *reach + 1 <= TS_SPREAD_MOST)
+	*reach = ts_coupling_volume_reach(&s->fluid->grid, &how, largest);
+	if (2 * *reach + 1 <= TS_VOLUME_MAX_CELLS)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_RANGE, &self->where,
 		       "fix void_fraction: a particle of radius %g counts for more than %d cells across: the "
 		       "grid is too fine for drag that is not resolved",
-		       largest, TS_SPREAD_MOST);
+		       largest, TS_VOLUME_MAX_CELLS);
 }
 
 static void limit(struct ts_instance *self, struct tsim *sim)
@@ -207,7 +207,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct state *s = self->state;
 
 	TS_TRY(ts_flow_require_fluid(sim, "fix void_fraction", &self->where, &s->fluid));
-	TS_TRY(ts_fluid_want(s->fluid, sim, TS_FLUID_VOID));
+	TS_TRY(ts_fluid_require_fields(s->fluid, sim, TS_FLUID_VOID));
 	s->part.spread = spread;
 	s->sim = sim;
 	s->nseen = 0;

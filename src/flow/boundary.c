@@ -11,7 +11,7 @@
 
 /* The ghost of a component along a wall: the parabola through the wall and two points inside, which makes
  * its slope at the wall of second order; or the straight line through the first. */
-static void set_mirror(struct ts_fluid *fluid, int d, enum ts_side side, bool straight)
+static void set_mirror(struct ts_fluid *fluid, int d, enum ts_grid_side side, bool straight)
 {
 	const struct ts_grid *grid = &fluid->grid;
 	int n = grid->n[d], first = side == TS_LOW ? 0 : n - 1, second = side == TS_LOW ? 1 : n - 2;
@@ -25,13 +25,13 @@ static void set_mirror(struct ts_fluid *fluid, int d, enum ts_side side, bool st
 }
 
 static enum ts_status refuse(struct tsim *sim, const struct ts_flow_condition *condition, int d,
-			     enum ts_side side, const char *why)
+			     enum ts_grid_side side, const char *why)
 {
 	return ts_fail(&sim->error, TS_STATE, &condition->where, "flow_boundary %c%s: %s",
 		       "xyz"[d], side == TS_LOW ? "lo" : "hi", why);
 }
 
-static enum ts_status set_face(struct ts_projection *p, struct tsim *sim, int d, enum ts_side side)
+static enum ts_status set_face(struct ts_projection *p, struct tsim *sim, int d, enum ts_grid_side side)
 {
 	struct ts_fluid *fluid = &p->fluid;
 	const struct ts_flow_condition *condition = &p->condition[d][side];
@@ -52,7 +52,7 @@ static enum ts_status set_face(struct ts_projection *p, struct tsim *sim, int d,
 	return TS_OK;
 }
 
-enum ts_status ts_projection_faces(struct ts_instance *self, struct tsim *sim)
+enum ts_status ts_projection_set_face_types(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_projection *p = self->state;
 	struct ts_poisson *poisson = &p->poisson;
@@ -63,12 +63,12 @@ enum ts_status ts_projection_faces(struct ts_instance *self, struct tsim *sim)
 		for (int side = 0; side < 2; side++) {
 			enum ts_flow_face kind;
 
-			TS_TRY(set_face(p, sim, d, (enum ts_side)side));
+			TS_TRY(set_face(p, sim, d, (enum ts_grid_side)side));
 			kind = p->fluid.face[d][side];
 			poisson->condition[d][side] = kind == TS_FLOW_PERIODIC ? TS_PRESSURE_PERIODIC
-						      : ts_flow_open(kind)	  ? TS_PRESSURE_GIVEN
+						      : ts_flow_face_open(kind)	  ? TS_PRESSURE_GIVEN
 										  : TS_PRESSURE_NO_GRADIENT;
-			if (ts_flow_open(kind))
+			if (ts_flow_face_open(kind))
 				poisson->singular = false;
 		}
 	return TS_OK;
@@ -89,16 +89,16 @@ static void drop_plane(double **plane)
 	*plane = NULL;
 }
 
-static double value_of(const struct ts_flow_given *given, int c, size_t k)
+static double value_of(const struct ts_flow_face_velocity *given, int c, size_t k)
 {
 	return given->plane[c] ? given->plane[c][k] : given->constant[c];
 }
 
 /* Planes where something varies over the face now. What was given at the last step stays as it is. */
-static enum ts_status shape(struct ts_projection *p, int d, enum ts_side side, int c, bool over_face)
+static enum ts_status shape(struct ts_projection *p, int d, enum ts_grid_side side, int c, bool over_face)
 {
-	struct ts_flow_given *now = &p->now[d][side], *before = &p->before[d][side];
-	struct ts_flow_given *given = &p->fluid.given[d][side];
+	struct ts_flow_face_velocity *now = &p->now[d][side], *before = &p->before[d][side];
+	struct ts_flow_face_velocity *given = &p->fluid.given[d][side];
 	const struct ts_grid *grid = &p->fluid.grid;
 	size_t n = ts_flow_plane_size(grid, d);
 	bool had = before->plane[c];
@@ -117,11 +117,11 @@ static enum ts_status shape(struct ts_projection *p, int d, enum ts_side side, i
 	return TS_OK;
 }
 
-static enum ts_status evaluate(struct ts_projection *p, struct tsim *sim, int d, enum ts_side side)
+static enum ts_status evaluate(struct ts_projection *p, struct tsim *sim, int d, enum ts_grid_side side)
 {
 	const struct ts_flow_condition *condition = &p->condition[d][side];
 	const struct ts_grid *grid = &p->fluid.grid;
-	struct ts_flow_given *now = &p->now[d][side];
+	struct ts_flow_face_velocity *now = &p->now[d][side];
 
 	if (condition->once && sim->running)
 		return TS_OK;
@@ -134,25 +134,25 @@ static enum ts_status evaluate(struct ts_projection *p, struct tsim *sim, int d,
 		if (over_face)
 			TS_TRY(ts_flow_fill_plane(sim, condition, &formula, grid, d, side, now->plane[c]));
 		else
-			TS_TRY(ts_flow_formula_now(sim, condition, &formula, &now->constant[c]));
+			TS_TRY(ts_flow_formula_value(sim, condition, &formula, &now->constant[c]));
 	}
-	return ts_projection_give_pressure(p, sim, d, side);
+	return ts_projection_evaluate_pressure(p, sim, d, side);
 }
 
-enum ts_status ts_projection_boundary(struct ts_instance *self, struct tsim *sim)
+enum ts_status ts_projection_evaluate_boundary(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_projection *p = self->state;
 
 	for (int d = 0; d < p->fluid.grid.dimensions; d++)
 		for (int side = 0; side < 2; side++)
-			TS_TRY(evaluate(p, sim, d, (enum ts_side)side));
-	if (!p->before_known || (ts_projection_fresh(p) && !sim->running))
-		return ts_projection_settle(p) == TS_OK ? TS_OK : ts_nomem(&sim->error);
+			TS_TRY(evaluate(p, sim, d, (enum ts_grid_side)side));
+	if (!p->before_known || (ts_projection_not_started(p) && !sim->running))
+		return ts_projection_store_boundary(p) == TS_OK ? TS_OK : ts_nomem(&sim->error);
 	return TS_OK;
 }
 
-static void settle(const struct ts_grid *grid, int d, const struct ts_flow_given *now,
-		   struct ts_flow_given *before)
+static void settle(const struct ts_grid *grid, int d, const struct ts_flow_face_velocity *now,
+		   struct ts_flow_face_velocity *before)
 {
 	for (int c = 0; c < grid->dimensions; c++) {
 		before->constant[c] = now->constant[c];
@@ -163,28 +163,28 @@ static void settle(const struct ts_grid *grid, int d, const struct ts_flow_given
 	}
 }
 
-enum ts_status ts_projection_settle(struct ts_projection *p)
+enum ts_status ts_projection_store_boundary(struct ts_projection *p)
 {
 	for (int d = 0; d < p->fluid.grid.dimensions; d++)
 		for (int side = 0; side < 2; side++)
 			settle(&p->fluid.grid, d, &p->now[d][side], &p->before[d][side]);
 	p->before_known = 1;
-	return ts_projection_settle_pressure(p);
+	return ts_projection_store_pressure(p);
 }
 
-static void blend(const struct ts_grid *grid, int d, const struct ts_flow_given *before,
-		  const struct ts_flow_given *now, double share, struct ts_flow_given *out)
+static void blend(const struct ts_grid *grid, int d, const struct ts_flow_face_velocity *before,
+		  const struct ts_flow_face_velocity *now, double share, struct ts_flow_face_velocity *out)
 {
 	for (int c = 0; c < grid->dimensions; c++) {
 		size_t n = out->plane[c] ? ts_flow_plane_size(grid, d) : 0;
 
-		out->constant[c] = ts_flow_between(before->constant[c], now->constant[c], share);
+		out->constant[c] = ts_flow_interpolate_time(before->constant[c], now->constant[c], share);
 		for (size_t k = 0; k < n; k++)
-			out->plane[c][k] = ts_flow_between(value_of(before, c, k), value_of(now, c, k), share);
+			out->plane[c][k] = ts_flow_interpolate_time(value_of(before, c, k), value_of(now, c, k), share);
 	}
 }
 
-void ts_projection_blend(struct ts_projection *p, double share)
+void ts_projection_interpolate_boundary(struct ts_projection *p, double share)
 {
 	for (int d = 0; d < p->fluid.grid.dimensions; d++)
 		for (int side = 0; side < 2; side++)
@@ -192,11 +192,11 @@ void ts_projection_blend(struct ts_projection *p, double share)
 			      &p->fluid.given[d][side]);
 }
 
-enum ts_status ts_projection_archive_given(struct ts_projection *p, struct tsim *sim,
+enum ts_status ts_projection_archive_boundary(struct ts_projection *p, struct tsim *sim,
 					   struct ts_archive *archive)
 {
 	for (int face = 0; face < 6; face++) {
-		struct ts_flow_given *given = &p->before[face / 2][face % 2];
+		struct ts_flow_face_velocity *given = &p->before[face / 2][face % 2];
 		char name[32];
 
 		snprintf(name, sizeof name, "given_%d", face);
@@ -217,7 +217,7 @@ enum ts_status ts_projection_archive_given(struct ts_projection *p, struct tsim 
 /* ---- what flows in must flow out */
 
 /* Flow outwards through one face of the grid, and the sum of its sizes. */
-static double flow_out(const struct ts_fluid *fluid, int d, enum ts_side side, double *size)
+static double flow_out(const struct ts_fluid *fluid, int d, enum ts_grid_side side, double *size)
 {
 	const struct ts_grid *grid = &fluid->grid;
 	int a = d == 0, b = d == 2 ? 1 : 2;
@@ -248,7 +248,7 @@ static const struct ts_place *place_of_flow(const struct ts_instance *self, doub
 
 	for (int d = 0; d < grid->dimensions; d++)
 		for (int side = 0; side < 2 && !grid->periodic[d]; side++) {
-			double part = flow_out(&p->fluid, d, (enum ts_side)side, &size) * (net < 0 ? -1 : 1);
+			double part = flow_out(&p->fluid, d, (enum ts_grid_side)side, &size) * (net < 0 ? -1 : 1);
 
 			if (p->condition[d][side].said && part > most) {
 				most = part;
@@ -258,7 +258,7 @@ static const struct ts_place *place_of_flow(const struct ts_instance *self, doub
 	return place;
 }
 
-enum ts_status ts_projection_balance(struct ts_instance *self, struct tsim *sim, double *mean)
+enum ts_status ts_projection_net_outflow(struct ts_instance *self, struct tsim *sim, double *mean)
 {
 	static const double UNEVEN = 1e-9; /* far above round-off */
 	struct ts_projection *p = self->state;
@@ -270,7 +270,7 @@ enum ts_status ts_projection_balance(struct ts_instance *self, struct tsim *sim,
 		return TS_OK;
 	for (int d = 0; d < grid->dimensions; d++)
 		for (int side = 0; side < 2 && !grid->periodic[d]; side++)
-			net += flow_out(&p->fluid, d, (enum ts_side)side, &size);
+			net += flow_out(&p->fluid, d, (enum ts_grid_side)side, &size);
 	if (fabs(net) > UNEVEN * size)
 		return ts_fail(&sim->error, TS_PHYSICS, place_of_flow(self, net),
 			       "the fluid cannot %s: through all faces together it flows %s at %g per "
@@ -279,6 +279,6 @@ enum ts_status ts_projection_balance(struct ts_instance *self, struct tsim *sim,
 			       net < 0 ? "leave" : "come in", net < 0 ? "in" : "out", fabs(net));
 	for (int d = 0; d < 3; d++)
 		volume *= grid->face[d][grid->n[d]] - grid->face[d][0];
-	*mean = (net + ts_projection_room_rate(p)) / volume;
+	*mean = (net + ts_projection_void_rate_integral(p)) / volume;
 	return TS_OK;
 }

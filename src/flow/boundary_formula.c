@@ -15,7 +15,7 @@ double ts_flow_coordinate(const struct ts_grid *grid, int a, int c, int i)
 	return c == a ? grid->face[a][i] : grid->centre[a][i];
 }
 
-enum ts_status ts_flow_formula_now(struct tsim *sim, const struct ts_flow_condition *condition,
+enum ts_status ts_flow_formula_value(struct tsim *sim, const struct ts_flow_condition *condition,
 				   const struct ts_flow_formula *formula, double *out)
 {
 	TS_TRY(ts_number_now(sim, formula->number, &condition->where, out));
@@ -28,7 +28,7 @@ enum ts_status ts_flow_formula_now(struct tsim *sim, const struct ts_flow_condit
 
 enum ts_status ts_flow_fill_plane(struct tsim *sim, const struct ts_flow_condition *condition,
 				  const struct ts_flow_formula *formula, const struct ts_grid *grid, int d,
-				  enum ts_side side, double *plane)
+				  enum ts_grid_side side, double *plane)
 {
 	int a = d == 0, b = d == 2 ? 1 : 2;
 	double x[3];
@@ -39,7 +39,7 @@ enum ts_status ts_flow_fill_plane(struct tsim *sim, const struct ts_flow_conditi
 			x[a] = ts_flow_coordinate(grid, a, formula->component, ia);
 			x[b] = ts_flow_coordinate(grid, b, formula->component, ib);
 			TS_TRY(ts_flow_set_coordinates(sim, condition->set, x, &condition->where));
-			TS_TRY(ts_flow_formula_now(sim, condition, formula,
+			TS_TRY(ts_flow_formula_value(sim, condition, formula,
 						   &plane[ts_flow_plane_at(grid, d, ia, ib)]));
 		}
 	return TS_OK;

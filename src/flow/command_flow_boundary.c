@@ -43,7 +43,7 @@ static enum ts_status refuse(struct tsim *sim, const struct state *s, const stru
 		return ts_fail(&sim->error, TS_SYNTAX, where,
 			       "flow_boundary: an inlet needs a velocity or a pressure: velocity VX VY VZ, or "
 			       "pressure P");
-	if (!ts_flow_open(kind_of(s)) && (!s->pressure.null || s->hydrostatic >= 0))
+	if (!ts_flow_face_open(kind_of(s)) && (!s->pressure.null || s->hydrostatic >= 0))
 		return ts_fail(&sim->error, TS_SYNTAX, where,
 			       "flow_boundary: %s is for an outlet, or an inlet without velocity; at %s faces no "
 			       "pressure is given",
@@ -84,7 +84,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 			projection->condition[face / 2][face % 2] = condition;
 	}
 	projection->pressure = NULL;
-	return ts_projection_prepare(flow, sim);
+	return ts_projection_setup(flow, sim);
 }
 
 static const struct ts_arg args[] = {

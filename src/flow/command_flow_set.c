@@ -57,8 +57,8 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 		status = fill(sim, &field, &p->fluid, c, where);
 	ts_arena_release(&arena);
 	TS_TRY(status);
-	TS_TRY(ts_projection_prepare(flow, sim));
-	return ts_projection_start(flow, sim);
+	TS_TRY(ts_projection_setup(flow, sim));
+	return ts_projection_project_initial(flow, sim);
 }
 
 static const struct ts_arg args[] = {

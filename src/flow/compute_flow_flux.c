@@ -1,6 +1,6 @@
 /* Compute: volume of fluid that crosses a plane or a face of the grid. */
 #include "flow/flow.h"
-#include "flow/measure.h"
+#include "flow/flow_measures.h"
 #include "region/region.h"
 
 #include "base/banned.h"
@@ -42,7 +42,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 		       fluid->grid.face[d][fluid->grid.n[d]]);
 }
 
-static enum ts_status measure(struct ts_instance *self, struct ts_flow_through *out)
+static enum ts_status measure(struct ts_instance *self, struct ts_flow_flux_sums *out)
 {
 	struct state *s = self->state;
 	struct ts_fluid *fluid;
@@ -53,7 +53,7 @@ static enum ts_status measure(struct ts_instance *self, struct ts_flow_through *
 
 static enum ts_status eval_flux(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
-	struct ts_flow_through through;
+	struct ts_flow_flux_sums through;
 
 	(void)sim;
 	TS_TRY(measure(self, &through));
@@ -63,7 +63,7 @@ static enum ts_status eval_flux(struct ts_instance *self, const struct tsim *sim
 
 static enum ts_status eval_all(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
-	struct ts_flow_through through;
+	struct ts_flow_flux_sums through;
 
 	(void)sim;
 	TS_TRY(measure(self, &through));

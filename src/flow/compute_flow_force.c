@@ -1,6 +1,6 @@
 /* Compute: force of the fluid on a face of its grid. */
 #include "flow/flow.h"
-#include "flow/measure.h"
+#include "flow/flow_measures.h"
 #include "math/vec3.h"
 #include "region/region.h"
 
@@ -21,20 +21,20 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_flow_require_fluid(sim, "compute flow/force", &self->where, &fluid));
 	if (fluid->face[s->side / 2][s->side % 2] != TS_FLOW_PERIODIC && s->side / 2 < fluid->grid.dimensions)
 		return TS_OK;
-	return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, ts_flow_side_names[s->side]),
-		       "compute flow/force: nothing bounds the fluid at %s, %s", ts_flow_side_names[s->side],
+	return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, ts_flow_face_names[s->side]),
+		       "compute flow/force: nothing bounds the fluid at %s, %s", ts_flow_face_names[s->side],
 		       s->side / 2 < fluid->grid.dimensions ? "which is periodic" : "the flow is in two dimensions");
 }
 
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	struct state *s = self->state;
-	struct ts_flow_push push;
+	struct ts_flow_face_load push;
 	struct ts_fluid *fluid;
 
 	(void)sim;
 	TS_TRY(ts_flow_require_fluid(s->sim, "compute flow/force", &self->where, &fluid));
-	TS_TRY(ts_flow_face_force(fluid, s->sim, s->side / 2, (enum ts_side)(s->side % 2), s->region,
+	TS_TRY(ts_flow_face_force(fluid, s->sim, s->side / 2, (enum ts_grid_side)(s->side % 2), s->region,
 				  &push));
 	for (int d = 0; d < 3; d++) {
 		out->data[d] = push.pressure[d] + push.shear[d];
@@ -55,7 +55,7 @@ static const struct ts_value values[] = {
 };
 
 static const struct ts_arg args[] = {
-	TS_ENUM("face", struct state, side, ts_flow_side_names, .flags = TS_POSITIONAL,
+	TS_ENUM("face", struct state, side, ts_flow_face_names, .flags = TS_POSITIONAL,
 		.help = "face of the grid"),
 	TS_REGION("region", struct state, region, .flags = TS_OPTIONAL,
 		  .help = "only what has its middle in this region"),

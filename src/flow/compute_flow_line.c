@@ -1,6 +1,6 @@
 /* Compute: velocity, pressure ... of the fluid along a line. */
 #include "flow/flow.h"
-#include "flow/probe.h"
+#include "flow/flow_sampling.h"
 #include "math/vec3.h"
 #include "region/region.h"
 

@@ -1,6 +1,6 @@
 /* Compute: velocity, pressure ... of the fluid in a plane. */
 #include "flow/flow.h"
-#include "flow/probe.h"
+#include "flow/flow_sampling.h"
 #include "region/region.h"
 
 #include "base/banned.h"

@@ -1,5 +1,5 @@
 /* Compute: velocity, pressure ... of the fluid at points. */
-#include "flow/probe.h"
+#include "flow/flow_sampling.h"
 
 #include "base/banned.h"
 

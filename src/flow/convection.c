@@ -30,5 +30,5 @@ const char *const ts_convection_names[] = {
 	[TS_CONVECTION_QUICK] = "quick",     [TS_CONVECTION_CUBISTA] = "cubista",
 	[TS_NCONVECTION] = NULL,
 };
-const char *const ts_form_names[] = { [TS_FORM_VOLUME] = "fv", [TS_FORM_DIFFERENCE] = "fd",
+const char *const ts_flow_form_names[] = { [TS_FORM_VOLUME] = "fv", [TS_FORM_DIFFERENCE] = "fd",
 				      [TS_FORM_CONSERVATIVE] = "conservative", NULL };

@@ -9,7 +9,7 @@
 
 /* Alves, Oliveira & Pinho, Int. J. Numer. Meth. Fluids 41 (2003) 47: QUICK, bounded. From the points upstream:
  * far, near, and the one downstream. Of third order where smooth; never beyond near and downstream. */
-TS_INLINE double ts_cubista(double far, double near, double downstream)
+TS_INLINE double ts_convection_cubista(double far, double near, double downstream)
 {
 	double a = near - far, b = downstream - near, size_a = fabs(a), size_b = fabs(b);
 	double least = 0.75 * (size_a < size_b ? size_a : size_b);
@@ -21,9 +21,9 @@ TS_INLINE double ts_cubista(double far, double near, double downstream)
 
 /* Points m - 2 .. m + 1 of the line are far_low, low, high, far_high; the side m is between low and high; q is the
  * velocity through it. */
-TS_INLINE double ts_side_value(enum ts_convection scheme, double gamma, double q, double far_low,
+TS_INLINE double ts_convection_face_value(enum ts_convection scheme, double gamma, double q, double far_low,
 			       double low, double high, double far_high, double part,
-			       const struct ts_line *line, int m)
+			       const struct ts_operator_line *line, int m)
 {
 	double central = part * low + (1 - part) * high;
 
@@ -38,12 +38,12 @@ TS_INLINE double ts_side_value(enum ts_convection scheme, double gamma, double q
 
 		return q > 0 ? up : down;
 	}
-	return q > 0 ? ts_cubista(far_low, low, high) : ts_cubista(far_high, high, low);
+	return q > 0 ? ts_convection_cubista(far_low, low, high) : ts_convection_cubista(far_high, high, low);
 }
 
 /* - q du/dx by finite differences: gamma of it upwind, the rest central. Differences above and below the
  * point; 1/distance above = above/inverse, likewise below. */
-TS_INLINE double ts_advection(enum ts_convection scheme, double gamma, double q, double up,
+TS_INLINE double ts_convection_difference(enum ts_convection scheme, double gamma, double q, double up,
 			      double down, double above, double below, double inverse)
 {
 	double share = scheme == TS_CONVECTION_DONOR ? gamma : 0;

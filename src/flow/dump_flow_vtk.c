@@ -2,9 +2,9 @@
 #include <string.h>
 
 #include "dump/dump_vtk.h"
-#include "flow/carried.h"
+#include "flow/transported_scalars.h"
 #include "flow/flow.h"
-#include "flow/measure.h"
+#include "flow/flow_measures.h"
 
 #include "base/banned.h"
 
@@ -87,7 +87,7 @@ static enum ts_status take_all(struct ts_instance *self, struct tsim *sim, const
 	size_t most = NFIELDS, n = 0, k = 0;
 	struct ts_word *word;
 
-	while (ts_flow_next_carrier(sim, &k))
+	while (ts_flow_next_scalar(sim, &k))
 		most++;
 	word = ts_arena_alloc(&self->arena, most, sizeof *word);
 	if (!word)
@@ -95,7 +95,7 @@ static enum ts_status take_all(struct ts_instance *self, struct tsim *sim, const
 	for (int field = 0; field < NFIELDS; field++)
 		if (field != VOID || fluid->empty)
 			word[n++].text = fields[field].name;
-	for (k = 0; (fix = ts_flow_next_carrier(sim, &k)); n++)
+	for (k = 0; (fix = ts_flow_next_scalar(sim, &k)); n++)
 		if (!(word[n].text = name_of(self, fix)))
 			return ts_nomem(&sim->error);
 	((struct state *)self->state)->chosen = (struct ts_words){ word, n };
@@ -113,7 +113,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	if (!s->words.n)
 		TS_TRY(take_all(self, sim, fluid));
 	s->list.item = NULL; /* there may be more than before */
-	TS_TRY(ts_flow_names_read(sim, "dump flow/vtk", &self->arena, s->chosen, fields, sizeof *fields,
+	TS_TRY(ts_flow_read_names(sim, "dump flow/vtk", &self->arena, s->chosen, fields, sizeof *fields,
 				  &s->list));
 	s->array = ts_arena_alloc(&self->arena, s->list.n, sizeof *s->array);
 	return s->array ? TS_OK : ts_nomem(&sim->error);
@@ -121,7 +121,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 static size_t components(int field)
 {
-	return field == TS_FLOW_CARRIED ? 1 : fields[field].components;
+	return field == TS_FLOW_SCALAR ? 1 : fields[field].components;
 }
 
 static size_t columns(const struct state *s)
@@ -159,8 +159,8 @@ static enum ts_status fill(struct ts_instance *self, struct tsim *sim, const str
 		size_t n = components(field);
 		const double *carried = NULL;
 
-		if (field == TS_FLOW_CARRIED)
-			TS_TRY(ts_flow_carried(sim, "dump flow/vtk", &s->chosen.word[k], &carried));
+		if (field == TS_FLOW_SCALAR)
+			TS_TRY(ts_flow_scalar_field(sim, "dump flow/vtk", &s->chosen.word[k], &carried));
 		s->array[k] = (struct ts_vtk_array){ s->chosen.word[k].text, to, n, false };
 		fill_cells(fluid, carried ? NULL : fields[field].fill, carried, n, to);
 		to += ts_grid_cells(&fluid->grid) * n;

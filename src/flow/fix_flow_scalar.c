@@ -1,12 +1,12 @@
 /* Fix flow/scalar: heat, or what else the fluid carries. */
-#include "flow/transport.h"
+#include "flow/scalar_transport.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "core/report.h"
 #include "coupling/cell_order.h"
-#include "coupling/share.h"
+#include "coupling/interpolation_weights.h"
 #include "flow/flow.h"
 #include "flow/projection.h"
 #include "heat/heat.h"
@@ -238,14 +238,14 @@ static void lay(void *data, size_t i)
 {
 	const struct context *c = data;
 	struct state *s = c->state;
-	struct ts_share share;
+	struct ts_coupling_weights share;
 	double place[3];
 	int cell[3];
 
-	if (!ts_fluid_place(s->fluid, c->particles->x[i], place, cell))
+	if (!ts_coupling_locate(s->fluid, c->particles->x[i], place, cell))
 		return;
-	ts_share_centre(s->fluid, place, cell, TS_INTERPOLATE_LINEAR, &share);
-	ts_share_react(&s->fluid->grid, &share, -1, s->transport.value,
+	ts_coupling_weights_centre(s->fluid, place, cell, TS_INTERPOLATE_LINEAR, &share);
+	ts_coupling_distribute_force(&s->fluid->grid, &share, -1, s->transport.value,
 		       s->given[i] / (s->fluid->density * s->capacity), 0, s->transport.source, NULL);
 }
 
@@ -265,7 +265,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 		int cell[3];
 
 		s->given[i] = 0;
-		if (!ts_in_group(p, i, self->group) || !ts_fluid_place(s->fluid, p->x[i], place, cell))
+		if (!ts_in_group(p, i, self->group) || !ts_coupling_locate(s->fluid, p->x[i], place, cell))
 			continue;
 		k = conductance(s, p, i, place);
 		there = ts_fluid_value(s->fluid, s->transport.value, place, NULL);

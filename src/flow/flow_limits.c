@@ -14,7 +14,7 @@
 #include <math.h>
 
 #include "flow/flow_limits.h"
-#include "flow/implicit.h"
+#include "flow/implicit_viscosity.h"
 
 #include "base/banned.h"
 
@@ -23,13 +23,13 @@ static double largest_number(const struct ts_projection *p, int d)
 {
 	static const double BESIDE_WALL = 1.1547005383792515; /* 2/sqrt(3) */
 	const struct ts_grid *grid = &p->fluid.grid;
-	const struct ts_line *line = &p->operators.centred[d];
+	const struct ts_operator_line *line = &p->operators.centred[d];
 	int n = grid->n[d];
 	double most = 0;
 
 	for (int i = 0; i < n; i++) {
 		double number = 2 * (line->below[i] + line->above[i]);
-		enum ts_side side = i == 0 ? TS_LOW : TS_HIGH;
+		enum ts_grid_side side = i == 0 ? TS_LOW : TS_HIGH;
 		bool beside = (i == 0 || i == n - 1) && !grid->periodic[d];
 		bool sticks = beside && (p->fluid.face[d][side] == TS_FLOW_WALL ||
 					 p->fluid.face[d][side] == TS_FLOW_INLET);
@@ -104,10 +104,10 @@ static struct rates look_at_row(const struct ts_fluid *fluid, const struct weak 
 
 /* A fluid at rest beside a wall that moves along itself, or an inlet, soon has its velocity. */
 static struct rates look_at_given(const struct ts_fluid *fluid, const struct weak *weak, int d,
-				  enum ts_side side)
+				  enum ts_grid_side side)
 {
 	const struct ts_grid *grid = &fluid->grid;
-	const struct ts_flow_given *given = &fluid->given[d][side];
+	const struct ts_flow_face_velocity *given = &fluid->given[d][side];
 	const int a = d == 0, b = d == 2 ? 1 : 2;
 	struct rates most = { 0 };
 
@@ -134,7 +134,7 @@ static struct rates look_at_faces(const struct ts_fluid *fluid, const struct wea
 	struct rates most = { 0 };
 
 	for (int d = 0; d < fluid->grid.dimensions; d++)
-		for (enum ts_side side = TS_LOW; side <= TS_HIGH; side++) {
+		for (enum ts_grid_side side = TS_LOW; side <= TS_HIGH; side++) {
 			struct rates face = { 0 };
 
 			if (fluid->face[d][side] == TS_FLOW_WALL || fluid->face[d][side] == TS_FLOW_INLET)
@@ -148,7 +148,7 @@ static struct rates look_at_faces(const struct ts_fluid *fluid, const struct wea
 static struct weak weak_of(const struct ts_projection *p)
 {
 	static const double FOURTH = 1.185 / 8, QUICK_AB2 = 0.58, QUICK_RK2 = 0.79;
-	const struct ts_time_scheme *scheme = &ts_time_schemes[p->time];
+	const struct ts_flow_time_scheme *scheme = &ts_flow_time_schemes[p->time];
 	struct weak weak = { .nu = p->viscosity / p->density,
 			     .gamma = p->convection == TS_CONVECTION_DONOR ? p->gamma : 0 };
 
@@ -175,14 +175,14 @@ double ts_flow_viscous_limit(const struct ts_projection *p)
 {
 	if (p->viscous != TS_VISCOUS_EXPLICIT)
 		return INFINITY;
-	return ts_time_schemes[p->time].real / (p->viscosity / p->density * all_numbers(p));
+	return ts_flow_time_schemes[p->time].real / (p->viscosity / p->density * all_numbers(p));
 }
 
 struct ts_flow_limits ts_flow_limits(const struct ts_projection *p)
 {
 	const struct ts_fluid *fluid = &p->fluid;
 	const struct ts_grid *grid = &fluid->grid;
-	const struct ts_time_scheme *scheme = &ts_time_schemes[p->time];
+	const struct ts_flow_time_scheme *scheme = &ts_flow_time_schemes[p->time];
 	const struct weak weak = weak_of(p);
 	const struct rates faces = look_at_faces(fluid, &weak);
 	long rows = (long)grid->n[1] * grid->n[2];

@@ -2,10 +2,11 @@
 #include <stdio.h>
 
 #include "core/report.h"
-#include "coupling/outside.h"
+#include "coupling/outside_grid.h"
+#include "flow/implicit_viscosity.h"
 #include "flow/flow_limits.h"
+#include "flow/flow_resolution.h"
 #include "flow/implicit.h"
-#include "flow/resolution.h"
 
 #include "base/banned.h"
 
@@ -32,10 +33,10 @@ static enum ts_status check_viscous(struct ts_instance *self, struct tsim *sim)
 
 	if (p->viscous == TS_VISCOUS_EXPLICIT)
 		return TS_OK;
-	if (ts_time_schemes[p->time].stages > 1)
+	if (ts_flow_time_schemes[p->time].stages > 1)
 		return ts_fail(&sim->error, TS_RANGE, where,
 			       "flow_style projection: viscous %s goes with time ab2 or euler, not %s", viscous,
-			       ts_time_names[p->time]);
+			       ts_flow_time_names[p->time]);
 	if (!(p->viscosity > 0))
 		return ts_fail(&sim->error, TS_RANGE, where,
 			       "flow_style projection: viscous %s has no viscosity to work on: it is 0; use "
@@ -78,7 +79,7 @@ static enum ts_status derive(struct ts_instance *self, struct tsim *sim)
 			       "central",
 			       ts_convection_names[p->convection]);
 	if (p->form == TS_FORM_CONSERVATIVE && (p->time == TS_TIME_AB2 || p->every > 1))
-		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, ts_form_names[p->form]),
+		return ts_fail(&sim->error, TS_RANGE, ts_instance_word(self, ts_flow_form_names[p->form]),
 			       "flow_style projection: form conservative goes with time euler, rk2 or rk3 and every 1, not with %s",
 			       p->every > 1 ? "every of more than 1" : "time ab2");
 	return check_viscous(self, sim);
@@ -94,10 +95,10 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	p->fluid.outside = (struct ts_fluid_outside){ 0 };
 	p->moved |= is_run && sim->clock.last_step > sim->clock.step;
 	TS_TRY(derive(self, sim));
-	TS_TRY(ts_projection_prepare(self, sim));
+	TS_TRY(ts_projection_setup(self, sim));
 	if (is_run)
 		TS_TRY(ts_projection_solver(self, sim, 0));
-	if (ts_projection_fresh(p))
+	if (ts_projection_not_started(p))
 		p->fluid.time = ts_sim_time(sim);
 	return TS_OK;
 }
@@ -109,7 +110,7 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	p->source_steps++;
 	if (++p->waited < p->every)
 		return TS_OK;
-	TS_TRY(ts_projection_boundary(self, sim));
+	TS_TRY(ts_projection_evaluate_boundary(self, sim));
 	for (int d = 0; d < 3; d++)
 		TS_TRY(ts_number_now(sim, &p->body_force[d], &self->where, &p->fluid.body_force[d]));
 	TS_TRY(ts_number_now(sim, &p->level, &self->where, &p->level_now));
@@ -123,11 +124,11 @@ static enum ts_status finish(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_fluid *fluid = &((struct ts_projection *)self->state)->fluid;
 
-	ts_fluid_tell_outside(fluid, sim);
+	ts_coupling_report_outside(fluid, sim);
 	if (fluid->steps == 0)
 		return TS_OK;
 	ts_fluid_fill_ghosts(fluid, fluid->u);
-	return ts_projection_resolution(self, sim);
+	return ts_projection_check_resolution(self, sim);
 }
 
 static void fini(struct ts_instance *self)
@@ -177,7 +178,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 		status = archive_field(archive, scalars[k].name, '\0', &fluid->grid, scalars[k].field,
 				       !writing || *scalars[k].field);
 	if (status == TS_OK)
-		status = ts_projection_archive_given(p, sim, archive);
+		status = ts_projection_archive_boundary(p, sim, archive);
 	return status == TS_NOMEM ? ts_nomem(&sim->error) : status;
 }
 
@@ -191,7 +192,7 @@ static void fingerprint(const struct ts_instance *self, const struct tsim *sim, 
 			    (size_t)(p->fluid.grid.n[d] + 1) * sizeof(double));
 	for (int d = 0; d < 3; d++)
 		for (int side = 0; side < 2; side++) {
-			const struct ts_flow_given *given = &p->before[d][side];
+			const struct ts_flow_face_velocity *given = &p->before[d][side];
 
 			ts_hash_add(hash, &p->fluid.face[d][side], sizeof p->fluid.face[d][side]);
 			ts_hash_add(hash, given->constant, sizeof given->constant);
@@ -254,11 +255,11 @@ static enum ts_status describe(struct ts_instance *self, struct tsim *sim, struc
 {
 	const struct ts_projection *p = self->state;
 	const struct ts_grid *grid = &p->fluid.grid;
-	const struct ts_time_scheme *scheme = &ts_time_schemes[p->time];
+	const struct ts_flow_time_scheme *scheme = &ts_flow_time_schemes[p->time];
 	double fields = 8 + (scheme->stages > 1) * 3 + scheme->history * 3;
 	double mean;
 
-	TS_TRY(ts_projection_balance(self, sim, &mean));
+	TS_TRY(ts_projection_net_outflow(self, sim, &mean));
 	TS_TRY(ts_projection_check_pressure(self, sim));
 	if (p->viscous != TS_VISCOUS_EXPLICIT && p->fluid.empty)
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, viscous_names[p->viscous]),
@@ -267,8 +268,8 @@ static enum ts_status describe(struct ts_instance *self, struct tsim *sim, struc
 			       viscous_names[p->viscous]);
 	warn_of_walls(self, sim);
 	ts_report_line(report, "fluid", "%d x %d x %d cells, convection %s (%s), time %s", grid->n[0],
-		       grid->n[1], grid->n[2], ts_convection_names[p->convection], ts_form_names[p->form],
-		       ts_time_names[p->time]);
+		       grid->n[1], grid->n[2], ts_convection_names[p->convection], ts_flow_form_names[p->form],
+		       ts_flow_time_names[p->time]);
 	ts_pressure_explain(sim, &p->poisson, p->fluid.empty || p->fluid.exchange[0], report);
 	report->bytes += 8 * fields * (double)grid->size;
 	if (!p->fluid.empty)
@@ -283,7 +284,7 @@ static enum ts_status describe(struct ts_instance *self, struct tsim *sim, struc
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
 	const struct ts_projection *p = self->state;
-	const struct ts_time_scheme *scheme = &ts_time_schemes[p->time];
+	const struct ts_flow_time_scheme *scheme = &ts_flow_time_schemes[p->time];
 	struct ts_flow_limits limits;
 	/* steps of the simulation to one of the fluid */
 	double steps = (double)p->every / (double)(p->substeps ? p->substeps : 1);
@@ -329,7 +330,7 @@ static const struct ts_arg args[] = {
 		.unit = "pressure time", .help = "dynamic viscosity"),
 	TS_REAL("density", struct ts_projection, density, .range = TS_POSITIVE, .unit = "mass/length^3",
 		.help = "density of the fluid"),
-	TS_ENUM("time", struct ts_projection, time, ts_time_names, .fallback = "euler",
+	TS_ENUM("time", struct ts_projection, time, ts_flow_time_names, .fallback = "euler",
 		.help = "scheme in time"),
 	TS_ENUM("viscous", struct ts_projection, viscous, viscous_names, .fallback = "explicit",
 		.help = "viscosity explicit; implicit: Crank-Nicolson, or backward Euler, which do not limit the "
@@ -348,7 +349,7 @@ static const struct ts_arg args[] = {
 			"form fd"),
 	TS_REAL("gamma", struct ts_projection, gamma, .range = TS_FRACTION, .fallback = "0.5",
 		.help = "convection donor: share of donor cell, the rest is central"),
-	TS_ENUM("form", struct ts_projection, form, ts_form_names, .fallback = "fv",
+	TS_ENUM("form", struct ts_projection, form, ts_flow_form_names, .fallback = "fv",
 		.help = "finite volumes, finite differences of u grad u, or finite volumes of e u"),
 	TS_ENUM("wall", struct ts_projection, wall, wall_forms, .fallback = "quadratic",
 		.help = "profile along the normal between a wall and the points beside it"),

@@ -58,7 +58,7 @@ enum ts_status ts_fluid_make(struct ts_fluid *fluid)
 	return want_field(&fluid->grid, &fluid->p, 0);
 }
 
-enum ts_status ts_fluid_want(struct ts_fluid *fluid, struct tsim *sim, unsigned fields)
+enum ts_status ts_fluid_require_fields(struct ts_fluid *fluid, struct tsim *sim, unsigned fields)
 {
 	const struct ts_grid *grid = &fluid->grid;
 	enum ts_status status = TS_OK;
@@ -80,7 +80,7 @@ enum ts_status ts_fluid_want(struct ts_fluid *fluid, struct tsim *sim, unsigned 
 	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
 }
 
-double ts_fluid_kicks_left(const struct tsim *sim)
+double ts_fluid_kick_fraction(const struct tsim *sim)
 {
 	const struct ts_instances *fixes = &sim->instances[TS_KIND_FIX];
 

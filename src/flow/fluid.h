@@ -16,7 +16,7 @@
 #include "core/sim.h"
 #include "grid/grid.h"
 
-enum ts_side { TS_LOW, TS_HIGH };
+enum ts_grid_side { TS_LOW, TS_HIGH };
 
 enum ts_flow_face {
 	TS_FLOW_PERIODIC,
@@ -28,28 +28,28 @@ enum ts_flow_face {
 };
 
 /* Whether the pressure is given there, and the flow across not. */
-static inline bool ts_flow_open(enum ts_flow_face face)
+static inline bool ts_flow_face_open(enum ts_flow_face face)
 {
 	return face == TS_FLOW_OUTLET || face == TS_FLOW_INTAKE;
 }
 
 /* Pressure given on one face of the grid. */
-struct ts_flow_pressure {
+struct ts_flow_face_pressure {
 	double constant;
 	double *plane; /* where it varies over the face, by ts_flow_plane_at; NULL: constant */
 };
 
 /* Velocity given at one face of the grid, for walls and inlets. */
-struct ts_flow_given {
+struct ts_flow_face_velocity {
 	double constant[3];
 	double *plane[3]; /* where it varies over the face, by ts_flow_plane_at; NULL: constant */
 };
 
 struct ts_fluid {
 	struct ts_grid grid;
-	enum ts_flow_face face[3][2]; /* [axis][enum ts_side] */
-	struct ts_flow_given given[3][2];
-	struct ts_flow_pressure pressure[3][2]; /* on open faces, of the last projection, less: */
+	enum ts_flow_face face[3][2]; /* [axis][enum ts_grid_side] */
+	struct ts_flow_face_velocity given[3][2];
+	struct ts_flow_face_pressure pressure[3][2]; /* on open faces, of the last projection, less: */
 	double pressure_base;
 	/* A component along a wall or an inlet in the first ghost cell: mirror[0] times the velocity given plus
 	 * mirror[1], mirror[2] times those of the two cells inside. */
@@ -58,7 +58,7 @@ struct ts_fluid {
 	double *u[3]; /* at lower faces; ghosts hold what the boundary conditions say */
 	double *p;    /* at centres */
 
-	/* On demand, see ts_fluid_want: NULL where nobody has asked. Particles add to f and k in each step of the
+	/* On demand, see ts_fluid_require_fields: NULL where nobody has asked. Particles add to f and k in each step of the
 	 * simulation, but not in its set-up (sim->in_setup); the fluid takes the means over the steps since its
 	 * last one. */
 	double *force[3];    /* f above, at lower faces, force per volume */
@@ -114,7 +114,7 @@ static inline size_t ts_flow_plane_size(const struct ts_grid *grid, int d)
 	return ts_flow_plane_at(grid, d, 0, grid->n[b] + grid->ghosts[b] + 1);
 }
 
-static inline double ts_flow_pressure_at(const struct ts_flow_pressure *p, size_t at)
+static inline double ts_flow_face_pressure_at(const struct ts_flow_face_pressure *p, size_t at)
 {
 	return p->plane ? p->plane[at] : p->constant;
 }
@@ -125,13 +125,13 @@ void ts_fluid_release(struct ts_fluid *fluid);
 
 /* How much of a force added after a step the velocities get before the next forces: velocity Verlet has given half of
  * the kick already. */
-double ts_fluid_kicks_left(const struct tsim *sim);
+double ts_fluid_kick_fraction(const struct tsim *sim);
 
 /* Makes optional fields, in the init of who needs them. */
-enum ts_status ts_fluid_want(struct ts_fluid *fluid, struct tsim *sim, unsigned fields);
+enum ts_status ts_fluid_require_fields(struct ts_fluid *fluid, struct tsim *sim, unsigned fields);
 
 struct ts_mesh_surface;
-struct ts_spread_how;
+struct ts_coupling_volume;
 struct ts_closed_search;
 
 /* Who takes part in a step of the fluid: state of a fix begins with this and its family is TS_FAMILY_FLOW_PART.
@@ -147,7 +147,7 @@ struct ts_flow_part {
 	enum ts_status (*carry)(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
 				double dt);
 	/* Where the volume of a particle counts, for e; NULL: it makes no e. */
-	void (*spread)(const struct ts_instance *self, const struct tsim *sim, struct ts_spread_how *how);
+	void (*spread)(const struct ts_instance *self, const struct tsim *sim, struct ts_coupling_volume *how);
 	/* Largest stable dt of the fluid as far as it is concerned, or INFINITY. */
 	double (*limit)(const struct ts_instance *self, const struct ts_fluid *fluid);
 	/* After all of these, `length` in all: `used` is the mean over them; f and k are still there. */
@@ -155,10 +155,10 @@ struct ts_flow_part {
 				 double length);
 	/* Tells the search for closed-off fluid which faces of cells it holds (immersed/closed_regions.h). */
 	void (*block)(const struct ts_instance *self, struct ts_closed_search *search);
-	/* What it carries along, at centres, ghosts written: f_ID in dumps and probes (flow/carried.h). */
+	/* What it carries along, at centres, ghosts written: f_ID in dumps and probes (flow/transported_scalars.h). */
 	const double *(*scalar)(struct ts_instance *self);
 	/* Adds the force of the last step on the mesh, and the torque about the mesh's anchor; says how much of the
-	 * fluid counts as virtual mass by volume of a body that moves freely (immersed/virtual_mass.h). */
+	 * fluid counts as virtual mass by volume of a body that moves freely (immersed/virtual_mass_stabilization.h). */
 	void (*load)(const struct ts_instance *self, const struct ts_mesh_surface *mesh,
 		     double load[2][3], double *virtual_density);
 	/* Whether bodies that move freely have come to a speed that may be what went wrong in a step of dt; the

@@ -96,7 +96,7 @@ static void wrap(const struct ts_grid *grid, double *field, const struct plane *
 		}
 }
 
-static double given_at(const struct ts_flow_given *given, const struct ts_grid *grid, int d, int c,
+static double given_at(const struct ts_flow_face_velocity *given, const struct ts_grid *grid, int d, int c,
 		       int ia, int ib)
 {
 	return given->plane[c] ? given->plane[c][ts_flow_plane_at(grid, d, ia, ib)]
@@ -105,7 +105,7 @@ static double given_at(const struct ts_flow_given *given, const struct ts_grid *
 
 /* ---- the component across the face */
 
-static void fill_across(const struct ts_fluid *fluid, double *u, const struct plane *plane, enum ts_side side,
+static void fill_across(const struct ts_fluid *fluid, double *u, const struct plane *plane, enum ts_grid_side side,
 			bool keep)
 {
 	const struct ts_grid *grid = &fluid->grid;
@@ -113,7 +113,7 @@ static void fill_across(const struct ts_fluid *fluid, double *u, const struct pl
 	ptrdiff_t s = side == TS_LOW ? grid->stride[d] : -grid->stride[d];
 	ptrdiff_t face = side == TS_LOW ? 0 : grid->n[d] * grid->stride[d];
 	enum ts_flow_face kind = fluid->face[d][side];
-	bool open = ts_flow_open(kind);
+	bool open = ts_flow_face_open(kind);
 
 	for (int ib = plane->from[plane->b]; ib < plane->to[plane->b]; ib++)
 		for (int ia = plane->from[plane->a]; ia < plane->to[plane->a]; ia++) {
@@ -133,7 +133,7 @@ static void fill_across(const struct ts_fluid *fluid, double *u, const struct pl
 
 /* 1 where the fluid leaves through an open face beside a point of component c, else 0. */
 static double leaves(const struct ts_grid *grid, const double *across, ptrdiff_t at, int c,
-		     enum ts_side side)
+		     enum ts_grid_side side)
 {
 	double u = across[at] + across[at - grid->stride[c]];
 
@@ -141,7 +141,7 @@ static double leaves(const struct ts_grid *grid, const double *across, ptrdiff_t
 }
 
 static void fill_along(const struct ts_fluid *fluid, double *const u[3], int c,
-		       const struct plane *plane, enum ts_side side)
+		       const struct plane *plane, enum ts_grid_side side)
 {
 	const struct ts_grid *grid = &fluid->grid;
 	int d = plane->d;
@@ -149,7 +149,7 @@ static void fill_along(const struct ts_fluid *fluid, double *const u[3], int c,
 	ptrdiff_t first = side == TS_LOW ? 0 : (grid->n[d] - 1) * grid->stride[d];
 	ptrdiff_t face = side == TS_LOW ? 0 : grid->n[d] * grid->stride[d];
 	enum ts_flow_face kind = fluid->face[d][side];
-	enum rule rule = kind == TS_FLOW_SLIP ? RULE_EVEN : ts_flow_open(kind) ? RULE_OUT : RULE_MIRROR;
+	enum rule rule = kind == TS_FLOW_SLIP ? RULE_EVEN : ts_flow_face_open(kind) ? RULE_OUT : RULE_MIRROR;
 
 	for (int ib = plane->from[plane->b]; ib < plane->to[plane->b]; ib++)
 		for (int ia = plane->from[plane->a]; ia < plane->to[plane->a]; ia++) {
@@ -188,9 +188,9 @@ static void velocity_rows(void *context, size_t from, size_t to)
 		}
 		for (int side = 0; side < 2; side++)
 			if (turn == 0)
-				fill_across(task->fluid, task->u[c], &plane, (enum ts_side)side, task->keep);
+				fill_across(task->fluid, task->u[c], &plane, (enum ts_grid_side)side, task->keep);
 			else
-				fill_along(task->fluid, task->u, c, &plane, (enum ts_side)side);
+				fill_along(task->fluid, task->u, c, &plane, (enum ts_grid_side)side);
 	}
 }
 
@@ -217,7 +217,7 @@ void ts_fluid_fill_ghosts(const struct ts_fluid *fluid, double *const u[3])
 
 /* `given` and `base`: of the rule that wants a value on the face, their sum; NULL: 0. */
 static void fill_side(const struct ts_grid *grid, double *field, const struct plane *plane,
-		      enum ts_side side, enum rule rule, const struct ts_flow_pressure *given,
+		      enum ts_grid_side side, enum rule rule, const struct ts_flow_face_pressure *given,
 		      double base)
 {
 	int d = plane->d;
@@ -229,7 +229,7 @@ static void fill_side(const struct ts_grid *grid, double *field, const struct pl
 			double value = 0;
 
 			if (given)
-				value = base + ts_flow_pressure_at(given, ts_flow_plane_at(grid, d, ia, ib));
+				value = base + ts_flow_face_pressure_at(given, ts_flow_plane_at(grid, d, ia, ib));
 			fill_line(rule, field + plane_offset(grid, plane, ia, ib) + first, s, value, NULL);
 		}
 }
@@ -253,9 +253,9 @@ static void centred_rows(void *context, size_t from, size_t to)
 		return;
 	}
 	for (int side = 0; side < 2; side++) {
-		bool given = task->is_pressure && ts_flow_open(task->fluid->face[task->d][side]);
+		bool given = task->is_pressure && ts_flow_face_open(task->fluid->face[task->d][side]);
 
-		fill_side(grid, task->field, &plane, (enum ts_side)side, given ? RULE_ODD : RULE_EVEN,
+		fill_side(grid, task->field, &plane, (enum ts_grid_side)side, given ? RULE_ODD : RULE_EVEN,
 			  given ? &task->fluid->pressure[task->d][side] : NULL, task->base);
 	}
 }

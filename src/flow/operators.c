@@ -18,7 +18,7 @@ static void quadratic(const double x[3], double y, double weight[3])
 
 /* `point`: where the values are, `side[m]` between point[m - 1] and point[m], lowest and highest indices of
  * points. */
-static void make_line(struct ts_line *line, const double *point, const double *side, int low, int high,
+static void make_line(struct ts_operator_line *line, const double *point, const double *side, int low, int high,
 		      double **memory)
 {
 	double *array[NARRAYS];
@@ -46,7 +46,7 @@ static void make_line(struct ts_line *line, const double *point, const double *s
 		for (int k = 0; k < 3 && m < high; k++)
 			array[7 + k][m] = weight[k];
 	}
-	*line = (struct ts_line){ array[0], array[1], array[2], array[3],
+	*line = (struct ts_operator_line){ array[0], array[1], array[2], array[3],
 				  { array[4], array[5], array[6] }, { array[7], array[8], array[9] } };
 }
 

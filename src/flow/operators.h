@@ -14,7 +14,7 @@
 
 /* Coefficients along one axis for values at points of that axis: centres, or faces. Side m lies between
  * points m - 1 and m. By index from -1 to n. */
-struct ts_line {
+struct ts_operator_line {
 	const double *inverse; /* 1/width of the control volume of point m */
 	const double *below, *above; /* diffusion: 1/(width of the volume * distance to the neighbour) */
 	const double *part;    /* linear interpolation at side m: what point m - 1 counts; m: the rest */
@@ -23,7 +23,7 @@ struct ts_line {
 };
 
 struct ts_operators {
-	struct ts_line centred[3], staggered[3];
+	struct ts_operator_line centred[3], staggered[3];
 	const double *mass[3]; /* at face m: what the velocity of cell m - 1 counts for the flow across, m: the rest */
 	double *memory;
 };
@@ -44,15 +44,15 @@ struct ts_convection_scheme {
 };
 extern const struct ts_convection_scheme ts_convection_schemes[TS_NCONVECTION];
 /* conservative: volumes, and e u is what is stepped forward. */
-enum ts_form { TS_FORM_VOLUME, TS_FORM_DIFFERENCE, TS_FORM_CONSERVATIVE };
-extern const char *const ts_convection_names[], *const ts_form_names[];
+enum ts_flow_form { TS_FORM_VOLUME, TS_FORM_DIFFERENCE, TS_FORM_CONSERVATIVE };
+extern const char *const ts_convection_names[], *const ts_flow_form_names[];
 
 /* out = keep * old + take * (u + dt rate(u)) at all faces where the velocity is not given. */
 struct ts_predictor {
 	const struct ts_fluid *fluid;
 	const struct ts_operators *operators;
 	enum ts_convection convection;
-	enum ts_form form;
+	enum ts_flow_form form;
 	double gamma;	    /* donor cell: share of upwind */
 	double nu;	    /* kinematic viscosity */
 	double acceleration[3];
@@ -64,7 +64,7 @@ struct ts_predictor {
 	double *out[3];
 	int threads;
 };
-void ts_predict(const struct ts_predictor *predictor);
+void ts_flow_predict(const struct ts_predictor *predictor);
 
 /* The faces of component c between which the momentum equation holds: from[d] <= index < to[d]. */
 void ts_flow_unknowns(const struct ts_fluid *fluid, int c, int from[3], int to[3]);

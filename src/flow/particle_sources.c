@@ -9,7 +9,7 @@
 /* What du/dt is multiplied by in the momentum of a stage. */
 static const double *inertia(const struct ts_projection *p, int d)
 {
-	return ts_projection_whole(p) && p->fluid.inertia[d] && !p->still ? p->fluid.inertia[d]
+	return ts_projection_conservative(p) && p->fluid.inertia[d] && !p->still ? p->fluid.inertia[d]
 									  : p->fluid.empty_face[d];
 }
 
@@ -31,12 +31,12 @@ static void make_weights(const struct ts_projection *p, int d, double dt)
 	}
 }
 
-enum ts_status ts_projection_weights(struct ts_projection *p, double dt)
+enum ts_status ts_projection_face_weights(struct ts_projection *p, double dt)
 {
 	struct ts_fluid *fluid = &p->fluid;
 
 	for (int d = 0; d < fluid->grid.dimensions; d++) {
-		if (!fluid->exchange[d] && !ts_projection_whole(p)) {
+		if (!fluid->exchange[d] && !ts_projection_conservative(p)) {
 			p->poisson.weight[d] = fluid->empty_face[d];
 			continue;
 		}
@@ -67,7 +67,7 @@ static void push_row(const struct ts_projection *p, int c, size_t at, size_t end
 	}
 }
 
-void ts_projection_push(struct ts_projection *p, double dt)
+void ts_projection_apply_particle_forces(struct ts_projection *p, double dt)
 {
 	const struct ts_fluid *fluid = &p->fluid;
 	const struct ts_grid *grid = &fluid->grid;
@@ -100,7 +100,7 @@ static void use(struct ts_projection *p, double *used, const double *u, double c
 		used[at] = take * (carry * used[at] + u[at]);
 }
 
-void ts_projection_use(struct ts_projection *p, double carry, double take)
+void ts_projection_average_exchange(struct ts_projection *p, double carry, double take)
 {
 	struct ts_fluid *fluid = &p->fluid;
 

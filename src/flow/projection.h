@@ -9,12 +9,12 @@
 #include "flow/flow.h"
 #include "flow/fluid.h"
 #include "flow/operators.h"
-#include "flow/schemes.h"
+#include "flow/time_schemes.h"
 #include "poisson/poisson.h"
 
 #define TS_FAMILY_PROJECTION "projection"
 
-enum ts_wall_form { TS_WALL_QUADRATIC, TS_WALL_LINEAR };
+enum ts_flow_wall_form { TS_WALL_QUADRATIC, TS_WALL_LINEAR };
 
 /* Whether the pressure on an open face grows with depth. */
 enum ts_flow_depth { TS_FLOW_PRESSURE_UNSAID, TS_FLOW_EVEN, TS_FLOW_HYDROSTATIC };
@@ -58,10 +58,10 @@ struct ts_projection {
 	struct ts_flow_condition condition[3][2];
 
 	/* Velocities given at the last step of the fluid and now; fluid.given is between them. */
-	struct ts_flow_given before[3][2], now[3][2];
+	struct ts_flow_face_velocity before[3][2], now[3][2];
 	uint8_t before_known;
 	/* The same for pressures on open faces, and those of the projection to come. */
-	struct ts_flow_pressure pressure_before[3][2], pressure_now[3][2], pressure_next[3][2];
+	struct ts_flow_face_pressure pressure_before[3][2], pressure_now[3][2], pressure_next[3][2];
 	double next_base;      /* pressure_base of the fluid in that projection */
 	double pressure_share; /* how far that is from the last step of the fluid (0) to now (1) */
 	struct ts_number level; /* mean pressure where no face is open */
@@ -107,7 +107,7 @@ struct ts_projection {
 };
 
 /* Nothing has happened yet: not a step of the simulation. */
-static inline bool ts_projection_fresh(const struct ts_projection *p)
+static inline bool ts_projection_not_started(const struct ts_projection *p)
 {
 	return p->fluid.steps == 0 && p->waited == 0;
 }
@@ -129,79 +129,79 @@ enum ts_status ts_flow_set_coordinates(struct tsim *sim, const char *const set[3
 				       const struct ts_place *where);
 
 /* Grid, fields, boundary values and operators as settings and box are now. */
-enum ts_status ts_projection_prepare(struct ts_instance *self, struct tsim *sim);
+enum ts_status ts_projection_setup(struct ts_instance *self, struct tsim *sim);
 void ts_projection_release(struct ts_projection *projection);
 
 /* void_fraction.c. From `empty`: its ghosts, faces and rate; `elapsed` since the last step. */
-enum ts_status ts_projection_room(struct ts_projection *projection, double elapsed);
+enum ts_status ts_projection_update_void_fraction(struct ts_projection *projection, double elapsed);
 /* Whether e u is stepped forward. */
-static inline bool ts_projection_whole(const struct ts_projection *projection)
+static inline bool ts_projection_conservative(const struct ts_projection *projection)
 {
 	return projection->form == TS_FORM_CONSERVATIVE && projection->fluid.empty;
 }
 /* The void fraction in the product e u of a stage, for the predictor. */
-void ts_projection_room_stage(struct ts_projection *projection, struct ts_predictor *stage, int s);
+void ts_projection_stage_void_fraction(struct ts_projection *projection, struct ts_predictor *stage, int s);
 /* Sum of de/dt over the grid. */
-double ts_projection_room_rate(const struct ts_projection *projection);
+double ts_projection_void_rate_integral(const struct ts_projection *projection);
 /* Weights of the faces in the projection of a stage of length dt. */
-enum ts_status ts_projection_weights(struct ts_projection *projection, double dt);
+enum ts_status ts_projection_face_weights(struct ts_projection *projection, double dt);
 /* Forces of the particles act on the velocity for dt. */
-void ts_projection_push(struct ts_projection *projection, double dt);
+void ts_projection_apply_particle_forces(struct ts_projection *projection, double dt);
 /* used <- take (carry used + u): what stages make of the velocities that k multiplied. */
-void ts_projection_use(struct ts_projection *projection, double carry, double take);
+void ts_projection_average_exchange(struct ts_projection *projection, double carry, double take);
 void ts_projection_clear_sources(struct ts_projection *projection);
 
 /* Who solves for the pressure, prepared for the faces and weights of now. */
 enum ts_status ts_projection_solver(struct ts_instance *self, struct tsim *sim, double held);
 /* Makes the velocity, whose boundary is filled, free of divergence: u -= dt/rho grad p. `held`: for how long particles hold the fluid in
  * it by their k, dt or 0. */
-enum ts_status ts_projection_project(struct ts_instance *self, struct tsim *sim, double dt, double held);
+enum ts_status ts_projection_project_velocity(struct ts_instance *self, struct tsim *sim, double dt, double held);
 /* div(e u) + de/dt in a row of cells. */
 void ts_flow_divergence_row(const struct ts_fluid *fluid, int j, int k, double *out);
 /* The same for a field that was set: the pressure does not count. */
-enum ts_status ts_projection_start(struct ts_instance *self, struct tsim *sim);
-/* One step of the fluid; `carry`: see ts_projection_use, what its first stage takes over. */
-enum ts_status ts_projection_advance(struct ts_instance *self, struct tsim *sim, double dt, double carry);
+enum ts_status ts_projection_project_initial(struct ts_instance *self, struct tsim *sim);
+/* One step of the fluid; `carry`: see ts_projection_average_exchange, what its first stage takes over. */
+enum ts_status ts_projection_substep(struct ts_instance *self, struct tsim *sim, double dt, double carry);
 /* All the steps of the fluid that a step of the simulation of this length has. */
 enum ts_status ts_projection_step(struct ts_instance *self, struct tsim *sim, double length);
 /* Courant number, change and divergence of the last step; an error when it went wrong. */
-enum ts_status ts_projection_watch(struct ts_instance *self, struct tsim *sim, double *const before[3],
+enum ts_status ts_projection_check_substep(struct ts_instance *self, struct tsim *sim, double *const before[3],
 				   double dt);
 
 /* Evaluates what variables say about the faces: velocities given, now. boundary.c */
-enum ts_status ts_projection_boundary(struct ts_instance *self, struct tsim *sim);
+enum ts_status ts_projection_evaluate_boundary(struct ts_instance *self, struct tsim *sim);
 /* The faces get what is given between the last step of the fluid (0) and now (1). */
-void ts_projection_blend(struct ts_projection *projection, double share);
+void ts_projection_interpolate_boundary(struct ts_projection *projection, double share);
 /* What is given now becomes what was given at the last step. */
-enum ts_status ts_projection_settle(struct ts_projection *projection);
+enum ts_status ts_projection_store_boundary(struct ts_projection *projection);
 /* Planes of velocities given, for restart files. */
-enum ts_status ts_projection_archive_given(struct ts_projection *projection, struct tsim *sim,
+enum ts_status ts_projection_archive_boundary(struct ts_projection *projection, struct tsim *sim,
 					   struct ts_archive *archive);
 /* One of these numbers as it is now; an error where it is not finite. */
-enum ts_status ts_flow_formula_now(struct tsim *sim, const struct ts_flow_condition *condition,
+enum ts_status ts_flow_formula_value(struct tsim *sim, const struct ts_flow_condition *condition,
 				   const struct ts_flow_formula *formula, double *out);
 /* At all points of the face. */
 enum ts_status ts_flow_fill_plane(struct tsim *sim, const struct ts_flow_condition *condition,
 				  const struct ts_flow_formula *formula, const struct ts_grid *grid, int d,
-				  enum ts_side side, double *plane);
+				  enum ts_grid_side side, double *plane);
 /* Where point i of a component (TS_FLOW_CENTRES: of cells) stands along axis a; beyond the grid as its last point, or
  * periodically. */
 double ts_flow_coordinate(const struct ts_grid *grid, int a, int c, int i);
 
 /* Exact at both ends, and where nothing changes. */
-static inline double ts_flow_between(double a, double b, double share)
+static inline double ts_flow_interpolate_time(double a, double b, double share)
 {
 	return share < 1 ? a + share * (b - a) : b;
 }
 
 /* face_pressure.c. What variables say about the pressure on a face, now. */
-enum ts_status ts_projection_give_pressure(struct ts_projection *projection, struct tsim *sim, int d,
-					   enum ts_side side);
-enum ts_status ts_projection_settle_pressure(struct ts_projection *projection);
+enum ts_status ts_projection_evaluate_pressure(struct ts_projection *projection, struct tsim *sim, int d,
+					   enum ts_grid_side side);
+enum ts_status ts_projection_store_pressure(struct ts_projection *projection);
 /* Before a solve, with rhs made: the pressure on open faces goes into it; the field to be found, and its ghosts, are
  * without pressure_base, and a change from the last one where the pressure is ahead. After it: as it was. */
-enum ts_status ts_projection_press(struct ts_projection *projection);
-void ts_projection_pressed(struct ts_projection *projection);
+enum ts_status ts_projection_impose_pressure(struct ts_projection *projection);
+void ts_projection_restore_pressure(struct ts_projection *projection);
 enum ts_status ts_projection_archive_pressure(struct ts_projection *projection, struct tsim *sim,
 					      struct ts_archive *archive);
 void ts_projection_release_pressure(struct ts_projection *projection);
@@ -209,9 +209,9 @@ void ts_projection_release_pressure(struct ts_projection *projection);
 enum ts_status ts_projection_check_pressure(struct ts_instance *self, struct tsim *sim);
 
 /* Kinds of the faces by settings and box; refuses what cannot be. */
-enum ts_status ts_projection_faces(struct ts_instance *self, struct tsim *sim);
+enum ts_status ts_projection_set_face_types(struct ts_instance *self, struct tsim *sim);
 /* Flow through the whole boundary outwards per volume of the grid, by the velocities given; refused where
  * nothing can leave and it is not zero. */
-enum ts_status ts_projection_balance(struct ts_instance *self, struct tsim *sim, double *mean);
+enum ts_status ts_projection_net_outflow(struct ts_instance *self, struct tsim *sim, double *mean);
 
 #endif

@@ -106,7 +106,7 @@ static void make_rate(const struct ts_projection *p, double elapsed)
 	}
 }
 
-enum ts_status ts_projection_room(struct ts_projection *p, double elapsed)
+enum ts_status ts_projection_update_void_fraction(struct ts_projection *p, double elapsed)
 {
 	struct ts_fluid *fluid = &p->fluid;
 
@@ -115,7 +115,7 @@ enum ts_status ts_projection_room(struct ts_projection *p, double elapsed)
 	if (!p->empty_before && !(p->empty_before = ts_grid_field(&fluid->grid)))
 		return TS_NOMEM;
 	ts_fluid_fill_centred(fluid, fluid->empty);
-	if (ts_projection_whole(p))
+	if (ts_projection_conservative(p))
 		TS_TRY(room_keep(p, elapsed));
 	make_rate(p, elapsed);
 	p->empty_known = 1;
@@ -124,7 +124,7 @@ enum ts_status ts_projection_room(struct ts_projection *p, double elapsed)
 	return TS_OK;
 }
 
-double ts_projection_room_rate(const struct ts_projection *p)
+double ts_projection_void_rate_integral(const struct ts_projection *p)
 {
 	const struct ts_grid *grid = &p->fluid.grid;
 	double sum = 0;
@@ -144,7 +144,7 @@ double ts_projection_room_rate(const struct ts_projection *p)
 /* ---- form conservative: E in the stages of a step */
 
 /* How far E lags behind e, in steps of the fluid. */
-static double lag_of(const struct ts_time_scheme *scheme)
+static double lag_of(const struct ts_flow_time_scheme *scheme)
 {
 	double lag = 1;
 
@@ -156,7 +156,7 @@ static double lag_of(const struct ts_time_scheme *scheme)
 /* E at the beginning of a step of the fluid: the first one has the rate of the step before. */
 static void begin(struct ts_projection *p, int d, double dt)
 {
-	const double lag = lag_of(&ts_time_schemes[p->time]), done = (double)p->now_at;
+	const double lag = lag_of(&ts_flow_time_schemes[p->time]), done = (double)p->now_at;
 	const double *before = p->room_before[d], *rate = p->room_rate[d],
 		     *now = p->fluid.empty_face[d];
 	double *start = p->room_start[d], *mass = p->fluid.inertia[d];
@@ -191,7 +191,7 @@ static void go_on(struct ts_projection *p, int d, const struct ts_predictor *sta
 	}
 }
 
-void ts_projection_room_stage(struct ts_projection *p, struct ts_predictor *stage, int s)
+void ts_projection_stage_void_fraction(struct ts_projection *p, struct ts_predictor *stage, int s)
 {
 	const bool first = s == 0 && p->now_at == 0;
 

@@ -196,7 +196,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 	}
 	ts_free(p->graded[s->axis]);
 	p->graded[s->axis] = face;
-	return ts_projection_prepare(flow, sim);
+	return ts_projection_setup(flow, sim);
 }
 
 static const struct ts_arg geometric_args[] = {

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "flow/measure.h"
+#include "flow/flow_measures.h"
 #include "flow/projection.h"
 
 #include "base/banned.h"
@@ -38,7 +38,7 @@ struct body {
 	const struct ts_instance *self;
 	const struct ts_immersed *ib;
 	const struct ts_solid *solid;
-	enum ts_body_motion motion;
+	enum ts_immersed_motion motion;
 };
 
 struct ts_closed_search {
@@ -57,7 +57,7 @@ struct ts_closed_search {
 
 void ts_closed_search_add_body(struct ts_closed_search *s, const struct ts_instance *self,
 		     const struct ts_immersed *ib, const struct ts_solid *solid,
-		     enum ts_body_motion motion)
+		     enum ts_immersed_motion motion)
 {
 	if (s->status != TS_OK || s->nbodies == UINT16_MAX)
 		return;
@@ -114,13 +114,13 @@ static double area_of(const struct ts_grid *grid, const int i[3], int d)
 
 static bool is_open(const struct ts_closed_search *s, int d, int side)
 {
-	return ts_flow_open(s->p->fluid.face[d][side]);
+	return ts_flow_face_open(s->p->fluid.face[d][side]);
 }
 
 /* The velocity across the boundary that is given at the cell. */
 static double given_there(const struct ts_closed_search *s, const int i[3], int d, int side)
 {
-	const struct ts_flow_given *now = &s->p->now[d][side];
+	const struct ts_flow_face_velocity *now = &s->p->now[d][side];
 	int a = d == 0, b = d == 2 ? 1 : 2;
 
 	if (is_open(s, d, side) || s->p->fluid.face[d][side] == TS_FLOW_SLIP)
@@ -367,7 +367,7 @@ static enum ts_status judge(const struct ts_closed_search *s, struct tsim *sim,
 			       "through the faces of the grid it flows %s there at %g per time, and there is no "
 			       "way to an outlet; leave a gap of a cell or more, or make the velocities given "
 			       "there balance",
-			       name, ts_flow_side_names[region->face],
+			       name, ts_flow_face_names[region->face],
 			       x[0], x[1], x[2], region->net < 0 ? "out" : "in", fabs(region->net));
 	if (!is_wide(s, region))
 		return TS_OK;
@@ -418,7 +418,7 @@ static enum ts_status look_at_inlet(struct ts_closed_search *s, struct tsim *sim
 				       "%s: the body stands on flow_boundary %s, at (%.4g %.4g %.4g), where fluid "
 				       "is to cross the face with velocity %g and the body has %g: move it off, or "
 				       "give there the velocity of the body, by a formula with `set`",
-				       name, ts_flow_side_names[2 * d + side], x[0], x[1], x[2], given,
+				       name, ts_flow_face_names[2 * d + side], x[0], x[1], x[2], given,
 				       v[d]);
 		}
 	return TS_OK;

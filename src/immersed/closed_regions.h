@@ -16,7 +16,7 @@ struct ts_closed_search;
  * inlet. */
 enum ts_status ts_immersed_check_closed(struct tsim *sim);
 
-enum ts_body_motion {
+enum ts_immersed_motion {
 	TS_BODY_FREE,	/* the fluid moves it: it pushes none for long */
 	TS_BODY_DRIVEN, /* its motion is given, whatever the fluid does */
 	TS_BODY_UNKNOWN /* that will be known in the first step: regions beside it are not judged
@@ -27,6 +27,6 @@ enum ts_body_motion {
  * body. */
 void ts_closed_search_add_body(struct ts_closed_search *search, const struct ts_instance *self,
 		     const struct ts_immersed *ib, const struct ts_solid *solid,
-		     enum ts_body_motion motion);
+		     enum ts_immersed_motion motion);
 
 #endif

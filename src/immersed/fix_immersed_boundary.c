@@ -9,7 +9,7 @@
 #include "force/restraint.h"
 #include "immersed/closed_regions.h"
 #include "immersed/immersed.h"
-#include "immersed/virtual_mass.h"
+#include "immersed/virtual_mass_stabilization.h"
 #include "math/exactsum.h"
 #include "math/vec3.h"
 #include "mesh/mesh_distance.h"
@@ -44,8 +44,8 @@ struct state {
 	double least_cells;
 
 	struct ts_solid *solid;
-	struct ts_solid_given given;
-	struct ts_solid_stand stand; /* saved */
+	struct ts_solid_prescribed given;
+	struct ts_solid_pose stand; /* saved */
 	struct ts_immersed immersed;
 	bool placed, told;
 	bool stepped;	       /* it has been placed in a step of this run */
@@ -202,7 +202,7 @@ static enum ts_status place(struct ts_instance *self, struct tsim *sim, const st
 		return TS_OK;
 	TS_TRY(ts_immersed_check_size(sim, &self->where, s->solid, &fluid->grid, s->body == SPHERES,
 				      s->least_cells));
-	status = ts_immersed_place(&s->immersed, s->solid, fluid);
+	status = ts_immersed_find_points(&s->immersed, s->solid, fluid);
 	s->placed = true;
 	return status == TS_NOMEM ? ts_nomem(&sim->error) : status;
 }
@@ -279,7 +279,7 @@ static enum ts_status know_inside(struct ts_instance *self, struct tsim *sim, co
 		all = all && record_of(s, sim, k)->known != 0;
 	if (all)
 		return TS_OK;
-	if (ts_immersed_inside(&s->immersed, fluid, s->solid->parts) != TS_OK)
+	if (ts_immersed_inner_fluid(&s->immersed, fluid, s->solid->parts) != TS_OK)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < s->solid->parts; k++) {
 		struct record *r = record_of(s, sim, k);
@@ -323,7 +323,7 @@ static enum ts_status force(struct ts_instance *self, struct tsim *sim, struct t
 		TS_TRY(place(self, sim, fluid));
 		TS_TRY(seek_again(self, sim, time));
 		TS_TRY(know_inside(self, sim, fluid)); /* of particles that are new in this run */
-		ts_immersed_begin(&s->immersed, s->solid->parts);
+		ts_immersed_begin_step(&s->immersed, s->solid->parts);
 	}
 	s->begun = true;
 	ts_immersed_force(&s->immersed, fluid, s->solid->parts, dt, (int)s->iterations);
@@ -336,7 +336,7 @@ static enum ts_status carry(struct ts_instance *self, struct tsim *sim, struct t
 	struct state *s = self->state;
 
 	(void)sim, (void)fluid, (void)dt;
-	ts_immersed_keep(&s->immersed, s->solid->parts);
+	ts_immersed_end_substep(&s->immersed, s->solid->parts);
 	return TS_OK;
 }
 
@@ -374,7 +374,7 @@ static enum ts_status settle(struct ts_instance *self, struct tsim *sim, struct 
 	const bool discs = s->body == SPHERES && sim->dimension == 2;
 	double depth = discs ? fluid->grid.width[2][0] : 1;
 
-	if (ts_immersed_inside(&s->immersed, fluid, s->solid->parts) != TS_OK)
+	if (ts_immersed_inner_fluid(&s->immersed, fluid, s->solid->parts) != TS_OK)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < s->solid->parts; k++) {
 		struct record *r = record_of(s, sim, k);
@@ -384,7 +384,7 @@ static enum ts_status settle(struct ts_instance *self, struct tsim *sim, struct 
 			r->torque[0] = r->torque[1] = 0;
 	}
 	for (size_t k = 0; s->body == SPHERES && k < s->solid->parts; k++)
-		ts_net_force_settle(net_of(s, sim, (size_t)ts_solid_sphere_row(s->solid, k)));
+		ts_net_force_average(net_of(s, sim, (size_t)ts_solid_sphere_row(s->solid, k)));
 	if (s->body == MESH) {
 		mean_of_corners(&s->surface->mesh, s->lever);
 		ts_sub(s->solid->motion->centre, s->lever, s->lever);
@@ -463,15 +463,15 @@ static void resist_one(struct state *s, const struct tsim *sim, size_t i)
 {
 	struct ts_particles *p = sim->particles;
 	struct ts_net_force *net = net_of(s, sim, i);
-	double share = ts_virtual_share(density_of(sim, i), s->virtual_mass, s->fluid->density);
+	double share = ts_virtual_mass_ratio(density_of(sim, i), s->virtual_mass, s->fluid->density);
 	double change[3] = { -p->f[i][0], -p->f[i][1], -p->f[i][2] };
 
-	ts_net_force_blend(net, share, p->f[i], p->torque[i]);
+	ts_net_force_stabilize(net, share, p->f[i], p->torque[i]);
 	ts_add(change, p->f[i], change);
 	ts_sub(p->f[i], change, p->f[i]);
 	ts_restraints_leave(&s->restraints, sim, i, change);
 	ts_add(p->f[i], change, p->f[i]);
-	ts_net_force_note(net, sim->in_setup, p->f[i], p->torque[i]);
+	ts_net_force_record(net, sim->in_setup, p->f[i], p->torque[i]);
 }
 
 /* When all forces on the particles are known. */

@@ -31,7 +31,7 @@ static double pressure_part(const struct ts_fluid *fluid, int c, size_t at, int 
 }
 
 /* Velocity at a place, linear between the points around, less the pressure's part. */
-static double outer_velocity(const struct ts_fluid *fluid, int c, const struct ts_immersed_place *b,
+static double outer_velocity(const struct ts_fluid *fluid, int c, const struct ts_immersed_sample *b,
 			     double dt)
 {
 	const struct ts_grid *grid = &fluid->grid;
@@ -70,7 +70,7 @@ static void force_inside(struct ts_immersed *ib, struct ts_fluid *fluid, int c, 
 }
 
 static double band_velocity(const struct ts_immersed *ib, const struct ts_fluid *fluid, int c, double dt,
-			    const struct ts_immersed_band *b)
+			    const struct ts_immersed_outer *b)
 {
 	const struct ts_immersed_point *p = &ib->point[b->point];
 	double u = b->surface + pressure_part(fluid, c, p->at, p->index, dt, BAND_PRESSURE);
@@ -148,14 +148,14 @@ static void add_up_parts(void *context, size_t from, size_t to)
 			add_up(task->ib, task->fluid, c, k);
 }
 
-void ts_immersed_begin(struct ts_immersed *ib, size_t parts)
+void ts_immersed_begin_step(struct ts_immersed *ib, size_t parts)
 {
 	if (parts)
 		memset(ib->sums, 0, parts * sizeof *ib->sums);
 	ib->first_dt = 0;
 }
 
-void ts_immersed_keep(struct ts_immersed *ib, size_t parts)
+void ts_immersed_end_substep(struct ts_immersed *ib, size_t parts)
 {
 	for (size_t k = 0; k < parts; k++) {
 		struct ts_immersed_sums *s = &ib->sums[k];
@@ -256,7 +256,7 @@ static void mean_parts(void *context, size_t from, size_t to)
 	}
 }
 
-enum ts_status ts_immersed_inside(struct ts_immersed *ib, const struct ts_fluid *fluid, size_t parts)
+enum ts_status ts_immersed_inner_fluid(struct ts_immersed *ib, const struct ts_fluid *fluid, size_t parts)
 {
 	struct mean *mean = ts_alloc(parts, sizeof *mean);
 

@@ -43,7 +43,7 @@ struct ts_immersed_point {
 };
 
 /* A place in the fluid: where it lies among the points of the component. */
-struct ts_immersed_place {
+struct ts_immersed_sample {
 	size_t corner;	/* of the cell of points around it, the lowest */
 	int32_t index;	/* along the axis of the component */
 	double t[3];	/* where in that cell: 0..1 */
@@ -51,11 +51,11 @@ struct ts_immersed_place {
 };
 
 /* A point that is in the fluid, and the places farther out. */
-struct ts_immersed_band {
+struct ts_immersed_outer {
 	size_t point;
 	double weight;	/* of the forcing */
 	double surface; /* v_s */
-	struct ts_immersed_place out[2];
+	struct ts_immersed_sample out[2];
 	double next;
 };
 
@@ -67,13 +67,13 @@ struct ts_immersed_sums {
 };
 
 /* Of a point that a thread has found before it is known whose it is. */
-struct ts_immersed_note {
+struct ts_immersed_candidate {
 	double distance, thickness, rate;
 };
 
 struct ts_immersed {
 	struct ts_immersed_point *point; /* of component 0, 1, 2: from first[c] to first[c + 1] */
-	struct ts_immersed_band *band;
+	struct ts_immersed_outer *band;
 	size_t npoints, point_capacity, nbands, band_capacity;
 	size_t first[4], band_first[4];
 	double *distance; /* scratch for many parts: least distance at each point, and whose it is */
@@ -86,7 +86,7 @@ struct ts_immersed {
 	double first_dt;  /* of the first stage of this substep; 0: it has not begun */
 	struct ts_immersed *chunk; /* scratch of threads: what each has found, */
 	size_t chunks, chunk_capacity;
-	struct ts_immersed_note *note; /* and notes of its points */
+	struct ts_immersed_candidate *note; /* and notes of its points */
 	size_t note_capacity;
 	enum ts_status status;
 };
@@ -99,17 +99,17 @@ enum ts_status ts_immersed_check_size(struct tsim *sim, const struct ts_place *w
 				      double least);
 
 /* Finds the points, after the solid has moved. */
-enum ts_status ts_immersed_place(struct ts_immersed *ib, struct ts_solid *solid,
+enum ts_status ts_immersed_find_points(struct ts_immersed *ib, struct ts_solid *solid,
 				 const struct ts_fluid *fluid);
 /* A step of the fluid begins: nothing has been given. */
-void ts_immersed_begin(struct ts_immersed *ib, size_t parts);
+void ts_immersed_begin_step(struct ts_immersed *ib, size_t parts);
 /* A substep has ended. */
-void ts_immersed_keep(struct ts_immersed *ib, size_t parts);
+void ts_immersed_end_substep(struct ts_immersed *ib, size_t parts);
 /* Changes the predictor fluid->u; adds up what it gives. */
 void ts_immersed_force(struct ts_immersed *ib, struct ts_fluid *fluid, size_t parts, double dt,
 		       int iterations);
 /* After a step: volume, velocity and spin of the fluid inside. */
-enum ts_status ts_immersed_inside(struct ts_immersed *ib, const struct ts_fluid *fluid, size_t parts);
+enum ts_status ts_immersed_inner_fluid(struct ts_immersed *ib, const struct ts_fluid *fluid, size_t parts);
 
 /* Largest |u - velocity of the solid| inside. */
 double ts_immersed_slip(const struct ts_immersed *ib, const struct ts_fluid *fluid);

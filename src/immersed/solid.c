@@ -6,8 +6,8 @@
 
 #include "base/banned.h"
 
-void ts_solid_rigid_spot(const struct ts_solid_motion *motion, const double x[3],
-			 struct ts_solid_spot *spot)
+void ts_solid_rigid_velocity(const struct ts_solid_motion *motion, const double x[3],
+			 struct ts_solid_surface *spot)
 {
 	double at[3] = { x[0], x[1], x[2] };
 

@@ -11,7 +11,7 @@
 struct ts_mesh_surface;
 
 /* The surface as seen from a place. */
-struct ts_solid_spot {
+struct ts_solid_surface {
 	double distance; /* < 0 inside */
 	double n[3];	 /* unit vector out of the solid */
 	double v[3];	 /* velocity of the nearest point of the surface; inside: of the solid at the place */
@@ -27,7 +27,7 @@ struct ts_solid_kind {
 	/* TS_SOLID_FAR: the surface is farther than `reach`, and nothing is said - not even on which side.
 	 * Workers look side by side, each with its own number from 0. */
 	enum ts_status (*look)(struct ts_solid *solid, size_t worker, size_t part, const double x[3],
-			       double reach, enum ts_solid_side *side, struct ts_solid_spot *spot);
+			       double reach, enum ts_solid_side *side, struct ts_solid_surface *spot);
 	bool (*inside)(const struct ts_solid *solid, size_t part, const double x[3]);
 	void (*release)(struct ts_solid *solid);
 	enum ts_status (*team)(struct ts_solid *solid, size_t workers); /* so many will look; NULL: any may */
@@ -58,28 +58,28 @@ static inline void ts_solid_velocity(const struct ts_solid_motion *m, const doub
 }
 
 /* v of a spot whose distance and n are known, if the solid moves rigidly. */
-void ts_solid_rigid_spot(const struct ts_solid_motion *motion, const double x[3],
-			 struct ts_solid_spot *spot);
+void ts_solid_rigid_velocity(const struct ts_solid_motion *motion, const double x[3],
+			 struct ts_solid_surface *spot);
 
 /* How a region or a mesh moves, where its own motion does not say it. */
-struct ts_solid_given {
+struct ts_solid_prescribed {
 	bool velocity, omega, centre; /* given */
 	struct ts_solid_motion motion;
 };
 
 /* Where a region stood at the last step of the fluid, its velocity comes from that; kept by who makes the
  * solid, in saved state. Zero: not seen yet. */
-struct ts_solid_stand {
+struct ts_solid_pose {
 	double shift[3], turn[3][3], time;
 	bool seen;
 };
 
 /* Each makes a solid, or returns NULL without memory. `given` is looked at in each update. */
 struct ts_solid *ts_solid_of_region(struct ts_instance *region, int dimensions,
-				    const struct ts_solid_given *given,
-				    struct ts_solid_stand *before);
+				    const struct ts_solid_prescribed *given,
+				    struct ts_solid_pose *before);
 struct ts_solid *ts_solid_of_mesh(struct ts_mesh_surface *mesh, int dimensions,
-				  const struct ts_solid_given *given);
+				  const struct ts_solid_prescribed *given);
 struct ts_solid *ts_solid_of_spheres(int group, int dimensions);
 void ts_solid_free(struct ts_solid *solid);
 

@@ -16,7 +16,7 @@ struct closed {
 	struct ts_mesh_tree tree;
 	struct ts_mesh_list *near; /* scratch of each worker */
 	size_t workers;
-	const struct ts_solid_given *given;
+	const struct ts_solid_prescribed *given;
 	uint64_t moves; /* of the surface, when the tree was built */
 	double lo[3], hi[3];
 };
@@ -115,7 +115,7 @@ static enum ts_status team(struct ts_solid *solid, size_t workers)
 }
 
 static enum ts_status look(struct ts_solid *solid, size_t worker, size_t part, const double x[3],
-			   double reach, enum ts_solid_side *side, struct ts_solid_spot *spot)
+			   double reach, enum ts_solid_side *side, struct ts_solid_surface *spot)
 {
 	struct closed *s = (struct closed *)solid;
 	struct ts_mesh_distance d;
@@ -128,7 +128,7 @@ static enum ts_status look(struct ts_solid *solid, size_t worker, size_t part, c
 		return TS_OK;
 	spot->distance = d.distance;
 	memcpy(spot->n, d.n, sizeof d.n);
-	ts_solid_rigid_spot(solid->motion, x, spot);
+	ts_solid_rigid_velocity(solid->motion, x, spot);
 	if (spot->distance > 0 && s->surface->v && !s->given->velocity && !s->given->omega)
 		ts_mesh_surface_velocity(s->surface, (size_t)d.triangle, d.weight, spot->v);
 	return TS_OK;
@@ -153,7 +153,7 @@ static void release(struct ts_solid *solid)
 static const struct ts_solid_kind kind = { update, bounds, look, inside, release, team };
 
 struct ts_solid *ts_solid_of_mesh(struct ts_mesh_surface *surface, int dimensions,
-				  const struct ts_solid_given *given)
+				  const struct ts_solid_prescribed *given)
 {
 	struct closed *s = ts_alloc(1, sizeof *s);
 

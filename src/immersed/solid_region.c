@@ -12,13 +12,13 @@
 struct region {
 	struct ts_solid solid; /* first */
 	struct ts_instance *instance;
-	const struct ts_solid_given *given;
-	struct ts_solid_stand *before;
+	const struct ts_solid_prescribed *given;
+	struct ts_solid_pose *before;
 };
 
-static struct ts_solid_stand stand_of(const struct ts_region *r, double time)
+static struct ts_solid_pose stand_of(const struct ts_region *r, double time)
 {
-	struct ts_solid_stand s = { .time = time, .seen = true };
+	struct ts_solid_pose s = { .time = time, .seen = true };
 
 	memcpy(s.shift, r->shift, sizeof s.shift);
 	memcpy(s.turn, r->turn, sizeof s.turn);
@@ -26,7 +26,7 @@ static struct ts_solid_stand stand_of(const struct ts_region *r, double time)
 }
 
 /* A point y of the shape is at turn (y - pivot) + pivot + shift. */
-static void place(const struct ts_region *r, const struct ts_solid_stand *s, const double y[3], double x[3])
+static void place(const struct ts_region *r, const struct ts_solid_pose *s, const double y[3], double x[3])
 {
 	double arm[3];
 
@@ -36,7 +36,7 @@ static void place(const struct ts_region *r, const struct ts_solid_stand *s, con
 }
 
 /* Mean velocity and angular velocity between two stands: the turn between them by its angle and axis. */
-static void motion_between(const struct ts_region *r, const struct ts_solid_stand *a, const struct ts_solid_stand *b,
+static void motion_between(const struct ts_region *r, const struct ts_solid_pose *a, const struct ts_solid_pose *b,
 			   const double home[3], struct ts_solid_motion *m)
 {
 	double x[2][3], q[3][3] = { { 0 } }, axis[3], angle, dt = b->time - a->time;
@@ -90,14 +90,14 @@ static enum ts_status update(struct ts_solid *solid, struct tsim *sim)
 	const struct ts_region_style *style = (const struct ts_region_style *)s->instance->style;
 	struct ts_solid_motion *m = solid->motion;
 	double home[3];
-	struct ts_solid_stand now;
+	struct ts_solid_pose now;
 
 	TS_TRY(ts_region_update(s->instance, sim));
 	now = stand_of(r, ts_sim_time(sim));
 	home_of(s, home);
 	place(r, &now, home, m->centre);
 	solid->moved = !s->before->seen || (style->update && varies(sim, s->instance)) ||
-		       memcmp(&now, s->before, offsetof(struct ts_solid_stand, time)) != 0;
+		       memcmp(&now, s->before, offsetof(struct ts_solid_pose, time)) != 0;
 	memset(m->velocity, 0, sizeof m->velocity);
 	memset(m->omega, 0, sizeof m->omega);
 	if (r->moves && s->before->seen && now.time > s->before->time)
@@ -139,7 +139,7 @@ static void normal(const struct region *s, const double x[3], double reach, doub
 }
 
 static enum ts_status look(struct ts_solid *solid, size_t worker, size_t part, const double x[3],
-			   double reach, enum ts_solid_side *side, struct ts_solid_spot *spot)
+			   double reach, enum ts_solid_side *side, struct ts_solid_surface *spot)
 {
 	const struct region *s = (const struct region *)solid;
 
@@ -150,7 +150,7 @@ static enum ts_status look(struct ts_solid *solid, size_t worker, size_t part, c
 	if (*side == TS_SOLID_FAR)
 		return TS_OK;
 	normal(s, x, reach, spot->n);
-	ts_solid_rigid_spot(solid->motion, x, spot);
+	ts_solid_rigid_velocity(solid->motion, x, spot);
 	return TS_OK;
 }
 
@@ -163,8 +163,8 @@ static bool inside(const struct ts_solid *solid, size_t part, const double x[3])
 static const struct ts_solid_kind kind = { update, bounds, look, inside, NULL, NULL };
 
 struct ts_solid *ts_solid_of_region(struct ts_instance *instance, int dimensions,
-				    const struct ts_solid_given *given,
-				    struct ts_solid_stand *before)
+				    const struct ts_solid_prescribed *given,
+				    struct ts_solid_pose *before)
 {
 	struct region *s = ts_alloc(1, sizeof *s);
 

@@ -65,7 +65,7 @@ static double arm_of(const struct ts_solid *solid, size_t part, const double x[3
 }
 
 static enum ts_status look(struct ts_solid *solid, size_t worker, size_t part, const double x[3],
-			   double reach, enum ts_solid_side *side, struct ts_solid_spot *spot)
+			   double reach, enum ts_solid_side *side, struct ts_solid_surface *spot)
 {
 	const struct spheres *s = (const struct spheres *)solid;
 	double length = arm_of(solid, part, x, spot->n);
@@ -77,7 +77,7 @@ static enum ts_status look(struct ts_solid *solid, size_t worker, size_t part, c
 		ts_scale(1 / length, spot->n, spot->n);
 	else
 		spot->n[0] = 1;
-	ts_solid_rigid_spot(&solid->motion[part], x, spot);
+	ts_solid_rigid_velocity(&solid->motion[part], x, spot);
 	return TS_OK;
 }
 

@@ -3,8 +3,8 @@
 
 #include "bond/bonds.h"
 #include "contact/pair.h"
+#include "coupling/coupling_force.h"
 #include "coupling/drag_force.h"
-#include "coupling/flow_force.h"
 #include "flow/flow.h"
 #include "poisson/poisson.h"
 #include "region/region.h"
@@ -172,7 +172,7 @@ TS_STYLE(dump, ts_style, ts_dump_mesh_vtk)
 TS_STYLE(dump, ts_style, ts_dump_restart)
 TS_STYLE(dump, ts_style, ts_dump_xyz)
 TS_STYLE(fix, ts_style, ts_fix_adapt)
-TS_STYLE(fix, ts_flow_force_style, ts_fix_added_mass)
+TS_STYLE(fix, ts_coupling_force_style, ts_fix_added_mass)
 TS_STYLE(fix, ts_style, ts_fix_addforce)
 TS_STYLE(fix, ts_style, ts_fix_ave_atom)
 TS_STYLE(fix, ts_style, ts_fix_ave_chunk)
@@ -207,7 +207,7 @@ TS_STYLE(fix, ts_style, ts_fix_drill_bit)
 TS_STYLE(fix, ts_style, ts_fix_energy_ledger)
 TS_STYLE(fix, ts_style, ts_fix_enforce2d)
 TS_STYLE(fix, ts_style, ts_fix_evaporate)
-TS_STYLE(fix, ts_flow_force_style, ts_fix_flow_pressure_gradient)
+TS_STYLE(fix, ts_coupling_force_style, ts_fix_flow_pressure_gradient)
 TS_STYLE(fix, ts_style, ts_fix_flow_scalar)
 TS_STYLE(fix, ts_style, ts_fix_freeze)
 TS_STYLE(fix, ts_style, ts_fix_gravity)
@@ -219,8 +219,8 @@ TS_STYLE(fix, ts_style, ts_fix_insert_pack_dense)
 TS_STYLE(fix, ts_style, ts_fix_insert_rate_region)
 TS_STYLE(fix, ts_style, ts_fix_insert_stream)
 TS_STYLE(fix, ts_style, ts_fix_langevin)
-TS_STYLE(fix, ts_flow_force_style, ts_fix_lift_magnus)
-TS_STYLE(fix, ts_flow_force_style, ts_fix_lift_saffman)
+TS_STYLE(fix, ts_coupling_force_style, ts_fix_lift_magnus)
+TS_STYLE(fix, ts_coupling_force_style, ts_fix_lift_saffman)
 TS_STYLE(fix, ts_style, ts_fix_lineforce)
 TS_STYLE(fix, ts_style, ts_fix_massflow_mesh)
 TS_STYLE(fix, ts_style, ts_fix_mesh_surface)

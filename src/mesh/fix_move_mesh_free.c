@@ -6,7 +6,7 @@
 #include "flow/flow.h"
 #include "flow/fluid.h"
 #include "force/gravity.h"
-#include "immersed/virtual_mass.h"
+#include "immersed/virtual_mass_stabilization.h"
 #include "math/rigid_turn.h"
 #include "mesh/mesh_distance.h"
 #include "mesh/mesh_motion.h"
@@ -175,8 +175,8 @@ static enum ts_status act(struct ts_instance *self, struct tsim *sim, bool in_se
 	if (sim->dimension == 2)
 		b->force[2] = b->torque[0] = b->torque[1] = 0;
 	if (virtual_density > 0) {
-		ts_net_force_blend(&s->net, ts_virtual_share(b->density, 1, virtual_density), b->force, b->torque);
-		ts_net_force_note(&s->net, in_setup, b->force, b->torque);
+		ts_net_force_stabilize(&s->net, ts_virtual_mass_ratio(b->density, 1, virtual_density), b->force, b->torque);
+		ts_net_force_record(&s->net, in_setup, b->force, b->torque);
 	}
 	return TS_OK;
 }
@@ -245,7 +245,7 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	if (!fluid || fluid->steps == s->fluid_steps)
 		return TS_OK;
 	s->fluid_steps = fluid->steps;
-	ts_net_force_settle(&s->net);
+	ts_net_force_average(&s->net);
 	return TS_OK;
 }
 

@@ -80,8 +80,8 @@ static void fill_third(struct ts_direct *s, const struct ts_poisson *problem)
 	double length = 0;
 
 	for (int k = 0; k < s->n[2]; k++) {
-		s->below[k] = ts_poisson_conduct(problem, s->axis[2], k) / h[k];
-		s->above[k] = ts_poisson_conduct(problem, s->axis[2], k + 1) / h[k];
+		s->below[k] = ts_poisson_conductance(problem, s->axis[2], k) / h[k];
+		s->above[k] = ts_poisson_conductance(problem, s->axis[2], k + 1) / h[k];
 		length += h[k];
 	}
 	for (int k = 0; k < s->n[2]; k++)
@@ -112,7 +112,7 @@ static enum ts_status make_transforms(struct ts_direct *s, const struct ts_poiss
 			continue;
 		TS_TRY(ts_transform_make(&s->transform[k], problem, s->axis[k]));
 		longest = (size_t)s->n[k] > longest ? (size_t)s->n[k] : longest;
-		most = ts_transform_spare(&s->transform[k]) > most ? ts_transform_spare(&s->transform[k]) :
+		most = ts_transform_work_size(&s->transform[k]) > most ? ts_transform_work_size(&s->transform[k]) :
 								     most;
 	}
 	/* lines and what their transforms need, or coefficients of an elimination */

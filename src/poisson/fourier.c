@@ -61,7 +61,7 @@ static enum ts_status make_chirp(struct ts_fourier *f)
 	f->filter = ts_alloc((size_t)m, sizeof *f->filter);
 	if (!f->longer || !f->chirp || !f->filter || ts_fourier_make(f->longer, m) != TS_OK)
 		return TS_NOMEM;
-	re = ts_alloc(2 * (size_t)m + ts_fourier_spare(f->longer, 1), sizeof *re);
+	re = ts_alloc(2 * (size_t)m + ts_fourier_work_size(f->longer, 1), sizeof *re);
 	if (!re)
 		return TS_NOMEM;
 	im = re + m;
@@ -106,7 +106,7 @@ void ts_fourier_release(struct ts_fourier *f)
 	*f = (struct ts_fourier){ 0 };
 }
 
-size_t ts_fourier_spare(const struct ts_fourier *f, int lines)
+size_t ts_fourier_work_size(const struct ts_fourier *f, int lines)
 {
 	size_t rows = f->longer ? 4 * (size_t)f->longer->n : 2 * (size_t)f->n;
 

@@ -31,7 +31,7 @@ enum ts_status ts_fourier_make(struct ts_fourier *f, int n);
 void ts_fourier_release(struct ts_fourier *f);
 
 /* Doubles of spare room for so many lines. */
-size_t ts_fourier_spare(const struct ts_fourier *f, int lines);
+size_t ts_fourier_work_size(const struct ts_fourier *f, int lines);
 /* X_k = sum_j x_j exp(-2 pi i j k/n) of each line: x_j of line l at [j lines + l]. Result in place. The inverse is the
  * same with re and im exchanged, by n. */
 void ts_fourier_apply(const struct ts_fourier *f, int lines, double *re, double *im, double *spare);

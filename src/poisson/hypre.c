@@ -20,7 +20,7 @@ struct ts_hypre {
 	double *values;
 };
 
-bool ts_hypre_here(void)
+bool ts_hypre_available(void)
 {
 	return true;
 }
@@ -128,7 +128,7 @@ static void fill_cell(const struct ts_stencil *s, size_t at, const int upper[3],
 		value[d + 1] = upper[d] < s->n[d] || s->periodic[d] ? -s->link[d][at + (size_t)s->stride[d]] : 0;
 }
 
-enum ts_status ts_hypre_weigh(struct ts_hypre *h)
+enum ts_status ts_hypre_set_weights(struct ts_hypre *h)
 {
 	const struct ts_stencil *s = h->s;
 	struct corners all = all_cells(s);
@@ -179,7 +179,7 @@ void ts_hypre_cycle(void *hypre, const double *r, double *z)
 
 #include "base/banned.h"
 
-bool ts_hypre_here(void)
+bool ts_hypre_available(void)
 {
 	return false;
 }
@@ -195,7 +195,7 @@ void ts_hypre_release(struct ts_hypre *h)
 	(void)h;
 }
 
-enum ts_status ts_hypre_weigh(struct ts_hypre *h)
+enum ts_status ts_hypre_set_weights(struct ts_hypre *h)
 {
 	(void)h;
 	return TS_STATE;

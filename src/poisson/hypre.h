@@ -9,12 +9,12 @@
 struct ts_hypre;
 
 /* Whether this program has it. */
-bool ts_hypre_here(void);
+bool ts_hypre_available(void);
 /* For the shape of s; NULL without memory or without hypre. */
 struct ts_hypre *ts_hypre_make(const struct ts_stencil *s);
 void ts_hypre_release(struct ts_hypre *h);
 /* Takes the links as they are now, and sets up the levels. */
-enum ts_status ts_hypre_weigh(struct ts_hypre *h);
+enum ts_status ts_hypre_set_weights(struct ts_hypre *h);
 /* z = one cycle for A z = r from z = 0: a ts_precondition_fn. */
 void ts_hypre_cycle(void *hypre, const double *r, double *z);
 

@@ -14,7 +14,7 @@ enum {
 };
 
 /* Axes whose cells are joined: those nearly as narrow as the narrowest. */
-static bool choose_axes(const struct ts_stencil *s, struct ts_way way[3])
+static bool choose_axes(const struct ts_stencil *s, struct ts_multigrid_transfer way[3])
 {
 	double width[3], least = 0;
 	bool any = false;
@@ -33,14 +33,14 @@ static bool choose_axes(const struct ts_stencil *s, struct ts_way way[3])
 	return any && s->n[0] * s->n[1] * s->n[2] > FEWEST;
 }
 
-static int begin_of(const struct ts_level *l, int d, int coarse)
+static int begin_of(const struct ts_multigrid_level *l, int d, int coarse)
 {
 	if (!l->way[d].joined)
 		return coarse;
 	return coarse < l->s.n[d] / 2 ? 2 * coarse : l->s.n[d];
 }
 
-static enum ts_status make_stencil(const struct ts_level *fine, struct ts_stencil *s)
+static enum ts_status make_stencil(const struct ts_multigrid_level *fine, struct ts_stencil *s)
 {
 	const struct ts_stencil *f = &fine->s;
 	int n[3];
@@ -86,7 +86,7 @@ static double centre(const struct ts_stencil *s, int d, int i)
 }
 
 /* Between which coarser cells each cell lies. */
-static void fill_below(const struct ts_stencil *fine, const struct ts_stencil *coarse, struct ts_way *way,
+static void fill_below(const struct ts_stencil *fine, const struct ts_stencil *coarse, struct ts_multigrid_transfer *way,
 		       int d)
 {
 	for (int c = 0; c < coarse->n[d]; c++)
@@ -104,7 +104,7 @@ static void fill_below(const struct ts_stencil *fine, const struct ts_stencil *c
 }
 
 /* The coarser cell on one side, and its share; -1: it has none, or the value beyond is given. */
-static int parent(const struct ts_way *way, const struct ts_stencil *coarse, int d, int i, int side,
+static int parent(const struct ts_multigrid_transfer *way, const struct ts_stencil *coarse, int d, int i, int side,
 		  double *share)
 {
 	int at = way->below[i] + side, n = coarse->n[d];
@@ -118,7 +118,7 @@ static int parent(const struct ts_way *way, const struct ts_stencil *coarse, int
 }
 
 /* The same from the side of the coarser cells. */
-static void fill_cells(const struct ts_stencil *coarse, struct ts_way *way, int d, int n)
+static void fill_cells(const struct ts_stencil *coarse, struct ts_multigrid_transfer *way, int d, int n)
 {
 	double share;
 	int at = 0;
@@ -135,10 +135,10 @@ static void fill_cells(const struct ts_stencil *coarse, struct ts_way *way, int 
 	way->first[coarse->n[d]] = at;
 }
 
-static enum ts_status make_way(struct ts_level *fine, const struct ts_stencil *coarse)
+static enum ts_status make_way(struct ts_multigrid_level *fine, const struct ts_stencil *coarse)
 {
 	for (int d = 0; d < 3; d++) {
-		struct ts_way *way = &fine->way[d];
+		struct ts_multigrid_transfer *way = &fine->way[d];
 		size_t n = (size_t)fine->s.n[d], m = (size_t)coarse->n[d] + 1;
 
 		way->begin = ts_alloc(2 * m + 3 * n, sizeof *way->begin);
@@ -163,7 +163,7 @@ enum ts_status ts_multigrid_make(struct ts_multigrid *m, const struct ts_stencil
 	*m = (struct ts_multigrid){ .finest = finest };
 	m->level[0].s = *finest;
 	for (m->levels = 1; m->levels < TS_LEVELS; m->levels++) {
-		struct ts_level *fine = &m->level[m->levels - 1], *coarse = fine + 1;
+		struct ts_multigrid_level *fine = &m->level[m->levels - 1], *coarse = fine + 1;
 
 		fine->r = ts_stencil_field(&fine->s);
 		if (!fine->r)
@@ -184,7 +184,7 @@ enum ts_status ts_multigrid_make(struct ts_multigrid *m, const struct ts_stencil
 void ts_multigrid_release(struct ts_multigrid *m)
 {
 	for (int k = 0; k < TS_LEVELS; k++) {
-		struct ts_level *l = &m->level[k];
+		struct ts_multigrid_level *l = &m->level[k];
 
 		for (int d = 0; d < 3; d++) {
 			ts_free(l->way[d].begin);
@@ -201,7 +201,7 @@ void ts_multigrid_release(struct ts_multigrid *m)
 }
 
 /* The link of a coarser face: of the finer ones in it, along the greater distance. */
-static double joined_link(const struct ts_level *fine, const struct ts_stencil *coarse, int d, int i,
+static double joined_link(const struct ts_multigrid_level *fine, const struct ts_stencil *coarse, int d, int i,
 			  int j, int k)
 {
 	const int face[3] = { i, j, k };
@@ -222,7 +222,7 @@ static double joined_link(const struct ts_level *fine, const struct ts_stencil *
 	return sum * (coarse->conduct[d][face[d]] / conduct);
 }
 
-static void weigh_level(const struct ts_level *fine, struct ts_stencil *coarse)
+static void weigh_level(const struct ts_multigrid_level *fine, struct ts_stencil *coarse)
 {
 	for (int d = 0; d < coarse->axes; d++) {
 		int ny = coarse->n[1] + (d == 1), rows = ny * (coarse->n[2] + (d == 2));
@@ -233,10 +233,10 @@ static void weigh_level(const struct ts_level *fine, struct ts_stencil *coarse)
 				coarse->link[d][ts_stencil_at(coarse, i, row % ny, row / ny)] =
 					joined_link(fine, coarse, d, i, row % ny, row / ny);
 	}
-	ts_stencil_invert(coarse);
+	ts_stencil_invert_diagonal(coarse);
 }
 
-void ts_multigrid_weigh(struct ts_multigrid *m)
+void ts_multigrid_set_weights(struct ts_multigrid *m)
 {
 	for (int k = 1; k < m->levels; k++)
 		weigh_level(&m->level[k - 1], &m->level[k].s);
@@ -251,7 +251,7 @@ static void add_scaled(const double *restrict x, double scale, double *restrict 
 }
 
 /* p of a row += what lies between the coarser cells. `row`: one of the coarser level, with its ghosts. */
-static void prolong_row(const struct ts_level *fine, const struct ts_level *coarse, int j, int k,
+static void prolong_row(const struct ts_multigrid_level *fine, const struct ts_multigrid_level *coarse, int j, int k,
 			double *row)
 {
 	const int *below = fine->way[0].below;
@@ -273,10 +273,10 @@ static void prolong_row(const struct ts_level *fine, const struct ts_level *coar
 }
 
 /* The transpose: cells of a coarser row gather from the finer ones beside them. */
-static void restrict_row(const struct ts_level *fine, const struct ts_level *coarse, int j, int k,
+static void restrict_row(const struct ts_multigrid_level *fine, const struct ts_multigrid_level *coarse, int j, int k,
 			 double *row)
 {
-	const struct ts_way *x = &fine->way[0], *y = &fine->way[1], *z = &fine->way[2];
+	const struct ts_multigrid_transfer *x = &fine->way[0], *y = &fine->way[1], *z = &fine->way[2];
 	double *b = coarse->b + ts_stencil_at(&coarse->s, 0, j, k);
 
 	memset(row, 0, (size_t)fine->s.n[0] * sizeof *row);
@@ -293,7 +293,7 @@ static void restrict_row(const struct ts_level *fine, const struct ts_level *coa
 	}
 }
 
-static void descend(struct ts_level *fine, struct ts_level *coarse)
+static void descend(struct ts_multigrid_level *fine, struct ts_multigrid_level *coarse)
 {
 	int rows = ts_stencil_rows(&coarse->s);
 
@@ -304,7 +304,7 @@ static void descend(struct ts_level *fine, struct ts_level *coarse)
 			     fine->row + (size_t)row * (size_t)fine->s.n[0]);
 }
 
-static void ascend(struct ts_level *fine, struct ts_level *coarse)
+static void ascend(struct ts_multigrid_level *fine, struct ts_multigrid_level *coarse)
 {
 	int rows = ts_stencil_rows(&fine->s);
 
@@ -315,20 +315,20 @@ static void ascend(struct ts_level *fine, struct ts_level *coarse)
 	ts_stencil_ghosts(&fine->s, fine->p);
 }
 
-static void sweep_up(const struct ts_level *l)
+static void sweep_up(const struct ts_multigrid_level *l)
 {
 	for (int colour = 0; colour < l->s.colours; colour++)
 		ts_stencil_sweep(&l->s, l->p, l->rhs, colour, 1);
 }
 
-static void sweep_down(const struct ts_level *l)
+static void sweep_down(const struct ts_multigrid_level *l)
 {
 	for (int colour = l->s.colours - 1; colour >= 0; colour--)
 		ts_stencil_sweep(&l->s, l->p, l->rhs, colour, 1);
 }
 
 /* In reverse as often as forward: symmetric. */
-static void solve_coarsest(const struct ts_level *l)
+static void solve_coarsest(const struct ts_multigrid_level *l)
 {
 	for (int k = 0; k < SWEEPS; k++)
 		sweep_up(l);
@@ -339,7 +339,7 @@ static void solve_coarsest(const struct ts_level *l)
 void ts_multigrid_cycle(void *multigrid, const double *r, double *z)
 {
 	struct ts_multigrid *m = multigrid;
-	struct ts_level *l = m->level;
+	struct ts_multigrid_level *l = m->level;
 	int last = m->levels - 1;
 
 	l[0].p = z;

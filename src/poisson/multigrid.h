@@ -15,7 +15,7 @@ enum { TS_LEVELS = 32 };
 
 /* An axis between two levels. Cell i of the finer one gets (1 - share) of the coarser cell below[i] and the rest of
  * the one above that; coarser cell c gets share[k] of the finer cell[k], first[c] <= k < first[c + 1]. */
-struct ts_way {
+struct ts_multigrid_transfer {
 	bool joined;
 	int *begin; /* first finer cell of each coarser one, and the end */
 	int *below;
@@ -24,25 +24,25 @@ struct ts_way {
 	double *share;
 };
 
-struct ts_level {
+struct ts_multigrid_level {
 	struct ts_stencil s;
 	double *p, *b, *r;
 	const double *rhs; /* b, or of the finest level the caller's */
-	struct ts_way way[3]; /* to the next level */
+	struct ts_multigrid_transfer way[3]; /* to the next level */
 	double *row; /* numbers of a row of this level, for each row of the next */
 };
 
 struct ts_multigrid {
 	int levels;
 	const struct ts_stencil *finest;
-	struct ts_level level[TS_LEVELS]; /* of the first one `s` is a copy of `finest` */
+	struct ts_multigrid_level level[TS_LEVELS]; /* of the first one `s` is a copy of `finest` */
 };
 
 /* For the finest level's shape; released also after a failure. */
 enum ts_status ts_multigrid_make(struct ts_multigrid *m, const struct ts_stencil *finest);
 void ts_multigrid_release(struct ts_multigrid *m);
 /* Links of coarser levels, from those of the finest as they are now. */
-void ts_multigrid_weigh(struct ts_multigrid *m);
+void ts_multigrid_set_weights(struct ts_multigrid *m);
 /* z = one cycle for A z = r from z = 0: a ts_precondition_fn. */
 void ts_multigrid_cycle(void *multigrid, const double *r, double *z);
 

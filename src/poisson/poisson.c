@@ -2,7 +2,7 @@
 
 #include "base/banned.h"
 
-double ts_poisson_conduct(const struct ts_poisson *problem, int d, int i)
+double ts_poisson_conductance(const struct ts_poisson *problem, int d, int i)
 {
 	const struct ts_grid *grid = problem->grid;
 	int n = grid->n[d];
@@ -32,7 +32,7 @@ static double flux(const struct ts_poisson *problem, const double *p, int d, int
 	int n = grid->n[d];
 	bool wraps = problem->condition[d][0] == TS_PRESSURE_PERIODIC;
 	size_t first = (size_t)((ptrdiff_t)at - i * stride), face = wraps && i == n ? first : at;
-	double conduct = ts_poisson_conduct(problem, d, i), below, above;
+	double conduct = ts_poisson_conductance(problem, d, i), below, above;
 
 	if (conduct == 0)
 		return 0;

@@ -83,6 +83,6 @@ void ts_pressure_explain(const struct tsim *sim, const struct ts_poisson *proble
 void ts_poisson_apply(const struct ts_poisson *problem, const double *p, double *out);
 
 /* 1/d of the lower face of cell i, 0 <= i <= n: across a boundary half a cell, or 0 where no gradient is. */
-double ts_poisson_conduct(const struct ts_poisson *problem, int d, int i);
+double ts_poisson_conductance(const struct ts_poisson *problem, int d, int i);
 
 #endif

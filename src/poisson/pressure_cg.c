@@ -1,6 +1,6 @@
 #include "poisson/poisson.h"
 
-#include "poisson/preconditioned.h"
+#include "poisson/preconditioned_cg.h"
 
 #include "base/banned.h"
 

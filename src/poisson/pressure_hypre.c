@@ -1,12 +1,12 @@
 #include "poisson/poisson.h"
 
-#include "poisson/preconditioned.h"
+#include "poisson/preconditioned_cg.h"
 
 #include "base/banned.h"
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
-	if (!ts_hypre_here())
+	if (!ts_hypre_available())
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "this tsim was built without hypre: configure it with --with-hypre, or use "
 			       "pressure_style multigrid, its own");
@@ -15,7 +15,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 static bool suits(const struct ts_poisson *problem, const char **why)
 {
-	if (!ts_hypre_here()) {
+	if (!ts_hypre_available()) {
 		*why = "this tsim was built without hypre";
 		return false;
 	}

@@ -42,7 +42,7 @@ static enum ts_status prepare(struct ts_instance *self, struct tsim *sim,
 
 	fini(self);
 	TS_TRY(ts_iteration_prepare(&s->iteration, sim, problem));
-	s->omega = isnan(s->relaxation) ? ts_relaxation_best(problem) : s->relaxation;
+	s->omega = isnan(s->relaxation) ? ts_relaxation_optimal(problem) : s->relaxation;
 	s->spare = ts_stencil_field(&s->iteration.stencil);
 	return s->spare ? TS_OK : ts_nomem(&sim->error);
 }
@@ -63,7 +63,7 @@ static enum ts_status solve(struct ts_instance *self, struct tsim *sim, const do
 static double cost(const struct ts_instance *self, const struct ts_poisson *problem)
 {
 	(void)self;
-	return 6.5e-9 * (double)ts_grid_cells(problem->grid) * 18.4 / (2 - ts_relaxation_best(problem));
+	return 6.5e-9 * (double)ts_grid_cells(problem->grid) * 18.4 / (2 - ts_relaxation_optimal(problem));
 }
 
 static const struct ts_arg args[] = {

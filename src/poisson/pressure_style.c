@@ -7,7 +7,7 @@
 
 #include "base/banned.h"
 
-const char *const ts_unfinished_names[] = { "stop", "warn", NULL };
+const char *const ts_iteration_unfinished_names[] = { "stop", "warn", NULL };
 
 int ts_pressure_team(const struct tsim *sim, const struct ts_poisson *problem)
 {
@@ -46,9 +46,9 @@ enum ts_status ts_iteration_begin(struct ts_iteration *it, struct ts_instance *s
 
 	it->changed = it->problem->weight[0] || !it->weighed;
 	if (it->changed)
-		ts_stencil_weigh(s, it->problem);
+		ts_stencil_set_weights(s, it->problem);
 	it->weighed = !it->problem->weight[0];
-	ts_stencil_take(s, it->problem->grid, rhs, true, it->b);
+	ts_stencil_from_grid(s, it->problem->grid, rhs, true, it->b);
 	if (it->problem->singular)
 		ts_stencil_balance(s, it->b);
 	largest = ts_stencil_largest(s, it->b);
@@ -58,7 +58,7 @@ enum ts_status ts_iteration_begin(struct ts_iteration *it, struct ts_instance *s
 			       "step may help");
 	*goal = it->tolerance * largest;
 	if (largest > 0)
-		ts_stencil_take(s, it->problem->grid, p, false, it->p);
+		ts_stencil_from_grid(s, it->problem->grid, p, false, it->p);
 	else
 		memset(it->p, 0, s->size * sizeof *it->p);
 	return TS_OK;
@@ -72,7 +72,7 @@ enum ts_status ts_iteration_end(struct ts_iteration *it, struct ts_instance *sel
 
 	if (it->problem->singular)
 		ts_stencil_centre(&it->stencil, it->p);
-	ts_stencil_give(&it->stencil, it->problem->grid, it->p, p);
+	ts_stencil_to_grid(&it->stencil, it->problem->grid, it->p, p);
 	if (goal == 0 || report->residual <= goal)
 		return TS_OK;
 	if (!isfinite(report->residual) || it->unfinished == TS_UNFINISHED_STOP)

@@ -8,7 +8,7 @@
 /* How many threads are worth it. */
 int ts_pressure_team(const struct tsim *sim, const struct ts_poisson *problem);
 
-enum ts_unfinished { TS_UNFINISHED_STOP, TS_UNFINISHED_WARN };
+enum ts_iteration_unfinished { TS_UNFINISHED_STOP, TS_UNFINISHED_WARN };
 
 /* First in the state of solvers that iterate. */
 struct ts_iteration {
@@ -23,7 +23,7 @@ struct ts_iteration {
 	double *b, *p;
 };
 
-extern const char *const ts_unfinished_names[];
+extern const char *const ts_iteration_unfinished_names[];
 #define TS_ITERATION_ARGS(T, f, tolerance_, most_)                                                 \
 	TS_REAL("tolerance", T, f.tolerance, .range = TS_WITHIN, .lo = 1e-16, .hi = 1e-3,          \
 		.fallback = tolerance_, .unit = "",                                                \
@@ -31,7 +31,7 @@ extern const char *const ts_unfinished_names[];
 			"than 1e-3 the fluid gains and loses volume"),                             \
 	TS_INT("iterations", T, f.most, .range = TS_POSITIVE, .fallback = most_, .unit = "",       \
 	       .help = "so many at most"),                                                         \
-	TS_ENUM("unfinished", T, f.unfinished, ts_unfinished_names, .fallback = "stop",            \
+	TS_ENUM("unfinished", T, f.unfinished, ts_iteration_unfinished_names, .fallback = "stop",            \
 		.help = "stop the run, or warn once, if they do not suffice")
 
 enum ts_status ts_iteration_prepare(struct ts_iteration *it, struct tsim *sim,

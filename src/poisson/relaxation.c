@@ -8,7 +8,7 @@ enum { LOOK = 8 }; /* iterations from look to look: a look costs as much as one 
 
 static const double PI = 3.14159265358979323846;
 
-double ts_relaxation_best(const struct ts_poisson *problem)
+double ts_relaxation_optimal(const struct ts_poisson *problem)
 {
 	double diagonal = 0, slowest = 0, slow, rho, least = INFINITY;
 

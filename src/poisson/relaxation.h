@@ -10,7 +10,7 @@
 #include "poisson/stencil.h"
 
 /* omega_b on a grid with even cells and no weights; by mean widths on others. */
-double ts_relaxation_best(const struct ts_poisson *problem);
+double ts_relaxation_optimal(const struct ts_poisson *problem);
 
 /* Iterates until the largest residual by volume is at most `goal`, or `most` times, or until it is 1e6 times that of the
  * first guess. It is looked at after every eighth iteration. */

@@ -78,7 +78,7 @@ enum ts_status ts_stencil_make(struct ts_stencil *s, const struct ts_poisson *pr
 	for (int d = 0; d < 3; d++) {
 		memcpy(s->width[d], grid->width[d], (size_t)grid->n[d] * sizeof(double));
 		for (int i = 0; i <= grid->n[d]; i++)
-			s->conduct[d][i] = ts_poisson_conduct(problem, d, i);
+			s->conduct[d][i] = ts_poisson_conductance(problem, d, i);
 	}
 	return TS_OK;
 }
@@ -118,7 +118,7 @@ static void weigh_row(struct ts_stencil *s, const struct ts_poisson *problem, in
 	}
 }
 
-void ts_stencil_weigh(struct ts_stencil *s, const struct ts_poisson *problem)
+void ts_stencil_set_weights(struct ts_stencil *s, const struct ts_poisson *problem)
 {
 	for (int d = 0; d < s->axes; d++) {
 		int ny = s->n[1] + (d == 1), rows = ny * (s->n[2] + (d == 2));
@@ -127,7 +127,7 @@ void ts_stencil_weigh(struct ts_stencil *s, const struct ts_poisson *problem)
 		for (int row = 0; row < rows; row++)
 			weigh_row(s, problem, d, row % ny, row / ny);
 	}
-	ts_stencil_invert(s);
+	ts_stencil_invert_diagonal(s);
 }
 
 static void invert_row(struct ts_stencil *s, size_t at)
@@ -141,7 +141,7 @@ static void invert_row(struct ts_stencil *s, size_t at)
 	}
 }
 
-void ts_stencil_invert(struct ts_stencil *s)
+void ts_stencil_invert_diagonal(struct ts_stencil *s)
 {
 #pragma omp parallel for num_threads(s->threads) schedule(static)
 	for (int row = 0; row < ts_stencil_rows(s); row++)
@@ -153,7 +153,7 @@ static double row_area(const struct ts_stencil *s, int row)
 	return s->width[1][row % s->n[1]] * s->width[2][row / s->n[1]];
 }
 
-void ts_stencil_take(const struct ts_stencil *s, const struct ts_grid *grid, const double *field,
+void ts_stencil_from_grid(const struct ts_stencil *s, const struct ts_grid *grid, const double *field,
 		     bool volumes, double *out)
 {
 #pragma omp parallel for num_threads(s->threads) schedule(static)
@@ -166,7 +166,7 @@ void ts_stencil_take(const struct ts_stencil *s, const struct ts_grid *grid, con
 	}
 }
 
-void ts_stencil_give(const struct ts_stencil *s, const struct ts_grid *grid, const double *field,
+void ts_stencil_to_grid(const struct ts_stencil *s, const struct ts_grid *grid, const double *field,
 		     double *out)
 {
 #pragma omp parallel for num_threads(s->threads) schedule(static)
@@ -184,7 +184,7 @@ static void divide_row(const double *restrict r, const double *restrict width, d
 		out[i] = -r[i] / (width[i] * area);
 }
 
-void ts_stencil_by_volume(const struct ts_stencil *s, const double *r, double *out)
+void ts_stencil_per_volume(const struct ts_stencil *s, const double *r, double *out)
 {
 #pragma omp parallel for num_threads(s->threads) schedule(static)
 	for (int row = 0; row < ts_stencil_rows(s); row++) {
@@ -359,7 +359,7 @@ void ts_stencil_sweep(const struct ts_stencil *s, double *p, const double *b, in
 	ts_stencil_ghosts(s, p);
 }
 
-double ts_stencil_sum(const struct ts_stencil *s)
+double ts_stencil_sum_rows(const struct ts_stencil *s)
 {
 	double sum = 0;
 
@@ -368,7 +368,7 @@ double ts_stencil_sum(const struct ts_stencil *s)
 	return sum;
 }
 
-double ts_stencil_maximum(const struct ts_stencil *s)
+double ts_stencil_max_rows(const struct ts_stencil *s)
 {
 	double most = 0;
 
@@ -382,7 +382,7 @@ double ts_stencil_apply(const struct ts_stencil *s, const double *p, double *out
 #pragma omp parallel for num_threads(s->threads) schedule(static)
 	for (int row = 0; row < ts_stencil_rows(s); row++)
 		s->rows[row] = apply_row(s, ts_stencil_row(s, row), p, out);
-	return ts_stencil_sum(s);
+	return ts_stencil_sum_rows(s);
 }
 
 double ts_stencil_residual(const struct ts_stencil *s, const double *p, const double *b, double *out)
@@ -390,7 +390,7 @@ double ts_stencil_residual(const struct ts_stencil *s, const double *p, const do
 #pragma omp parallel for num_threads(s->threads) schedule(static)
 	for (int row = 0; row < ts_stencil_rows(s); row++)
 		s->rows[row] = residual_row(s, ts_stencil_row(s, row), p, b, out) / row_area(s, row);
-	return ts_stencil_maximum(s);
+	return ts_stencil_max_rows(s);
 }
 
 TS_CLONES
@@ -405,7 +405,7 @@ double ts_stencil_largest(const struct ts_stencil *s, const double *r)
 	for (int row = 0; row < ts_stencil_rows(s); row++)
 		s->rows[row] = largest_of_row(r + ts_stencil_row(s, row), s->width[0], s->n[0]) /
 			       row_area(s, row);
-	return ts_stencil_maximum(s);
+	return ts_stencil_max_rows(s);
 }
 
 TS_CLONES
@@ -419,7 +419,7 @@ double ts_stencil_dot(const struct ts_stencil *s, const double *a, const double 
 #pragma omp parallel for num_threads(s->threads) schedule(static)
 	for (int row = 0; row < ts_stencil_rows(s); row++)
 		s->rows[row] = dot_of_row(a + ts_stencil_row(s, row), b + ts_stencil_row(s, row), s->n[0]);
-	return ts_stencil_sum(s);
+	return ts_stencil_sum_rows(s);
 }
 
 static double volume(const struct ts_stencil *s)
@@ -440,7 +440,7 @@ void ts_stencil_centre(const struct ts_stencil *s, double *p)
 	for (int row = 0; row < ts_stencil_rows(s); row++)
 		s->rows[row] = row_area(s, row) *
 			       dot_of_row(p + ts_stencil_row(s, row), s->width[0], s->n[0]);
-	mean = ts_stencil_sum(s) / volume(s);
+	mean = ts_stencil_sum_rows(s) / volume(s);
 #pragma omp parallel for num_threads(s->threads) schedule(static)
 	for (int row = 0; row < ts_stencil_rows(s); row++)
 		for (int i = 0; i < s->n[0]; i++)
@@ -457,7 +457,7 @@ void ts_stencil_balance(const struct ts_stencil *s, double *b)
 		for (int i = 0; i < s->n[0]; i++)
 			s->rows[row] += b[ts_stencil_row(s, row) + (size_t)i];
 	}
-	excess = ts_stencil_sum(s) / volume(s);
+	excess = ts_stencil_sum_rows(s) / volume(s);
 #pragma omp parallel for num_threads(s->threads) schedule(static)
 	for (int row = 0; row < ts_stencil_rows(s); row++)
 		for (int i = 0; i < s->n[0]; i++)

@@ -47,19 +47,19 @@ enum ts_status ts_stencil_shape(struct ts_stencil *s, const int n[3], int axes, 
 void ts_stencil_release(struct ts_stencil *s);
 
 /* Links from the problem's weights as they are now. */
-void ts_stencil_weigh(struct ts_stencil *s, const struct ts_poisson *problem);
+void ts_stencil_set_weights(struct ts_stencil *s, const struct ts_poisson *problem);
 /* `inverse` from the links. */
-void ts_stencil_invert(struct ts_stencil *s);
+void ts_stencil_invert_diagonal(struct ts_stencil *s);
 
 double *ts_stencil_field(const struct ts_stencil *s);
 /* Between fields of the grid and those here. `volumes`: multiplied by minus the volume, as right-hand sides are. */
-void ts_stencil_take(const struct ts_stencil *s, const struct ts_grid *grid, const double *field,
+void ts_stencil_from_grid(const struct ts_stencil *s, const struct ts_grid *grid, const double *field,
 		     bool volumes, double *out);
-void ts_stencil_give(const struct ts_stencil *s, const struct ts_grid *grid, const double *field,
+void ts_stencil_to_grid(const struct ts_stencil *s, const struct ts_grid *grid, const double *field,
 		     double *out);
 
 /* out = -r/V */
-void ts_stencil_by_volume(const struct ts_stencil *s, const double *r, double *out);
+void ts_stencil_per_volume(const struct ts_stencil *s, const double *r, double *out);
 
 void ts_stencil_ghosts(const struct ts_stencil *s, double *p);
 /* out = A p, after ts_stencil_ghosts(p); returns p.Ap */
@@ -77,7 +77,7 @@ void ts_stencil_centre(const struct ts_stencil *s, double *p);
 /* Makes a right-hand side of a singular system sum to zero to the last bit but one. */
 void ts_stencil_balance(const struct ts_stencil *s, double *b);
 /* The parts of rows, in order. */
-double ts_stencil_sum(const struct ts_stencil *s);
-double ts_stencil_maximum(const struct ts_stencil *s);
+double ts_stencil_sum_rows(const struct ts_stencil *s);
+double ts_stencil_max_rows(const struct ts_stencil *s);
 
 #endif

@@ -19,7 +19,7 @@ static void fill_matrix(gsl_matrix *a, const struct ts_poisson *problem, int d)
 
 	gsl_matrix_set_zero(a);
 	for (int i = 0; i <= n; i++) {
-		double c = ts_poisson_conduct(problem, d, i);
+		double c = ts_poisson_conductance(problem, d, i);
 		bool wraps = problem->condition[d][0] == TS_PRESSURE_PERIODIC;
 		int below = i > 0 ? i - 1 : wraps ? n - 1 : -1, above = i < n ? i : wraps ? 0 : -1;
 
@@ -166,18 +166,18 @@ void ts_transform_release(struct ts_transform *t)
 	*t = (struct ts_transform){ 0 };
 }
 
-size_t ts_transform_spare(const struct ts_transform *t)
+size_t ts_transform_work_size(const struct ts_transform *t)
 {
 	switch (t->waves) {
 	case TS_WAVES_MATRIX:
 		return (size_t)t->n * TS_LINES;
 	case TS_WAVES_QUARTER: {
-		size_t parts = (size_t)t->n * TS_LINES, spare = ts_fourier_spare(&t->fourier, TS_LINES);
+		size_t parts = (size_t)t->n * TS_LINES, spare = ts_fourier_work_size(&t->fourier, TS_LINES);
 
 		return parts + (spare > parts ? spare : parts);
 	}
 	default:
-		return (size_t)t->n * TS_LINES + ts_fourier_spare(&t->fourier, HALF);
+		return (size_t)t->n * TS_LINES + ts_fourier_work_size(&t->fourier, HALF);
 	}
 }
 

@@ -18,10 +18,10 @@
 
 enum { TS_LINES = 16 }; /* transformed at once */
 
-enum ts_waves { TS_WAVES_FOURIER, TS_WAVES_HALF, TS_WAVES_QUARTER, TS_WAVES_MATRIX };
+enum ts_transform_kind { TS_WAVES_FOURIER, TS_WAVES_HALF, TS_WAVES_QUARTER, TS_WAVES_MATRIX };
 
 struct ts_transform {
-	enum ts_waves waves;
+	enum ts_transform_kind waves;
 	int n;
 	bool odd;      /* signs alternate: sines from cosines */
 	bool mirrored;
@@ -37,7 +37,7 @@ enum ts_status ts_transform_make(struct ts_transform *t, const struct ts_poisson
 void ts_transform_release(struct ts_transform *t);
 
 /* Doubles that the transforms need besides. */
-size_t ts_transform_spare(const struct ts_transform *t);
+size_t ts_transform_work_size(const struct ts_transform *t);
 /* lines: value i of line l at [i TS_LINES + l], replaced by the amount of mode i; and back. */
 void ts_transform_forward(const struct ts_transform *t, double *lines, double *spare);
 void ts_transform_backward(const struct ts_transform *t, double *lines, double *spare);

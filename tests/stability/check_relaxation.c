@@ -40,7 +40,7 @@ static void make(struct square *q, enum ts_pressure_condition condition)
 			q->problem.condition[d][side] = d == 2 ? TS_PRESSURE_NO_GRADIENT : condition;
 	q->problem.singular = condition == TS_PRESSURE_NO_GRADIENT;
 	ck_assert(ts_stencil_make(&q->stencil, &q->problem) == TS_OK);
-	ts_stencil_weigh(&q->stencil, &q->problem);
+	ts_stencil_set_weights(&q->stencil, &q->problem);
 	q->p = ts_stencil_field(&q->stencil);
 	q->b = ts_stencil_field(&q->stencil);
 	q->spare = ts_stencil_field(&q->stencil);
@@ -130,7 +130,7 @@ START_TEST(best_factor)
 		rho = fmax(rho, radius(0, PI / M));
 	theory = 2 / (1 + sqrt(1 - rho * rho));
 	make(&q, condition[_i]);
-	best = ts_relaxation_best(&q.problem);
+	best = ts_relaxation_optimal(&q.problem);
 	ck_assert_double_eq_tol(best, theory, 1e-12);
 	ck_assert_double_eq_tol(factor(&q, best + 0.05), best + 0.05 - 1, 0.01);
 	ck_assert_double_gt(factor(&q, best - 0.05), factor(&q, best + 0.01));

@@ -1,0 +1,196 @@
+#include "coupling/coupling_force.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "coupling/outside_grid.h"
+#include "particle/particles.h"
+
+#include "base/banned.h"
+
+static const struct ts_coupling_force_style *style_of(const struct ts_instance *self)
+{
+	return (const struct ts_coupling_force_style *)self->style;
+}
+
+enum ts_status ts_coupling_force_init(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_coupling_force *s = self->state;
+	const struct ts_coupling_force_style *style = style_of(self);
+	char who[64];
+
+	snprintf(who, sizeof who, "fix %s", self->style->name);
+	s->flow = ts_sim_only(sim, TS_KIND_FLOW);
+	s->fluid = NULL;
+	if (style->solved || (s->flow && ts_flow_style_of(s->flow)->fluid))
+		TS_TRY(ts_flow_require_fluid(sim, who, &self->where, &s->fluid));
+	else if (!s->flow)
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "%s needs a fluid: use flow_style before it", who);
+	if (!(ts_flow_style_of(s->flow)->density(s->flow) > 0))
+		return ts_fail(&sim->error, TS_STATE, &self->where,
+			       "%s needs a fluid with a density: give flow_style %s one", who,
+			       s->flow->style->name);
+	if (s->fluid && s->two_way && !style->internal)
+		return ts_fluid_require_fields(s->fluid, sim, TS_FLUID_FORCE);
+	return TS_OK;
+}
+
+void ts_coupling_curl(const double slope[3][3], double curl[3])
+{
+	for (int k = 0; k < 3; k++)
+		curl[k] = slope[(k + 2) % 3][(k + 1) % 3] - slope[(k + 1) % 3][(k + 2) % 3];
+}
+
+static void velocity_at(const struct ts_coupling_force *s, const double x[3], double u[3])
+{
+	if (s->fluid)
+		ts_fluid_velocity(s->fluid, x, u);
+	else
+		ts_flow_style_of(s->flow)->velocity(s->flow, x, u);
+}
+
+/* du/dx_a by differences over the width of a cell; at a boundary over what there is of it. */
+static void slope_along(const struct ts_coupling_force *s, int a, double radius,
+			struct ts_coupling_local_flow *around)
+{
+	const struct ts_grid *grid = s->fluid ? &s->fluid->grid : NULL;
+	double half = grid ? 0.5 * grid->width[a][around->cell[a]] : radius;
+	double low[3], high[3], at_low[3], at_high[3];
+
+	if (grid && grid->ghosts[a] == 0) { /* nothing varies along this axis */
+		for (int c = 0; c < 3; c++)
+			around->slope[c][a] = 0;
+		return;
+	}
+	memcpy(low, around->place, sizeof low);
+	memcpy(high, around->place, sizeof high);
+	low[a] -= half;
+	high[a] += half;
+	if (grid && !grid->periodic[a]) {
+		low[a] = fmax(low[a], grid->face[a][0]);
+		high[a] = fmin(high[a], grid->face[a][grid->n[a]]);
+	}
+	velocity_at(s, low, at_low);
+	velocity_at(s, high, at_high);
+	for (int c = 0; c < 3; c++)
+		around->slope[c][a] = (at_high[c] - at_low[c]) / (high[a] - low[a]);
+}
+
+/* false: there is no fluid where particle i is */
+static bool look_around(const struct ts_instance *self, const struct ts_particles *p, size_t i,
+			struct ts_coupling_local_flow *around)
+{
+	const struct ts_coupling_force *s = self->state;
+
+	memcpy(around->place, p->x[i], sizeof around->place);
+	if (s->fluid && !ts_coupling_locate(s->fluid, p->x[i], around->place, around->cell))
+		return false;
+	velocity_at(s, around->place, around->u);
+	for (int k = 0; k < 3; k++)
+		around->slip[k] = around->u[k] - p->v[i][k];
+	for (int a = 0; a < 3 && style_of(self)->sheared; a++)
+		slope_along(s, a, p->radius[i], around);
+	return true;
+}
+
+struct context {
+	struct ts_coupling_force *force;
+	const struct ts_particles *particles;
+};
+
+static void lay(void *data, size_t i)
+{
+	const struct context *context = data;
+	struct ts_fluid *fluid = context->force->fluid;
+	double place[3];
+	int cell[3];
+
+	if (!ts_coupling_locate(fluid, context->particles->x[i], place, cell))
+		return;
+	for (int c = 0; c < fluid->grid.dimensions; c++) {
+		struct ts_coupling_weights share;
+
+		ts_coupling_weights_face(fluid, c, place, cell, TS_INTERPOLATE_LINEAR, &share);
+		ts_coupling_distribute_force(&fluid->grid, &share, c, fluid->u[c], context->force->total.note[i][c], 0,
+			       fluid->force[c], NULL);
+	}
+}
+
+enum ts_status ts_coupling_force_add_to_fluid(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_coupling_force *s = self->state;
+	struct context context = { s, sim->particles };
+
+	if (!s->fluid || !s->two_way || style_of(self)->internal || sim->in_setup)
+		return TS_OK;
+	TS_TRY(ts_cell_order_make(&s->order, sim, s->fluid, self->group, 1));
+	ts_cell_order_each(&s->order, ts_team(sim, sim->particles->n), lay, &context);
+	return TS_OK;
+}
+
+enum ts_status ts_coupling_force_post_force(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_coupling_force *s = self->state;
+	const struct ts_coupling_force_style *style = style_of(self);
+	const struct ts_flow_style *flow = ts_flow_style_of(s->flow);
+	struct ts_particles *p = sim->particles;
+	double density = flow->density(s->flow), viscosity = flow->viscosity(s->flow);
+	int64_t tag = INT64_MAX;
+	size_t outside = 0;
+
+	TS_TRY(ts_tally_start(sim, &s->total));
+#pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)                         \
+	reduction(+ : outside) reduction(min : tag)
+	for (size_t i = 0; i < p->n; i++) {
+		struct ts_coupling_local_flow around = { .density = density, .viscosity = viscosity };
+		double f[3] = { 0 }, torque[3] = { 0 };
+
+		if (!ts_in_group(p, i, self->group))
+			continue;
+		if (!look_around(self, p, i, &around)) {
+			outside++;
+			tag = p->tag[i] < tag ? p->tag[i] : tag;
+			continue;
+		}
+		style->act(self, sim, i, &around, f, torque);
+		for (int k = 0; k < 3; k++) {
+			p->f[i][k] += f[k];
+			s->total.note[i][k] = f[k];
+			if (p->torque)
+				p->torque[i][k] += torque[k];
+		}
+	}
+	if (s->fluid)
+		ts_coupling_count_outside(s->fluid, sim, self, outside, tag);
+	return style->style.late[TS_LATE_INERTIA] ? TS_OK : ts_coupling_force_add_to_fluid(self, sim);
+}
+
+enum ts_status ts_coupling_force_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
+{
+	(void)sim;
+	return ts_tally_archive(a, &((struct ts_coupling_force *)self->state)->total);
+}
+
+static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
+{
+	(void)sim;
+	memcpy(out->data, ts_tally_sums(&((struct ts_coupling_force *)self->state)->total),
+	       3 * sizeof *out->data);
+	return TS_OK;
+}
+
+static const char *const columns[] = { "x", "y", "z" };
+const struct ts_value ts_coupling_force_values[] = {
+	{ "force", "force", "total force on the particles", TS_VECTOR, 3, columns, eval },
+	{ .name = NULL },
+};
+
+void ts_coupling_force_fini(struct ts_instance *self)
+{
+	struct ts_coupling_force *s = self->state;
+
+	ts_cell_order_release(&s->order);
+	ts_tally_release(&s->total);
+}

@@ -1,0 +1,152 @@
+/* How long a step drags bear. */
+#include "coupling/drag_force.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/report.h"
+#include "flow/projection.h"
+#include "particle/particles.h"
+#include "rigid/rigid.h"
+
+#include "base/banned.h"
+
+/* Unresolved drag supposes that a cell holds the particle. */
+static void warn_of_cells(const struct ts_instance *self, struct tsim *sim, double diameter)
+{
+	const struct ts_drag *s = self->state;
+	const struct ts_grid *grid = &s->fluid->grid;
+	double least = INFINITY;
+
+	for (int d = 0; d < grid->dimensions; d++)
+		for (int i = 0; i < grid->n[d]; i++)
+			least = fmin(least, grid->width[d][i]);
+	if (least < diameter)
+		ts_warn(&sim->log, &self->where,
+			"fix %s: cells of the fluid are down to %g wide and particles up to %g: laws of drag "
+			"hold for cells of several diameters",
+			self->style->name, least, diameter);
+}
+
+/* k at the faces across c: the sum of the coefficients by volume. */
+static void sum_coefficients(const struct ts_instance *self, const struct tsim *sim, int c, double *k)
+{
+	const struct ts_drag *s = self->state;
+	const struct ts_fluid *fluid = s->fluid;
+	const struct ts_particles *p = sim->particles;
+
+	memset(k, 0, fluid->grid.size * sizeof *k);
+	for (size_t i = 0; i < p->n; i++) {
+		struct ts_slip slip = { .density = fluid->density, .viscosity = fluid->viscosity };
+		struct ts_coupling_weights st;
+		double w[3], place[3];
+		int cell[3];
+
+		if (!ts_in_group(p, i, self->group) || !ts_drag_slip_at(self, p, i, &slip, w) ||
+		    !ts_coupling_locate(fluid, p->x[i], place, cell))
+			continue;
+		ts_coupling_weights_face(fluid, c, place, cell, (enum ts_coupling_interpolation)s->interpolation, &st);
+		ts_coupling_distribute_force(&fluid->grid, &st, c, fluid->u[c], -ts_drag_style_of(self)->coefficient(s, &slip), 0, k,
+			       NULL);
+	}
+}
+
+/* The fluid gets the force as it is, du/dt = -k (u - v)/(e rho): the largest k/(e rho). Weights sum to 1, so no mode
+ * of the velocities relaxes faster. */
+static enum ts_status lagged_rate(const struct ts_instance *self, struct tsim *sim, double *rate)
+{
+	const struct ts_drag *s = self->state;
+	const struct ts_fluid *fluid = s->fluid;
+	double *k = ts_grid_field(&fluid->grid);
+
+	if (!k)
+		return ts_nomem(&sim->error);
+	for (int c = 0; c < fluid->grid.dimensions; c++) {
+		size_t stride = (size_t)fluid->grid.stride[c];
+
+		if (!ts_drag_acts_along(s, c))
+			continue;
+		sum_coefficients(self, sim, c, k);
+		for (size_t at = stride; at < fluid->grid.size; at++) {
+			double e = fluid->empty ? 0.5 * (fluid->empty[at] + fluid->empty[at - stride]) : 1;
+
+			if (k[at] > 0)
+				*rate = fmax(*rate, k[at] / (e * fluid->density));
+		}
+	}
+	ts_grid_field_free(k);
+	return TS_OK;
+}
+
+/* Explicit drag makes the velocity of the particle relax as well: the slip decays at no more than both rates. The fluid
+ * takes its steps with the force of `every` steps before. */
+static enum ts_status limit_lagged(struct ts_instance *self, struct tsim *sim, double relaxation,
+				   struct ts_plan_report *report)
+{
+	const struct ts_drag *s = self->state;
+	const struct ts_projection *p = s->flow->state;
+	double rate = 0;
+
+	if (!s->fluid || !s->two_way || !s->lagged || !(s->fluid->viscosity > 0))
+		return TS_OK;
+	TS_TRY(lagged_rate(self, sim, &rate));
+	rate *= (double)p->every;
+	if (s->scheme == TS_DRAG_EXPLICIT)
+		rate += 1 / relaxation;
+	return ts_report_limit(report, rate > 0 ? 2 / rate : INFINITY, false, &self->where,
+			       "what lagged fix %s gives to the fluid, 2 e rho/k (lagged no has no such limit)",
+			       self->style->name);
+}
+
+/* The largest diameter, and the least relaxation times: of all, and of those whose drag is explicit. */
+struct times {
+	double largest, least, explicit;
+};
+
+static struct times times_of(const struct ts_instance *self, const struct tsim *sim)
+{
+	const struct ts_drag *s = self->state;
+	const struct ts_flow_style *flow = ts_flow_style_of(s->flow);
+	const struct ts_particles *p = sim->particles;
+	struct times t = { 0, INFINITY, INFINITY };
+
+	for (size_t i = 0; i < p->n; i++) {
+		struct ts_slip slip = { .density = flow->density(s->flow),
+					.viscosity = flow->viscosity(s->flow) };
+		double w[3], tau;
+
+		if (!ts_in_group(p, i, self->group) || !(slip.viscosity > 0) ||
+		    !ts_drag_slip_at(self, p, i, &slip, w))
+			continue;
+		t.largest = fmax(t.largest, slip.diameter);
+		if (ts_drag_motion_prescribed(s, sim, i))
+			continue;
+		tau = ts_drag_mass(s, sim, i) / ts_drag_style_of(self)->coefficient(s, &slip);
+		t.least = fmin(t.least, tau);
+		if (s->scheme == TS_DRAG_EXPLICIT || ts_rigid_member(p, i))
+			t.explicit = fmin(t.explicit, tau);
+	}
+	return t;
+}
+
+enum ts_status ts_drag_report_limits(struct ts_instance *self, struct tsim *sim,
+			    struct ts_plan_report *report)
+{
+	const struct ts_drag *s = self->state;
+	const struct times t = times_of(self, sim);
+
+	if (s->fluid && s->two_way && !report->limits_only)
+		warn_of_cells(self, sim, t.largest);
+	TS_TRY(limit_lagged(self, sim, t.least, report));
+	if (isinf(t.least))
+		return TS_OK;
+	ts_report_line(report, "drag", "%s along %s, least relaxation time %g", self->style->name,
+		       ts_drag_axes[s->axes], t.least);
+	if (s->scheme == TS_DRAG_EXPLICIT)
+		return ts_report_limit(report, 2 * t.explicit, true, &self->where,
+				       "explicit fix %s, 2 tau (scheme exact has no limit)",
+				       self->style->name);
+	return ts_report_limit(report, 2 * t.explicit, true, &self->where,
+			       "fix %s on members of rigid bodies, whose drag is explicit, 2 tau",
+			       self->style->name);
+}

@@ -1,0 +1,187 @@
+#include "coupling/volume_distribution.h"
+
+#include <math.h>
+
+#include "geom/ball_corner.h"
+
+#include "base/banned.h"
+
+static const double PI = 3.14159265358979323846;
+
+static double extent(const struct ts_coupling_volume *how, double radius)
+{
+	return how->method == TS_VOLUME_KERNEL	  ? 2 * how->reach * radius
+	       : how->method == TS_VOLUME_DIVIDED ? radius
+						  : 0;
+}
+
+int ts_coupling_volume_reach(const struct ts_grid *grid, const struct ts_coupling_volume *how, double radius)
+{
+	double least = INFINITY;
+
+	for (int d = 0; d < grid->dimensions; d++)
+		for (int i = 0; i < grid->n[d]; i++)
+			least = fmin(least, grid->width[d][i]);
+	return (int)fmin(ceil(extent(how, radius) / least), 1e6);
+}
+
+/* Cells along an axis that the particle reaches; faces relative to its centre, in units of the reach, from the
+ * lower one of cell `first` on. */
+struct span {
+	int first, n;
+	double face[TS_VOLUME_MAX_CELLS + 2];
+};
+
+/* By the widths of the grid and of its periodic images. */
+static double width_at(const struct ts_grid *grid, int d, int i)
+{
+	int n = grid->n[d];
+
+	return grid->width[d][grid->periodic[d] ? (i % n + n) % n : i < 0 ? 0 : i >= n ? n - 1 : i];
+}
+
+static void find_span(const struct ts_grid *grid, int d, double x, int cell, double reach, struct span *s)
+{
+	double low = grid->face[d][cell] - x;
+	int first = cell;
+
+	while (low > -reach && (grid->periodic[d] || first > 0) && cell - first < TS_VOLUME_MAX_CELLS / 2)
+		low -= width_at(grid, d, --first);
+	s->first = first;
+	s->n = 0;
+	s->face[0] = low / reach;
+	do {
+		low += width_at(grid, d, s->first + s->n++);
+		s->face[s->n] = low / reach;
+	} while (low < reach && s->n <= TS_VOLUME_MAX_CELLS &&
+		 (grid->periodic[d] || s->first + s->n < grid->n[d]));
+	/* The cells along a boundary have what would be beyond it. */
+	if (s->face[0] > -1)
+		s->face[0] = -1;
+	if (s->face[s->n] < 1)
+		s->face[s->n] = 1;
+}
+
+struct visitor {
+	ts_coupling_volume_fn *visit;
+	void *context;
+};
+
+static void add(const struct ts_grid *grid, const struct span s[3], int i, int j, int k, double volume,
+		const struct visitor *to)
+{
+	int index[3] = { s[0].first + i, s[1].first + j, s[2].first + k };
+
+	for (int d = 0; d < 3; d++)
+		index[d] = (index[d] % grid->n[d] + grid->n[d]) % grid->n[d];
+	to->visit(to->context, index, volume);
+}
+
+/* What of the unit ball, or disc, lies beyond the corners of one layer of faces. */
+typedef double layer[TS_VOLUME_MAX_CELLS + 2][TS_VOLUME_MAX_CELLS + 2];
+
+static void corners(const struct span s[3], bool disc, double z, layer out)
+{
+	for (int j = 0; j <= s[1].n; j++)
+		for (int i = 0; i <= s[0].n; i++)
+			out[j][i] = disc ? ts_disc_corner(s[0].face[i], s[1].face[j])
+					 : ts_ball_corner(s[0].face[i], s[1].face[j], z);
+}
+
+static double between(double (*a)[TS_VOLUME_MAX_CELLS + 2], int i, int j)
+{
+	return a[j][i] - a[j][i + 1] - a[j + 1][i] + a[j + 1][i + 1];
+}
+
+static void divide(const struct ts_grid *grid, const struct span s[3], bool disc, double unit,
+		   const struct visitor *to)
+{
+	layer layers[2];
+
+	corners(s, disc, s[2].face[0], layers[0]);
+	for (int k = 0; k < s[2].n; k++) {
+		double(*low)[TS_VOLUME_MAX_CELLS + 2] = layers[k % 2];
+		double(*high)[TS_VOLUME_MAX_CELLS + 2] = layers[(k + 1) % 2];
+
+		if (!disc)
+			corners(s, disc, s[2].face[k + 1], high);
+		for (int j = 0; j < s[1].n; j++)
+			for (int i = 0; i < s[0].n; i++) {
+				double part = between(low, i, j) - (disc ? 0 : between(high, i, j));
+
+				add(grid, s, i, j, k, fmax(part, 0) * unit, to);
+			}
+	}
+}
+
+static double kernel(const struct span *s, int i)
+{
+	double a = fmax(s->face[i], -1), b = fmin(s->face[i + 1], 1);
+
+	return b > a ? 0.5 * (b - a + (sin(PI * b) - sin(PI * a)) / PI) : 0;
+}
+
+static void smear(const struct ts_grid *grid, const struct span s[3], double volume, const struct visitor *to)
+{
+	for (int k = 0; k < s[2].n; k++)
+		for (int j = 0; j < s[1].n; j++)
+			for (int i = 0; i < s[0].n; i++)
+				add(grid, s, i, j, k,
+				    volume * kernel(&s[0], i) * kernel(&s[1], j) * kernel(&s[2], k),
+				    to);
+}
+
+/* A slice of the flow one cell thick has all of the particle. */
+static void flat(int d, struct span s[3])
+{
+	s[d].first = 0;
+	s[d].n = 1;
+	s[d].face[0] = -1;
+	s[d].face[1] = 1;
+}
+
+void ts_coupling_volume_each_cell(const struct ts_grid *grid, const struct ts_coupling_volume *how, const double place[3],
+		    const int cell[3], double radius, ts_coupling_volume_fn *visit, void *context)
+{
+	double reach = extent(how, radius);
+	double unit = how->disc ? radius * radius * grid->width[2][cell[2]] : radius * radius * radius;
+	double volume = (how->disc ? PI : 4 * PI / 3) * unit;
+	const struct visitor to = { visit, context };
+	struct span s[3];
+
+	if (how->method == TS_VOLUME_CENTRE) {
+		visit(context, cell, volume);
+		return;
+	}
+	for (int d = 0; d < 3; d++) {
+		if (grid->ghosts[d] == 0)
+			flat(d, s);
+		else
+			find_span(grid, d, place[d], cell[d], reach, &s[d]);
+	}
+	if (how->method == TS_VOLUME_DIVIDED)
+		divide(grid, s, how->disc, unit, &to);
+	else
+		smear(grid, s, volume, &to);
+}
+
+struct sum {
+	const struct ts_grid *grid;
+	double *fraction;
+};
+
+static void add_fraction(void *context, const int cell[3], double volume)
+{
+	const struct sum *sum = context;
+
+	sum->fraction[ts_at(sum->grid, cell[0], cell[1], cell[2])] +=
+		volume / ts_grid_volume(sum->grid, cell[0], cell[1], cell[2]);
+}
+
+void ts_coupling_volume_add(const struct ts_grid *grid, const struct ts_coupling_volume *how,
+		      const double place[3], const int cell[3], double radius, double *fraction)
+{
+	struct sum sum = { grid, fraction };
+
+	ts_coupling_volume_each_cell(grid, how, place, cell, radius, add_fraction, &sum);
+}

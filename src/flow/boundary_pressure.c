@@ -1,0 +1,388 @@
+/* Pressure given on open faces: outlets, and inlets by their pressure.
+ *
+ * It stands on the face itself, half a cell from the centre: p of the first ghost is 2 P - p, and
+ * what it adds to the balance of the cell, w (2/h) P / h, goes to the right-hand side. Solvers see
+ * the difference from `base`, the middle of all that is given: a level of 1e5 costs no digits, and
+ * the same pressure on all open faces is as none.
+ *
+ * Over a stage of a time scheme the pressure pushes as a mean over its length: it is taken where
+ * the stage takes its rates, in the middle for schemes of one stage, so that the schemes keep their
+ * order. */
+#include <math.h>
+#include <stdio.h>
+
+#include "flow/flow_measures.h"
+#include "flow/projection.h"
+
+#include "base/banned.h"
+
+/* ---- all points of a face, beside its ghosts too */
+
+struct span {
+	int a, b, from[2], to[2];
+};
+
+static struct span span_of(const struct ts_grid *grid, int d)
+{
+	struct span s = { .a = d == 0, .b = d == 2 ? 1 : 2 };
+
+	s.from[0] = -grid->ghosts[s.a];
+	s.from[1] = -grid->ghosts[s.b];
+	s.to[0] = grid->n[s.a] + grid->ghosts[s.a];
+	s.to[1] = grid->n[s.b] + grid->ghosts[s.b];
+	return s;
+}
+
+static enum ts_status want_plane(const struct ts_grid *grid, int d, struct ts_flow_face_pressure *p)
+{
+	size_t n = ts_flow_plane_size(grid, d);
+
+	if (p->plane)
+		return TS_OK;
+	p->plane = ts_alloc(n, sizeof *p->plane);
+	for (size_t k = 0; p->plane && k < n; k++)
+		p->plane[k] = p->constant;
+	return p->plane ? TS_OK : TS_NOMEM;
+}
+
+static void drop_plane(struct ts_flow_face_pressure *p)
+{
+	ts_free(p->plane);
+	p->plane = NULL;
+}
+
+static enum ts_status copy(const struct ts_grid *grid, int d, const struct ts_flow_face_pressure *from,
+			   struct ts_flow_face_pressure *to)
+{
+	to->constant = from->constant;
+	if (!from->plane) {
+		drop_plane(to);
+		return TS_OK;
+	}
+	TS_TRY(want_plane(grid, d, to));
+	for (size_t k = 0; k < ts_flow_plane_size(grid, d); k++)
+		to->plane[k] = from->plane[k];
+	return TS_OK;
+}
+
+static bool is_open(const struct ts_projection *p, int face)
+{
+	return ts_flow_face_open(p->fluid.face[face / 2][face % 2]);
+}
+
+/* ---- what is given */
+
+enum ts_status ts_projection_evaluate_pressure(struct ts_projection *p, struct tsim *sim, int d,
+					   enum ts_grid_side side)
+{
+	const struct ts_flow_condition *condition = &p->condition[d][side];
+	struct ts_flow_face_pressure *now = &p->pressure_now[d][side];
+	const struct ts_flow_formula formula = { &condition->pressure, "pressure",
+						 TS_FLOW_CENTRES };
+
+	if (!ts_flow_face_open(p->fluid.face[d][side])) {
+		drop_plane(now);
+		now->constant = 0;
+		return TS_OK;
+	}
+	if (!ts_flow_condition_shaped(condition) || !condition->pressure.variable) {
+		drop_plane(now);
+		return ts_flow_formula_value(sim, condition, &formula, &now->constant);
+	}
+	if (want_plane(&p->fluid.grid, d, now) != TS_OK)
+		return ts_nomem(&sim->error);
+	return ts_flow_fill_plane(sim, condition, &formula, &p->fluid.grid, d, side, now->plane);
+}
+
+enum ts_status ts_projection_store_pressure(struct ts_projection *p)
+{
+	for (int face = 0; face < 6; face++)
+		TS_TRY(copy(&p->fluid.grid, face / 2, &p->pressure_now[face / 2][face % 2],
+			    &p->pressure_before[face / 2][face % 2]));
+	return TS_OK;
+}
+
+/* Of a fluid at rest under the body force: what is below the top of the grid weighs on it. Along a
+ * periodic axis nothing holds it. */
+static double weight_above(const struct ts_fluid *fluid, const double x[3])
+{
+	const struct ts_grid *grid = &fluid->grid;
+	double sum = 0;
+
+	for (int a = 0; a < grid->dimensions; a++) {
+		double g = fluid->body_force[a];
+
+		if (g != 0 && !grid->periodic[a])
+			sum += g * (x[a] - grid->face[a][g > 0 ? 0 : grid->n[a]]);
+	}
+	return fluid->density * sum;
+}
+
+/* The pressure of the next projection on a face, and its extremes. */
+static enum ts_status make_next(struct ts_projection *p, int d, int side, double extreme[2])
+{
+	const struct ts_grid *grid = &p->fluid.grid;
+	const struct ts_flow_face_pressure *before = &p->pressure_before[d][side],
+				      *now = &p->pressure_now[d][side];
+	struct ts_flow_face_pressure *next = &p->pressure_next[d][side];
+	const struct span s = span_of(grid, d);
+	bool deep = p->condition[d][side].hydrostatic == TS_FLOW_HYDROSTATIC;
+	double x[3];
+
+	if (before->plane || now->plane || deep)
+		TS_TRY(want_plane(grid, d, next));
+	else
+		drop_plane(next);
+	next->constant = ts_flow_interpolate_time(before->constant, now->constant, p->pressure_share);
+	if (!next->plane) {
+		extreme[0] = fmin(extreme[0], next->constant);
+		extreme[1] = fmax(extreme[1], next->constant);
+		return TS_OK;
+	}
+	x[d] = grid->face[d][side == TS_LOW ? 0 : grid->n[d]];
+	for (int ib = s.from[1]; ib < s.to[1]; ib++)
+		for (int ia = s.from[0]; ia < s.to[0]; ia++) {
+			size_t k = ts_flow_plane_at(grid, d, ia, ib);
+			double value =
+				ts_flow_interpolate_time(ts_flow_face_pressure_at(before, k),
+						ts_flow_face_pressure_at(now, k), p->pressure_share);
+
+			x[s.a] = ts_flow_coordinate(grid, s.a, TS_FLOW_CENTRES, ia);
+			x[s.b] = ts_flow_coordinate(grid, s.b, TS_FLOW_CENTRES, ib);
+			value += deep ? weight_above(&p->fluid, x) : 0;
+			next->plane[k] = value;
+			extreme[0] = fmin(extreme[0], value);
+			extreme[1] = fmax(extreme[1], value);
+		}
+	return TS_OK;
+}
+
+/* Less `base`. */
+static void make_relative(const struct ts_grid *grid, int d, struct ts_flow_face_pressure *p,
+			  double base)
+{
+	p->constant -= base;
+	for (size_t k = 0; p->plane && k < ts_flow_plane_size(grid, d); k++)
+		p->plane[k] -= base;
+}
+
+static enum ts_status make_all_next(struct ts_projection *p)
+{
+	double extreme[2] = { INFINITY, -INFINITY };
+
+	for (int face = 0; face < 6; face++) {
+		struct ts_flow_face_pressure *next = &p->pressure_next[face / 2][face % 2];
+
+		if (is_open(p, face) && !p->still) {
+			TS_TRY(make_next(p, face / 2, face % 2, extreme));
+			continue;
+		}
+		drop_plane(next);
+		next->constant = 0;
+	}
+	p->next_base = p->still ? 0 : p->level_now;
+	if (extreme[0] <= extreme[1])
+		p->next_base = 0.5 * (extreme[0] + extreme[1]);
+	for (int face = 0; face < 6; face++)
+		if (is_open(p, face) && !p->still)
+			make_relative(&p->fluid.grid, face / 2,
+				      &p->pressure_next[face / 2][face % 2], p->next_base);
+	return TS_OK;
+}
+
+/* ---- in a projection */
+
+/* of <- next - of */
+static enum ts_status difference(const struct ts_grid *grid, int d,
+				 const struct ts_flow_face_pressure *next, struct ts_flow_face_pressure *of)
+{
+	if (next->plane)
+		TS_TRY(want_plane(grid, d, of));
+	of->constant = next->constant - of->constant;
+	for (size_t k = 0; of->plane && k < ts_flow_plane_size(grid, d); k++)
+		of->plane[k] = ts_flow_face_pressure_at(next, k) - of->plane[k];
+	return TS_OK;
+}
+
+static void exchange(struct ts_flow_face_pressure *a, struct ts_flow_face_pressure *b)
+{
+	const struct ts_flow_face_pressure keep = *a;
+
+	*a = *b;
+	*b = keep;
+}
+
+static void exchange_all(struct ts_projection *p)
+{
+	for (int face = 0; face < 6; face++)
+		exchange(&p->fluid.pressure[face / 2][face % 2],
+			 &p->pressure_next[face / 2][face % 2]);
+}
+
+static void shift(const struct ts_projection *p, double *field, double by)
+{
+	const size_t size = p->fluid.grid.size;
+
+	if (by == 0)
+		return;
+#pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
+	for (size_t k = 0; k < size; k++)
+		field[k] += by;
+}
+
+/* What the pressure on open faces adds to the balances of the cells there, on the right-hand side.
+ */
+static void add_face(struct ts_projection *p, int d, int side, double sign)
+{
+	const struct ts_grid *grid = &p->fluid.grid;
+	const struct ts_flow_face_pressure *given = &p->fluid.pressure[d][side];
+	const int a = d == 0, b = d == 2 ? 1 : 2, cell = side == TS_LOW ? 0 : grid->n[d] - 1;
+	const size_t to_face = side == TS_LOW ? 0 : (size_t)grid->stride[d];
+	const double factor = sign *
+			      ts_poisson_conductance(&p->poisson, d, side == TS_LOW ? 0 : grid->n[d]) /
+			      grid->width[d][cell];
+	const double *weight = p->poisson.weight[d];
+
+	if (!given->plane && given->constant == 0)
+		return;
+	for (int ib = 0; ib < grid->n[b]; ib++)
+		for (int ia = 0; ia < grid->n[a]; ia++) {
+			size_t at = ts_at(grid, 0, 0, 0) +
+				    (size_t)(cell * grid->stride[d] + ia * grid->stride[a] +
+					     ib * grid->stride[b]);
+			double w = weight ? weight[at + to_face] : 1;
+
+			p->rhs[at] -= factor * w *
+				      ts_flow_face_pressure_at(given, ts_flow_plane_at(grid, d, ia, ib));
+		}
+}
+
+static void add_faces(struct ts_projection *p, double sign)
+{
+	for (int face = 0; face < 6; face++)
+		if (is_open(p, face))
+			add_face(p, face / 2, face % 2, sign);
+}
+
+enum ts_status ts_projection_impose_pressure(struct ts_projection *p)
+{
+	struct ts_fluid *fluid = &p->fluid;
+
+	TS_TRY(make_all_next(p));
+	if (fluid->pressure_ahead)
+		for (int face = 0; face < 6; face++)
+			TS_TRY(difference(&fluid->grid, face / 2,
+					  &p->pressure_next[face / 2][face % 2],
+					  &fluid->pressure[face / 2][face % 2]));
+	else {
+		exchange_all(p);
+		shift(p, fluid->p, -fluid->pressure_base);
+	}
+	add_faces(p, 1);
+	return TS_OK;
+}
+
+void ts_projection_restore_pressure(struct ts_projection *p)
+{
+	struct ts_fluid *fluid = &p->fluid;
+
+	if (fluid->pressure_ahead) {
+		add_faces(p, -1);
+		exchange_all(p);
+		shift(p, fluid->p, p->next_base - fluid->pressure_base);
+	} else {
+		shift(p, fluid->p, p->next_base);
+	}
+	fluid->pressure_base = p->next_base;
+}
+
+/* ---- saved */
+
+static enum ts_status archive_one(struct ts_projection *p, struct tsim *sim,
+				  struct ts_archive *archive, const char *what, int face,
+				  struct ts_flow_face_pressure *given)
+{
+	const struct ts_grid *grid = &p->fluid.grid;
+	bool writing = ts_archive_writing(archive);
+	char name[48];
+
+	snprintf(name, sizeof name, "pressure_%s_%d", what, face);
+	if (writing ? given->constant == 0 && !given->plane : !ts_archive_has(archive, name))
+		return TS_OK;
+	TS_TRY(ts_archive_fixed(archive, name, TS_SAVED_F64, &given->constant, 1));
+	snprintf(name, sizeof name, "pressure_%s_plane_%d", what, face);
+	if (writing ? !given->plane : !ts_archive_has(archive, name))
+		return TS_OK;
+	if (want_plane(grid, face / 2, given) != TS_OK)
+		return ts_nomem(&sim->error);
+	return ts_archive_fixed(archive, name, TS_SAVED_F64, given->plane,
+				ts_flow_plane_size(grid, face / 2));
+}
+
+enum ts_status ts_projection_archive_pressure(struct ts_projection *p, struct tsim *sim,
+					      struct ts_archive *archive)
+{
+	double *base = &p->fluid.pressure_base;
+
+	for (int face = 0; face < 6; face++) {
+		TS_TRY(archive_one(p, sim, archive, "before", face,
+				   &p->pressure_before[face / 2][face % 2]));
+		TS_TRY(archive_one(p, sim, archive, "held", face,
+				   &p->fluid.pressure[face / 2][face % 2]));
+	}
+	if (ts_archive_writing(archive) ? *base == 0 : !ts_archive_has(archive, "pressure_base"))
+		return TS_OK;
+	return ts_archive_fixed(archive, "pressure_base", TS_SAVED_F64, base, 1);
+}
+
+void ts_projection_release_pressure(struct ts_projection *p)
+{
+	for (int face = 0; face < 6; face++) {
+		drop_plane(&p->pressure_before[face / 2][face % 2]);
+		drop_plane(&p->pressure_now[face / 2][face % 2]);
+		drop_plane(&p->pressure_next[face / 2][face % 2]);
+	}
+}
+
+/* ---- what cannot be meant */
+
+/* The axis along the face on which a body force acts that something could hold, or -1. Formulas
+ * count whatever they are now. */
+static int force_along(const struct ts_projection *p, int d)
+{
+	const struct ts_grid *grid = &p->fluid.grid;
+
+	for (int a = 0; a < grid->dimensions; a++)
+		if (a != d && !grid->periodic[a] &&
+		    (p->body_force[a].variable || p->body_force[a].value != 0))
+			return a;
+	return -1;
+}
+
+enum ts_status ts_projection_check_pressure(struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_projection *p = self->state;
+
+	for (int face = 0; face < 6; face++) {
+		const struct ts_flow_condition *condition = &p->condition[face / 2][face % 2];
+		bool formula = ts_flow_condition_shaped(condition) && condition->pressure.variable;
+		int a = force_along(p, face / 2);
+
+		if (!is_open(p, face))
+			continue;
+		if (a >= 0 && condition->hydrostatic == TS_FLOW_PRESSURE_UNSAID && !formula)
+			return ts_fail(&sim->error, TS_STATE, &condition->where,
+				       "flow_boundary %s: the body_force of flow_style acts along this face, along "
+				       "%c, and the pressure is the same all over it: that would drive a jet "
+				       "through it; give it `hydrostatic yes`, with which a fluid at rest stays at "
+				       "rest, or `hydrostatic no` where nothing weighs outside",
+				       ts_flow_face_names[face], "xyz"[a]);
+		if (p->level.variable || p->level.value != 0)
+			return ts_fail(
+				&sim->error, TS_STATE, ts_instance_word(self, "pressure_level"),
+				"flow_style projection: pressure_level is for a fluid without open faces; here "
+				"flow_boundary %s gives the pressure: use `pressure P` there",
+				ts_flow_face_names[face]);
+	}
+	return TS_OK;
+}

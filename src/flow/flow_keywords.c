@@ -1,0 +1,53 @@
+/* What a fluid that is solved for gives to the table of the log, and to formulas. */
+#include <math.h>
+
+#include "flow/flow.h"
+#include "flow/flow_measures.h"
+
+#include "base/banned.h"
+
+#define OF_FLUID(name, value)                                                                      \
+	static enum ts_status name(struct tsim *sim, double *out)                                  \
+	{                                                                                          \
+		struct ts_fluid *fluid;                                                            \
+                                                                                                   \
+		TS_TRY(ts_flow_require_fluid(sim, "keyword flow_" #name, NULL, &fluid));           \
+		*out = (value);                                                                    \
+		return TS_OK;                                                                      \
+	}
+OF_FLUID(ke, ts_flow_kinetic_energy(fluid))
+OF_FLUID(px, ts_flow_momentum(fluid, 0))
+OF_FLUID(py, ts_flow_momentum(fluid, 1))
+OF_FLUID(pz, ts_flow_momentum(fluid, 2))
+OF_FLUID(div, fluid->divergence)
+OF_FLUID(cfl, fluid->courant)
+OF_FLUID(iter, fluid->iterations)
+OF_FLUID(res, fluid->residual)
+OF_FLUID(dt, fluid->dt)
+OF_FLUID(time, fluid->time)
+OF_FLUID(steps, (double)fluid->steps)
+
+static const struct ts_keyword keywords[] = {
+	{ "flow_ke", "FlowKE", "energy", "kinetic energy of the fluid", 0, ke },
+	{ "flow_px", "FlowPx", "mass velocity", "momentum of the fluid along x", 0, px },
+	{ "flow_py", "FlowPy", "mass velocity", "momentum of the fluid along y", 0, py },
+	{ "flow_pz", "FlowPz", "mass velocity", "momentum of the fluid along z", 0, pz },
+	{ "flow_div", "FlowDiv", "1/time", "largest divergence left by the last projection", 0, div },
+	{ "flow_cfl", "FlowCFL", "", "largest sum of |u| dt/h in the last step of the fluid", 0, cfl },
+	{ "flow_iter", "FlowIter", "", "iterations of the pressure solver in the last projection", 1, iter },
+	{ "flow_res", "FlowRes", "velocity/time", "largest |change of u|/dt in the last step of the fluid", 0,
+	  res },
+	{ "flow_dt", "FlowDt", "time", "last step of the fluid", 0, dt },
+	{ "flow_time", "FlowTime", "time", "time that the fluid has reached", 0, time },
+	{ "flow_steps", "FlowSteps", "", "steps of the fluid since its beginning", 1, steps },
+	{ .name = NULL },
+};
+
+const struct ts_system_style ts_flow_system = {
+	.style = {
+		.name = "flow",
+		.kind = TS_KIND_SYSTEM,
+		.summary = "Numbers of the fluid for the table of the log",
+	},
+	.keywords = keywords,
+};

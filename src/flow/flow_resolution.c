@@ -1,0 +1,258 @@
+/* Two signs of cells that are too wide, seen in the velocities.
+ *
+ * Along an axis where the cell Reynolds number |u| h/nu is above 2 central differences (and QUICK,
+ * less) make velocities that alternate from cell to cell: three differences in a row of alternating
+ * sign, which no flow has that the cells resolve. A high cell Reynolds number alone says nothing:
+ * where the flow varies slowly results are right.
+ *
+ * Beside a wall the profile should be smooth over the first three cells: the first is compared with
+ * the parabola through the wall and the next two. If the layer is as thin as a cell, the first
+ * velocity is that of the free stream, and the parabola gives 0.47 of it. And if the first cell has
+ * more than half of the largest speed, as with three cells across a channel, sums over cells are
+ * wrong by several per cent. The limits are those that tell errors of 4 % and more from less in the
+ * cases of doc/flow.md. */
+#include "flow/flow_resolution.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "core/review.h"
+#include "flow/flow_measures.h"
+
+#include "base/banned.h"
+
+static const double ALTERNATES = 0.02, MISSES = 0.35, MATTERS = 0.1, STEEP = 0.5;
+
+/* A velocity that alternates from cell to cell along an axis. */
+struct wiggle {
+	double size; /* half of the least of three differences in a row that alternate in sign */
+	double reynolds; /* |u| h/nu there */
+	double x[3], width;
+	int axis;
+};
+
+/* What the first cells beside a wall have of the profile. */
+struct layer {
+	double miss;  /* mean of |u1 - parabola through the wall and the next two|, by the mean of
+			 |u1 - wall| */
+	double share; /* mean of |u1 - wall| by the largest speed */
+	double plus;  /* y+ of the first centres, by their mean shear */
+	double width; /* the widest of the first cells */
+};
+
+static double largest_speed(const struct ts_fluid *fluid)
+{
+	const struct ts_grid *grid = &fluid->grid;
+	double most = 0;
+
+	for (int d = 0; d < grid->dimensions; d++) {
+		for (enum ts_grid_side side = TS_LOW; side <= TS_HIGH; side++)
+			for (int c = 0; c < grid->dimensions; c++)
+				if (fluid->face[d][side] == TS_FLOW_WALL)
+					most = fmax(most, fabs(fluid->given[d][side].constant[c]));
+		for (int k = 0; k < grid->n[2]; k++)
+			for (int j = 0; j < grid->n[1]; j++)
+				for (int i = 0; i < grid->n[0]; i++)
+					most = fmax(most, fabs(fluid->u[d][ts_at(grid, i, j, k)]));
+	}
+	return most;
+}
+
+static void look(const struct ts_fluid *fluid, int c, int d, const int cell[3], struct wiggle *most)
+{
+	const struct ts_grid *grid = &fluid->grid;
+	const size_t at = ts_at(grid, cell[0], cell[1], cell[2]), s = (size_t)grid->stride[d];
+	const double *u = fluid->u[c];
+	double below = u[at] - u[at - s], here = u[at + s] - u[at],
+	       above = u[at + 2 * s] - u[at + s];
+	double size, reynolds;
+
+	if (!(below * here < 0 && here * above < 0))
+		return;
+	size = 0.5 * fmin(fabs(below), fmin(fabs(here), fabs(above)));
+	if (size <= most->size)
+		return;
+	reynolds =
+		fabs(fluid->u[d][at]) * grid->width[d][cell[d]] * fluid->density / fluid->viscosity;
+	if (!(reynolds > 2))
+		return;
+	most->size = size;
+	most->reynolds = reynolds;
+	most->axis = d;
+	most->width = grid->width[d][cell[d]];
+	for (int e = 0; e < 3; e++)
+		most->x[e] = grid->centre[e][cell[e]];
+}
+
+static struct wiggle largest_wiggle(const struct ts_fluid *fluid)
+{
+	const struct ts_grid *grid = &fluid->grid;
+	struct wiggle most = { 0 };
+
+	for (int c = 0; c < grid->dimensions; c++)
+		for (int d = 0; d < grid->dimensions; d++) {
+			int from[3] = { 0 }, to[3] = { grid->n[0], grid->n[1], grid->n[2] };
+
+			if (!grid->periodic[d]) {
+				from[d] = 1;
+				to[d] -= 2;
+			}
+			for (int k = from[2]; k < to[2]; k++)
+				for (int j = from[1]; j < to[1]; j++)
+					for (int i = from[0]; i < to[0]; i++)
+						look(fluid, c, d, (int[3]){ i, j, k }, &most);
+		}
+	return most;
+}
+
+/* At x by the parabola that is 0 at 0, u at a and v at b. */
+static double parabola(double x, double a, double b, double u, double v)
+{
+	return u * x * (x - b) / (a * (a - b)) + v * x * (x - a) / (b * (b - a));
+}
+
+struct wall {
+	const struct ts_fluid *fluid;
+	int d, a, b, row[3]; /* axes; the first three cells from it */
+	enum ts_grid_side side;
+	double y[3]; /* their centres, from the wall */
+};
+
+static struct wall wall_at(const struct ts_fluid *fluid, int d, enum ts_grid_side side)
+{
+	const struct ts_grid *grid = &fluid->grid;
+	const int n = grid->n[d];
+	const double at = grid->face[d][side == TS_LOW ? 0 : n];
+	struct wall out = {
+		.fluid = fluid, .d = d, .a = d == 0, .b = d == 2 ? 1 : 2, .side = side
+	};
+
+	for (int m = 0; m < 3; m++) {
+		out.row[m] = side == TS_LOW ? m : n - 1 - m;
+		out.y[m] = fabs(grid->centre[d][out.row[m]] - at);
+	}
+	return out;
+}
+
+/* Component c of the velocities beside the wall, less its own. */
+static void profile(const struct wall *wall, int c, int ia, int ib, double u[3])
+{
+	const struct ts_fluid *fluid = wall->fluid;
+	const struct ts_flow_face_velocity *given = &fluid->given[wall->d][wall->side];
+	size_t plane = ts_flow_plane_at(&fluid->grid, wall->d, ia, ib);
+	double own = given->plane[c] ? given->plane[c][plane] : given->constant[c];
+
+	for (int m = 0; m < 3; m++) {
+		int cell[3];
+
+		cell[wall->d] = wall->row[m];
+		cell[wall->a] = ia;
+		cell[wall->b] = ib;
+		u[m] = fluid->u[c][ts_at(&fluid->grid, cell[0], cell[1], cell[2])] - own;
+	}
+}
+
+static struct layer layer_at(const struct wall *wall, double fastest)
+{
+	const struct ts_fluid *fluid = wall->fluid;
+	const struct ts_grid *grid = &fluid->grid;
+	const double *y = wall->y;
+	double area = 0, sum = 0, miss = 0, u[3];
+
+	for (int ib = 0; ib < grid->n[wall->b]; ib++)
+		for (int ia = 0; ia < grid->n[wall->a]; ia++) {
+			double patch = grid->width[wall->a][ia] * grid->width[wall->b][ib];
+
+			area += patch;
+			for (int c = 0; c < grid->dimensions; c++) {
+				if (c == wall->d)
+					continue;
+				profile(wall, c, ia, ib, u);
+				sum += patch * fabs(u[0]);
+				miss += patch * fabs(u[0] - parabola(y[0], y[1], y[2], u[1], u[2]));
+			}
+		}
+	return (struct layer){ .miss = sum > 0 ? miss / sum : 0,
+			       .share = sum / area / fastest,
+			       .plus = sqrt(sum / area * y[0] * fluid->density / fluid->viscosity),
+			       .width = grid->width[wall->d][wall->row[0]] };
+}
+
+/* Whether the flow has had time to be more than its start: viscosity has gone four cells far, or
+ * the fluid through the grid. */
+static bool is_grown(const struct ts_fluid *fluid, double width, double fastest)
+{
+	const struct ts_grid *grid = &fluid->grid;
+	double length = 0;
+
+	for (int d = 0; d < grid->dimensions; d++)
+		length = fmax(length, grid->face[d][grid->n[d]] - grid->face[d][0]);
+	return fluid->time * fastest > length ||
+	       fluid->time * fluid->viscosity > 4 * width * width * fluid->density;
+}
+
+static enum ts_status tell_wiggle(const struct ts_instance *self, struct tsim *sim, double fastest)
+{
+	const struct ts_projection *p = self->state;
+	const struct ts_fluid *fluid = &p->fluid;
+	const struct wiggle w = largest_wiggle(fluid);
+	char remedy[128];
+
+	/* Particles smaller than the cells give neighbours different forces. */
+	if (fluid->force[0] || fluid->exchange[0] || fluid->empty)
+		return TS_OK;
+	if (!(w.size > ALTERNATES * fastest) || !is_grown(fluid, w.width, fastest))
+		return TS_OK;
+	if (ts_convection_schemes[p->convection].bounded)
+		snprintf(remedy, sizeof remedy, "take smaller cells");
+	else
+		snprintf(remedy, sizeof remedy, "use `convection %s`, or smaller cells",
+			 p->convection == TS_CONVECTION_QUICK ? "cubista" : "quick");
+	return ts_review_find(sim, "flow_resolution", &self->where,
+			      "the cells are too wide for the flow: at time %.4g the velocity alternates from cell "
+			      "to cell along %c by %.2g %% of the largest speed %.4g at (%.4g %.4g %.4g), where "
+			      "the cell Reynolds number |u| h/nu is %.3g (convection %s oscillates above 2 where "
+			      "the flow changes within a cell); %s there (flow_grid)",
+			      fluid->time, "xyz"[w.axis], 100 * w.size / fastest, fastest, w.x[0],
+			      w.x[1], w.x[2], w.reynolds, ts_convection_names[p->convection],
+			      remedy);
+}
+
+static enum ts_status tell_wall(const struct ts_instance *self, struct tsim *sim,
+				const struct wall *wall, double fastest)
+{
+	const struct ts_fluid *fluid = wall->fluid;
+	const struct layer layer = layer_at(wall, fastest);
+	char axis = "xyz"[wall->d];
+
+	if (!(layer.share > STEEP || (layer.miss > MISSES && layer.share > MATTERS)) ||
+	    !is_grown(fluid, layer.width, fastest))
+		return TS_OK;
+	return ts_review_find(sim, "flow_resolution", &self->where,
+			      "the cells are too wide for the flow beside the wall %s: at time %.4g the velocity "
+			      "changes by %.2g %% of the largest speed %.4g from the wall to the first centres, "
+			      "and is there %.2g %% off the parabola through the wall and the next two (y+ is "
+			      "%.3g); shear and flow are wrong by several per cent: take more cells along %c, or "
+			      "finer ones at the wall (`flow_grid %c tanh 1.5`)",
+			      ts_flow_face_names[2 * wall->d + (wall->side != TS_LOW)], fluid->time,
+			      100 * layer.share, fastest, 100 * layer.miss, layer.plus, axis, axis);
+}
+
+enum ts_status ts_projection_check_resolution(const struct ts_instance *self, struct tsim *sim)
+{
+	const struct ts_projection *p = self->state;
+	const struct ts_fluid *fluid = &p->fluid;
+	const double fastest = largest_speed(fluid);
+
+	if (fluid->steps == 0 || !(fluid->viscosity > 0) || !(fastest > 0))
+		return TS_OK;
+	TS_TRY(tell_wiggle(self, sim, fastest));
+	for (int d = 0; d < fluid->grid.dimensions; d++)
+		for (enum ts_grid_side side = TS_LOW; side <= TS_HIGH; side++)
+			if (fluid->face[d][side] == TS_FLOW_WALL && fluid->grid.n[d] >= 3) {
+				struct wall wall = wall_at(fluid, d, side);
+
+				TS_TRY(tell_wall(self, sim, &wall, fastest));
+			}
+	return TS_OK;
+}

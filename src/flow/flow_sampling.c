@@ -1,0 +1,296 @@
+#include "flow/flow_sampling.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "flow/transported_scalars.h"
+#include "flow/flow.h"
+#include "flow/flow_measures.h"
+
+#include "base/banned.h"
+
+enum { LINEAR, CUBIC };
+const char *const ts_flow_interpolations[] = { [LINEAR] = "linear", [CUBIC] = "cubic", NULL };
+
+enum { X, Y, Z, S, VX, VY, VZ, SPEED, P, VOID, WX, WY, WZ };
+static const char *const names[] = { [X] = "x",	      [Y] = "y",   [Z] = "z",	[S] = "s",
+				     [VX] = "vx",     [VY] = "vy", [VZ] = "vz", [SPEED] = "speed",
+				     [P] = "p",	      [VOID] = "void",
+				     [WX] = "wx",     [WY] = "wy", [WZ] = "wz", NULL };
+static const int usual[] = { VX, VY, VZ, P };
+enum { NUSUAL = sizeof usual / sizeof *usual };
+
+/* Where the values lie along an axis. The last: in the centres, and those that hold on the boundary. */
+enum nodes { ON_FACES, IN_CENTRES, IN_CENTRES_AND_ON_BOUNDARIES };
+
+enum { MOST_NODES = 4, MOST_INDICES = 3 * MOST_NODES };
+struct stencil {
+	int n, index[MOST_INDICES];
+	double weight[MOST_INDICES];
+};
+
+struct axis {
+	const struct ts_fluid *fluid;
+	const struct ts_grid *grid;
+	int d;
+	enum nodes nodes;
+};
+
+static bool is_boundary(const struct axis *a, int k)
+{
+	return a->nodes == IN_CENTRES_AND_ON_BOUNDARIES && !a->grid->periodic[a->d] &&
+	       (k < 0 || k >= a->grid->n[a->d]);
+}
+
+static double node(const struct axis *a, int k)
+{
+	if (a->nodes == ON_FACES)
+		return a->grid->face[a->d][k];
+	if (is_boundary(a, k))
+		return a->grid->face[a->d][k < 0 ? 0 : k];
+	return a->grid->centre[a->d][k];
+}
+
+static void node_range(const struct axis *a, int *low, int *high)
+{
+	int n = a->grid->n[a->d];
+
+	if (a->grid->periodic[a->d]) {
+		*low = a->nodes == ON_FACES ? -1 : -TS_GRID_GHOSTS;
+		*high = n + 1;
+	} else {
+		*low = a->nodes == IN_CENTRES_AND_ON_BOUNDARIES ? -1 : 0;
+		*high = a->nodes == IN_CENTRES ? n - 1 : n;
+	}
+}
+
+static void add(struct stencil *s, int index, double weight)
+{
+	s->index[s->n] = index;
+	s->weight[s->n++] = weight;
+}
+
+/* What holds on the boundary itself: at walls and inlets the velocity given, got back from the ghost; else,
+ * without a gradient there, that of the cell. */
+static void add_boundary(struct stencil *s, const struct axis *a, bool high, double weight)
+{
+	const double *mirror = a->fluid->mirror[a->d][high];
+	enum ts_flow_face face = a->fluid->face[a->d][high];
+	int first = high ? a->grid->n[a->d] - 1 : 0, inward = high ? -1 : 1;
+
+	if (face != TS_FLOW_WALL && face != TS_FLOW_INLET) {
+		add(s, first, weight);
+		return;
+	}
+	add(s, first - inward, weight / mirror[0]);
+	add(s, first, -weight * mirror[1] / mirror[0]);
+	if (mirror[2] != 0)
+		add(s, first + inward, -weight * mirror[2] / mirror[0]);
+}
+
+static double inside(const struct ts_grid *grid, int d, double x)
+{
+	return fmin(fmax(x, grid->face[d][0]), grid->face[d][grid->n[d]]);
+}
+
+/* The `count` nodes around x, as far as there are so many. */
+static struct stencil around(const struct axis *a, double x, int count)
+{
+	const struct ts_grid *grid = a->grid;
+	struct stencil s = { 0 };
+	int low, high, first;
+
+	if (a->d >= grid->dimensions) {
+		add(&s, 0, 1);
+		return s;
+	}
+	x = inside(grid, a->d, x);
+	node_range(a, &low, &high);
+	first = ts_grid_find(grid, a->d, x);
+	if (a->nodes != ON_FACES && x < grid->centre[a->d][first])
+		first--;
+	first -= count / 2 - 1;
+	if (count > high - low + 1)
+		count = high - low + 1;
+	first = first < low ? low : first + count - 1 > high ? high - count + 1 : first;
+	for (int k = first; k < first + count; k++) {
+		double weight = 1;
+
+		for (int other = first; other < first + count; other++)
+			if (other != k)
+				weight *= (x - node(a, other)) / (node(a, k) - node(a, other));
+		if (is_boundary(a, k))
+			add_boundary(&s, a, k >= 0, weight);
+		else
+			add(&s, k, weight);
+	}
+	return s;
+}
+
+typedef double value_fn(const struct ts_fluid *fluid, const void *what, const int cell[3]);
+
+static double combine(const struct stencil s[3], const struct ts_fluid *fluid, value_fn *value,
+		      const void *what)
+{
+	double sum = 0;
+
+	for (int k = 0; k < s[2].n; k++)
+		for (int j = 0; j < s[1].n; j++)
+			for (int i = 0; i < s[0].n; i++) {
+				const int cell[3] = { s[0].index[i], s[1].index[j], s[2].index[k] };
+
+				sum += s[2].weight[k] * s[1].weight[j] * s[0].weight[i] *
+				       value(fluid, what, cell);
+			}
+	return sum;
+}
+
+static double of_field(const struct ts_fluid *fluid, const void *what, const int cell[3])
+{
+	return ((const double *)what)[ts_at(&fluid->grid, cell[0], cell[1], cell[2])];
+}
+
+static double of_edge(const struct ts_fluid *fluid, const void *what, const int cell[3])
+{
+	return ts_flow_edge_vorticity(fluid, *(const int *)what, cell);
+}
+
+static double centred(const struct ts_fluid *fluid, const double *field, const double x[3], int count)
+{
+	struct stencil s[3];
+
+	for (int d = 0; d < 3; d++)
+		s[d] = around(&(struct axis){ fluid, &fluid->grid, d, IN_CENTRES }, x[d], count);
+	return combine(s, fluid, of_field, field);
+}
+
+static double velocity(const struct ts_fluid *fluid, int component, const double x[3], int count)
+{
+	struct stencil s[3];
+
+	if (component >= fluid->grid.dimensions)
+		return 0;
+	for (int d = 0; d < 3; d++) {
+		enum nodes nodes = d == component ? ON_FACES : IN_CENTRES_AND_ON_BOUNDARIES;
+
+		s[d] = around(&(struct axis){ fluid, &fluid->grid, d, nodes }, x[d], count);
+	}
+	return combine(s, fluid, of_field, fluid->u[component]);
+}
+
+static double vorticity(const struct ts_fluid *fluid, int component, const double x[3])
+{
+	struct stencil s[3];
+
+	if (fluid->grid.dimensions == 2 && component != 2)
+		return 0;
+	for (int d = 0; d < 3; d++)
+		s[d] = around(&(struct axis){ fluid, &fluid->grid, d,
+					      d == component ? IN_CENTRES : ON_FACES },
+			      x[d], 2);
+	return combine(s, fluid, of_edge, &component);
+}
+
+void ts_flow_sample(const struct ts_flow_sampler *sampler, const struct ts_fluid *fluid,
+		    const double x[3], double s, double *out)
+{
+	int count = sampler->interpolation == CUBIC ? 4 : 2;
+	double u[3];
+
+	for (int d = 0; d < 3; d++)
+		u[d] = velocity(fluid, d, x, count);
+	for (size_t k = 0; k < sampler->list.n; k++) {
+		int what = sampler->list.item[k];
+
+		if (what == TS_FLOW_SCALAR)
+			out[k] = centred(fluid, sampler->carried[k], x, count);
+		else if (what <= Z)
+			out[k] = x[what];
+		else if (what == S)
+			out[k] = s;
+		else if (what <= VZ)
+			out[k] = u[what - VX];
+		else if (what == SPEED)
+			out[k] = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+		else if (what == P)
+			out[k] = centred(fluid, fluid->p, x, count);
+		else if (what == VOID)
+			out[k] = fluid->empty ? centred(fluid, fluid->empty, x, count) : 1;
+		else
+			out[k] = vorticity(fluid, what - WX, x);
+	}
+}
+
+/* Without words. */
+static enum ts_status take_usual(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_name_list *list = &((struct ts_flow_sampler *)self->state)->list;
+
+	if (!list->item)
+		list->item = ts_arena_alloc(&self->arena, NUSUAL, sizeof *list->item);
+	if (!list->item)
+		return ts_nomem(&sim->error);
+	memcpy(list->item, usual, sizeof usual);
+	list->n = NUSUAL;
+	return TS_OK;
+}
+
+enum ts_status ts_flow_sampler_init(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_flow_sampler *s = self->state;
+	struct ts_str who = { 0 };
+	struct ts_fluid *fluid;
+	enum ts_status status;
+
+	s->sim = sim;
+	ts_str_addf(&who, "compute %s", self->style->name);
+	status = ts_flow_require_fluid(sim, ts_str_text(&who), &self->where, &fluid);
+	if (status == TS_OK)
+		status = s->words.n ? ts_flow_read_names(sim, ts_str_text(&who), &self->arena, s->words,
+							 names, sizeof *names, &s->list)
+				    : take_usual(self, sim);
+	ts_str_release(&who);
+	if (status == TS_OK && !s->carried)
+		s->carried = ts_arena_alloc(&self->arena, s->list.n, sizeof *s->carried);
+	return status == TS_OK && !s->carried ? ts_nomem(&sim->error) : status;
+}
+
+enum ts_status ts_flow_sampler_inside(struct ts_instance *self, struct tsim *sim, const double x[3],
+				      const struct ts_place *where)
+{
+	struct ts_fluid *fluid;
+
+	TS_TRY(ts_flow_require_fluid(sim, self->style->name, where, &fluid));
+	for (int d = 0; d < 3; d++)
+		if (ts_grid_find(&fluid->grid, d, x[d]) < 0)
+			return ts_fail(&sim->error, TS_RANGE, where,
+				       "compute %s: %s = %g is outside of the fluid's grid, which goes "
+				       "from %g to %g",
+				       self->style->name, names[d], x[d], fluid->grid.face[d][0],
+				       fluid->grid.face[d][fluid->grid.n[d]]);
+	return TS_OK;
+}
+
+enum ts_status ts_flow_sampler_begin(struct ts_instance *self, size_t rows, struct ts_table *out,
+				     struct ts_fluid **fluid)
+{
+	struct ts_flow_sampler *s = self->state;
+
+	TS_TRY(ts_flow_require_fluid(s->sim, self->style->name, &self->where, fluid));
+	for (size_t k = 0; k < s->list.n; k++)
+		if (s->list.item[k] == TS_FLOW_SCALAR)
+			TS_TRY(ts_flow_scalar_field(s->sim, self->style->name, &s->words.word[k],
+					       &s->carried[k]));
+	return ts_table_resize(out, rows, s->list.n);
+}
+
+enum ts_status ts_flow_sampler_first_row(struct ts_instance *self, const struct tsim *sim,
+					 struct ts_table *out,
+					 enum ts_status (*eval)(struct ts_instance *self,
+								const struct tsim *sim,
+								struct ts_table *out))
+{
+	TS_TRY(eval(self, sim, out));
+	out->rows = 1;
+	return TS_OK;
+}

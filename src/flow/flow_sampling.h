@@ -1,0 +1,53 @@
+/* Numbers of a fluid at any place, by name: what probes, lines and planes give.
+ *
+ * Between the values of the grid each axis is interpolated by the polynomial through the nearest 2 or 4 of them
+ * (Lagrange), the value on the boundary itself being one of them for velocities along it. The error falls with
+ * h^2 or h^4. Vorticity is always linear, between the edges on which it lives. */
+#ifndef TS_FLOW_FLOW_SAMPLING_H
+#define TS_FLOW_FLOW_SAMPLING_H
+
+#include "core/name_list.h"
+#include "flow/fluid.h"
+
+/* First member of the computes that sample. */
+struct ts_flow_sampler {
+	struct ts_words words; /* argument */
+	int interpolation;     /* argument */
+	struct ts_name_list list;
+	const double **carried; /* of each column that is a scalar of a fix, while a table is made */
+	struct tsim *sim;
+};
+extern const char *const ts_flow_interpolations[];
+#define TS_FLOW_SAMPLE_ARGS(T)                                                                     \
+	TS_SOME_KEYWORD("values", T, sampler.words, 0,                                             \
+			.help = "columns: x, y, z, s (distance from the first point), vx, vy, vz, "   \
+				"speed, p, void, wx, wy, wz (vorticity), f_ID (a scalar that a fix "    \
+				"carries with the fluid); without: vx vy vz p"),                   \
+		TS_ENUM("interpolation", T, sampler.interpolation, ts_flow_interpolations,         \
+			.fallback = "linear",                                                      \
+			.help = "through the nearest 2 or 4 values along each axis")
+#define TS_FLOW_SAMPLE_DOC                                                                         \
+	"The columns are chosen by `values`: coordinates, components of the velocity, speed, "    \
+	"pressure, void fraction (1 without particles\nthat take room), vorticity. Places between "  \
+	"the values of the grid are interpolated through the nearest 2 values along\neach axis, with " \
+	"`interpolation cubic` 4, the velocity on a wall being one of them; vorticity always through 2."
+
+/* For the init of such a compute: reads the words, checks that there is a fluid. */
+enum ts_status ts_flow_sampler_init(struct ts_instance *self, struct tsim *sim);
+/* An error with the place of the word where x lies outside of the grid. */
+enum ts_status ts_flow_sampler_inside(struct ts_instance *self, struct tsim *sim, const double x[3],
+				      const struct ts_place *where);
+/* One row; `s` is the distance along a line. */
+void ts_flow_sample(const struct ts_flow_sampler *sampler, const struct ts_fluid *fluid,
+		    const double x[3], double s, double *out);
+/* The fluid as it is now, and the table for so many rows. */
+enum ts_status ts_flow_sampler_begin(struct ts_instance *self, size_t rows, struct ts_table *out,
+				     struct ts_fluid **fluid);
+/* The values of c_ID[k]: the first row. `eval` gives the table. */
+enum ts_status ts_flow_sampler_first_row(struct ts_instance *self, const struct tsim *sim,
+					 struct ts_table *out,
+					 enum ts_status (*eval)(struct ts_instance *self,
+								const struct tsim *sim,
+								struct ts_table *out));
+
+#endif

@@ -1,0 +1,132 @@
+/* Fields between their points: trilinear, exact at boundaries. */
+#include "flow/fluid.h"
+
+#include <math.h>
+
+#include "base/banned.h"
+
+/* Up to three neighbouring points along an axis, from `first` on, and what each counts. */
+struct stencil {
+	int first, n;
+	double weight[3], slope[3]; /* of the value and of its derivative */
+};
+
+/* The place in the grid: across a periodic boundary by its image, else the nearest. */
+static double inside(const struct ts_grid *grid, int d, double x)
+{
+	double lo = grid->face[d][0], hi = grid->face[d][grid->n[d]];
+
+	if (x >= lo && x <= hi)
+		return x;
+	if (grid->periodic[d])
+		x -= floor((x - lo) / (hi - lo)) * (hi - lo);
+	return x > lo ? x < hi ? x : hi : lo; /* lo also where x is not a number */
+}
+
+static struct stencil between(const double *point, int i, double x)
+{
+	double gap = point[i + 1] - point[i], t = (x - point[i]) / gap;
+
+	return (struct stencil){ i, 2, { 1 - t, t, 0 }, { -1 / gap, 1 / gap, 0 } };
+}
+
+static struct stencil at_faces(const struct ts_grid *grid, int d, double x)
+{
+	return between(grid->face[d], ts_grid_find(grid, d, x), x);
+}
+
+static struct stencil at_centres(const struct ts_grid *grid, int d, double x)
+{
+	int i = ts_grid_find(grid, d, x);
+
+	if (grid->ghosts[d] == 0) /* nothing varies along this axis */
+		return (struct stencil){ 0, 1, { 1, 0, 0 }, { 0, 0, 0 } };
+	return between(grid->centre[d], x < grid->centre[d][i] ? i - 1 : i, x);
+}
+
+/* Between a wall and the first point inside: linear from the velocity given, which is got back from the
+ * ghost. */
+static struct stencil beside_wall(const struct ts_grid *grid, int d, enum ts_grid_side side, double x,
+				  const double mirror[3])
+{
+	int n = grid->n[d], low = side == TS_LOW;
+	double wall = grid->face[d][low ? 0 : n], point = grid->centre[d][low ? 0 : n - 1];
+	double t = (x - wall) / (point - wall), slope = 1 / (point - wall);
+	double given = 1 / mirror[0], along1 = -mirror[1] / mirror[0], along2 = -mirror[2] / mirror[0];
+	double w[3] = { (1 - t) * given, t + (1 - t) * along1, (1 - t) * along2 };
+	double s[3] = { -slope * given, slope * (1 - along1), -slope * along2 };
+
+	if (low)
+		return (struct stencil){ -1, 3, { w[0], w[1], w[2] }, { s[0], s[1], s[2] } };
+	return (struct stencil){ n - 2, 3, { w[2], w[1], w[0] }, { s[2], s[1], s[0] } };
+}
+
+static bool sticks(enum ts_flow_face face)
+{
+	return face == TS_FLOW_WALL || face == TS_FLOW_INLET;
+}
+
+/* Component c of the velocity along axis d. */
+static struct stencil of_velocity(const struct ts_fluid *fluid, int c, int d, double x)
+{
+	const struct ts_grid *grid = &fluid->grid;
+
+	if (c == d && grid->ghosts[d])
+		return at_faces(grid, d, x);
+	if (!grid->periodic[d] && grid->ghosts[d]) {
+		if (x < grid->centre[d][0] && sticks(fluid->face[d][TS_LOW]))
+			return beside_wall(grid, d, TS_LOW, x, fluid->mirror[d][TS_LOW]);
+		if (x > grid->centre[d][grid->n[d] - 1] && sticks(fluid->face[d][TS_HIGH]))
+			return beside_wall(grid, d, TS_HIGH, x, fluid->mirror[d][TS_HIGH]);
+	}
+	return at_centres(grid, d, x);
+}
+
+/* Sum over the points of three stencils; along axis `derived` (-1: none) with the slopes. */
+static double gather(const struct ts_grid *grid, const double *field, const struct stencil s[3],
+		     int derived)
+{
+	const double *w[3];
+	double sum = 0;
+
+	for (int d = 0; d < 3; d++)
+		w[d] = d == derived ? s[d].slope : s[d].weight;
+	for (int k = 0; k < s[2].n; k++)
+		for (int j = 0; j < s[1].n; j++) {
+			const double *row = field + ts_at(grid, s[0].first, s[1].first + j, s[2].first + k);
+			double part = 0;
+
+			for (int i = 0; i < s[0].n; i++)
+				part += w[0][i] * row[i];
+			sum += w[2][k] * w[1][j] * part;
+		}
+	return sum;
+}
+
+void ts_fluid_velocity(const struct ts_fluid *fluid, const double x[3], double u[3])
+{
+	double at[3];
+
+	for (int d = 0; d < 3; d++)
+		at[d] = inside(&fluid->grid, d, x[d]);
+	for (int c = 0; c < 3; c++) {
+		struct stencil s[3];
+
+		for (int d = 0; d < 3; d++)
+			s[d] = of_velocity(fluid, c, d, at[d]);
+		u[c] = gather(&fluid->grid, fluid->u[c], s, -1);
+	}
+}
+
+double ts_fluid_value(const struct ts_fluid *fluid, const double *field, const double x[3],
+		      double gradient[3])
+{
+	const struct ts_grid *grid = &fluid->grid;
+	struct stencil s[3];
+
+	for (int d = 0; d < 3; d++)
+		s[d] = at_centres(grid, d, inside(grid, d, x[d]));
+	for (int d = 0; gradient && d < 3; d++)
+		gradient[d] = gather(grid, field, s, d);
+	return gather(grid, field, s, -1);
+}

@@ -1,0 +1,24 @@
+/* Implicit viscosity: (1 - theta dt nu lap) d = dt (rate of u with all of viscosity and the old pressure), factored
+ * by axes into systems of three diagonals; u* = u + d.
+ *
+ * theta 1/2 (Crank and Nicolson) is of second order, theta 1 of first but damps short waves best; neither limits
+ * the step. Kim & Moin, J. Comput. Phys. 59 (1985) 308. With the old pressure in the predictor the projection finds
+ * its change phi, and p <- p + phi - theta mu div u*: Brown, Cortez & Minion, J. Comput. Phys. 168 (2001) 464. */
+#ifndef TS_FLOW_IMPLICIT_VISCOSITY_H
+#define TS_FLOW_IMPLICIT_VISCOSITY_H
+
+#include "flow/fluid.h"
+#include "flow/operators.h"
+
+enum ts_flow_viscous { TS_VISCOUS_EXPLICIT, TS_VISCOUS_IMPLICIT, TS_VISCOUS_BACKWARD };
+
+struct ts_viscous_step {
+	const struct ts_fluid *fluid; /* u at the beginning, with ghosts, and p */
+	const struct ts_operators *operators;
+	double nu, dt, theta;
+	int threads;
+};
+/* out: u + dt (convection and body force) before, u* after, at the faces that are not given. */
+enum ts_status ts_viscous_step(const struct ts_viscous_step *step, double *const out[3]);
+
+#endif

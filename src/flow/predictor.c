@@ -1,0 +1,266 @@
+/* The predictor: convection and diffusion of all components in one pass over the rows of the grid. */
+#include <math.h>
+
+#include "base/clones.h"
+#include "base/inline.h"
+#include "flow/convection.h"
+#include "flow/operators.h"
+
+#include "base/banned.h"
+
+void ts_flow_unknowns(const struct ts_fluid *fluid, int c, int from[3], int to[3])
+{
+	const struct ts_grid *grid = &fluid->grid;
+
+	for (int d = 0; d < 3; d++) {
+		from[d] = 0;
+		to[d] = grid->n[d];
+	}
+	if (grid->periodic[c])
+		return;
+	from[c] = ts_flow_face_open(fluid->face[c][TS_LOW]) ? 0 : 1;
+	to[c] = ts_flow_face_open(fluid->face[c][TS_HIGH]) ? grid->n[c] + 1 : grid->n[c];
+}
+
+/* Coefficients of a line at one point, and whose they are. They go to the functions below one by one: a structure
+ * made within a loop keeps compilers from making several of its rounds at once. */
+struct at_point {
+	double inverse, below, above, part_low, part_high;
+	const struct ts_operator_line *line;
+	int m;
+};
+#define AT(line, m)                                                                                \
+	(line)->inverse[m], (line)->below[m], (line)->above[m], (line)->part[m],                   \
+		(line)->part[(m) + 1], (line), (m)
+#define OF(p) p.inverse, p.below, p.above, p.part_low, p.part_high, p.line, p.m
+
+/* What stays the same along a row, for one direction e. */
+struct direction {
+	const double *q;     /* the velocity in this direction */
+	const double *share; /* the void fraction on its faces, and in the centres of cells */
+	const double *share_centre;
+	const double *flow; /* e of the fluxes, where e u is stepped forward */
+	ptrdiff_t se;
+	bool same; /* e is the direction of the component */
+	double mass;
+};
+
+/* Void fractions on the lower and upper side; 1 without. */
+TS_INLINE void shares(const struct direction *e, ptrdiff_t at, ptrdiff_t sc, double mass,
+		      double *low, double *high)
+{
+	if (e->same) {
+		*low = e->share_centre[at - sc];
+		*high = e->share_centre[at];
+	} else {
+		*low = mass * e->share[at - sc] + (1 - mass) * e->share[at];
+		*high = mass * e->share[at - sc + e->se] + (1 - mass) * e->share[at + e->se];
+	}
+}
+
+/* Fluxes e q on the lower and upper side: means of those through the faces of cells, so that what flows in and out is
+ * what e on the face changes by. */
+TS_INLINE void fluxes(const struct direction *e, ptrdiff_t at, ptrdiff_t sc, double mass, double *low, double *high)
+{
+	const double *q = e->q, *f = e->flow;
+	const ptrdiff_t se = e->se;
+
+	if (e->same) {
+		*low = 0.5 * (f[at - sc] * q[at - sc] + f[at] * q[at]);
+		*high = 0.5 * (f[at] * q[at] + f[at + sc] * q[at + sc]);
+	} else {
+		*low = mass * f[at - sc] * q[at - sc] + (1 - mass) * f[at] * q[at];
+		*high = mass * f[at - sc + se] * q[at - sc + se] + (1 - mass) * f[at + se] * q[at + se];
+	}
+}
+
+/* What direction e adds to the rate of change of component c at place `at`. */
+TS_INLINE double along(double inverse, double below, double above, double part_low,
+		       double part_high, const struct ts_operator_line *line, int m,
+		       const struct direction *e, const double *u, ptrdiff_t at, ptrdiff_t sc,
+		       double mass, double nu, double gamma, enum ts_convection scheme,
+		       enum ts_flow_form form, bool packed)
+{
+	const double *q = e->q;
+	const ptrdiff_t se = e->se;
+	double here = u[at], low = u[at - se], high = u[at + se];
+	double q_low, q_high, e_low = 1, e_high = 1, rate;
+
+	if (packed)
+		shares(e, at, sc, mass, &e_low, &e_high);
+	if (e->same) { /* centres of cells: midway between two faces */
+		q_low = 0.5 * (low + here);
+		q_high = 0.5 * (here + high);
+	} else { /* edges: flow through the halves of two cells */
+		q_low = mass * q[at - sc] + (1 - mass) * q[at];
+		q_high = mass * q[at - sc + se] + (1 - mass) * q[at + se];
+	}
+	if (form != TS_FORM_DIFFERENCE) {
+		double phi_low = ts_convection_face_value(scheme, gamma, q_low, u[at - 2 * se], low, here, high,
+					       part_low, line, m);
+		double phi_high = ts_convection_face_value(scheme, gamma, q_high, low, here, high, u[at + 2 * se],
+						part_high, line, m + 1);
+
+		if (form == TS_FORM_CONSERVATIVE) {
+			fluxes(e, at, sc, mass, &q_low, &q_high);
+		} else if (packed) {
+			q_low *= e_low;
+			q_high *= e_high;
+			phi_low -= here;
+			phi_high -= here;
+		}
+		rate = (q_low * phi_low - q_high * phi_high) * inverse;
+	} else {
+		rate = ts_convection_difference(scheme, gamma, e->same ? here : 0.5 * (q_low + q_high), high - here,
+				    here - low, above, below, inverse);
+	}
+	if (!packed)
+		return rate + nu * (above * (high - here) - below * (here - low));
+	return rate + nu * (above * e_high * (high - here) - below * e_low * (here - low));
+}
+
+struct row {
+	const struct ts_predictor *p;
+	int j, k, from, to;
+	ptrdiff_t at; /* of i = 0 */
+};
+
+TS_INLINE struct direction direction(const struct row *row, int d, int c, int dimensions,
+				     bool packed)
+{
+	const struct ts_fluid *fluid = row->p->fluid;
+
+	if (d >= dimensions)
+		return (struct direction){ 0 };
+	return (struct direction){ .q = row->p->u[d] + row->at,
+				   .share = packed ? fluid->empty_face[d] + row->at : NULL,
+				   .share_centre = packed ? fluid->empty + row->at : NULL,
+				   .flow = row->p->flow[d] ? row->p->flow[d] + row->at : NULL,
+				   .se = d == 0 ? 1 : fluid->grid.stride[d],
+				   .same = c == d };
+}
+
+TS_INLINE void predict_row(const struct row *row, int c, int dimensions, enum ts_convection scheme,
+			   enum ts_flow_form form, bool packed)
+{
+	const struct ts_predictor *p = row->p;
+	const struct ts_operators *o = p->operators;
+	const struct ts_operator_line *line = c == 0 ? &o->staggered[0] : &o->centred[0];
+	const struct at_point y = { AT(c == 1 ? &o->staggered[1] : &o->centred[1], row->j) };
+	/* In two dimensions there are no lines along z: any point stands for one that is not used. */
+	const struct ts_operator_line *line_z = dimensions < 3 ? &o->centred[1]
+				       : c == 2	      ? &o->staggered[2]
+						      : &o->centred[2];
+	const struct at_point z = { AT(line_z, dimensions < 3 ? 0 : row->k) };
+	const struct direction along_x = direction(row, 0, c, dimensions, packed);
+	const struct direction along_y = direction(row, 1, c, dimensions, packed);
+	const struct direction along_z = direction(row, 2, c, dimensions, packed);
+	const ptrdiff_t sc = c == 0 ? 1 : p->fluid->grid.stride[c];
+	const double *mass_x = o->mass[0];
+	const double mass_c = c == 1 ? o->mass[1][row->j] : c == 2 ? o->mass[2][row->k] : 0;
+	const double *u = p->u[c] + row->at, *old = p->old[c] + row->at;
+	const double *share = packed ? p->fluid->empty_face[c] + row->at : NULL;
+	double *out = p->out[c] + row->at;
+	const double nu = p->nu, gamma = p->gamma, keep = p->keep, take = p->take, dt = p->dt;
+	const double acceleration = p->acceleration[c];
+	const bool whole = form == TS_FORM_CONSERVATIVE;
+	const double *start = whole ? p->start[c] + row->at : NULL, *last = whole ? p->last[c] + row->at : NULL;
+	const double *next = whole ? p->next[c] + row->at : NULL;
+
+#pragma omp simd
+	for (int i = row->from; i < row->to; i++) {
+		double mass = c == 0 ? mass_x[i] : mass_c;
+		double rate = along(AT(line, i), &along_x, u, i, sc, mass, nu, gamma, scheme, form, packed);
+
+		rate += along(OF(y), &along_y, u, i, sc, mass, nu, gamma, scheme, form, packed);
+		if (dimensions == 3)
+			rate += along(OF(z), &along_z, u, i, sc, mass, nu, gamma, scheme, form, packed);
+		if (whole) {
+			rate += share[i] * acceleration;
+			out[i] = (keep * start[i] * old[i] + take * (last[i] * u[i] + dt * rate)) / next[i];
+			continue;
+		}
+		if (packed)
+			rate /= share[i];
+		out[i] = keep * old[i] + take * (u[i] + dt * (acceleration + rate));
+	}
+}
+
+typedef void row_fn(const struct row *row);
+
+#define ROW(name, c, dimensions, scheme, form, packed)                                             \
+	TS_CLONES                                                                                  \
+	static void name##_##c(const struct row *row)                                              \
+	{                                                                                          \
+		predict_row(row, c, dimensions, scheme, form, packed);                             \
+	}
+#define ROWS(name, scheme, form, packed)                                                           \
+	ROW(name##_2, 0, 2, scheme, form, packed)                                                  \
+	ROW(name##_2, 1, 2, scheme, form, packed)                                                  \
+	ROW(name##_3, 0, 3, scheme, form, packed)                                                  \
+	ROW(name##_3, 1, 3, scheme, form, packed)                                                  \
+	ROW(name##_3, 2, 3, scheme, form, packed)
+#define VARIANTS(name, scheme, form)                                                               \
+	ROWS(name##_free, scheme, form, false)                                                     \
+	ROWS(name##_packed, scheme, form, true)
+#define WHOLE(name, scheme) ROWS(name##_whole, scheme, TS_FORM_CONSERVATIVE, true)
+#define ENTRY(name)                                                                                \
+	{                                                                                          \
+		{ name##_2_0, name##_2_1, NULL }, { name##_3_0, name##_3_1, name##_3_2 }           \
+	}
+#define ENTRIES(name)                                                                              \
+	{                                                                                          \
+		ENTRY(name##_free), ENTRY(name##_packed)                                           \
+	}
+
+VARIANTS(donor, TS_CONVECTION_DONOR, TS_FORM_VOLUME)
+VARIANTS(central, TS_CONVECTION_CENTRAL, TS_FORM_VOLUME)
+VARIANTS(quick, TS_CONVECTION_QUICK, TS_FORM_VOLUME)
+VARIANTS(cubista, TS_CONVECTION_CUBISTA, TS_FORM_VOLUME)
+WHOLE(donor, TS_CONVECTION_DONOR)
+WHOLE(central, TS_CONVECTION_CENTRAL)
+WHOLE(quick, TS_CONVECTION_QUICK)
+WHOLE(cubista, TS_CONVECTION_CUBISTA)
+VARIANTS(difference, TS_CONVECTION_DONOR, TS_FORM_DIFFERENCE)
+
+/* [scheme][particles take room][in three dimensions][component] */
+static row_fn *const volume_rows[TS_NCONVECTION][2][2][3] = {
+	[TS_CONVECTION_DONOR] = ENTRIES(donor),
+	[TS_CONVECTION_CENTRAL] = ENTRIES(central),
+	[TS_CONVECTION_QUICK] = ENTRIES(quick),
+	[TS_CONVECTION_CUBISTA] = ENTRIES(cubista),
+};
+static row_fn *const whole_rows[TS_NCONVECTION][2][3] = {
+	[TS_CONVECTION_DONOR] = ENTRY(donor_whole),
+	[TS_CONVECTION_CENTRAL] = ENTRY(central_whole),
+	[TS_CONVECTION_QUICK] = ENTRY(quick_whole),
+	[TS_CONVECTION_CUBISTA] = ENTRY(cubista_whole),
+};
+/* Central differences are the donor cell's with gamma 0. */
+static row_fn *const difference_rows[2][2][3] = ENTRIES(difference);
+
+void ts_flow_predict(const struct ts_predictor *p)
+{
+	const struct ts_grid *grid = &p->fluid->grid;
+	bool packed = p->fluid->empty, solid = grid->dimensions == 3;
+	row_fn *const *row_of = p->form == TS_FORM_DIFFERENCE
+					? difference_rows[packed][solid]
+				: p->next[0] ? whole_rows[p->convection][solid]
+					: volume_rows[p->convection][packed][solid];
+	int from[3][3], to[3][3], height = grid->n[1] + 1;
+	long total = (long)height * (grid->n[2] + (grid->dimensions == 3));
+
+	for (int c = 0; c < grid->dimensions; c++)
+		ts_flow_unknowns(p->fluid, c, from[c], to[c]);
+#pragma omp parallel for num_threads(p->threads) schedule(static)
+	for (long line = 0; line < total; line++) {
+		int j = (int)(line % height), k = (int)(line / height);
+
+		for (int c = 0; c < grid->dimensions; c++) {
+			struct row row = { p, j, k, from[c][0], to[c][0], (ptrdiff_t)ts_at(grid, 0, j, k) };
+
+			if (j >= from[c][1] && j < to[c][1] && k >= from[c][2] && k < to[c][2])
+				row_of[c](&row);
+		}
+	}
+}

@@ -1,0 +1,212 @@
+/* The projection: pressure that makes the velocity free of divergence. */
+#include <math.h>
+#include <string.h>
+
+#include "base/clones.h"
+#include "flow/projection.h"
+
+#include "base/banned.h"
+
+/* Net flow out of the cells of a row per volume. */
+TS_CLONES
+static void divergence_row(const struct ts_fluid *fluid, int j, int k, double *out)
+{
+	const struct ts_grid *grid = &fluid->grid;
+	const size_t at = ts_at(grid, 0, j, k);
+	const ptrdiff_t sy = grid->stride[1], sz = grid->stride[2];
+	const double *u = fluid->u[0] + at, *v = fluid->u[1] + at;
+	const double *w = grid->dimensions == 3 ? fluid->u[2] + at : NULL;
+	const double *width = grid->width[0], wy = 1 / grid->width[1][j];
+	const double wz = grid->dimensions == 3 ? 1 / grid->width[2][k] : 0;
+	const int n = grid->n[0];
+
+	if (grid->dimensions == 3) {
+#pragma omp simd
+		for (int i = 0; i < n; i++)
+			out[i] = (u[i + 1] - u[i]) / width[i] + (v[i + sy] - v[i]) * wy +
+				 (w[i + sz] - w[i]) * wz;
+	} else {
+#pragma omp simd
+		for (int i = 0; i < n; i++)
+			out[i] = (u[i + 1] - u[i]) / width[i] + (v[i + sy] - v[i]) * wy;
+	}
+}
+
+/* The same of e u, and de/dt. */
+static void packed_row(const struct ts_fluid *fluid, int j, int k, double *out)
+{
+	const struct ts_grid *grid = &fluid->grid;
+	const size_t at = ts_at(grid, 0, j, k);
+
+	memcpy(out, fluid->empty_rate + at, (size_t)grid->n[0] * sizeof *out);
+	for (int d = 0; d < grid->dimensions; d++) {
+		const double *u = fluid->u[d] + at, *e = fluid->empty_face[d] + at;
+		const double *width = grid->width[d] + (d == 1 ? j : d == 2 ? k : 0);
+		const ptrdiff_t s = grid->stride[d];
+
+		for (int i = 0; i < grid->n[0]; i++)
+			out[i] += (e[i + s] * u[i + s] - e[i] * u[i]) / width[d == 0 ? i : 0];
+	}
+}
+
+void ts_flow_divergence_row(const struct ts_fluid *fluid, int j, int k, double *out)
+{
+	if (fluid->empty)
+		packed_row(fluid, j, k, out);
+	else
+		divergence_row(fluid, j, k, out);
+}
+
+/* rhs = scale (div u - mean) */
+static void divergence(const struct ts_projection *p, double scale, double mean)
+{
+	const struct ts_grid *grid = &p->fluid.grid;
+	long rows = (long)grid->n[1] * grid->n[2];
+
+#pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
+	for (long line = 0; line < rows; line++) {
+		int j = (int)(line % grid->n[1]), k = (int)(line / grid->n[1]);
+		double *row = p->rhs + ts_at(grid, 0, j, k);
+
+		ts_flow_divergence_row(&p->fluid, j, k, row);
+		for (int i = 0; i < grid->n[0]; i++)
+			row[i] = scale * (row[i] - mean);
+	}
+}
+
+/* u -= factor grad p on the faces of component c where it is not given. Where particles hold the fluid the
+ * factor is as much less as the weight of the face is less than its void fraction. */
+TS_CLONES
+static void correct_row(const struct ts_projection *projection, const double *pressure, int c, int j, int k,
+			int from, int to, double factor)
+{
+	const struct ts_fluid *fluid = &projection->fluid;
+	const struct ts_grid *grid = &fluid->grid;
+	const bool weighs = fluid->exchange[c] || ts_projection_conservative(projection);
+	const double *weight = weighs ? projection->weight[c] : NULL;
+	const size_t at = ts_at(grid, 0, j, k);
+	const ptrdiff_t s = grid->stride[c];
+	const double *p = pressure + at, *gap = grid->gap[0];
+	double *u = fluid->u[c] + at;
+
+	if (weight) {
+		const double *e = fluid->empty_face[c];
+
+		for (int i = from; i < to; i++)
+			u[i] -= factor * weight[at + (size_t)i] / (e ? e[at + (size_t)i] : 1) *
+				(p[i] - p[i - s]) / grid->gap[c][c == 0 ? i : c == 1 ? j : k];
+	} else if (c == 0) {
+#pragma omp simd
+		for (int i = from; i < to; i++)
+			u[i] -= factor * (p[i] - p[i - 1]) / gap[i];
+	} else {
+		factor /= grid->gap[c][c == 1 ? j : k];
+#pragma omp simd
+		for (int i = from; i < to; i++)
+			u[i] -= factor * (p[i] - p[i - s]);
+	}
+}
+
+static void correct(const struct ts_projection *p, const double *pressure, double factor)
+{
+	const struct ts_grid *grid = &p->fluid.grid;
+	int from[3][3], to[3][3], height = grid->n[1] + 1;
+	long rows = (long)height * (grid->n[2] + (grid->dimensions == 3));
+
+	for (int c = 0; c < grid->dimensions; c++)
+		ts_flow_unknowns(&p->fluid, c, from[c], to[c]);
+#pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
+	for (long line = 0; line < rows; line++) {
+		int j = (int)(line % height), k = (int)(line / height);
+
+		for (int c = 0; c < grid->dimensions; c++)
+			if (j >= from[c][1] && j < to[c][1] && k >= from[c][2] && k < to[c][2])
+				correct_row(p, pressure, c, j, k, from[c][0], to[c][0], factor);
+	}
+}
+
+enum ts_status ts_projection_solver(struct ts_instance *self, struct tsim *sim, double held)
+{
+	struct ts_projection *p = self->state;
+	struct ts_instance *pressure;
+	bool weighted;
+
+	if (ts_projection_face_weights(p, held) != TS_OK)
+		return ts_nomem(&sim->error);
+	weighted = p->poisson.weight[0];
+	TS_TRY(ts_pressure_choose(sim, &p->poisson, &self->where, &pressure));
+	if (pressure == p->pressure && p->removals == sim->removals && p->weighted == weighted)
+		return TS_OK;
+	TS_TRY(ts_pressure_style_of(pressure)->prepare(pressure, sim, &p->poisson));
+	p->pressure = pressure;
+	p->removals = sim->removals;
+	p->weighted = weighted;
+	return TS_OK;
+}
+
+/* p += phi - theta mu div u*; rhs is rho/dt div u*. */
+static void add_increment(struct ts_projection *p, double dt)
+{
+	struct ts_fluid *fluid = &p->fluid;
+	const struct ts_grid *grid = &fluid->grid;
+	const double share = p->theta * fluid->viscosity * dt / fluid->density;
+	long rows = (long)grid->n[1] * grid->n[2];
+
+#pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
+	for (long line = 0; line < rows; line++) {
+		size_t at = ts_at(grid, 0, (int)(line % grid->n[1]), (int)(line / grid->n[1]));
+
+		for (size_t end = at + (size_t)grid->n[0]; at < end; at++)
+			fluid->p[at] += p->increment[at] - share * p->rhs[at];
+	}
+	ts_fluid_fill_pressure(fluid, fluid->p);
+}
+
+enum ts_status ts_projection_project_velocity(struct ts_instance *self, struct tsim *sim, double dt, double held)
+{
+	struct ts_projection *p = self->state;
+	struct ts_fluid *fluid = &p->fluid;
+	struct ts_poisson_report report = { 0 };
+	double *pressure = fluid->pressure_ahead ? p->increment : fluid->p, mean;
+
+	TS_TRY(ts_projection_solver(self, sim, held));
+	TS_TRY(ts_projection_net_outflow(self, sim, &mean));
+	divergence(p, fluid->density / dt, mean);
+	if (ts_projection_impose_pressure(p) != TS_OK)
+		return ts_nomem(&sim->error);
+	TS_TRY(ts_pressure_style_of(p->pressure)->solve(p->pressure, sim, p->rhs, pressure, &report));
+	fluid->iterations = report.iterations;
+	ts_fluid_fill_relative(fluid, pressure);
+	correct(p, pressure, dt / fluid->density);
+	ts_projection_restore_pressure(p);
+	if (pressure != fluid->p)
+		add_increment(p, dt);
+	ts_fluid_fill_velocity(fluid, fluid->u);
+	return TS_OK;
+}
+
+enum ts_status ts_projection_project_initial(struct ts_instance *self, struct tsim *sim)
+{
+	struct ts_projection *p = self->state;
+	struct ts_fluid *fluid = &p->fluid;
+	const struct ts_grid *grid = &fluid->grid;
+	enum ts_status status;
+	bool ahead;
+
+	ts_fluid_fill_velocity(fluid, fluid->u);
+	/* Any time step gives the same velocity; this one makes numbers of the size of 1. */
+	ahead = fluid->pressure_ahead;
+	fluid->pressure_ahead = false;
+	p->still = true;
+	status = ts_projection_project_velocity(self, sim, fluid->density * grid->width[0][0], 0);
+	fluid->pressure_ahead = ahead;
+	p->still = false;
+	TS_TRY(status);
+	memset(fluid->p, 0, grid->size * sizeof *fluid->p);
+	if (p->increment)
+		memset(p->increment, 0, grid->size * sizeof *p->increment);
+	p->history_dt = 0;
+	p->fluid.steps = 0;
+	p->fluid.time = ts_sim_time(sim);
+	return TS_OK;
+}

@@ -1,0 +1,193 @@
+#include "flow/scalar_transport.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/banned.h"
+
+const char *const ts_scalar_schemes[] = { "vanleer", "central", "donor", NULL };
+
+enum ts_status ts_transport_make(struct ts_transport *t, const struct ts_fluid *fluid)
+{
+	double **const fields[] = { &t->value, &t->source, &t->rate, &t->stage };
+
+	for (size_t k = 0; k < sizeof fields / sizeof *fields; k++)
+		if (!(*fields[k] = ts_grid_field(&fluid->grid)))
+			return TS_NOMEM;
+	return TS_OK;
+}
+
+void ts_transport_release(struct ts_transport *t)
+{
+	double **const fields[] = { &t->value, &t->source, &t->rate, &t->stage, &t->empty };
+
+	for (size_t k = 0; k < sizeof fields / sizeof *fields; k++) {
+		ts_grid_field_free(*fields[k]);
+		*fields[k] = NULL;
+	}
+}
+
+/* Beyond a face whose value is given, as if T were linear across it. */
+static void mirror(const struct ts_grid *grid, int d, int side, double given, double *value)
+{
+	int a = d == 0, b = d == 2 ? 1 : 2, i[3];
+	ptrdiff_t out = side ? grid->stride[d] : -grid->stride[d];
+
+	i[d] = side ? grid->n[d] - 1 : 0;
+	for (i[b] = 0; i[b] < grid->n[b]; i[b]++)
+		for (i[a] = 0; i[a] < grid->n[a]; i[a]++) {
+			size_t at = ts_at(grid, i[0], i[1], i[2]);
+
+			value[(ptrdiff_t)at + out] = 2 * given - value[at];
+		}
+}
+
+void ts_transport_fill(const struct ts_transport *t, const struct ts_fluid *fluid, double *value)
+{
+	const struct ts_grid *grid = &fluid->grid;
+
+	ts_fluid_fill_centred(fluid, value);
+	for (int d = 0; d < grid->dimensions; d++)
+		for (int side = 0; side < 2 && !grid->periodic[d]; side++)
+			if (t->face[d][side].condition == TS_SCALAR_VALUE)
+				mirror(grid, d, side, t->face[d][side].now, value);
+}
+
+/* T that is carried across a face inside, from the three points upwind of it and the one downwind. */
+static double carried(enum ts_scalar_scheme scheme, double far, double up, double down)
+{
+	double a = up - far, b = down - up;
+
+	if (scheme == TS_SCALAR_CENTRAL)
+		return 0.5 * (up + down);
+	return scheme == TS_SCALAR_VANLEER && a * b > 0 ? up + a * b / (a + b) : up;
+}
+
+/* Flow of T by area through the lower face m across d of the cell at `at`. */
+static double flow_inside(const struct ts_transport *t, const struct ts_fluid *fluid, int d, int m,
+			  size_t at, const double *value)
+{
+	const ptrdiff_t s = fluid->grid.stride[d];
+	const double *q = value + at, e = fluid->empty ? fluid->empty_face[d][at] : 1;
+	const double u = fluid->u[d][at];
+	double side = u > 0 ? carried(t->scheme, q[-2 * s], q[-s], q[0])
+			    : carried(t->scheme, q[s], q[0], q[-s]);
+
+	return e * (u * side - t->diffusivity * (q[0] - q[-s]) / fluid->grid.gap[d][m]);
+}
+
+static double flow_at_boundary(const struct ts_transport *t, const struct ts_fluid *fluid, int d, int side,
+			       size_t at, const double *value)
+{
+	const struct ts_scalar_face *face = &t->face[d][side];
+	const struct ts_grid *grid = &fluid->grid;
+	const double e = fluid->empty ? fluid->empty_face[d][at] : 1, u = fluid->u[d][at];
+	const double here = value[side ? (ptrdiff_t)at - grid->stride[d] : (ptrdiff_t)at];
+	const double inward = side ? -1 : 1;
+	const double half = 0.5 * grid->width[d][side ? grid->n[d] - 1 : 0];
+
+	if (face->condition == TS_SCALAR_VALUE)
+		return e * (u * (inward * u > 0 ? face->now : here) +
+			    inward * t->diffusivity * (face->now - here) / half);
+	return e * u * here + (face->condition == TS_SCALAR_FLUX ? inward * face->now : 0);
+}
+
+static double flow(const struct ts_transport *t, const struct ts_fluid *fluid, int d, int m, size_t at,
+		   const double *value)
+{
+	const struct ts_grid *grid = &fluid->grid;
+
+	if (!grid->periodic[d] && (m == 0 || m == grid->n[d]))
+		return flow_at_boundary(t, fluid, d, m > 0, at, value);
+	return flow_inside(t, fluid, d, m, at, value);
+}
+
+/* d(e T)/dt */
+static void find_rate(const struct ts_transport *t, const struct ts_fluid *fluid, const double *value,
+		      int threads)
+{
+	const struct ts_grid *grid = &fluid->grid;
+	const int rows = grid->n[1] * grid->n[2];
+
+#pragma omp parallel for num_threads(threads) schedule(static)
+	for (int row = 0; row < rows; row++) {
+		int i[3] = { 0, row % grid->n[1], row / grid->n[1] };
+
+		for (; i[0] < grid->n[0]; i[0]++) {
+			size_t at = ts_at(grid, i[0], i[1], i[2]);
+			double sum = t->constant + t->source[at];
+
+			for (int d = 0; d < grid->dimensions; d++)
+				sum += (flow(t, fluid, d, i[d], at, value) -
+					flow(t, fluid, d, i[d] + 1, at + (size_t)grid->stride[d], value)) /
+				       grid->width[d][i[d]];
+			t->rate[at] = sum;
+		}
+	}
+}
+
+double ts_transport_limit(const struct ts_transport *t, const struct ts_fluid *fluid)
+{
+	const struct ts_grid *grid = &fluid->grid;
+	double most = 0;
+
+	for (int k = 0; k < grid->n[2]; k++)
+		for (int j = 0; j < grid->n[1]; j++)
+			for (int i = 0; i < grid->n[0]; i++) {
+				const int m[3] = { i, j, k };
+				size_t at = ts_at(grid, i, j, k);
+				double sum = 0;
+
+				for (int d = 0; d < grid->dimensions; d++) {
+					double h = grid->width[d][m[d]];
+					double u = fmax(fabs(fluid->u[d][at]),
+							fabs(fluid->u[d][at + (size_t)grid->stride[d]]));
+
+					sum += 2 * u / h + 2 * t->diffusivity / (h * h);
+				}
+				most = fmax(most, sum);
+			}
+	return most > 0 ? 1 / most : INFINITY;
+}
+
+/* From e T to that after dt, by the rate; e is left as it is. */
+static double after(const struct ts_transport *t, const struct ts_fluid *fluid, size_t k, double part,
+		    double content, double dt)
+{
+	double e = t->empty ? t->empty[k] + dt * fluid->empty_rate[k] : 1;
+
+	return e > 0 ? part * (content + dt * t->rate[k]) / e : 0; /* padding between rows has none */
+}
+
+/* Heun's method: `stage` is T after an Euler step, T the mean of what was and of a second one. */
+static void advance(struct ts_transport *t, const struct ts_fluid *fluid, double dt, int threads)
+{
+	const size_t size = fluid->grid.size;
+	double *e = t->empty;
+
+	ts_transport_fill(t, fluid, t->value);
+	find_rate(t, fluid, t->value, threads);
+#pragma omp parallel for num_threads(threads) schedule(static)
+	for (size_t k = 0; k < size; k++)
+		t->stage[k] = after(t, fluid, k, 1, (e ? e[k] : 1) * t->value[k], dt);
+	ts_transport_fill(t, fluid, t->stage);
+	find_rate(t, fluid, t->stage, threads);
+#pragma omp parallel for num_threads(threads) schedule(static)
+	for (size_t k = 0; k < size; k++) {
+		double then = e ? e[k] + dt * fluid->empty_rate[k] : 1;
+
+		t->value[k] = after(t, fluid, k, 0.5, (e ? e[k] : 1) * t->value[k] + then * t->stage[k], dt);
+		if (e)
+			e[k] = then;
+	}
+}
+
+long ts_transport_advance(struct ts_transport *t, const struct ts_fluid *fluid, double dt, int threads)
+{
+	long parts = (long)fmin(fmax(ceil(dt / ts_transport_limit(t, fluid)), 1), 1e6);
+
+	for (long k = 0; k < parts; k++)
+		advance(t, fluid, dt / (double)parts, threads);
+	ts_transport_fill(t, fluid, t->value);
+	return parts;
+}

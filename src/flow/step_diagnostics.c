@@ -1,0 +1,156 @@
+/* How a step went: cheap enough to look at each of them. */
+#include <math.h>
+#include <stdio.h>
+
+#include "base/clones.h"
+#include "flow/flow_limits.h"
+
+#include "base/banned.h"
+
+struct look {
+	double speed; /* sum |u|/h */
+	double change;
+	bool broken; /* something is not a number */
+};
+
+TS_CLONES
+static struct look look_at_row(const struct ts_fluid *fluid, double *const before[3], int j, int k)
+{
+	const struct ts_grid *grid = &fluid->grid;
+	const size_t at = ts_at(grid, 0, j, k);
+	const bool solid = grid->dimensions == 3;
+	const double *u = fluid->u[0] + at, *v = fluid->u[1] + at, *w = fluid->u[solid ? 2 : 1] + at;
+	const double *a = before[0] + at, *b = before[1] + at, *c = before[solid ? 2 : 1] + at;
+	const double *width = grid->width[0], wy = 1 / grid->width[1][j];
+	const double wz = solid ? 1 / grid->width[2][k] : 0;
+	double speed = 0, change = 0, nothing = 0;
+
+#pragma omp simd reduction(max : speed, change) reduction(+ : nothing)
+	for (int i = 0; i < grid->n[0]; i++) {
+		double s = fabs(u[i]) / width[i] + fabs(v[i]) * wy + fabs(w[i]) * wz;
+		double x = fabs(u[i] - a[i]), y = fabs(v[i] - b[i]), z = fabs(w[i] - c[i]);
+		double most = x > y ? x : y;
+
+		most = most > z ? most : z;
+		speed = s > speed ? s : speed;
+		change = most > change ? most : change;
+		nothing += 0 * s; /* not a number if s is not */
+	}
+	return (struct look){ speed, change, !(nothing == 0) };
+}
+
+static double largest_divergence(const struct ts_fluid *fluid, int j, int k, double *row)
+{
+	double most = 0;
+
+	ts_flow_divergence_row(fluid, j, k, row);
+	for (int i = 0; i < fluid->grid.n[0]; i++)
+		most = fabs(row[i]) > most ? fabs(row[i]) : most;
+	return most;
+}
+
+/* Rounding of a step chosen at the limit. */
+static const double MARGIN = 1.000001;
+
+/* Centre of the cell with the largest sum |u|/h. */
+static void fastest_cell(const struct ts_fluid *fluid, double x[3])
+{
+	const struct ts_grid *grid = &fluid->grid;
+	double most = -1;
+
+	for (int k = 0; k < grid->n[2]; k++)
+		for (int j = 0; j < grid->n[1]; j++)
+			for (int i = 0; i < grid->n[0]; i++) {
+				const int at[3] = { i, j, k };
+				double sum = 0;
+
+				for (int d = 0; d < grid->dimensions; d++)
+					sum += fabs(fluid->u[d][ts_at(grid, i, j, k)]) / grid->width[d][at[d]];
+				if (!(sum > most))
+					continue;
+				most = sum;
+				for (int d = 0; d < 3; d++)
+					x[d] = 0.5 * (grid->face[d][at[d]] + grid->face[d][at[d] + 1]);
+			}
+}
+
+/* Whether bodies that are free to move have brought it about. */
+static bool blame_bodies(const struct tsim *sim, const struct ts_fluid *fluid, double dt, char *cause, size_t size)
+{
+	const struct ts_instance *part;
+
+	for (size_t k = 0; (part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));) {
+		const struct ts_flow_part *flow_part = part->state;
+
+		if (flow_part->blame && flow_part->blame(part, fluid, dt, cause, size))
+			return true;
+	}
+	return false;
+}
+
+/* Which limit the step was beyond, for the velocities it began with, as far as can be told. */
+static enum ts_status explain(struct ts_instance *self, struct tsim *sim, bool broken, double dt)
+{
+	const struct ts_projection *p = self->state;
+	const struct ts_fluid *fluid = &p->fluid;
+	struct ts_flow_limits limits = ts_flow_limits(p);
+	const char *time = ts_flow_time_names[p->time];
+	double x[3] = { 0 };
+	char cause[512];
+
+	if (blame_bodies(sim, fluid, dt, cause, sizeof cause))
+		return ts_fail(&sim->error, TS_PHYSICS, &self->where,
+			       "the fluid left the region of stable steps at time %g with a step of %g: %s",
+			       fluid->time, dt, cause);
+	if (broken)
+		snprintf(cause, sizeof cause, "a velocity is not a number any more");
+	else if (dt > limits.viscous && p->viscosity > 0 && ts_flow_viscous_limit(p) < dt)
+		snprintf(cause, sizeof cause,
+			 "viscosity %g with time %s is stable for steps up to %g only", p->viscosity, time,
+			 ts_flow_viscous_limit(p));
+	else {
+		fastest_cell(fluid, x);
+		snprintf(cause, sizeof cause,
+			 "the Courant number sum |u| dt/h is %g in the cell at (%.4g %.4g %.4g), and with time %s it must stay "
+			 "below %g",
+			 fluid->courant, x[0], x[1], x[2], time, ts_flow_time_schemes[p->time].courant);
+	}
+	return ts_fail(&sim->error, TS_PHYSICS, &self->where,
+		       "the fluid left the region of stable steps at time %g with a step of %g: %s%s; use a "
+		       "smaller `timestep`, or `substeps auto` in flow_style",
+		       fluid->time, dt, cause,
+		       limits.growth < dt && !broken
+			       ? " (it may have grown so: convection is damped too little for this step, which "
+				 "a scheme `time rk3` or `convection donor` would stand)"
+			       : "");
+}
+
+enum ts_status ts_projection_check_substep(struct ts_instance *self, struct tsim *sim, double *const before[3],
+				   double dt)
+{
+	struct ts_projection *p = self->state;
+	struct ts_fluid *fluid = &p->fluid;
+	const struct ts_grid *grid = &fluid->grid;
+	long rows = (long)grid->n[1] * grid->n[2];
+	double speed = 0, change = 0, divergence = 0;
+	int broken = 0;
+
+#pragma omp parallel for num_threads(p->poisson.threads) schedule(static)                          \
+	reduction(max : speed, change, divergence) reduction(| : broken)
+	for (long line = 0; line < rows; line++) {
+		int j = (int)(line % grid->n[1]), k = (int)(line / grid->n[1]);
+		struct look look = look_at_row(fluid, before, j, k);
+
+		speed = fmax(speed, look.speed);
+		change = fmax(change, look.change);
+		broken |= look.broken;
+		divergence = fmax(divergence, largest_divergence(fluid, j, k,
+								 p->rhs + ts_at(grid, 0, j, k)));
+	}
+	fluid->courant = speed * dt;
+	fluid->residual = change / dt;
+	fluid->divergence = divergence;
+	if (broken || !(fluid->courant <= MARGIN * ts_flow_time_schemes[p->time].courant))
+		return explain(self, sim, broken, dt);
+	return TS_OK;
+}

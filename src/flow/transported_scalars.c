@@ -1,0 +1,62 @@
+#include "flow/transported_scalars.h"
+
+#include <string.h>
+
+#include "base/banned.h"
+
+static bool carries(const struct ts_instance *inst)
+{
+	const char *family = inst->style->family;
+
+	return family && ts_streq(family, TS_FAMILY_FLOW_PART) &&
+	       ((const struct ts_flow_part *)inst->state)->scalar;
+}
+
+static bool is_fix(const struct ts_word *word)
+{
+	return strncmp(word->text, "f_", 2) == 0;
+}
+
+enum ts_status ts_flow_scalar_field(struct tsim *sim, const char *what, const struct ts_word *word,
+			       const double **out)
+{
+	const struct ts_word id = { .text = word->text + 2, .place = word->place };
+	struct ts_instance *fix;
+
+	TS_TRY(ts_sim_require(sim, TS_KIND_FIX, &id, &fix));
+	if (!carries(fix))
+		return ts_fail(&sim->error, TS_STATE, &word->place,
+			       "%s: fix %s (style %s) carries no scalar with the fluid", what, fix->id,
+			       fix->style->name);
+	*out = ((const struct ts_flow_part *)fix->state)->scalar(fix);
+	return TS_OK;
+}
+
+enum ts_status ts_flow_read_names(struct tsim *sim, const char *what, struct ts_arena *arena,
+				  struct ts_words words, const void *table, size_t stride,
+				  struct ts_name_list *out)
+{
+	TS_TRY(ts_name_list_room(sim, arena, words.n, out));
+	for (; out->n < words.n; out->n++) {
+		const struct ts_word *word = &words.word[out->n];
+		const double *field;
+
+		if (is_fix(word)) {
+			TS_TRY(ts_flow_scalar_field(sim, what, word, &field));
+			out->item[out->n] = TS_FLOW_SCALAR;
+		} else {
+			TS_TRY(ts_name_list_find(sim, what, word, table, stride, &out->item[out->n]));
+		}
+	}
+	return TS_OK;
+}
+
+struct ts_instance *ts_flow_next_scalar(const struct tsim *sim, size_t *k)
+{
+	struct ts_instance *part;
+
+	while ((part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, k)))
+		if (carries(part))
+			return part;
+	return NULL;
+}

@@ -1,0 +1,486 @@
+/* Which points a solid forces. */
+#include "immersed/immersed.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "math/vec3.h"
+
+#include "base/alloc.h"
+#include "base/parallel.h"
+
+#include "base/banned.h"
+
+/* Values set beside the surface count fully up to 1 - 1/FADING of the distance where they end. With less the
+ * force on bodies that move is a little smoother, but the error of a surface of steps comes back, of first
+ * order in the spacing. */
+static const double FADING = 10;
+
+/* One velocity component while its points are sought. */
+struct search {
+	struct ts_immersed *ib;
+	struct ts_solid *solid;
+	const struct ts_fluid *fluid;
+	const struct ts_grid *grid;
+	int component;
+	size_t worker, part;
+	double lo[3], hi[3]; /* around the part */
+	int from[3], to[3];  /* indices, of periodic axes beyond the grid as well */
+	bool shared; /* among threads: whose a point is will be known later */
+	struct ts_immersed_point *last;
+};
+
+static double period(const struct ts_grid *grid, int d)
+{
+	return grid->face[d][grid->n[d]] - grid->face[d][0];
+}
+
+static int turns_of(int i, int n)
+{
+	return (i >= 0 ? i : i - n + 1) / n;
+}
+
+/* Coordinate of points of the component along axis d. */
+static double coordinate(const struct search *s, int d, int i)
+{
+	const double *line = d == s->component ? s->grid->face[d] : s->grid->centre[d];
+	int turns = s->grid->periodic[d] ? turns_of(i, s->grid->n[d]) : 0;
+
+	return line[i - turns * s->grid->n[d]] + turns * period(s->grid, d);
+}
+
+/* Width of the control volume. */
+static double width(const struct search *s, int d, int i)
+{
+	const double *line = d == s->component ? s->grid->gap[d] : s->grid->width[d];
+
+	return line[s->grid->periodic[d] ? i - turns_of(i, s->grid->n[d]) * s->grid->n[d] : i];
+}
+
+static int cell_of(const struct ts_grid *grid, int d, double x)
+{
+	double turns = floor((x - grid->face[d][0]) / period(grid, d));
+
+	if (!grid->periodic[d] || turns == 0)
+		return ts_grid_find(grid, d, x);
+	return (int)turns * grid->n[d] + ts_grid_find(grid, d, x - turns * period(grid, d));
+}
+
+/* Points near the part: two cells around its box; of an axis that is not periodic those between the
+ * boundaries, where nothing is given, and those on open faces. */
+static void ranges(struct search *s)
+{
+	const struct ts_grid *grid = s->grid;
+
+	for (int d = 0; d < 3; d++) {
+		bool across = d == s->component && !grid->periodic[d];
+		int n = grid->n[d] + (across && ts_flow_face_open(s->fluid->face[d][TS_HIGH]));
+		int first = across && !ts_flow_face_open(s->fluid->face[d][TS_LOW]);
+		double lo = grid->face[d][0], hi = grid->face[d][grid->n[d]];
+		bool all = !(s->hi[d] - s->lo[d] < period(grid, d));
+
+		s->from[d] = first;
+		s->to[d] = n;
+		if ((grid->periodic[d] && all) || d >= grid->dimensions)
+			continue;
+		if (grid->periodic[d] || (s->lo[d] > lo && s->lo[d] < hi))
+			s->from[d] = cell_of(grid, d, s->lo[d]) - 2;
+		if (grid->periodic[d] || (s->hi[d] > lo && s->hi[d] < hi))
+			s->to[d] = cell_of(grid, d, s->hi[d]) + 4;
+		if (grid->periodic[d]) {
+			if (s->to[d] - s->from[d] > n)
+				s->to[d] = s->from[d] + n;
+			continue;
+		}
+		s->from[d] = s->from[d] < first ? first : s->from[d];
+		s->to[d] = s->lo[d] > hi || s->hi[d] < lo ? s->from[d] : s->to[d] > n ? n : s->to[d];
+	}
+}
+
+static size_t field_index(const struct ts_grid *grid, const int i[3])
+{
+	int at[3];
+
+	for (int d = 0; d < 3; d++)
+		at[d] = i[d] - (grid->periodic[d] ? turns_of(i[d], grid->n[d]) * grid->n[d] : 0);
+	return ts_at(grid, at[0], at[1], at[2]);
+}
+
+/* A point of several parts belongs to the nearest: marked here, settled when all have been looked at. */
+static bool nearest_yet(struct search *s, size_t at, double distance)
+{
+	struct ts_immersed *ib = s->ib;
+
+	if (s->solid->parts < 2 || s->shared)
+		return true;
+	if (ib->owner[at] && !(distance < ib->distance[at]))
+		return false;
+	ib->owner[at] = (int32_t)s->part + 1;
+	ib->distance[at] = distance;
+	return true;
+}
+
+static enum ts_status add_point(struct search *s, const int i[3], const double x[3], double distance)
+{
+	struct ts_immersed *ib = s->ib;
+	size_t at = field_index(s->grid, i);
+	struct ts_immersed_point *p;
+
+	s->last = NULL;
+	if (!nearest_yet(s, at, distance))
+		return TS_OK;
+	TS_TRY(TS_GROW(ib->point, ib->point_capacity, ib->npoints + 1));
+	if (s->shared) {
+		TS_TRY(TS_GROW(ib->note, ib->note_capacity, ib->npoints + 1));
+		ib->note[ib->npoints] = (struct ts_immersed_candidate){ .distance = distance };
+	}
+	p = s->last = &ib->point[ib->npoints++];
+	*p = (struct ts_immersed_point){ .at = at, .part = (int32_t)s->part, .solid = 1 };
+	p->index = i[s->component];
+	if (s->grid->periodic[s->component])
+		p->index -= turns_of(p->index, s->grid->n[s->component]) * s->grid->n[s->component];
+	ts_sub(x, s->solid->motion[s->part].centre, p->arm);
+	p->volume = 1;
+	for (int d = 0; d < 3; d++)
+		p->volume *= width(s, d, i[d]);
+	if (!s->grid->periodic[s->component] && (p->index == 0 || p->index == s->grid->n[s->component]))
+		p->volume *= 0.5; /* half of it is outside of the grid */
+	return TS_OK;
+}
+
+static void set_target(struct search *s, const int i[3], double velocity)
+{
+	double h = width(s, s->component, i[s->component]);
+
+	s->last->target = velocity;
+	if (s->shared)
+		s->ib->note[s->ib->npoints - 1].rate = fabs(velocity) / h;
+	else
+		s->ib->rate = fmax(s->ib->rate, fabs(velocity) / h);
+}
+
+/* At the point that was added last. */
+static void see_thickness(struct search *s, double thickness)
+{
+	if (s->shared)
+		s->ib->note[s->ib->npoints - 1].thickness = thickness;
+	else
+		s->ib->thickness = fmax(s->ib->thickness, thickness);
+}
+
+/* How far one can go from x along n and stay in the grid. */
+static double way_out(const struct ts_grid *grid, const double x[3], const double n[3], double most)
+{
+	for (int d = 0; d < 3; d++) {
+		double face = grid->face[d][n[d] > 0 ? grid->n[d] : 0];
+
+		if (!grid->periodic[d] && n[d] != 0)
+			most = fmin(most, fmax(0, (face - x[d]) / n[d]));
+	}
+	return most;
+}
+
+/* The points of the component around the place x + l n. */
+static void look_out(const struct search *s, const double x[3], const double n[3], double l,
+		     struct ts_immersed_sample *out)
+{
+	const struct ts_grid *grid = s->grid;
+	int i[3];
+
+	for (int d = 0; d < 3; d++) {
+		const double *line = d == s->component ? grid->face[d] : grid->centre[d];
+		double y = x[d] + l * n[d], lo = grid->face[d][0], hi = grid->face[d][grid->n[d]];
+
+		if (grid->periodic[d])
+			y -= floor((y - lo) / (hi - lo)) * (hi - lo);
+		y = fmin(fmax(y, lo), hi);
+		i[d] = ts_grid_find(grid, d, y);
+		out->t[d] = 0;
+		if (grid->ghosts[d] == 0)
+			continue;
+		i[d] -= d != s->component && y < line[i[d]];
+		out->t[d] = (y - line[i[d]]) / (line[i[d] + 1] - line[i[d]]);
+	}
+	out->corner = ts_at(grid, i[0], i[1], i[2]);
+	out->index = i[s->component];
+}
+
+/* Of a cell with these widths: its extent between planes across n, how far apart its points are along n, and
+ * how far from the surface a point may be and still have a neighbour inside. */
+struct extent {
+	double across, along, reach;
+};
+
+static struct extent extent_of(const struct search *s, const int i[3], const double n[3])
+{
+	struct extent e = { 0 };
+
+	for (int d = 0; d < s->grid->dimensions; d++) {
+		double h = width(s, d, i[d]), part = fabs(n[d]) * h;
+
+		e.across += part;
+		e.reach = fmax(e.reach, part);
+		e.along += n[d] / h * (n[d] / h);
+	}
+	e.along = 1 / sqrt(e.along);
+	return e;
+}
+
+/* A point in the fluid beside the surface. */
+static enum ts_status add_band(struct search *s, const double x[3], const struct ts_solid_surface *spot,
+			       const struct extent *e)
+{
+	struct ts_immersed *ib = s->ib;
+	double d = spot->distance, l = way_out(s->grid, x, spot->n, 2 * e->along) / 2;
+	struct ts_immersed_outer *b;
+
+	TS_TRY(TS_GROW(ib->band, ib->band_capacity, ib->nbands + 1));
+	b = &ib->band[ib->nbands++];
+	*b = (struct ts_immersed_outer){ .point = ib->npoints - 1 };
+	s->last->outside = true;
+	b->weight = fmin(1, fmax(0, FADING * (1 - d / e->reach)));
+	b->surface = spot->v[s->component];
+	look_out(s, x, spot->n, l, &b->out[0]);
+	look_out(s, x, spot->n, 2 * l, &b->out[1]);
+	b->out[0].count = 2 * d / (d + l);
+	b->out[1].count = -d / (d + 2 * l);
+	return TS_OK;
+}
+
+/* The point that was added last, in the light of the surface near by. */
+static enum ts_status describe(struct search *s, const int i[3], const double x[3],
+			       const struct ts_solid_surface *spot)
+{
+	struct extent e = extent_of(s, i, spot->n);
+	struct ts_immersed_point *p = s->last;
+
+	p->solid = fmin(1, fmax(0, 0.5 - spot->distance / e.across));
+	set_target(s, i, spot->v[s->component]);
+	see_thickness(s, -2 * spot->distance / e.across);
+	return spot->distance > 0 ? add_band(s, x, spot, &e) : TS_OK;
+}
+
+/* Along a row in x: far from the surface the side is that of the point before. */
+static enum ts_status search_row(struct search *s, int j, int k)
+{
+	enum { UNKNOWN, OUT, IN } where = UNKNOWN;
+
+	for (int i = s->from[0]; i < s->to[0]; i++) {
+		int index[3] = { i, j, k };
+		double x[3], reach = 0;
+		enum ts_solid_side side;
+		struct ts_solid_surface spot;
+
+		for (int d = 0; d < 3; d++) {
+			x[d] = coordinate(s, d, index[d]);
+			if (d < s->grid->dimensions)
+				reach += width(s, d, index[d]) * width(s, d, index[d]);
+		}
+		reach = 1.001 * sqrt(reach);
+		TS_TRY(s->solid->kind->look(s->solid, s->worker, s->part, x, reach, &side, &spot));
+		if (side == TS_SOLID_NEAR) {
+			where = spot.distance > 0 ? OUT : IN;
+			TS_TRY(add_point(s, index, x, spot.distance));
+			if (s->last)
+				TS_TRY(describe(s, index, x, &spot));
+			continue;
+		}
+		if (where == UNKNOWN)
+			where = s->solid->kind->inside(s->solid, s->part, x) ? IN : OUT;
+		if (where == OUT)
+			continue;
+		TS_TRY(add_point(s, index, x, -INFINITY));
+		if (s->last) {
+			double v[3];
+
+			ts_solid_velocity(&s->solid->motion[s->part], x, v);
+			set_target(s, index, v[s->component]);
+			s->last->deep = true;
+			see_thickness(s, 2);
+		}
+	}
+	return TS_OK;
+}
+
+/* Keeps what belongs to its nearest part; the scratch is clean again. */
+static void settle(struct ts_immersed *ib, size_t first, size_t first_band)
+{
+	size_t n = first, bands = first_band, b = first_band;
+
+	for (size_t k = first; k < ib->npoints; k++) {
+		struct ts_immersed_point p = ib->point[k];
+		bool mine = ib->owner[p.at] == p.part + 1;
+
+		if (b < ib->nbands && ib->band[b].point == k) {
+			ib->band[bands] = ib->band[b++];
+			ib->band[bands].point = n;
+			bands += mine;
+		}
+		ib->point[n] = p;
+		n += mine;
+	}
+	for (size_t k = first; k < n; k++)
+		ib->owner[ib->point[k].at] = 0;
+	ib->npoints = n;
+	ib->nbands = bands;
+}
+
+/* Takes up part k; the number of its rows. */
+static size_t begin_part(struct search *s, size_t part)
+{
+	s->part = part;
+	s->solid->kind->bounds(s->solid, part, s->lo, s->hi);
+	ranges(s);
+	if (s->from[0] >= s->to[0] || s->from[1] >= s->to[1] || s->from[2] >= s->to[2])
+		return 0;
+	return (size_t)(s->to[1] - s->from[1]) * (size_t)(s->to[2] - s->from[2]);
+}
+
+/* Of the rows of all parts, one part after the other, those from `from` to `to`. */
+static enum ts_status search_rows(struct search *s, size_t from, size_t to)
+{
+	size_t first = 0, rows;
+
+	for (size_t part = 0; part < s->solid->parts && first < to; part++, first += rows) {
+		size_t begin, end, height;
+
+		rows = begin_part(s, part);
+		begin = from > first ? from - first : 0;
+		end = to - first < rows ? to - first : rows;
+		height = (size_t)(s->to[1] - s->from[1]);
+		for (size_t row = begin; row < end; row++)
+			TS_TRY(search_row(s, s->from[1] + (int)(row % height), s->from[2] + (int)(row / height)));
+	}
+	return TS_OK;
+}
+
+/* ---- among threads: each looks at rows of its own, then what they found is put together in their order */
+
+struct search_task {
+	const struct search *search;
+	size_t rows;
+};
+
+static void search_chunks(void *context, size_t from, size_t to)
+{
+	const struct search_task *task = context;
+	struct search s = *task->search;
+	size_t chunks = s.ib->chunks;
+
+	for (size_t k = from; k < to; k++) {
+		s.ib = &task->search->ib->chunk[k];
+		s.shared = true;
+		s.worker = k;
+		s.ib->npoints = s.ib->nbands = 0;
+		s.ib->status = search_rows(&s, task->rows * k / chunks, task->rows * (k + 1) / chunks);
+	}
+}
+
+static enum ts_status put_together(struct search *s, const struct ts_immersed *chunk)
+{
+	struct ts_immersed *ib = s->ib;
+	size_t band = 0;
+
+	TS_TRY(chunk->status);
+	TS_TRY(TS_GROW(ib->point, ib->point_capacity, ib->npoints + chunk->npoints));
+	TS_TRY(TS_GROW(ib->band, ib->band_capacity, ib->nbands + chunk->nbands));
+	for (size_t k = 0; k < chunk->npoints; k++) {
+		const struct ts_immersed_point *p = &chunk->point[k];
+		const struct ts_immersed_candidate *note = &chunk->note[k];
+		const struct ts_immersed_outer *b = p->outside ? &chunk->band[band++] : NULL;
+
+		s->part = (size_t)p->part;
+		if (!nearest_yet(s, p->at, note->distance))
+			continue;
+		if (b) {
+			ib->band[ib->nbands] = *b;
+			ib->band[ib->nbands++].point = ib->npoints;
+		}
+		ib->point[ib->npoints++] = *p;
+		ib->rate = fmax(ib->rate, note->rate);
+		ib->thickness = fmax(ib->thickness, note->thickness);
+	}
+	return TS_OK;
+}
+
+static enum ts_status search_shared(struct search *s, size_t rows, int team)
+{
+	struct ts_immersed *ib = s->ib;
+	struct search_task task = { s, rows };
+
+	if (s->solid->kind->team)
+		TS_TRY(s->solid->kind->team(s->solid, (size_t)team));
+	TS_TRY(TS_GROW(ib->chunk, ib->chunk_capacity, (size_t)team));
+	ib->chunks = (size_t)team;
+	ts_parallel(team, ib->chunks, search_chunks, &task);
+	for (size_t k = 0; k < ib->chunks; k++)
+		TS_TRY(put_together(s, &ib->chunk[k]));
+	return TS_OK;
+}
+
+static enum ts_status place_component(struct search *s)
+{
+	enum { ROUNDS = 8 }; /* of a simple loop, for a look */
+	struct ts_immersed *ib = s->ib;
+	size_t first = ib->npoints, first_band = ib->nbands, rows = 0, looks = 0;
+	int team;
+
+	for (size_t part = 0; part < s->solid->parts; part++) {
+		size_t more = begin_part(s, part);
+
+		rows += more;
+		looks += more * (size_t)(s->to[0] - s->from[0]);
+	}
+	team = ts_fluid_team(s->fluid, ROUNDS * looks);
+	team = rows < (size_t)team ? (int)rows : team;
+	TS_TRY(team > 1 ? search_shared(s, rows, team) : search_rows(s, 0, rows));
+	if (s->solid->parts > 1)
+		settle(ib, first, first_band);
+	return TS_OK;
+}
+
+static enum ts_status make_room(struct ts_immersed *ib, const struct ts_solid *solid,
+				const struct ts_grid *grid)
+{
+	TS_TRY(TS_GROW(ib->sums, ib->sums_capacity, solid->parts));
+	if (solid->parts < 2 || ib->owner)
+		return TS_OK;
+	ib->distance = ts_alloc(grid->size, sizeof *ib->distance);
+	ib->owner = ts_alloc(grid->size, sizeof *ib->owner);
+	return ib->distance && ib->owner ? TS_OK : TS_NOMEM;
+}
+
+enum ts_status ts_immersed_find_points(struct ts_immersed *ib, struct ts_solid *solid,
+				 const struct ts_fluid *fluid)
+{
+	struct search s = { .ib = ib, .solid = solid, .fluid = fluid, .grid = &fluid->grid };
+
+	TS_TRY(make_room(ib, solid, &fluid->grid));
+	ib->npoints = ib->nbands = ib->inside = 0;
+	ib->thickness = ib->rate = 0;
+	for (int c = 0; c < 3; c++) {
+		ib->first[c] = ib->npoints;
+		ib->band_first[c] = ib->nbands;
+		s.component = c;
+		if (c < fluid->grid.dimensions)
+			TS_TRY(place_component(&s));
+	}
+	ib->first[3] = ib->npoints;
+	ib->band_first[3] = ib->nbands;
+	ib->inside = ib->npoints - ib->nbands;
+	return TS_OK;
+}
+
+void ts_immersed_release(struct ts_immersed *ib)
+{
+	for (size_t k = 0; k < ib->chunk_capacity; k++)
+		ts_immersed_release(&ib->chunk[k]);
+	ts_free(ib->chunk);
+	ts_free(ib->note);
+	ts_free(ib->point);
+	ts_free(ib->band);
+	ts_free(ib->distance);
+	ts_free(ib->owner);
+	ts_free(ib->sums);
+	*ib = (struct ts_immersed){ 0 };
+}

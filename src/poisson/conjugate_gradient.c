@@ -1,0 +1,130 @@
+#include "poisson/conjugate_gradient.h"
+
+#include <math.h>
+
+#include "base/alloc.h"
+#include "base/clones.h"
+
+#include "base/banned.h"
+
+enum ts_status ts_conjugate_gradient_make(struct ts_conjugate_gradient *c, const struct ts_stencil *s)
+{
+	c->r = ts_stencil_field(s);
+	c->z = ts_stencil_field(s);
+	c->d = ts_stencil_field(s);
+	c->q = ts_stencil_field(s);
+	return c->r && c->z && c->d && c->q ? TS_OK : TS_NOMEM;
+}
+
+void ts_conjugate_gradient_release(struct ts_conjugate_gradient *c)
+{
+	ts_free(c->r);
+	ts_free(c->z);
+	ts_free(c->d);
+	ts_free(c->q);
+	*c = (struct ts_conjugate_gradient){ 0 };
+}
+
+TS_CLONES
+static void multiply(const double *restrict a, const double *restrict b, double *restrict out, int n)
+{
+#pragma omp simd
+	for (int i = 0; i < n; i++)
+		out[i] = a[i] * b[i];
+}
+
+/* d = z + beta d */
+TS_CLONES
+static void turn(const double *restrict z, double beta, double *restrict d, int n)
+{
+#pragma omp simd
+	for (int i = 0; i < n; i++)
+		d[i] = z[i] + (beta == 0 ? 0 : beta * d[i]);
+}
+
+/* p += alpha d, r -= alpha q */
+TS_CLONES
+static void advance(double alpha, const double *restrict d, const double *restrict q,
+		    double *restrict p, double *restrict r, int n)
+{
+#pragma omp simd
+	for (int i = 0; i < n; i++) {
+		p[i] += alpha * d[i];
+		r[i] -= alpha * q[i];
+	}
+}
+
+static void direction(const struct ts_stencil *s, const double *z, double beta, double *d)
+{
+#pragma omp parallel for num_threads(s->threads) schedule(static)
+	for (int row = 0; row < ts_stencil_rows(s); row++) {
+		size_t at = ts_stencil_row(s, row);
+
+		turn(z + at, beta, d + at, s->n[0]);
+	}
+	ts_stencil_ghosts(s, d);
+}
+
+static void step(const struct ts_stencil *s, double alpha, const struct ts_conjugate_gradient *c, double *p)
+{
+#pragma omp parallel for num_threads(s->threads) schedule(static)
+	for (int row = 0; row < ts_stencil_rows(s); row++) {
+		size_t at = ts_stencil_row(s, row);
+
+		advance(alpha, c->d + at, c->q + at, p + at, c->r + at, s->n[0]);
+	}
+}
+
+static void diagonal(const struct ts_stencil *s, const double *r, double *z)
+{
+#pragma omp parallel for num_threads(s->threads) schedule(static)
+	for (int row = 0; row < ts_stencil_rows(s); row++) {
+		size_t at = ts_stencil_row(s, row);
+
+		multiply(r + at, s->inverse + at, z + at, s->n[0]);
+	}
+}
+
+/* One iteration; `before` is r.z of the last one, or 0: the direction begins anew. Returns r.z, or 0 where nothing is
+ * left that could be taken off, or there is a NaN. */
+static double iterate(struct ts_conjugate_gradient *c, const struct ts_stencil *s,
+		      ts_precondition_fn *precondition, void *context, double before, double *p)
+{
+	double now, curvature;
+
+	if (precondition)
+		precondition(context, c->r, c->z);
+	else
+		diagonal(s, c->r, c->z);
+	now = ts_stencil_dot(s, c->r, c->z);
+	direction(s, c->z, before > 0 ? now / before : 0, c->d);
+	curvature = ts_stencil_apply(s, c->d, c->q);
+	if (!(curvature > 0) || !(now > 0))
+		return 0;
+	step(s, now / curvature, c, p);
+	return now;
+}
+
+struct ts_poisson_report ts_conjugate_gradient_solve(struct ts_conjugate_gradient *c, const struct ts_stencil *s,
+					    ts_precondition_fn *precondition, void *context,
+					    const double *b, double *p, double goal, int most)
+{
+	struct ts_poisson_report report = { .iterations = 0 };
+	double rz = 0;
+
+	ts_stencil_ghosts(s, p);
+	report.residual = ts_stencil_residual(s, p, b, c->r);
+	while (report.residual > goal && report.iterations < most) {
+		rz = iterate(c, s, precondition, context, rz, p);
+		if (rz == 0)
+			break;
+		report.iterations++;
+		report.residual = ts_stencil_largest(s, c->r);
+		if (report.residual <= goal) { /* what was carried along has errors of its own */
+			ts_stencil_ghosts(s, p);
+			report.residual = ts_stencil_residual(s, p, b, c->r);
+			rz = 0;
+		}
+	}
+	return report;
+}

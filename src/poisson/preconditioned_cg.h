@@ -1,0 +1,38 @@
+/* Conjugate gradients with one of the preconditioners there are. */
+#ifndef TS_POISSON_PRECONDITIONED_CG_H
+#define TS_POISSON_PRECONDITIONED_CG_H
+
+#include "poisson/conjugate_gradient.h"
+#include "poisson/direct.h"
+#include "poisson/hypre.h"
+#include "poisson/multigrid.h"
+#include "poisson/pressure_style.h"
+
+enum ts_preconditioner {
+	TS_PRECONDITION_AUTO, /* for each solve direct, or multigrid where weights differ too much */
+	TS_PRECONDITION_DIAGONAL,
+	TS_PRECONDITION_DIRECT, /* the problem without weights */
+	TS_PRECONDITION_MULTIGRID,
+	TS_PRECONDITION_HYPRE /* pressure_style hypre alone */
+};
+extern const char *const ts_preconditioner_names[];
+
+struct ts_preconditioned {
+	struct ts_iteration iteration;
+	int wanted; /* enum ts_preconditioner */
+	struct ts_conjugate_gradient conjugate;
+	struct ts_direct direct;
+	struct ts_multigrid multigrid;
+	struct ts_hypre *hypre;
+};
+
+/* Seconds of a solve with the best of them, roughly. */
+double ts_preconditioned_cost(const struct ts_preconditioned *c, const struct ts_poisson *problem);
+/* Slots of styles whose state it is. */
+enum ts_status ts_preconditioned_prepare(struct ts_instance *self, struct tsim *sim,
+					 const struct ts_poisson *problem);
+enum ts_status ts_preconditioned_solve(struct ts_instance *self, struct tsim *sim, const double *rhs,
+				       double *p, struct ts_poisson_report *report);
+void ts_preconditioned_fini(struct ts_instance *self);
+
+#endif
