@@ -386,6 +386,7 @@ library_sources = \
 	src/flow/operators.h \
 	src/flow/particle_sources.c \
 	src/flow/predictor.c \
+	src/flow/predictor.h \
 	src/flow/pressure_projection.c \
 	src/flow/projection.h \
 	src/flow/scalar_transport.c \

@@ -318,7 +318,7 @@ static void set_room(struct ts_fluid *fluid, double mean, double wave)
 	for (int k = 0; k < grid->n[2]; k++)
 		for (int j = 0; j < grid->n[1]; j++)
 			for (int i = 0; i < grid->n[0]; i++)
-				fluid->empty[ts_at(grid, i, j, k)] =
+				fluid->void_fraction[ts_at(grid, i, j, k)] =
 					mean + wave * cos(PI * grid->centre[0][i]) *
 						       cos(3 * PI * grid->centre[1][j]);
 }
@@ -407,7 +407,7 @@ START_TEST(bed)
 		slope = (fluid->p[ts_at(&fluid->grid, 7, 2, 0)] - fluid->p[ts_at(&fluid->grid, 2, 2, 0)]) /
 			(5 * 0.2);
 		DECK_NEAR(slope, -k * u0 / e, 1e-12 * k * u0 / e);
-		DECK_NEAR(fluid->used[0][ts_at(&fluid->grid, 5, 2, 0)], u0, 1e-14);
+		DECK_NEAR(fluid->exchange_velocity[0][ts_at(&fluid->grid, 5, 2, 0)], u0, 1e-14);
 		tsim_close(sim);
 	}
 }
@@ -427,7 +427,7 @@ START_TEST(uneven_inflow)
 	set_room(fluid, 0.6, 0);
 	deck(sim, "run 2");
 	for (int j = 0; j < 6; j++)
-		fluid->empty[ts_at(&fluid->grid, 7, j, 0)] = 0.5;
+		fluid->void_fraction[ts_at(&fluid->grid, 7, j, 0)] = 0.5;
 	ck_assert(!deck_accepts(sim, "run 1"));
 	ck_assert_ptr_nonnull(strstr(tsim_error(sim), "incompressible"));
 	tsim_close(sim);

@@ -102,8 +102,8 @@ static void start(void)
 	for (int d = 0; d < 3; d++)
 		for (int side = 0; side < 2; side++) {
 			fluid.face[d][side] = TS_FLOW_WALL;
-			fluid.mirror[d][side][0] = 2;
-			fluid.mirror[d][side][1] = -1;
+			fluid.ghost_weights[d][side][0] = 2;
+			fluid.ghost_weights[d][side][1] = -1;
 		}
 }
 
@@ -246,9 +246,9 @@ START_TEST(energy_of_uniform_flow)
 			fluid.u[d][k] = u[d];
 	ck_assert_double_eq_tol(ts_flow_kinetic_energy(&fluid),
 				0.5 * 2.385 * volume() * (1.69 + 0.16 + 0.7225), 1e-13);
-	fluid.empty = ts_grid_field(&fluid.grid);
+	fluid.void_fraction = ts_grid_field(&fluid.grid);
 	for (size_t k = 0; k < fluid.grid.size; k++)
-		fluid.empty[k] = 0.6;
+		fluid.void_fraction[k] = 0.6;
 	ck_assert_double_eq_tol(ts_flow_kinetic_energy(&fluid),
 				0.6 * 0.5 * 2.385 * volume() * (1.69 + 0.16 + 0.7225), 1e-13);
 }

@@ -1,17 +1,19 @@
-/* Added mass, for drag fixes that relax the velocity: fix added_mass gives it. */
+/* Added mass of particles that are smaller than the cells of the fluid (fix added_mass), for drag fixes that relax the
+ * velocity. The inertia of the fluid around resolved bodies is another matter:
+ * immersed/virtual_mass_stabilization.h. */
 #ifndef TS_COUPLING_ADDED_MASS_H
 #define TS_COUPLING_ADDED_MASS_H
 
 #include "coupling/coupling_force.h"
 #include "particle/particles.h"
 
-/* The state of fix added_mass begins so. */
+/* First member of the state of fix added_mass. */
 struct ts_added_mass {
 	struct ts_coupling_force force; /* first */
-	double coefficient;	    /* of the displaced mass */
+	double coefficient;	    /* added mass by displaced mass */
 };
 
-/* Mass per volume that particles take with them, by group: groups of several fixes have no particle in common. */
+/* Added mass per volume of particle, by group; groups of several fixes have no particle in common. */
 struct ts_added_masses {
 	size_t n;
 	struct {
@@ -20,7 +22,7 @@ struct ts_added_masses {
 	} of[32];
 };
 
-/* There is a fluid. */
+/* Finds all fixes added_mass. A flow style exists. */
 struct ts_added_masses ts_added_mass_find(const struct tsim *sim);
 
 static inline double ts_added_mass_density(const struct ts_added_masses *added, const struct ts_particles *p, size_t i)

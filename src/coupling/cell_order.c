@@ -38,7 +38,7 @@ static void sort_cell(int32_t *row, size_t from, size_t to, const int32_t *tag)
 }
 
 /* Counted into their cells, in each by identity; start[c + 1] is first filled up to the end of cell c. */
-static void sort(struct ts_cell_order *order, const struct ts_particles *p, size_t ncells)
+static void sort_particles(struct ts_cell_order *order, const struct ts_particles *p, size_t ncells)
 {
 	size_t *start = order->start;
 
@@ -56,7 +56,7 @@ static void sort(struct ts_cell_order *order, const struct ts_particles *p, size
 		sort_cell(order->row, start[c], start[c + 1], p->tag);
 }
 
-static void cut(struct ts_cell_order *order, const struct ts_grid *grid, int reach)
+static void cut_slabs(struct ts_cell_order *order, const struct ts_grid *grid, int reach)
 {
 	int axis = grid->n[2] > 1 ? 2 : grid->n[1] > 1 ? 1 : 0, thick = 2 * reach + 2;
 	size_t plane = 1;
@@ -81,8 +81,8 @@ enum ts_status ts_cell_order_make(struct ts_cell_order *order, struct tsim *sim,
 	    TS_GROW(order->slab, order->slab_capacity, ncells + 1) != TS_OK)
 		return ts_nomem(&sim->error);
 	find_cells(order, sim, fluid, group);
-	sort(order, sim->particles, ncells);
-	cut(order, &fluid->grid, reach);
+	sort_particles(order, sim->particles, ncells);
+	cut_slabs(order, &fluid->grid, reach);
 	return TS_OK;
 }
 
@@ -96,7 +96,7 @@ void ts_cell_order_release(struct ts_cell_order *order)
 }
 
 /* Even slabs, odd slabs, and in a ring of an odd number the last one by itself. */
-void ts_cell_order_each(const struct ts_cell_order *order, int threads, ts_cell_order_fn *lay,
+void ts_cell_order_each(const struct ts_cell_order *order, int threads, ts_cell_order_fn *add,
 			void *context)
 {
 	int n = order->nslabs, alone = order->ring && n % 2 && n > 1;
@@ -107,6 +107,6 @@ void ts_cell_order_each(const struct ts_cell_order *order, int threads, ts_cell_
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
 		for (int s = from; s < to; s += 2)
 			for (size_t k = order->slab[s]; k < order->slab[s + 1]; k++)
-				lay(context, (size_t)order->row[k]);
+				add(context, (size_t)order->row[k]);
 	}
 }

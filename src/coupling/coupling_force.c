@@ -37,10 +37,10 @@ enum ts_status ts_coupling_force_init(struct ts_instance *self, struct tsim *sim
 	return TS_OK;
 }
 
-void ts_coupling_curl(const double slope[3][3], double curl[3])
+void ts_coupling_curl(const double gradient[3][3], double curl[3])
 {
 	for (int k = 0; k < 3; k++)
-		curl[k] = slope[(k + 2) % 3][(k + 1) % 3] - slope[(k + 1) % 3][(k + 2) % 3];
+		curl[k] = gradient[(k + 2) % 3][(k + 1) % 3] - gradient[(k + 1) % 3][(k + 2) % 3];
 }
 
 static void velocity_at(const struct ts_coupling_force *s, const double x[3], double u[3])
@@ -52,7 +52,7 @@ static void velocity_at(const struct ts_coupling_force *s, const double x[3], do
 }
 
 /* du/dx_a by differences over the width of a cell; at a boundary over what there is of it. */
-static void slope_along(const struct ts_coupling_force *s, int a, double radius,
+static void gradient_along(const struct ts_coupling_force *s, int a, double radius,
 			struct ts_coupling_local_flow *around)
 {
 	const struct ts_grid *grid = s->fluid ? &s->fluid->grid : NULL;
@@ -61,7 +61,7 @@ static void slope_along(const struct ts_coupling_force *s, int a, double radius,
 
 	if (grid && grid->ghosts[a] == 0) { /* nothing varies along this axis */
 		for (int c = 0; c < 3; c++)
-			around->slope[c][a] = 0;
+			around->gradient[c][a] = 0;
 		return;
 	}
 	memcpy(low, around->place, sizeof low);
@@ -75,11 +75,11 @@ static void slope_along(const struct ts_coupling_force *s, int a, double radius,
 	velocity_at(s, low, at_low);
 	velocity_at(s, high, at_high);
 	for (int c = 0; c < 3; c++)
-		around->slope[c][a] = (at_high[c] - at_low[c]) / (high[a] - low[a]);
+		around->gradient[c][a] = (at_high[c] - at_low[c]) / (high[a] - low[a]);
 }
 
 /* false: there is no fluid where particle i is */
-static bool look_around(const struct ts_instance *self, const struct ts_particles *p, size_t i,
+static bool find_local_flow(const struct ts_instance *self, const struct ts_particles *p, size_t i,
 			struct ts_coupling_local_flow *around)
 {
 	const struct ts_coupling_force *s = self->state;
@@ -91,7 +91,7 @@ static bool look_around(const struct ts_instance *self, const struct ts_particle
 	for (int k = 0; k < 3; k++)
 		around->slip[k] = around->u[k] - p->v[i][k];
 	for (int a = 0; a < 3 && style_of(self)->sheared; a++)
-		slope_along(s, a, p->radius[i], around);
+		gradient_along(s, a, p->radius[i], around);
 	return true;
 }
 
@@ -100,7 +100,7 @@ struct context {
 	const struct ts_particles *particles;
 };
 
-static void lay(void *data, size_t i)
+static void add_reaction(void *data, size_t i)
 {
 	const struct context *context = data;
 	struct ts_fluid *fluid = context->force->fluid;
@@ -110,10 +110,10 @@ static void lay(void *data, size_t i)
 	if (!ts_coupling_locate(fluid, context->particles->x[i], place, cell))
 		return;
 	for (int c = 0; c < fluid->grid.dimensions; c++) {
-		struct ts_coupling_weights share;
+		struct ts_coupling_weights weights;
 
-		ts_coupling_weights_face(fluid, c, place, cell, TS_INTERPOLATE_LINEAR, &share);
-		ts_coupling_distribute_force(&fluid->grid, &share, c, fluid->u[c], context->force->total.note[i][c], 0,
+		ts_coupling_weights_face(fluid, c, place, cell, TS_INTERPOLATE_LINEAR, &weights);
+		ts_coupling_distribute_force(&fluid->grid, &weights, c, fluid->u[c], context->force->total.note[i][c], 0,
 			       fluid->force[c], NULL);
 	}
 }
@@ -126,7 +126,7 @@ enum ts_status ts_coupling_force_add_to_fluid(struct ts_instance *self, struct t
 	if (!s->fluid || !s->two_way || style_of(self)->internal || sim->in_setup)
 		return TS_OK;
 	TS_TRY(ts_cell_order_make(&s->order, sim, s->fluid, self->group, 1));
-	ts_cell_order_each(&s->order, ts_team(sim, sim->particles->n), lay, &context);
+	ts_cell_order_each(&s->order, ts_team(sim, sim->particles->n), add_reaction, &context);
 	return TS_OK;
 }
 
@@ -149,12 +149,12 @@ enum ts_status ts_coupling_force_post_force(struct ts_instance *self, struct tsi
 
 		if (!ts_in_group(p, i, self->group))
 			continue;
-		if (!look_around(self, p, i, &around)) {
+		if (!find_local_flow(self, p, i, &around)) {
 			outside++;
 			tag = p->tag[i] < tag ? p->tag[i] : tag;
 			continue;
 		}
-		style->act(self, sim, i, &around, f, torque);
+		style->force(self, sim, i, &around, f, torque);
 		for (int k = 0; k < 3; k++) {
 			p->f[i][k] += f[k];
 			s->total.note[i][k] = f[k];

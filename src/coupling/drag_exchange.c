@@ -16,7 +16,7 @@ double ts_drag_steps_to_fluid(const struct ts_drag *s)
 }
 
 /* What the fluid gets of one particle. */
-static void lay(void *context, size_t i)
+static void add_reaction(void *context, size_t i)
 {
 	struct ts_instance *self = ((struct ts_instance **)context)[0];
 	struct tsim *sim = ((struct tsim **)context)[1];
@@ -33,8 +33,8 @@ static void lay(void *context, size_t i)
 		if (!ts_drag_acts_along(s, c))
 			continue;
 		ts_coupling_weights_face(fluid, c, place, cell, (enum ts_coupling_interpolation)s->interpolation, &st);
-		s->note[i].held[c] = ts_coupling_distribute_force(&fluid->grid, &st, c, fluid->u[c],
-						    s->total.note[i][c], s->note[i].slope[c],
+		s->exchange[i].fluid_velocity[c] = ts_coupling_distribute_force(&fluid->grid, &st, c, fluid->u[c],
+						    s->total.note[i][c], s->exchange[i].slope[c],
 						    fluid->force[c],
 						    s->lagged ? NULL : fluid->exchange[c]);
 	}
@@ -46,19 +46,19 @@ enum ts_status ts_drag_add_to_fluid(struct ts_instance *self, struct tsim *sim)
 	void *context[2] = { self, sim };
 
 	TS_TRY(ts_cell_order_make(&s->order, sim, s->fluid, self->group, 1));
-	ts_cell_order_each(&s->order, ts_team(sim, sim->particles->n), lay, context);
-	s->noted = sim->particles->n;
+	ts_cell_order_each(&s->order, ts_team(sim, sim->particles->n), add_reaction, context);
+	s->nexchange = sim->particles->n;
 	return TS_OK;
 }
 
 /* What particle i gets more, now that the fluid has another velocity. */
-static void add_change(const struct ts_instance *self, const struct tsim *sim, const struct ts_fluid *fluid,
+static void correct_particle(const struct ts_instance *self, const struct tsim *sim, const struct ts_fluid *fluid,
 		       size_t i, double share)
 {
 	struct ts_drag *s = self->state;
 	struct ts_particles *p = sim->particles;
 	double place[3], more[3] = { 0 };
-	const double *slope = s->note[i].slope;
+	const double *slope = s->exchange[i].slope;
 	int cell[3];
 
 	if (slope[0] == 0 && slope[1] == 0 && slope[2] == 0)
@@ -71,7 +71,7 @@ static void add_change(const struct ts_instance *self, const struct tsim *sim, c
 		if (slope[c] == 0)
 			continue;
 		ts_coupling_weights_face(fluid, c, place, cell, (enum ts_coupling_interpolation)s->interpolation, &st);
-		more[c] = slope[c] * (ts_coupling_interpolate(&fluid->grid, &st, fluid->used[c]) - s->note[i].held[c]);
+		more[c] = slope[c] * (ts_coupling_interpolate(&fluid->grid, &st, fluid->exchange_velocity[c]) - s->exchange[i].fluid_velocity[c]);
 		s->total.note[i][c] += more[c];
 	}
 	ts_restraints_leave(&s->restraints, sim, i, more);
@@ -87,12 +87,12 @@ enum ts_status ts_drag_correct(struct ts_instance *self, struct tsim *sim, struc
 	double share = 1 / ts_fluid_kick_fraction(sim);
 
 	(void)length;
-	if (s->noted != n)
+	if (s->nexchange != n)
 		return TS_OK;
 	s->total.fresh = true;
 #pragma omp parallel for num_threads(ts_team(sim, n)) schedule(static)
 	for (size_t i = 0; i < n; i++)
-		add_change(self, sim, fluid, i, share);
-	s->noted = 0;
+		correct_particle(self, sim, fluid, i, share);
+	s->nexchange = 0;
 	return TS_OK;
 }

@@ -31,7 +31,7 @@ static enum ts_status check_numbers(struct ts_instance *self, struct tsim *sim)
 			       "fix %s needs a fluid with a viscosity: give flow_style %s one", name,
 			       s->flow->style->name);
 	if (style->crowded && isnan(s->fraction) &&
-	    !(s->fluid && s->fluid->empty && ts_flow_part_named(sim, "void_fraction", &k)))
+	    !(s->fluid && s->fluid->void_fraction && ts_flow_part_named(sim, "void_fraction", &k)))
 		return ts_fail(&sim->error, TS_STATE, &self->where,
 			       "fix %s needs the void fraction: put a fix void_fraction before it (with "
 			       "flow_style projection), or give one with `void`",
@@ -47,7 +47,7 @@ bool ts_drag_is_late(const struct ts_instance *self)
 }
 
 /* All drags that relax velocities: on a particle that several act on they do it together. */
-static enum ts_status find_others(struct ts_instance *self, struct tsim *sim)
+static enum ts_status find_relaxing_drags(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_drag *s = self->state;
 	struct ts_instance *part;
@@ -74,26 +74,26 @@ enum ts_status ts_drag_init(struct ts_instance *self, struct tsim *sim)
 	s->fluid = NULL;
 	if (ts_flow_style_of(s->flow)->fluid)
 		TS_TRY(ts_flow_require_fluid(sim, self->style->name, &self->where, &s->fluid));
-	s->part.settle = s->fluid && s->two_way && !s->lagged ? ts_drag_correct : NULL;
+	s->part.after_step = s->fluid && s->two_way && !s->lagged ? ts_drag_correct : NULL;
 	if (s->fluid && s->two_way)
 		TS_TRY(ts_fluid_require_fields(s->fluid, sim,
 				     s->lagged ? TS_FLUID_FORCE : TS_FLUID_FORCE | TS_FLUID_EXCHANGE));
 	s->added = ts_added_mass_find(sim);
-	TS_TRY(find_others(self, sim));
+	TS_TRY(find_relaxing_drags(self, sim));
 	TS_TRY(ts_restraints_find(&s->restraints, sim, self, ts_drag_is_late(self)));
-	s->moved = ts_integrated(sim, TS_MOVES);
+	s->moving_groups = ts_integrated(sim, TS_MOVES);
 	return check_numbers(self, sim);
 }
 
 /* ---- what is known before all forces are */
 
-struct findings {
+struct drag_diagnostics {
 	double reynolds, stiffness; /* the largest Re, and c h/m where the force is explicit */
 	bool outside;		    /* there is no fluid */
 };
 
 /* Never more than takes the particle to the fluid's velocity, within the part of its motion that follows forces. */
-static double slope_to_fluid(double steps, double slope, double most, double c, double part)
+static double exchange_slope(double steps, double slope, double most, double c, double part)
 {
 	double moving = fmin(steps * slope, fmax(slope, most));
 
@@ -101,7 +101,7 @@ static double slope_to_fluid(double steps, double slope, double most, double c, 
 }
 
 /* How much of a force along each axis takes effect along it. */
-static void free_parts(const struct ts_drag *s, const struct tsim *sim, size_t i, double part[3])
+static void unrestrained_fractions(const struct ts_drag *s, const struct tsim *sim, size_t i, double part[3])
 {
 	for (int k = 0; k < 3; k++) {
 		double f[3] = { k == 0, k == 1, k == 2 };
@@ -113,13 +113,13 @@ static void free_parts(const struct ts_drag *s, const struct tsim *sim, size_t i
 
 /* The explicit force; where the drag relaxes velocities only what has no effect, as the motion is given: whoever takes
  * it away counts it. */
-static void drag_on(const struct ts_instance *self, struct tsim *sim, size_t i, struct ts_slip *slip,
-		    struct findings *found)
+static void apply_drag(const struct ts_instance *self, struct tsim *sim, size_t i, struct ts_slip *slip,
+		    struct drag_diagnostics *found)
 {
 	struct ts_drag *s = self->state;
 	struct ts_particles *p = sim->particles;
 	double h = sim->clock.dt, w[3], c, most, f[3], later[3] = { 0 }, part[3] = { 0 };
-	double steps = s->part.settle ? ts_drag_steps_to_fluid(s) : 0;
+	double steps = s->part.after_step ? ts_drag_steps_to_fluid(s) : 0;
 	bool held = ts_drag_motion_prescribed(s, sim, i), member = ts_rigid_member(p, i);
 	bool relaxes = ts_drag_is_late(self) && !held && !member;
 
@@ -132,13 +132,13 @@ static void drag_on(const struct ts_instance *self, struct tsim *sim, size_t i, 
 	for (int k = 0; k < 3; k++)
 		f[k] = ts_drag_acts_along(s, k) ? c * w[k] : 0;
 	if (relaxes) {
-		s->felt[i].c = c;
-		memcpy(s->felt[i].w, w, sizeof w);
+		s->relaxation[i].c = c;
+		memcpy(s->relaxation[i].w, w, sizeof w);
 		memcpy(later, f, sizeof f);
 		ts_restraints_leave(&s->restraints, sim, i, later);
 	}
-	if (s->part.settle && !held && !relaxes)
-		free_parts(s, sim, i, part);
+	if (s->part.after_step && !held && !relaxes)
+		unrestrained_fractions(s, sim, i, part);
 	for (int k = 0; k < 3; k++) {
 		if (!ts_drag_acts_along(s, k))
 			continue;
@@ -146,8 +146,8 @@ static void drag_on(const struct ts_instance *self, struct tsim *sim, size_t i, 
 			p->f[i][k] += f[k] - later[k];
 			s->total.note[i][k] = f[k] - later[k];
 		}
-		if (s->part.settle && !member && !relaxes)
-			s->note[i].slope[k] = slope_to_fluid(steps, c, most, c, part[k]);
+		if (s->part.after_step && !member && !relaxes)
+			s->exchange[i].slope[k] = exchange_slope(steps, c, most, c, part[k]);
 	}
 	if (slip->viscosity > 0)
 		found->reynolds = fmax(found->reynolds, ts_slip_reynolds(slip));
@@ -155,28 +155,28 @@ static void drag_on(const struct ts_instance *self, struct tsim *sim, size_t i, 
 		found->stiffness = fmax(found->stiffness, c / most);
 }
 
-static enum ts_status make_room(struct ts_drag *s, struct tsim *sim)
+static enum ts_status allocate_work(struct ts_drag *s, struct tsim *sim)
 {
 	size_t n = sim->particles->n;
 
 	TS_TRY(ts_tally_start(sim, &s->total));
-	s->noted = 0;
+	s->nexchange = 0;
 	if (s->scheme != TS_DRAG_EXPLICIT) {
-		if (TS_GROW(s->felt, s->felt_capacity, n) != TS_OK)
+		if (TS_GROW(s->relaxation, s->relaxation_capacity, n) != TS_OK)
 			return ts_nomem(&sim->error);
 		if (n)
-			memset(s->felt, 0, n * sizeof *s->felt);
+			memset(s->relaxation, 0, n * sizeof *s->relaxation);
 	}
 	if (!s->fluid || !s->two_way)
 		return TS_OK;
-	if (TS_GROW(s->note, s->capacity, n) != TS_OK)
+	if (TS_GROW(s->exchange, s->exchange_capacity, n) != TS_OK)
 		return ts_nomem(&sim->error);
 	if (n)
-		memset(s->note, 0, n * sizeof *s->note);
+		memset(s->exchange, 0, n * sizeof *s->exchange);
 	return TS_OK;
 }
 
-static enum ts_status finish(struct ts_instance *self, struct tsim *sim)
+static enum ts_status pass_to_fluid(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_drag *s = self->state;
 
@@ -193,7 +193,7 @@ enum ts_status ts_drag_post_force(struct ts_instance *self, struct tsim *sim)
 	int64_t tag = INT64_MAX;
 	size_t outside = 0;
 
-	TS_TRY(make_room(s, sim));
+	TS_TRY(allocate_work(s, sim));
 	if (!(viscosity > 0))
 		return TS_OK;
 	TS_TRY(ts_restraints_prepare(&s->restraints, sim));
@@ -201,11 +201,11 @@ enum ts_status ts_drag_post_force(struct ts_instance *self, struct tsim *sim)
 	reduction(max : reynolds, stiffness) reduction(+ : outside) reduction(min : tag)
 	for (size_t i = 0; i < p->n; i++) {
 		struct ts_slip slip = { .density = density, .viscosity = viscosity };
-		struct findings found = { 0, 0, false };
+		struct drag_diagnostics found = { 0, 0, false };
 
 		if (!ts_in_group(p, i, self->group))
 			continue;
-		drag_on(self, sim, i, &slip, &found);
+		apply_drag(self, sim, i, &slip, &found);
 		reynolds = fmax(reynolds, found.reynolds);
 		stiffness = fmax(stiffness, found.stiffness);
 		outside += found.outside;
@@ -220,13 +220,13 @@ enum ts_status ts_drag_post_force(struct ts_instance *self, struct tsim *sim)
 			       "steps below twice that, and the step is %g: use scheme exact, or a smaller "
 			       "`timestep`",
 			       self->style->name, sim->clock.dt / stiffness, sim->clock.dt);
-	return ts_drag_is_late(self) ? TS_OK : finish(self, sim);
+	return ts_drag_is_late(self) ? TS_OK : pass_to_fluid(self, sim);
 }
 
 /* ---- relaxation, with all other forces */
 
 /* Force of one component, given the others f; *slope is B. */
-static double component(int scheme, double c, double w, double f, double mass, double h, double *slope)
+static double drag_component(int scheme, double c, double w, double f, double mass, double h, double *slope)
 {
 	double rate = c / mass;
 
@@ -241,16 +241,16 @@ static double component(int scheme, double c, double w, double f, double mass, d
 
 /* Several drags on one particle are one of coefficient C = sum of c to the velocity (sum of c u)/C; its force less
  * sum of c (u - v) is what the slip changes by over the step, times C: the same for all of them. Implicit if one is. */
-static void relax_together(const struct ts_drag *first, const struct tsim *sim, size_t i)
+static void combine_drags(const struct ts_drag *first, const struct tsim *sim, size_t i)
 {
 	const struct ts_particles *p = sim->particles;
-	struct ts_drag_combined *change = &first->change[i];
+	struct ts_drag_combined *combined = &first->combined[i];
 	int scheme = TS_DRAG_EXACT;
 	bool some = false;
 
-	memset(change, 0, sizeof *change);
+	memset(combined, 0, sizeof *combined);
 	for (size_t j = 0; j < first->nlate; j++) {
-		bool acts = first->late[j]->felt[i].c != 0;
+		bool acts = first->late[j]->relaxation[i].c != 0;
 
 		some |= acts;
 		if (acts && first->late[j]->scheme == TS_DRAG_IMPLICIT)
@@ -261,56 +261,56 @@ static void relax_together(const struct ts_drag *first, const struct tsim *sim, 
 
 		for (size_t j = 0; j < first->nlate; j++)
 			if (ts_drag_acts_along(first->late[j], k)) {
-				c += first->late[j]->felt[i].c;
-				cw += first->late[j]->felt[i].c * first->late[j]->felt[i].w[k];
+				c += first->late[j]->relaxation[i].c;
+				cw += first->late[j]->relaxation[i].c * first->late[j]->relaxation[i].w[k];
 			}
 		if (c == 0)
 			continue;
-		force = component(scheme, c, cw / c, p->f[i][k], ts_drag_mass(first, sim, i),
+		force = drag_component(scheme, c, cw / c, p->f[i][k], ts_drag_mass(first, sim, i),
 				  sim->clock.dt, &slope);
-		change->slip[k] = (force - cw) / c;
-		change->part[k] = slope / c;
-		change->c[k] = c;
+		combined->slip[k] = (force - cw) / c;
+		combined->part[k] = slope / c;
+		combined->c[k] = c;
 	}
 }
 
-static enum ts_status relax_all_together(struct ts_drag *first, struct tsim *sim)
+static enum ts_status combine_all_drags(struct ts_drag *first, struct tsim *sim)
 {
 	size_t n = sim->particles->n;
 
-	if (TS_GROW(first->change, first->change_capacity, n) != TS_OK)
+	if (TS_GROW(first->combined, first->combined_capacity, n) != TS_OK)
 		return ts_nomem(&sim->error);
 #pragma omp parallel for num_threads(ts_team(sim, n)) schedule(static)
 	for (size_t i = 0; i < n; i++)
-		relax_together(first, sim, i);
+		combine_drags(first, sim, i);
 	return TS_OK;
 }
 
-static void relax(const struct ts_instance *self, struct tsim *sim, size_t i)
+static void relax_particle(const struct ts_instance *self, struct tsim *sim, size_t i)
 {
 	struct ts_drag *s = self->state;
 	struct ts_particles *p = sim->particles;
-	const struct ts_drag_relaxation *felt = &s->felt[i];
-	const struct ts_drag_combined *change = s->nlate > 1 ? &s->late[0]->change[i] : NULL;
+	const struct ts_drag_relaxation *mine = &s->relaxation[i];
+	const struct ts_drag_combined *combined = s->nlate > 1 ? &s->late[0]->combined[i] : NULL;
 	double force[3] = { 0 }, part[3] = { 1, 1, 1 }, mass = ts_drag_mass(s, sim, i), h = sim->clock.dt;
-	double steps = s->part.settle ? ts_drag_steps_to_fluid(s) : 0;
+	double steps = s->part.after_step ? ts_drag_steps_to_fluid(s) : 0;
 
-	if (s->part.settle && s->restraints.n)
-		free_parts(s, sim, i, part);
+	if (s->part.after_step && s->restraints.n)
+		unrestrained_fractions(s, sim, i, part);
 	for (int k = 0; k < 3; k++) {
-		double slope, all = change ? change->c[k] : felt->c;
+		double slope, all = combined ? combined->c[k] : mine->c;
 
 		if (!ts_drag_acts_along(s, k))
 			continue;
-		if (change) {
-			force[k] = felt->c * (felt->w[k] + change->slip[k]);
-			slope = felt->c * change->part[k];
+		if (combined) {
+			force[k] = mine->c * (mine->w[k] + combined->slip[k]);
+			slope = mine->c * combined->part[k];
 		} else {
-			force[k] = component(s->scheme, felt->c, felt->w[k], p->f[i][k], mass, h, &slope);
+			force[k] = drag_component(s->scheme, mine->c, mine->w[k], p->f[i][k], mass, h, &slope);
 		}
-		if (s->part.settle)
-			s->note[i].slope[k] = slope_to_fluid(steps, slope, felt->c / all * mass / h,
-							     felt->c, part[k]);
+		if (s->part.after_step)
+			s->exchange[i].slope[k] = exchange_slope(steps, slope, mine->c / all * mass / h,
+							     mine->c, part[k]);
 	}
 	ts_restraints_leave(&s->restraints, sim, i, force);
 	for (int k = 0; k < 3; k++) {
@@ -327,12 +327,12 @@ enum ts_status ts_drag_relax(struct ts_instance *self, struct tsim *sim)
 	if (!(ts_flow_style_of(s->flow)->viscosity(s->flow) > 0))
 		return TS_OK;
 	if (s->nlate > 1 && s->late[0] == s)
-		TS_TRY(relax_all_together(s, sim));
+		TS_TRY(combine_all_drags(s, sim));
 #pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
 	for (size_t i = 0; i < p->n; i++)
-		if (s->felt[i].c != 0)
-			relax(self, sim, i);
-	return finish(self, sim);
+		if (s->relaxation[i].c != 0)
+			relax_particle(self, sim, i);
+	return pass_to_fluid(self, sim);
 }
 
 enum ts_status ts_drag_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
@@ -370,8 +370,8 @@ void ts_drag_fini(struct ts_instance *self)
 	ts_cell_order_release(&s->order);
 	ts_tally_release(&s->total);
 	ts_restraints_release(&s->restraints);
-	ts_free(s->note);
-	ts_free(s->felt);
-	ts_free(s->change);
+	ts_free(s->exchange);
+	ts_free(s->relaxation);
+	ts_free(s->combined);
 	ts_free(s->late);
 }

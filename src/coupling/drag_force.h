@@ -1,18 +1,18 @@
-/* Drag fixes: what the laws share. Each particle of the group takes the fluid at its place, its law gives the
- * coefficient of its drag, and where the fluid is solved for the fluid gets the opposite of all that the particle
- * gets, to round-off.
+/* Common part of the drag fixes, and the internal interface of the files drag_*.c. The fluid's velocity is interpolated
+ * to each particle of the group, the law of the style gives the drag coefficient, and a fluid that is solved for
+ * receives the opposite of the force on the particle, to round-off.
  *
  * Over one step h the drag on a particle is F = B (u - v) + G, by scheme, with coefficient c = F/(u - v), mass m
- * (added mass included) and the other forces f:
+ * (including added mass) and the sum f of the other forces:
  *   explicit   B = c, G = 0                               stable for h < 2 m/c
  *   implicit   B = c/(1 + c h/m), G = -B h f/m            v at the end of the step
  *   exact      B = m/h (1 - exp(-c h/m)), G = (B/c - 1) f  the mean over the relaxation
- * The last two need f whole: they act after all other forces (late hooks of struct ts_style), several on a particle
- * together, as one with the sum of their coefficients. Where fixes after it in the script set the force, or the motion
- * is prescribed, the drag has no effect on the particle; there it is explicit.
- * The fluid takes part in it implicitly: it gets -F and the slope B, solves with its new velocity u', and the
- * particle gets B (u' - u) after the step of the fluid, by the same weights. Then both have exchanged the same
- * momentum, and neither a tiny particle nor a crowd of them has a limit of the step. */
+ * The last two need the complete f: they act after all other forces (late hooks of struct ts_style); several drags on
+ * one particle act as one with the sum of their coefficients. If a later fix in the script sets the force, or the
+ * motion is prescribed, the drag has no effect on the particle, and it is computed explicitly.
+ * The exchange with the fluid is implicit: the fluid receives -F and the slope B and solves for its new velocity u';
+ * after the step of the fluid the particle receives B (u' - u), by the same weights. So both have exchanged the same
+ * momentum, and neither small particles nor dense beds limit the time step. */
 #ifndef TS_COUPLING_DRAG_FORCE_H
 #define TS_COUPLING_DRAG_FORCE_H
 
@@ -27,20 +27,23 @@
 
 enum { TS_DRAG_EXPLICIT, TS_DRAG_EXACT, TS_DRAG_IMPLICIT };
 
+/* Of one particle, for the exchange with the fluid. */
 struct ts_drag_exchange {
-	double slope[3]; /* B */
-	double held[3];	 /* sum of weight * velocity of the fluid before its step */
+	double slope[3]; /* B of each component (force/velocity) */
+	double fluid_velocity[3]; /* velocity of the fluid at the particle before the step of the fluid */
 };
 
-/* Of a particle whose velocity a drag relaxes, before all forces are known: coefficient and slip. */
+/* Of one particle whose velocity a drag relaxes, before all forces are known. */
 struct ts_drag_relaxation {
-	double c, w[3]; /* c = 0: there is no fluid, or the force is explicit */
+	double c;    /* coefficient (force/velocity); 0: there is no fluid, or the force is explicit */
+	double w[3]; /* slip u - v */
 };
 
-/* Where several drags relax the velocity of a particle, by component: the sum of their coefficients, how the mean slip
- * over the step differs from that before, B by the sum. */
+/* Of one particle whose velocity several drags relax, by component. */
 struct ts_drag_combined {
-	double c[3], slip[3], part[3];
+	double c[3];	/* sum of the coefficients */
+	double slip[3]; /* mean slip over the step minus slip before */
+	double part[3]; /* B/c */
 };
 
 /* The state of a drag fix. */
@@ -48,32 +51,33 @@ struct ts_drag {
 	struct ts_flow_part part; /* first */
 	int axes, scheme, interpolation;
 	bool two_way, lagged;
-	double fraction; /* void fraction given; NaN: of the fluid */
-	double c1, c2;	 /* of Ergun's equation */
+	double fraction; /* void fraction given; NaN: that of the fluid */
+	double c1, c2;	 /* coefficients of Ergun's equation */
 
 	struct ts_instance *flow;
-	struct ts_fluid *fluid; /* NULL: imposed */
-	struct ts_added_masses added;	/* mass that particles take with them */
+	struct ts_fluid *fluid; /* NULL: the flow is imposed, not solved for */
+	struct ts_added_masses added;
 	struct ts_restraints restraints;
-	uint32_t moved; /* groups of particles that a fix moves; others stay where they are */
-	struct ts_drag **late; /* those of the simulation that relax velocities, in script order */
+	uint32_t moving_groups; /* bits of the groups whose particles a fix integrates; others do not move */
+	struct ts_drag **late; /* all drags of the simulation that relax velocities, in script order */
 	size_t nlate, late_capacity;
-	struct ts_drag_relaxation *felt; /* of one that relaxes */
-	size_t felt_capacity;
-	struct ts_drag_combined *change; /* of the first of several */
-	size_t change_capacity;
+	struct ts_drag_relaxation *relaxation; /* of each particle; schemes exact and implicit. Owned */
+	size_t relaxation_capacity;
+	struct ts_drag_combined *combined; /* of each particle, kept by the first of several drags. Owned */
+	size_t combined_capacity;
 	struct ts_cell_order order;
-	struct ts_drag_exchange *note; /* where the fluid is solved for */
-	size_t capacity, noted;
+	struct ts_drag_exchange *exchange; /* of each particle, if the fluid is solved for. Owned */
+	size_t exchange_capacity;
+	size_t nexchange; /* number of particles with a pending exchange; 0: none */
 	struct ts_tally total;
-	double reynolds; /* the largest of the last step */
+	double reynolds; /* largest Reynolds number of a particle in the last step */
 };
 
 struct ts_drag_style {
 	struct ts_style style;
 	double (*coefficient)(const struct ts_drag *drag, const struct ts_slip *slip);
-	bool crowded; /* asks for the void fraction */
-	bool inertial; /* asks for the density of the fluid */
+	bool crowded; /* needs the void fraction */
+	bool inertial; /* needs the density of the fluid */
 };
 
 static inline const struct ts_drag_style *ts_drag_style_of(const struct ts_instance *self)
@@ -150,21 +154,28 @@ void ts_drag_fini(struct ts_instance *self);
 	.plan = ts_drag_report_limits,                                                                      \
 	.fini = ts_drag_fini
 
-/* ---- between the files of drag */
+/* ---- drag_slip.c */
 
+/* Whether the drag acts along axis k (keyword axes). */
 bool ts_drag_acts_along(const struct ts_drag *drag, int k);
-/* Whether particle i keeps its velocity whatever pushes it. (A program around tsim may move those that no fix does.) */
+/* Whether forces do not change the velocity of particle i: it is frozen or no fix integrates it. (With an outside program
+ * attached, particles without such a fix are not counted: the program may move them.) */
 bool ts_drag_motion_prescribed(const struct ts_drag *drag, const struct tsim *sim, size_t i);
-/* Of particle i, added mass included. */
+/* Mass of particle i, including added mass. */
 double ts_drag_mass(const struct ts_drag *s, const struct tsim *sim, size_t i);
-/* The fluid where particle i is, and the slip; false: there is none. */
+/* Finds the slip w = u - v at particle i, and diameter, speed and void fraction for the law; false if the particle is
+ * outside the fluid. */
 bool ts_drag_slip_at(const struct ts_instance *self, const struct ts_particles *p, size_t i,
 		    struct ts_slip *slip, double w[3]);
-/* The fluid takes the mean over so many steps of the simulation; 0: it does not make its step in this one, and
- * what it gets now is the force as it is. */
+
+/* ---- drag_exchange.c */
+
+/* Number of steps of the simulation over which the fluid takes the mean of forces; 0: the fluid makes no step in this step
+ * of the simulation, and receives the explicit force. */
 double ts_drag_steps_to_fluid(const struct ts_drag *s);
+/* Adds the reaction to the drag on all particles to the fluid. */
 enum ts_status ts_drag_add_to_fluid(struct ts_instance *self, struct tsim *sim);
-/* The fluid has made its step with the new velocity: the particles get what it has felt. */
+/* After the step of the fluid: adds B (u' - u) to the forces on the particles. Slot after_step of struct ts_flow_part. */
 enum ts_status ts_drag_correct(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid, double length);
 
 #endif

@@ -68,7 +68,7 @@ static enum ts_status lagged_rate(const struct ts_instance *self, struct tsim *s
 			continue;
 		sum_coefficients(self, sim, c, k);
 		for (size_t at = stride; at < fluid->grid.size; at++) {
-			double e = fluid->empty ? 0.5 * (fluid->empty[at] + fluid->empty[at - stride]) : 1;
+			double e = fluid->void_fraction ? 0.5 * (fluid->void_fraction[at] + fluid->void_fraction[at - stride]) : 1;
 
 			if (k[at] > 0)
 				*rate = fmax(*rate, k[at] / (e * fluid->density));
@@ -99,16 +99,16 @@ static enum ts_status limit_lagged(struct ts_instance *self, struct tsim *sim, d
 }
 
 /* The largest diameter, and the least relaxation times: of all, and of those whose drag is explicit. */
-struct times {
+struct relaxation_times {
 	double largest, least, explicit;
 };
 
-static struct times times_of(const struct ts_instance *self, const struct tsim *sim)
+static struct relaxation_times relaxation_times_of(const struct ts_instance *self, const struct tsim *sim)
 {
 	const struct ts_drag *s = self->state;
 	const struct ts_flow_style *flow = ts_flow_style_of(s->flow);
 	const struct ts_particles *p = sim->particles;
-	struct times t = { 0, INFINITY, INFINITY };
+	struct relaxation_times t = { 0, INFINITY, INFINITY };
 
 	for (size_t i = 0; i < p->n; i++) {
 		struct ts_slip slip = { .density = flow->density(s->flow),
@@ -133,7 +133,7 @@ enum ts_status ts_drag_report_limits(struct ts_instance *self, struct tsim *sim,
 			    struct ts_plan_report *report)
 {
 	const struct ts_drag *s = self->state;
-	const struct times t = times_of(self, sim);
+	const struct relaxation_times t = relaxation_times_of(self, sim);
 
 	if (s->fluid && s->two_way && !report->limits_only)
 		warn_of_cells(self, sim, t.largest);

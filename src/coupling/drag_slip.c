@@ -25,8 +25,8 @@ static double void_at(const struct ts_drag *s, const double place[3], const int 
 	if (!isnan(s->fraction))
 		return s->fraction;
 	if (s->interpolation == TS_INTERPOLATE_CELL)
-		return fluid->empty[ts_at(&fluid->grid, cell[0], cell[1], cell[2])];
-	return ts_fluid_value(fluid, fluid->empty, place, NULL);
+		return fluid->void_fraction[ts_at(&fluid->grid, cell[0], cell[1], cell[2])];
+	return ts_fluid_value(fluid, fluid->void_fraction, place, NULL);
 }
 
 static double mean(double wa, double wb, double a, double b)
@@ -40,7 +40,7 @@ static void cell_velocity(const struct ts_fluid *fluid, const int cell[3], doubl
 {
 	const struct ts_grid *grid = &fluid->grid;
 	const size_t at = ts_at(grid, cell[0], cell[1], cell[2]);
-	const double *e = fluid->empty;
+	const double *e = fluid->void_fraction;
 
 	for (int c = 0; c < 3; c++) {
 		size_t s = c < grid->dimensions ? (size_t)grid->stride[c] : 0;
@@ -92,5 +92,5 @@ bool ts_drag_motion_prescribed(const struct ts_drag *s, const struct tsim *sim, 
 {
 	const struct ts_particles *p = sim->particles;
 
-	return p->imass[i] == 0 || (!(p->mask[i] & s->moved) && !sim->outside && !ts_rigid_member(p, i));
+	return p->imass[i] == 0 || (!(p->mask[i] & s->moving_groups) && !sim->outside && !ts_rigid_member(p, i));
 }

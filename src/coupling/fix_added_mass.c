@@ -25,17 +25,17 @@ static void fluid_acceleration(const struct state *s, const struct ts_coupling_l
 	const struct ts_fluid *fluid = s->mass.force.fluid;
 
 	for (int c = 0; c < 3; c++) {
-		struct ts_coupling_weights share;
+		struct ts_coupling_weights weights;
 
 		a[c] = 0;
 		if (!fluid || !s->accelerates)
 			continue;
 		for (int k = 0; k < 3; k++)
-			a[c] += around->u[k] * around->slope[c][k];
+			a[c] += around->u[k] * around->gradient[c][k];
 		if (!s->size || c >= fluid->grid.dimensions)
 			continue;
-		ts_coupling_weights_face(fluid, c, around->place, around->cell, TS_INTERPOLATE_LINEAR, &share);
-		a[c] += ts_coupling_interpolate(&fluid->grid, &share, s->rate[c]);
+		ts_coupling_weights_face(fluid, c, around->place, around->cell, TS_INTERPOLATE_LINEAR, &weights);
+		a[c] += ts_coupling_interpolate(&fluid->grid, &weights, s->rate[c]);
 	}
 }
 
@@ -49,7 +49,7 @@ static double added_to(const struct ts_instance *self, const struct tsim *sim, s
 }
 
 /* The part that does not depend on how the particle moves. */
-static void act(const struct ts_instance *self, const struct tsim *sim, size_t i,
+static void add_force(const struct ts_instance *self, const struct tsim *sim, size_t i,
 		const struct ts_coupling_local_flow *around, double f[3], double torque[3])
 {
 	double added = added_to(self, sim, i);
@@ -61,7 +61,7 @@ static void act(const struct ts_instance *self, const struct tsim *sim, size_t i
 }
 
 /* Its own acceleration follows from all forces: (m + M) a = f, where they take effect. */
-static void resist(const struct ts_instance *self, struct tsim *sim, size_t i)
+static void add_own_inertia(const struct ts_instance *self, struct tsim *sim, size_t i)
 {
 	struct state *s = self->state;
 	struct ts_particles *p = sim->particles;
@@ -77,7 +77,7 @@ static void resist(const struct ts_instance *self, struct tsim *sim, size_t i)
 	}
 }
 
-static enum ts_status late(struct ts_instance *self, struct tsim *sim)
+static enum ts_status apply_inertia(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
@@ -90,12 +90,12 @@ static enum ts_status late(struct ts_instance *self, struct tsim *sim)
 
 		if (ts_in_group(p, i, self->group) &&
 		    (!s->mass.force.fluid || ts_coupling_locate(s->mass.force.fluid, p->x[i], place, cell)))
-			resist(self, sim, i);
+			add_own_inertia(self, sim, i);
 	}
 	return ts_coupling_force_add_to_fluid(self, sim);
 }
 
-static enum ts_status carry(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid, double dt)
+static enum ts_status store_fluid_acceleration(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid, double dt)
 {
 	struct state *s = self->state;
 	size_t size = fluid->grid.size;
@@ -143,7 +143,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_coupling_force_init(self, sim));
 	TS_TRY(refuse(self, sim));
 	TS_TRY(ts_restraints_find(&s->restraints, sim, self, true));
-	s->mass.force.part.carry = s->mass.force.fluid && s->accelerates ? carry : NULL;
+	s->mass.force.part.after_substep = s->mass.force.fluid && s->accelerates ? store_fluid_acceleration : NULL;
 	if (!s->mass.force.fluid || s->size != s->mass.force.fluid->grid.size)
 		s->size = 0;
 	return TS_OK;
@@ -207,8 +207,8 @@ const struct ts_coupling_force_style ts_fix_added_mass = {
 		.archive = archive,
 		.fini = fini,
 		TS_COUPLING_FORCE_SLOTS,
-		.late = { [TS_LATE_INERTIA] = late },
+		.late = { [TS_LATE_INERTIA] = apply_inertia },
 	},
-	.act = act,
+	.force = add_force,
 	.sheared = true,
 };

@@ -19,7 +19,7 @@ static const char *const interpolations[] = { "linear", "cell", "volume", NULL }
 struct state {
 	struct ts_coupling_force force; /* first */
 	int interpolation, how;
-	const struct ts_instance *room; /* who makes the void fraction */
+	const struct ts_instance *void_fix; /* who makes the void fraction */
 	struct ts_restraints restraints;
 };
 
@@ -28,31 +28,31 @@ struct state {
  * A face has half of what the two cells beside it have of a particle. So all particles together have (1 - e) of the
  * gradient at each face, and the fluid the rest. */
 
-struct push {
+struct gradient_sum {
 	const struct ts_fluid *fluid;
 	const double *p;
 	double f[3];
 };
 
-static double slope(const struct push *push, int d, size_t at, int i)
+static double face_gradient(const struct gradient_sum *sum, int d, size_t at, int i)
 {
-	const struct ts_grid *grid = &push->fluid->grid;
+	const struct ts_grid *grid = &sum->fluid->grid;
 
-	return (push->p[at] - push->p[at - (size_t)grid->stride[d]]) / grid->gap[d][i];
+	return (sum->p[at] - sum->p[at - (size_t)grid->stride[d]]) / grid->gap[d][i];
 }
 
 static void add_cell(void *context, const int cell[3], double volume)
 {
-	struct push *push = context;
-	const struct ts_grid *grid = &push->fluid->grid;
+	struct gradient_sum *sum = context;
+	const struct ts_grid *grid = &sum->fluid->grid;
 	const size_t at = ts_at(grid, cell[0], cell[1], cell[2]);
 
 	for (int d = 0; d < grid->dimensions; d++) {
 		bool low = grid->periodic[d] || cell[d] > 0, high = grid->periodic[d] || cell[d] < grid->n[d] - 1;
-		double below = low ? slope(push, d, at, cell[d]) : 0;
-		double above = high ? slope(push, d, at + (size_t)grid->stride[d], cell[d] + 1) : below;
+		double below = low ? face_gradient(sum, d, at, cell[d]) : 0;
+		double above = high ? face_gradient(sum, d, at + (size_t)grid->stride[d], cell[d] + 1) : below;
 
-		push->f[d] -= volume * 0.5 * ((low ? below : above) + above);
+		sum->f[d] -= volume * 0.5 * ((low ? below : above) + above);
 	}
 }
 
@@ -60,16 +60,16 @@ static void by_volume(const struct state *s, const struct tsim *sim, size_t i, c
 		      const int cell[3], const double *p, double f[3])
 {
 	const struct ts_fluid *fluid = s->force.fluid;
-	struct push push = { .fluid = fluid, .p = p };
+	struct gradient_sum sum = { .fluid = fluid, .p = p };
 	struct ts_coupling_volume how;
 
-	((const struct ts_flow_part *)s->room->state)->spread(s->room, sim, &how);
-	ts_coupling_volume_each_cell(&fluid->grid, &how, place, cell, sim->particles->radius[i], add_cell, &push);
+	((const struct ts_flow_part *)s->void_fix->state)->volume_distribution(s->void_fix, sim, &how);
+	ts_coupling_volume_each_cell(&fluid->grid, &how, place, cell, sim->particles->radius[i], add_cell, &sum);
 	for (int d = 0; d < 3; d++)
-		f[d] = fluid->grid.by_depth ? push.f[d] / fluid->grid.width[2][0] : push.f[d];
+		f[d] = fluid->grid.by_depth ? sum.f[d] / fluid->grid.width[2][0] : sum.f[d];
 }
 
-static void act(const struct ts_instance *self, const struct tsim *sim, size_t i,
+static void add_force(const struct ts_instance *self, const struct tsim *sim, size_t i,
 		const struct ts_coupling_local_flow *around, double f[3], double torque[3])
 {
 	const struct state *s = self->state;
@@ -82,16 +82,16 @@ static void act(const struct ts_instance *self, const struct tsim *sim, size_t i
 		return;
 	}
 	for (int c = 0; c < fluid->grid.dimensions; c++) {
-		struct ts_coupling_weights share;
+		struct ts_coupling_weights weights;
 
-		ts_coupling_weights_face(fluid, c, around->place, around->cell, (enum ts_coupling_interpolation)s->how, &share);
-		f[c] = -volume * ts_coupling_interpolate_gradient(&fluid->grid, &share, c, fluid->p);
+		ts_coupling_weights_face(fluid, c, around->place, around->cell, (enum ts_coupling_interpolation)s->how, &weights);
+		f[c] = -volume * ts_coupling_interpolate_gradient(&fluid->grid, &weights, c, fluid->p);
 	}
 }
 
 /* ---- the pressure of the step, which is known after it */
 
-static void add_change(struct ts_instance *self, const struct tsim *sim, size_t i, double share)
+static void correct_particle(struct ts_instance *self, const struct tsim *sim, size_t i, double share)
 {
 	struct state *s = self->state;
 	struct ts_particles *p = sim->particles;
@@ -110,7 +110,7 @@ static void add_change(struct ts_instance *self, const struct tsim *sim, size_t 
 		p->f[i][k] += share * more[k];
 }
 
-static enum ts_status settle(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid, double length)
+static enum ts_status correct_forces(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid, double length)
 {
 	struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
@@ -125,18 +125,18 @@ static enum ts_status settle(struct ts_instance *self, struct tsim *sim, struct 
 #pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
 	for (size_t i = 0; i < p->n; i++)
 		if (ts_in_group(p, i, self->group) && p->imass[i] != 0 && !ts_rigid_member(p, i))
-			add_change(self, sim, i, share);
+			correct_particle(self, sim, i, share);
 	return TS_OK;
 }
 
 /* ---- life */
 
-static const struct ts_instance *find_room(const struct tsim *sim)
+static const struct ts_instance *find_void_fix(const struct tsim *sim)
 {
 	const struct ts_instance *part;
 
 	for (size_t k = 0; (part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));)
-		if (((const struct ts_flow_part *)part->state)->spread)
+		if (((const struct ts_flow_part *)part->state)->volume_distribution)
 			return part;
 	return NULL;
 }
@@ -147,17 +147,17 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	bool whole;
 
 	TS_TRY(ts_coupling_force_init(self, sim));
-	s->room = find_room(sim);
-	whole = s->room && ts_streq(s->force.flow->style->family, TS_FAMILY_PROJECTION) &&
+	s->void_fix = find_void_fix(sim);
+	whole = s->void_fix && ts_streq(s->force.flow->style->family, TS_FAMILY_PROJECTION) &&
 		((const struct ts_projection *)s->force.flow->state)->form == TS_FORM_CONSERVATIVE;
 	s->how = s->interpolation >= 0 ? s->interpolation : whole ? BY_VOLUME : TS_INTERPOLATE_LINEAR;
-	if (s->how == BY_VOLUME && !s->room)
+	if (s->how == BY_VOLUME && !s->void_fix)
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, "volume"),
 			       "fix flow/pressure_gradient: interpolation volume needs a fix void_fraction, which says where "
 			       "the volume is");
-	s->force.part.settle = s->how == BY_VOLUME && whole ? settle : NULL;
+	s->force.part.after_step = s->how == BY_VOLUME && whole ? correct_forces : NULL;
 	TS_TRY(ts_restraints_find(&s->restraints, sim, self, false));
-	return s->force.part.settle ? ts_fluid_require_fields(s->force.fluid, sim, TS_FLUID_P_MEAN) : TS_OK;
+	return s->force.part.after_step ? ts_fluid_require_fields(s->force.fluid, sim, TS_FLUID_P_MEAN) : TS_OK;
 }
 
 /* Where nothing can leave through faces, that momentum is not kept is a change of it that should not be. */
@@ -169,13 +169,13 @@ static enum ts_status review(struct ts_instance *self, struct tsim *sim)
 	for (int d = 0; d < grid->dimensions; d++)
 		if (!grid->periodic[d])
 			return TS_OK;
-	if (!s->room || s->force.part.settle || sim->review.steps <= 1)
+	if (!s->void_fix || s->force.part.after_step || sim->review.steps <= 1)
 		return TS_OK;
 	return ts_review_find(sim, "momentum", &self->where,
 			      "the box is periodic on all sides, but with fix %s beside fix %s the momentum of particles and fluid "
 			      "together drifts, by 1e-3 to 1e-2 of what they exchange; use `flow_style projection ... form "
 			      "conservative` and leave `interpolation` here to its default: it is kept to round-off then",
-			      self->style->name, s->room->style->name);
+			      self->style->name, s->void_fix->style->name);
 }
 
 static void fini(struct ts_instance *self)
@@ -216,7 +216,7 @@ const struct ts_coupling_force_style ts_fix_flow_pressure_gradient = {
 		.fini = fini,
 		TS_COUPLING_FORCE_SLOTS,
 	},
-	.act = act,
+	.force = add_force,
 	.solved = true,
 	.internal = true,
 };

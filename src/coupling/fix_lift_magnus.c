@@ -15,14 +15,14 @@ struct state {
 	bool torque;
 };
 
-static void act(const struct ts_instance *self, const struct tsim *sim, size_t i,
+static void add_force(const struct ts_instance *self, const struct tsim *sim, size_t i,
 		const struct ts_coupling_local_flow *around, double f[3], double torque[3])
 {
 	const struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
 	double d = 2 * p->radius[i], spin[3], c;
 
-	ts_coupling_curl(around->slope, spin);
+	ts_coupling_curl(around->gradient, spin);
 	for (int k = 0; k < 3; k++)
 		spin[k] = 0.5 * spin[k] - p->omega[i][k];
 	c = ts_lift_magnus(d, around->density);
@@ -67,6 +67,6 @@ const struct ts_coupling_force_style ts_fix_lift_magnus = {
 		.fini = ts_coupling_force_fini,
 		TS_COUPLING_FORCE_SLOTS,
 	},
-	.act = act,
+	.force = add_force,
 	.sheared = true,
 };

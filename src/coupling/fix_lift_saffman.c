@@ -14,14 +14,14 @@ struct state {
 	int law;
 };
 
-static void act(const struct ts_instance *self, const struct tsim *sim, size_t i,
+static void add_force(const struct ts_instance *self, const struct tsim *sim, size_t i,
 		const struct ts_coupling_local_flow *around, double f[3], double torque[3])
 {
 	const struct state *s = self->state;
 	double d = 2 * sim->particles->radius[i], curl[3], vorticity, c;
 
 	(void)torque;
-	ts_coupling_curl(around->slope, curl);
+	ts_coupling_curl(around->gradient, curl);
 	vorticity = ts_norm(curl);
 	c = ts_lift_saffman(d, around->density, around->viscosity, vorticity);
 	if (s->law == MEI)
@@ -58,6 +58,6 @@ const struct ts_coupling_force_style ts_fix_lift_saffman = {
 		.fini = ts_coupling_force_fini,
 		TS_COUPLING_FORCE_SLOTS,
 	},
-	.act = act,
+	.force = add_force,
 	.sheared = true,
 };

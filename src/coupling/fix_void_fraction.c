@@ -25,19 +25,19 @@ struct state {
 	bool warned;
 	bool told; /* that the cells do not resolve the kernel */
 	double found; /* the least of a cell, before it is limited */
-	double (*seen)[4]; /* places and radii that the field was made of */
-	size_t nseen, seen_capacity;
+	double (*last_particles)[4]; /* places and radii that the field was made of */
+	size_t nlast, last_capacity;
 	struct tsim *sim; /* evaluation may fail */
 };
 
-static struct ts_coupling_volume how_of(const struct state *s, const struct tsim *sim)
+static struct ts_coupling_volume distribution_of(const struct state *s, const struct tsim *sim)
 {
 	return (struct ts_coupling_volume){ (enum ts_coupling_volume_method)s->method, sim->dimension == 2, s->reach };
 }
 
-static void spread(const struct ts_instance *self, const struct tsim *sim, struct ts_coupling_volume *how)
+static void volume_distribution(const struct ts_instance *self, const struct tsim *sim, struct ts_coupling_volume *how)
 {
-	*how = how_of(self->state, sim);
+	*how = distribution_of(self->state, sim);
 }
 
 struct context {
@@ -45,17 +45,17 @@ struct context {
 	const struct tsim *sim;
 };
 
-static void lay(void *data, size_t i)
+static void add_particle(void *data, size_t i)
 {
 	const struct context *c = data;
 	const struct ts_particles *p = c->sim->particles;
-	struct ts_coupling_volume how = how_of(c->state, c->sim);
+	struct ts_coupling_volume how = distribution_of(c->state, c->sim);
 	double place[3];
 	int cell[3];
 
 	if (ts_coupling_locate(c->state->fluid, p->x[i], place, cell))
 		ts_coupling_volume_add(&c->state->fluid->grid, &how, place, cell, p->radius[i],
-				 c->state->fluid->empty);
+				 c->state->fluid->void_fraction);
 }
 
 static double largest_radius(const struct ts_instance *self, const struct ts_particles *p)
@@ -109,11 +109,11 @@ static void check_kernel(struct ts_instance *self, struct tsim *sim, double diam
 		most, most / diameter, s->reach * diameter, fits);
 }
 
-/* The farthest that a particle reaches; refused if it is too far. */
-static enum ts_status farthest(struct ts_instance *self, struct tsim *sim, int *reach)
+/* The check_reach that a particle reaches; refused if it is too far. */
+static enum ts_status check_reach(struct ts_instance *self, struct tsim *sim, int *reach)
 {
 	const struct state *s = self->state;
-	struct ts_coupling_volume how = how_of(s, sim);
+	struct ts_coupling_volume how = distribution_of(s, sim);
 	double largest = largest_radius(self, sim->particles);
 
 	TS_TRY(check_centre(self, sim, 2 * largest));
@@ -127,7 +127,7 @@ static enum ts_status farthest(struct ts_instance *self, struct tsim *sim, int *
 		       largest, TS_VOLUME_MAX_CELLS);
 }
 
-static void limit(struct ts_instance *self, struct tsim *sim)
+static void limit_void_fraction(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	const struct ts_grid *grid = &s->fluid->grid;
@@ -137,7 +137,7 @@ static void limit(struct ts_instance *self, struct tsim *sim)
 #pragma omp parallel for num_threads(ts_team(sim, ts_grid_cells(grid))) schedule(static)           \
 	reduction(min : least) reduction(+ : cells)
 	for (int line = 0; line < grid->n[1] * grid->n[2]; line++) {
-		double *e = s->fluid->empty + ts_at(grid, 0, line % grid->n[1], line / grid->n[1]);
+		double *e = s->fluid->void_fraction + ts_at(grid, 0, line % grid->n[1], line / grid->n[1]);
 
 		for (int i = 0; i < grid->n[0]; i++) {
 			e[i] = 1 - e[i];
@@ -160,21 +160,21 @@ static void limit(struct ts_instance *self, struct tsim *sim)
 
 /* Whether the particles are not those, where they were, of which the field was made: a bed that is held costs
  * nothing. */
-static enum ts_status look(struct ts_instance *self, struct tsim *sim, bool *moved)
+static enum ts_status compare_particles(struct ts_instance *self, struct tsim *sim, bool *moved)
 {
 	struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
 
-	if (TS_GROW(s->seen, s->seen_capacity, p->n) != TS_OK)
+	if (TS_GROW(s->last_particles, s->last_capacity, p->n) != TS_OK)
 		return ts_nomem(&sim->error);
-	*moved = s->nseen != p->n;
-	s->nseen = p->n;
+	*moved = s->nlast != p->n;
+	s->nlast = p->n;
 	for (size_t i = 0; i < p->n; i++) {
 		const double now[4] = { p->x[i][0], p->x[i][1], p->x[i][2],
 					ts_in_group(p, i, self->group) ? p->radius[i] : -1 };
 
-		*moved = *moved || memcmp(now, s->seen[i], sizeof now) != 0;
-		memcpy(s->seen[i], now, sizeof now);
+		*moved = *moved || memcmp(now, s->last_particles[i], sizeof now) != 0;
+		memcpy(s->last_particles[i], now, sizeof now);
 	}
 	return TS_OK;
 }
@@ -185,12 +185,12 @@ static enum ts_status make_field(struct ts_instance *self, struct tsim *sim)
 	struct context context = { s, sim };
 	int reach;
 
-	TS_TRY(farthest(self, sim, &reach));
+	TS_TRY(check_reach(self, sim, &reach));
 	TS_TRY(ts_cell_order_make(&s->order, sim, s->fluid, self->group, reach));
-	memset(s->fluid->empty, 0, s->fluid->grid.size * sizeof *s->fluid->empty);
-	ts_cell_order_each(&s->order, ts_team(sim, sim->particles->n), lay, &context);
-	limit(self, sim);
-	ts_fluid_fill_centred(s->fluid, s->fluid->empty);
+	memset(s->fluid->void_fraction, 0, s->fluid->grid.size * sizeof *s->fluid->void_fraction);
+	ts_cell_order_each(&s->order, ts_team(sim, sim->particles->n), add_particle, &context);
+	limit_void_fraction(self, sim);
+	ts_fluid_fill_centred(s->fluid, s->fluid->void_fraction);
 	return TS_OK;
 }
 
@@ -198,7 +198,7 @@ static enum ts_status pre_force(struct ts_instance *self, struct tsim *sim)
 {
 	bool moved = true;
 
-	TS_TRY(look(self, sim, &moved));
+	TS_TRY(compare_particles(self, sim, &moved));
 	return moved ? make_field(self, sim) : TS_OK;
 }
 
@@ -208,9 +208,9 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	TS_TRY(ts_flow_require_fluid(sim, "fix void_fraction", &self->where, &s->fluid));
 	TS_TRY(ts_fluid_require_fields(s->fluid, sim, TS_FLUID_VOID));
-	s->part.spread = spread;
+	s->part.volume_distribution = volume_distribution;
 	s->sim = sim;
-	s->nseen = 0;
+	s->nlast = 0;
 	return make_field(self, sim);
 }
 
@@ -228,7 +228,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	const struct ts_grid *grid;
 	struct ts_exactsum empty = ts_exactsum_start(), all = ts_exactsum_start();
 
-	if (!fluid || !fluid->empty)
+	if (!fluid || !fluid->void_fraction)
 		return ts_fail(&s->sim->error, TS_STATE, &self->where,
 			       "fix void_fraction: the fluid is another one now, which has no void fraction before "
 			       "a run");
@@ -239,7 +239,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 				double volume = ts_grid_volume(grid, i, j, k);
 
 				ts_exactsum_add(&all, volume);
-				ts_exactsum_add(&empty, fluid->empty[ts_at(grid, i, j, k)] * volume);
+				ts_exactsum_add(&empty, fluid->void_fraction[ts_at(grid, i, j, k)] * volume);
 			}
 	out->data[0] = ts_exactsum_value(&empty) / ts_exactsum_value(&all);
 	out->data[1] = s->found;
@@ -269,7 +269,7 @@ static void fini(struct ts_instance *self)
 	struct state *s = self->state;
 
 	ts_cell_order_release(&s->order);
-	ts_free(s->seen);
+	ts_free(s->last_particles);
 }
 
 static const struct ts_arg args[] = {

@@ -25,7 +25,7 @@ bool ts_coupling_locate(const struct ts_fluid *fluid, const double x[3], double 
 	return true;
 }
 
-static void put(struct ts_coupling_weights *s, int d, int low, int high, double share)
+static void set_axis(struct ts_coupling_weights *s, int d, int low, int high, double share)
 {
 	s->index[d][0] = low;
 	s->index[d][1] = high;
@@ -41,10 +41,10 @@ static void along_centres(const struct ts_grid *grid, int d, double x, int cell,
 	int n = grid->n[d], low = x < centre[cell] ? cell - 1 : cell;
 
 	if (how == TS_INTERPOLATE_CELL || grid->ghosts[d] == 0) {
-		put(s, d, cell, cell, 0);
+		set_axis(s, d, cell, cell, 0);
 		return;
 	}
-	put(s, d, low, low + 1, (x - centre[low]) / (centre[low + 1] - centre[low]));
+	set_axis(s, d, low, low + 1, (x - centre[low]) / (centre[low + 1] - centre[low]));
 	if (low < 0)
 		s->index[d][0] = grid->periodic[d] ? n - 1 : 0;
 	if (low + 1 >= n)
@@ -57,7 +57,7 @@ static void along_faces(const struct ts_grid *grid, int d, double x, int cell,
 {
 	int n = grid->n[d], last = grid->periodic[d] || n == 1 ? 0 : n - 1;
 
-	put(s, d, cell, cell + 1,
+	set_axis(s, d, cell, cell + 1,
 	    how == TS_INTERPOLATE_CELL ? 0.5 : (x - grid->face[d][cell]) / grid->width[d][cell]);
 	if (cell == 0 && !grid->periodic[d] && n > 1)
 		s->index[d][0] = 1;
@@ -84,7 +84,7 @@ void ts_coupling_weights_centre(const struct ts_fluid *fluid, const double place
 }
 
 /* Corner b of the eight: its place in a field and its weight. */
-static double corner(const struct ts_grid *grid, const struct ts_coupling_weights *s, int b, size_t *at)
+static double corner_weight(const struct ts_grid *grid, const struct ts_coupling_weights *s, int b, size_t *at)
 {
 	int x = b & 1, y = b >> 1 & 1, z = b >> 2 & 1;
 
@@ -98,7 +98,7 @@ double ts_coupling_interpolate(const struct ts_grid *grid, const struct ts_coupl
 
 	for (int b = 0; b < 8; b++) {
 		size_t at;
-		double weight = corner(grid, s, b, &at);
+		double weight = corner_weight(grid, s, b, &at);
 
 		if (weight != 0)
 			sum += weight * field[at];
@@ -113,7 +113,7 @@ double ts_coupling_interpolate_gradient(const struct ts_grid *grid, const struct
 
 	for (int b = 0; b < 8; b++) {
 		size_t at;
-		double weight = corner(grid, s, b, &at);
+		double weight = corner_weight(grid, s, b, &at);
 
 		if (weight != 0)
 			sum += weight * (field[at] - field[at - stride]) /
@@ -129,7 +129,7 @@ double ts_coupling_distribute_force(const struct ts_grid *grid, const struct ts_
 
 	for (int b = 0; b < 8; b++) {
 		size_t at;
-		double weight = corner(grid, s, b, &at), volume = 1;
+		double weight = corner_weight(grid, s, b, &at), volume = 1;
 
 		if (weight == 0)
 			continue;

@@ -6,7 +6,7 @@
 
 #include "base/banned.h"
 
-static void warn(struct tsim *sim, const struct ts_instance *self, size_t n, int64_t tag)
+static void warn_outside(struct tsim *sim, const struct ts_instance *self, size_t n, int64_t tag)
 {
 	const struct ts_particles *p = sim->particles;
 	size_t i = 0;
@@ -28,7 +28,7 @@ void ts_coupling_count_outside(struct ts_fluid *fluid, struct tsim *sim, const s
 	if (!n)
 		return;
 	if (!o->most)
-		warn(sim, self, n, tag);
+		warn_outside(sim, self, n, tag);
 	if (!o->steps || o->last != sim->clock.step)
 		o->steps++;
 	o->last = sim->clock.step;

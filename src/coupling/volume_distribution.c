@@ -67,7 +67,7 @@ struct visitor {
 	void *context;
 };
 
-static void add(const struct ts_grid *grid, const struct span s[3], int i, int j, int k, double volume,
+static void add_to_cell(const struct ts_grid *grid, const struct span s[3], int i, int j, int k, double volume,
 		const struct visitor *to)
 {
 	int index[3] = { s[0].first + i, s[1].first + j, s[2].first + k };
@@ -80,7 +80,7 @@ static void add(const struct ts_grid *grid, const struct span s[3], int i, int j
 /* What of the unit ball, or disc, lies beyond the corners of one layer of faces. */
 typedef double layer[TS_VOLUME_MAX_CELLS + 2][TS_VOLUME_MAX_CELLS + 2];
 
-static void corners(const struct span s[3], bool disc, double z, layer out)
+static void corner_volumes(const struct span s[3], bool disc, double z, layer out)
 {
 	for (int j = 0; j <= s[1].n; j++)
 		for (int i = 0; i <= s[0].n; i++)
@@ -88,51 +88,51 @@ static void corners(const struct span s[3], bool disc, double z, layer out)
 					 : ts_ball_corner(s[0].face[i], s[1].face[j], z);
 }
 
-static double between(double (*a)[TS_VOLUME_MAX_CELLS + 2], int i, int j)
+static double cell_difference(double (*a)[TS_VOLUME_MAX_CELLS + 2], int i, int j)
 {
 	return a[j][i] - a[j][i + 1] - a[j + 1][i] + a[j + 1][i + 1];
 }
 
-static void divide(const struct ts_grid *grid, const struct span s[3], bool disc, double unit,
+static void distribute_exactly(const struct ts_grid *grid, const struct span s[3], bool disc, double unit,
 		   const struct visitor *to)
 {
 	layer layers[2];
 
-	corners(s, disc, s[2].face[0], layers[0]);
+	corner_volumes(s, disc, s[2].face[0], layers[0]);
 	for (int k = 0; k < s[2].n; k++) {
 		double(*low)[TS_VOLUME_MAX_CELLS + 2] = layers[k % 2];
 		double(*high)[TS_VOLUME_MAX_CELLS + 2] = layers[(k + 1) % 2];
 
 		if (!disc)
-			corners(s, disc, s[2].face[k + 1], high);
+			corner_volumes(s, disc, s[2].face[k + 1], high);
 		for (int j = 0; j < s[1].n; j++)
 			for (int i = 0; i < s[0].n; i++) {
-				double part = between(low, i, j) - (disc ? 0 : between(high, i, j));
+				double part = cell_difference(low, i, j) - (disc ? 0 : cell_difference(high, i, j));
 
-				add(grid, s, i, j, k, fmax(part, 0) * unit, to);
+				add_to_cell(grid, s, i, j, k, fmax(part, 0) * unit, to);
 			}
 	}
 }
 
-static double kernel(const struct span *s, int i)
+static double kernel_fraction(const struct span *s, int i)
 {
 	double a = fmax(s->face[i], -1), b = fmin(s->face[i + 1], 1);
 
 	return b > a ? 0.5 * (b - a + (sin(PI * b) - sin(PI * a)) / PI) : 0;
 }
 
-static void smear(const struct ts_grid *grid, const struct span s[3], double volume, const struct visitor *to)
+static void distribute_by_kernel(const struct ts_grid *grid, const struct span s[3], double volume, const struct visitor *to)
 {
 	for (int k = 0; k < s[2].n; k++)
 		for (int j = 0; j < s[1].n; j++)
 			for (int i = 0; i < s[0].n; i++)
-				add(grid, s, i, j, k,
-				    volume * kernel(&s[0], i) * kernel(&s[1], j) * kernel(&s[2], k),
+				add_to_cell(grid, s, i, j, k,
+				    volume * kernel_fraction(&s[0], i) * kernel_fraction(&s[1], j) * kernel_fraction(&s[2], k),
 				    to);
 }
 
 /* A slice of the flow one cell thick has all of the particle. */
-static void flat(int d, struct span s[3])
+static void span_one_cell(int d, struct span s[3])
 {
 	s[d].first = 0;
 	s[d].n = 1;
@@ -155,14 +155,14 @@ void ts_coupling_volume_each_cell(const struct ts_grid *grid, const struct ts_co
 	}
 	for (int d = 0; d < 3; d++) {
 		if (grid->ghosts[d] == 0)
-			flat(d, s);
+			span_one_cell(d, s);
 		else
 			find_span(grid, d, place[d], cell[d], reach, &s[d]);
 	}
 	if (how->method == TS_VOLUME_DIVIDED)
-		divide(grid, s, how->disc, unit, &to);
+		distribute_exactly(grid, s, how->disc, unit, &to);
 	else
-		smear(grid, s, volume, &to);
+		distribute_by_kernel(grid, s, volume, &to);
 }
 
 struct sum {

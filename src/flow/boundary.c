@@ -11,27 +11,27 @@
 
 /* The ghost of a component along a wall: the parabola through the wall and two points inside, which makes
  * its slope at the wall of second order; or the straight line through the first. */
-static void set_mirror(struct ts_fluid *fluid, int d, enum ts_grid_side side, bool straight)
+static void set_ghost_weights(struct ts_fluid *fluid, int d, enum ts_grid_side side, bool straight)
 {
 	const struct ts_grid *grid = &fluid->grid;
 	int n = grid->n[d], first = side == TS_LOW ? 0 : n - 1, second = side == TS_LOW ? 1 : n - 2;
 	double wall = grid->face[d][side == TS_LOW ? 0 : n];
 	double a = fabs(grid->centre[d][first] - wall), b = fabs(grid->centre[d][second] - wall);
-	double *mirror = fluid->mirror[d][side];
+	double *mirror = fluid->ghost_weights[d][side];
 
 	mirror[0] = straight ? 2 : 2 * (a + b) / b;
 	mirror[1] = straight ? -1 : -(a + b) / (b - a);
 	mirror[2] = straight ? 0 : 2 * a * a / (b * (b - a));
 }
 
-static enum ts_status refuse(struct tsim *sim, const struct ts_flow_condition *condition, int d,
+static enum ts_status refuse_condition(struct tsim *sim, const struct ts_flow_condition *condition, int d,
 			     enum ts_grid_side side, const char *why)
 {
 	return ts_fail(&sim->error, TS_STATE, &condition->where, "flow_boundary %c%s: %s",
 		       "xyz"[d], side == TS_LOW ? "lo" : "hi", why);
 }
 
-static enum ts_status set_face(struct ts_projection *p, struct tsim *sim, int d, enum ts_grid_side side)
+static enum ts_status set_face_type(struct ts_projection *p, struct tsim *sim, int d, enum ts_grid_side side)
 {
 	struct ts_fluid *fluid = &p->fluid;
 	const struct ts_flow_condition *condition = &p->condition[d][side];
@@ -42,13 +42,13 @@ static enum ts_status set_face(struct ts_projection *p, struct tsim *sim, int d,
 			       : flat			  ? TS_FLOW_SLIP
 							  : TS_FLOW_WALL;
 	if (condition->said && fluid->grid.periodic[d])
-		return refuse(sim, condition, d, side,
+		return refuse_condition(sim, condition, d, side,
 			      "the box is periodic there; choose other faces with the boundary command");
 	if (flat && fluid->face[d][side] != TS_FLOW_SLIP && fluid->face[d][side] != TS_FLOW_PERIODIC)
-		return refuse(sim, condition, d, side,
+		return refuse_condition(sim, condition, d, side,
 			      "with one cell along z nothing varies there: slip or a periodic box only");
 	if (!flat)
-		set_mirror(fluid, d, side, p->wall == TS_WALL_LINEAR);
+		set_ghost_weights(fluid, d, side, p->wall == TS_WALL_LINEAR);
 	return TS_OK;
 }
 
@@ -63,7 +63,7 @@ enum ts_status ts_projection_set_face_types(struct ts_instance *self, struct tsi
 		for (int side = 0; side < 2; side++) {
 			enum ts_flow_face kind;
 
-			TS_TRY(set_face(p, sim, d, (enum ts_grid_side)side));
+			TS_TRY(set_face_type(p, sim, d, (enum ts_grid_side)side));
 			kind = p->fluid.face[d][side];
 			poisson->condition[d][side] = kind == TS_FLOW_PERIODIC ? TS_PRESSURE_PERIODIC
 						      : ts_flow_face_open(kind)	  ? TS_PRESSURE_GIVEN
@@ -95,10 +95,10 @@ static double value_of(const struct ts_flow_face_velocity *given, int c, size_t 
 }
 
 /* Planes where something varies over the face now. What was given at the last step stays as it is. */
-static enum ts_status shape(struct ts_projection *p, int d, enum ts_grid_side side, int c, bool over_face)
+static enum ts_status allocate_planes(struct ts_projection *p, int d, enum ts_grid_side side, int c, bool over_face)
 {
-	struct ts_flow_face_velocity *now = &p->now[d][side], *before = &p->before[d][side];
-	struct ts_flow_face_velocity *given = &p->fluid.given[d][side];
+	struct ts_flow_face_velocity *now = &p->velocity_now[d][side], *before = &p->velocity_before[d][side];
+	struct ts_flow_face_velocity *given = &p->fluid.face_velocity[d][side];
 	const struct ts_grid *grid = &p->fluid.grid;
 	size_t n = ts_flow_plane_size(grid, d);
 	bool had = before->plane[c];
@@ -117,11 +117,11 @@ static enum ts_status shape(struct ts_projection *p, int d, enum ts_grid_side si
 	return TS_OK;
 }
 
-static enum ts_status evaluate(struct ts_projection *p, struct tsim *sim, int d, enum ts_grid_side side)
+static enum ts_status evaluate_face(struct ts_projection *p, struct tsim *sim, int d, enum ts_grid_side side)
 {
 	const struct ts_flow_condition *condition = &p->condition[d][side];
 	const struct ts_grid *grid = &p->fluid.grid;
-	struct ts_flow_face_velocity *now = &p->now[d][side];
+	struct ts_flow_face_velocity *now = &p->velocity_now[d][side];
 
 	if (condition->once && sim->running)
 		return TS_OK;
@@ -129,7 +129,7 @@ static enum ts_status evaluate(struct ts_projection *p, struct tsim *sim, int d,
 		const struct ts_flow_formula formula = { &condition->velocity[c], "velocity", c };
 		bool over_face = ts_flow_condition_shaped(condition) && condition->velocity[c].variable;
 
-		if (shape(p, d, side, c, over_face) != TS_OK)
+		if (allocate_planes(p, d, side, c, over_face) != TS_OK)
 			return ts_nomem(&sim->error);
 		if (over_face)
 			TS_TRY(ts_flow_fill_plane(sim, condition, &formula, grid, d, side, now->plane[c]));
@@ -145,13 +145,13 @@ enum ts_status ts_projection_evaluate_boundary(struct ts_instance *self, struct 
 
 	for (int d = 0; d < p->fluid.grid.dimensions; d++)
 		for (int side = 0; side < 2; side++)
-			TS_TRY(evaluate(p, sim, d, (enum ts_grid_side)side));
+			TS_TRY(evaluate_face(p, sim, d, (enum ts_grid_side)side));
 	if (!p->before_known || (ts_projection_not_started(p) && !sim->running))
 		return ts_projection_store_boundary(p) == TS_OK ? TS_OK : ts_nomem(&sim->error);
 	return TS_OK;
 }
 
-static void settle(const struct ts_grid *grid, int d, const struct ts_flow_face_velocity *now,
+static void store_velocity(const struct ts_grid *grid, int d, const struct ts_flow_face_velocity *now,
 		   struct ts_flow_face_velocity *before)
 {
 	for (int c = 0; c < grid->dimensions; c++) {
@@ -167,36 +167,36 @@ enum ts_status ts_projection_store_boundary(struct ts_projection *p)
 {
 	for (int d = 0; d < p->fluid.grid.dimensions; d++)
 		for (int side = 0; side < 2; side++)
-			settle(&p->fluid.grid, d, &p->now[d][side], &p->before[d][side]);
+			store_velocity(&p->fluid.grid, d, &p->velocity_now[d][side], &p->velocity_before[d][side]);
 	p->before_known = 1;
 	return ts_projection_store_pressure(p);
 }
 
-static void blend(const struct ts_grid *grid, int d, const struct ts_flow_face_velocity *before,
-		  const struct ts_flow_face_velocity *now, double share, struct ts_flow_face_velocity *out)
+static void interpolate_velocity(const struct ts_grid *grid, int d, const struct ts_flow_face_velocity *before,
+		  const struct ts_flow_face_velocity *now, double fraction, struct ts_flow_face_velocity *out)
 {
 	for (int c = 0; c < grid->dimensions; c++) {
 		size_t n = out->plane[c] ? ts_flow_plane_size(grid, d) : 0;
 
-		out->constant[c] = ts_flow_interpolate_time(before->constant[c], now->constant[c], share);
+		out->constant[c] = ts_flow_interpolate_time(before->constant[c], now->constant[c], fraction);
 		for (size_t k = 0; k < n; k++)
-			out->plane[c][k] = ts_flow_interpolate_time(value_of(before, c, k), value_of(now, c, k), share);
+			out->plane[c][k] = ts_flow_interpolate_time(value_of(before, c, k), value_of(now, c, k), fraction);
 	}
 }
 
-void ts_projection_interpolate_boundary(struct ts_projection *p, double share)
+void ts_projection_interpolate_boundary(struct ts_projection *p, double fraction)
 {
 	for (int d = 0; d < p->fluid.grid.dimensions; d++)
 		for (int side = 0; side < 2; side++)
-			blend(&p->fluid.grid, d, &p->before[d][side], &p->now[d][side], share,
-			      &p->fluid.given[d][side]);
+			interpolate_velocity(&p->fluid.grid, d, &p->velocity_before[d][side], &p->velocity_now[d][side], fraction,
+			      &p->fluid.face_velocity[d][side]);
 }
 
 enum ts_status ts_projection_archive_boundary(struct ts_projection *p, struct tsim *sim,
 					   struct ts_archive *archive)
 {
 	for (int face = 0; face < 6; face++) {
-		struct ts_flow_face_velocity *given = &p->before[face / 2][face % 2];
+		struct ts_flow_face_velocity *given = &p->velocity_before[face / 2][face % 2];
 		char name[32];
 
 		snprintf(name, sizeof name, "given_%d", face);
@@ -217,7 +217,7 @@ enum ts_status ts_projection_archive_boundary(struct ts_projection *p, struct ts
 /* ---- what flows in must flow out */
 
 /* Flow outwards through one face of the grid, and the sum of its sizes. */
-static double flow_out(const struct ts_fluid *fluid, int d, enum ts_grid_side side, double *size)
+static double outflow_through(const struct ts_fluid *fluid, int d, enum ts_grid_side side, double *size)
 {
 	const struct ts_grid *grid = &fluid->grid;
 	int a = d == 0, b = d == 2 ? 1 : 2;
@@ -230,8 +230,8 @@ static double flow_out(const struct ts_fluid *fluid, int d, enum ts_grid_side si
 			size_t at = first + (size_t)(ia * grid->stride[a] + ib * grid->stride[b]);
 			double flow = fluid->u[d][at] * grid->width[a][ia] * grid->width[b][ib];
 
-			if (fluid->empty_face[d])
-				flow *= fluid->empty_face[d][at];
+			if (fluid->void_fraction_face[d])
+				flow *= fluid->void_fraction_face[d][at];
 			sum += flow;
 			*size += fabs(flow);
 		}
@@ -248,7 +248,7 @@ static const struct ts_place *place_of_flow(const struct ts_instance *self, doub
 
 	for (int d = 0; d < grid->dimensions; d++)
 		for (int side = 0; side < 2 && !grid->periodic[d]; side++) {
-			double part = flow_out(&p->fluid, d, (enum ts_grid_side)side, &size) * (net < 0 ? -1 : 1);
+			double part = outflow_through(&p->fluid, d, (enum ts_grid_side)side, &size) * (net < 0 ? -1 : 1);
 
 			if (p->condition[d][side].said && part > most) {
 				most = part;
@@ -270,7 +270,7 @@ enum ts_status ts_projection_net_outflow(struct ts_instance *self, struct tsim *
 		return TS_OK;
 	for (int d = 0; d < grid->dimensions; d++)
 		for (int side = 0; side < 2 && !grid->periodic[d]; side++)
-			net += flow_out(&p->fluid, d, (enum ts_grid_side)side, &size);
+			net += outflow_through(&p->fluid, d, (enum ts_grid_side)side, &size);
 	if (fabs(net) > UNEVEN * size)
 		return ts_fail(&sim->error, TS_PHYSICS, place_of_flow(self, net),
 			       "the fluid cannot %s: through all faces together it flows %s at %g per "

@@ -18,13 +18,13 @@
 
 /* ---- all points of a face, beside its ghosts too */
 
-struct span {
+struct face_points {
 	int a, b, from[2], to[2];
 };
 
-static struct span span_of(const struct ts_grid *grid, int d)
+static struct face_points face_points_of(const struct ts_grid *grid, int d)
 {
-	struct span s = { .a = d == 0, .b = d == 2 ? 1 : 2 };
+	struct face_points s = { .a = d == 0, .b = d == 2 ? 1 : 2 };
 
 	s.from[0] = -grid->ghosts[s.a];
 	s.from[1] = -grid->ghosts[s.b];
@@ -51,7 +51,7 @@ static void drop_plane(struct ts_flow_face_pressure *p)
 	p->plane = NULL;
 }
 
-static enum ts_status copy(const struct ts_grid *grid, int d, const struct ts_flow_face_pressure *from,
+static enum ts_status copy_pressure(const struct ts_grid *grid, int d, const struct ts_flow_face_pressure *from,
 			   struct ts_flow_face_pressure *to)
 {
 	to->constant = from->constant;
@@ -97,7 +97,7 @@ enum ts_status ts_projection_evaluate_pressure(struct ts_projection *p, struct t
 enum ts_status ts_projection_store_pressure(struct ts_projection *p)
 {
 	for (int face = 0; face < 6; face++)
-		TS_TRY(copy(&p->fluid.grid, face / 2, &p->pressure_now[face / 2][face % 2],
+		TS_TRY(copy_pressure(&p->fluid.grid, face / 2, &p->pressure_now[face / 2][face % 2],
 			    &p->pressure_before[face / 2][face % 2]));
 	return TS_OK;
 }
@@ -125,7 +125,7 @@ static enum ts_status make_next(struct ts_projection *p, int d, int side, double
 	const struct ts_flow_face_pressure *before = &p->pressure_before[d][side],
 				      *now = &p->pressure_now[d][side];
 	struct ts_flow_face_pressure *next = &p->pressure_next[d][side];
-	const struct span s = span_of(grid, d);
+	const struct face_points s = face_points_of(grid, d);
 	bool deep = p->condition[d][side].hydrostatic == TS_FLOW_HYDROSTATIC;
 	double x[3];
 
@@ -133,7 +133,7 @@ static enum ts_status make_next(struct ts_projection *p, int d, int side, double
 		TS_TRY(want_plane(grid, d, next));
 	else
 		drop_plane(next);
-	next->constant = ts_flow_interpolate_time(before->constant, now->constant, p->pressure_share);
+	next->constant = ts_flow_interpolate_time(before->constant, now->constant, p->pressure_time);
 	if (!next->plane) {
 		extreme[0] = fmin(extreme[0], next->constant);
 		extreme[1] = fmax(extreme[1], next->constant);
@@ -145,7 +145,7 @@ static enum ts_status make_next(struct ts_projection *p, int d, int side, double
 			size_t k = ts_flow_plane_at(grid, d, ia, ib);
 			double value =
 				ts_flow_interpolate_time(ts_flow_face_pressure_at(before, k),
-						ts_flow_face_pressure_at(now, k), p->pressure_share);
+						ts_flow_face_pressure_at(now, k), p->pressure_time);
 
 			x[s.a] = ts_flow_coordinate(grid, s.a, TS_FLOW_CENTRES, ia);
 			x[s.b] = ts_flow_coordinate(grid, s.b, TS_FLOW_CENTRES, ib);
@@ -173,27 +173,27 @@ static enum ts_status make_all_next(struct ts_projection *p)
 	for (int face = 0; face < 6; face++) {
 		struct ts_flow_face_pressure *next = &p->pressure_next[face / 2][face % 2];
 
-		if (is_open(p, face) && !p->still) {
+		if (is_open(p, face) && !p->initial_projection) {
 			TS_TRY(make_next(p, face / 2, face % 2, extreme));
 			continue;
 		}
 		drop_plane(next);
 		next->constant = 0;
 	}
-	p->next_base = p->still ? 0 : p->level_now;
+	p->next_pressure_base = p->initial_projection ? 0 : p->level_now;
 	if (extreme[0] <= extreme[1])
-		p->next_base = 0.5 * (extreme[0] + extreme[1]);
+		p->next_pressure_base = 0.5 * (extreme[0] + extreme[1]);
 	for (int face = 0; face < 6; face++)
-		if (is_open(p, face) && !p->still)
+		if (is_open(p, face) && !p->initial_projection)
 			make_relative(&p->fluid.grid, face / 2,
-				      &p->pressure_next[face / 2][face % 2], p->next_base);
+				      &p->pressure_next[face / 2][face % 2], p->next_pressure_base);
 	return TS_OK;
 }
 
 /* ---- in a projection */
 
 /* of <- next - of */
-static enum ts_status difference(const struct ts_grid *grid, int d,
+static enum ts_status make_difference(const struct ts_grid *grid, int d,
 				 const struct ts_flow_face_pressure *next, struct ts_flow_face_pressure *of)
 {
 	if (next->plane)
@@ -204,7 +204,7 @@ static enum ts_status difference(const struct ts_grid *grid, int d,
 	return TS_OK;
 }
 
-static void exchange(struct ts_flow_face_pressure *a, struct ts_flow_face_pressure *b)
+static void swap_pressure(struct ts_flow_face_pressure *a, struct ts_flow_face_pressure *b)
 {
 	const struct ts_flow_face_pressure keep = *a;
 
@@ -212,14 +212,14 @@ static void exchange(struct ts_flow_face_pressure *a, struct ts_flow_face_pressu
 	*b = keep;
 }
 
-static void exchange_all(struct ts_projection *p)
+static void swap_all_pressures(struct ts_projection *p)
 {
 	for (int face = 0; face < 6; face++)
-		exchange(&p->fluid.pressure[face / 2][face % 2],
+		swap_pressure(&p->fluid.pressure[face / 2][face % 2],
 			 &p->pressure_next[face / 2][face % 2]);
 }
 
-static void shift(const struct ts_projection *p, double *field, double by)
+static void shift_field(const struct ts_projection *p, double *field, double by)
 {
 	const size_t size = p->fluid.grid.size;
 
@@ -232,7 +232,7 @@ static void shift(const struct ts_projection *p, double *field, double by)
 
 /* What the pressure on open faces adds to the balances of the cells there, on the right-hand side.
  */
-static void add_face(struct ts_projection *p, int d, int side, double sign)
+static void add_face_to_rhs(struct ts_projection *p, int d, int side, double sign)
 {
 	const struct ts_grid *grid = &p->fluid.grid;
 	const struct ts_flow_face_pressure *given = &p->fluid.pressure[d][side];
@@ -257,11 +257,11 @@ static void add_face(struct ts_projection *p, int d, int side, double sign)
 		}
 }
 
-static void add_faces(struct ts_projection *p, double sign)
+static void add_faces_to_rhs(struct ts_projection *p, double sign)
 {
 	for (int face = 0; face < 6; face++)
 		if (is_open(p, face))
-			add_face(p, face / 2, face % 2, sign);
+			add_face_to_rhs(p, face / 2, face % 2, sign);
 }
 
 enum ts_status ts_projection_impose_pressure(struct ts_projection *p)
@@ -269,16 +269,16 @@ enum ts_status ts_projection_impose_pressure(struct ts_projection *p)
 	struct ts_fluid *fluid = &p->fluid;
 
 	TS_TRY(make_all_next(p));
-	if (fluid->pressure_ahead)
+	if (fluid->incremental)
 		for (int face = 0; face < 6; face++)
-			TS_TRY(difference(&fluid->grid, face / 2,
+			TS_TRY(make_difference(&fluid->grid, face / 2,
 					  &p->pressure_next[face / 2][face % 2],
 					  &fluid->pressure[face / 2][face % 2]));
 	else {
-		exchange_all(p);
-		shift(p, fluid->p, -fluid->pressure_base);
+		swap_all_pressures(p);
+		shift_field(p, fluid->p, -fluid->pressure_base);
 	}
-	add_faces(p, 1);
+	add_faces_to_rhs(p, 1);
 	return TS_OK;
 }
 
@@ -286,14 +286,14 @@ void ts_projection_restore_pressure(struct ts_projection *p)
 {
 	struct ts_fluid *fluid = &p->fluid;
 
-	if (fluid->pressure_ahead) {
-		add_faces(p, -1);
-		exchange_all(p);
-		shift(p, fluid->p, p->next_base - fluid->pressure_base);
+	if (fluid->incremental) {
+		add_faces_to_rhs(p, -1);
+		swap_all_pressures(p);
+		shift_field(p, fluid->p, p->next_pressure_base - fluid->pressure_base);
 	} else {
-		shift(p, fluid->p, p->next_base);
+		shift_field(p, fluid->p, p->next_pressure_base);
 	}
-	fluid->pressure_base = p->next_base;
+	fluid->pressure_base = p->next_pressure_base;
 }
 
 /* ---- saved */

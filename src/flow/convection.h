@@ -1,4 +1,4 @@
-/* Values of what is carried on the side between two points, by schemes of convection. */
+/* Convection schemes: the value that is convected through the side between two points. */
 #ifndef TS_FLOW_CONVECTION_H
 #define TS_FLOW_CONVECTION_H
 
@@ -7,8 +7,8 @@
 #include "base/inline.h"
 #include "flow/operators.h"
 
-/* Alves, Oliveira & Pinho, Int. J. Numer. Meth. Fluids 41 (2003) 47: QUICK, bounded. From the points upstream:
- * far, near, and the one downstream. Of third order where smooth; never beyond near and downstream. */
+/* CUBISTA, a bounded QUICK: Alves, Oliveira & Pinho, Int. J. Numer. Meth. Fluids 41 (2003) 47. `far` and `near` are the
+ * second and the first point upstream. Third order in smooth flow; the value lies between near and downstream. */
 TS_INLINE double ts_convection_cubista(double far, double near, double downstream)
 {
 	double a = near - far, b = downstream - near, size_a = fabs(a), size_b = fabs(b);
@@ -19,8 +19,8 @@ TS_INLINE double ts_convection_cubista(double far, double near, double downstrea
 	return near + (a * b > 0 ? copysign(step, b) : 0);
 }
 
-/* Points m - 2 .. m + 1 of the line are far_low, low, high, far_high; the side m is between low and high; q is the
- * velocity through it. */
+/* The value on side m. far_low, low, high, far_high: values at points m - 2 .. m + 1; side m lies between low and high; q:
+ * velocity through it; part: weight of `low` in linear interpolation. */
 TS_INLINE double ts_convection_face_value(enum ts_convection scheme, double gamma, double q, double far_low,
 			       double low, double high, double far_high, double part,
 			       const struct ts_operator_line *line, int m)
@@ -41,17 +41,18 @@ TS_INLINE double ts_convection_face_value(enum ts_convection scheme, double gamm
 	return q > 0 ? ts_convection_cubista(far_low, low, high) : ts_convection_cubista(far_high, high, low);
 }
 
-/* - q du/dx by finite differences: gamma of it upwind, the rest central. Differences above and below the
- * point; 1/distance above = above/inverse, likewise below. */
+/* - q du/dx by finite differences, a fraction gamma of it upwind and the rest central. up, down: differences to the
+ * points above and below; 1/distance to them is above/inverse and below/inverse. */
 TS_INLINE double ts_convection_difference(enum ts_convection scheme, double gamma, double q, double up,
 			      double down, double above, double below, double inverse)
 {
-	double share = scheme == TS_CONVECTION_DONOR ? gamma : 0;
+	double upwind = scheme == TS_CONVECTION_DONOR ? gamma : 0;
 	double slope_up = up * above / inverse, slope_down = down * below / inverse;
-	/* The slope of the parabola through three points: each weighs with the distance of the other. */
+	/* The slope at the middle of the parabola through three points: each one-sided slope has the distance of the other
+	 * side as weight. */
 	double central = (slope_up * above + slope_down * below) / (above + below);
 
-	return -q * ((1 - share) * central + share * (q > 0 ? slope_down : slope_up));
+	return -q * ((1 - upwind) * central + upwind * (q > 0 ? slope_down : slope_up));
 }
 
 #endif

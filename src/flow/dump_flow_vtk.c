@@ -29,9 +29,9 @@ static void pressure(const struct ts_fluid *fluid, const int cell[3], double *ou
 	*out = fluid->p[at(fluid, cell)];
 }
 
-static void empty(const struct ts_fluid *fluid, const int cell[3], double *out)
+static void void_fraction(const struct ts_fluid *fluid, const int cell[3], double *out)
 {
-	*out = fluid->empty ? fluid->empty[at(fluid, cell)] : 1;
+	*out = fluid->void_fraction ? fluid->void_fraction[at(fluid, cell)] : 1;
 }
 
 static const struct field {
@@ -41,7 +41,7 @@ static const struct field {
 } fields[] = {
 	[VELOCITY] = { "velocity", 3, ts_flow_centre_velocity },
 	[PRESSURE] = { "pressure", 1, pressure },
-	[VOID] = { "void", 1, empty },
+	[VOID] = { "void", 1, void_fraction },
 	[VORTICITY] = { "vorticity", 3, ts_flow_centre_vorticity },
 	[NFIELDS] = { NULL, 0, NULL },
 };
@@ -93,7 +93,7 @@ static enum ts_status take_all(struct ts_instance *self, struct tsim *sim, const
 	if (!word)
 		return ts_nomem(&sim->error);
 	for (int field = 0; field < NFIELDS; field++)
-		if (field != VOID || fluid->empty)
+		if (field != VOID || fluid->void_fraction)
 			word[n++].text = fields[field].name;
 	for (k = 0; (fix = ts_flow_next_scalar(sim, &k)); n++)
 		if (!(word[n].text = name_of(self, fix)))

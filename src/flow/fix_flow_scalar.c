@@ -38,10 +38,10 @@ struct state {
 	struct ts_heat *heat;
 	struct ts_transport transport;
 	struct ts_cell_order order;
-	bool read, known; /* the words; the field */
+	bool arguments_read, known; /* known: the field T has values */
 	int64_t steps;	  /* whose heat is in transport.source */
-	double *given;	  /* heat by time into each particle */
-	size_t given_capacity;
+	double *heat_rate;	  /* heat by time into each particle */
+	size_t heat_rate_capacity;
 	double exchanged; /* in all, in the last step */
 	size_t size;	  /* of the fields */
 	struct tsim *sim; /* evaluation may fail */
@@ -68,7 +68,7 @@ static const struct ts_arg condition_rows[] = {
 	TS_ARGS_END,
 };
 
-static enum ts_status read_words(struct ts_instance *self, struct tsim *sim)
+static enum ts_status read_face_conditions(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 
@@ -76,7 +76,7 @@ static enum ts_status read_words(struct ts_instance *self, struct tsim *sim)
 		if (s->face_words[k].n)
 			TS_TRY(ts_args_parse(sim, "fix flow/scalar", condition_rows, s->face_words[k],
 					     &self->where, &self->arena, &s->condition[k]));
-	s->read = true;
+	s->arguments_read = true;
 	return TS_OK;
 }
 
@@ -106,7 +106,7 @@ static enum ts_status conditions_now(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-static enum ts_status begin_field(struct ts_instance *self, struct tsim *sim)
+static enum ts_status set_initial_field(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	const struct ts_grid *grid = &s->fluid->grid;
@@ -133,8 +133,8 @@ static enum ts_status begin_field(struct ts_instance *self, struct tsim *sim)
 
 /* ---- life */
 
-static enum ts_status carry(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid, double dt);
-static enum ts_status settle(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
+static enum ts_status advance_scalar(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid, double dt);
+static enum ts_status finish_step(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
 			     double length);
 
 static enum ts_status find_heat(struct ts_instance *self, struct tsim *sim)
@@ -166,11 +166,11 @@ static enum ts_status make_fields(struct ts_instance *self, struct tsim *sim)
 	}
 	if (!t->value && ts_transport_make(t, s->fluid) != TS_OK)
 		return ts_nomem(&sim->error);
-	if (s->fluid->empty && !t->empty) {
-		t->empty = ts_grid_field(&s->fluid->grid);
-		if (!t->empty)
+	if (s->fluid->void_fraction && !t->void_fraction) {
+		t->void_fraction = ts_grid_field(&s->fluid->grid);
+		if (!t->void_fraction)
 			return ts_nomem(&sim->error);
-		memcpy(t->empty, s->fluid->empty, size * sizeof *t->empty);
+		memcpy(t->void_fraction, s->fluid->void_fraction, size * sizeof *t->void_fraction);
 	}
 	s->size = size;
 	return TS_OK;
@@ -190,18 +190,18 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 
 	TS_TRY(ts_flow_require_fluid(sim, "fix flow/scalar", &self->where, &s->fluid));
 	s->part.scalar = scalar;
-	s->part.carry = carry;
-	s->part.settle = settle;
+	s->part.after_substep = advance_scalar;
+	s->part.after_step = finish_step;
 	s->sim = sim;
-	if (!s->read)
-		TS_TRY(read_words(self, sim));
+	if (!s->arguments_read)
+		TS_TRY(read_face_conditions(self, sim));
 	TS_TRY(find_heat(self, sim));
 	TS_TRY(make_fields(self, sim));
 	s->transport.scheme = (enum ts_scalar_scheme)s->scheme;
 	s->transport.diffusivity = s->conductivity / (s->fluid->density * s->capacity);
 	TS_TRY(conditions_now(self, sim));
 	if (!s->known)
-		TS_TRY(begin_field(self, sim));
+		TS_TRY(set_initial_field(self, sim));
 	ts_transport_fill(&s->transport, s->fluid, s->transport.value);
 	return TS_OK;
 }
@@ -222,8 +222,8 @@ static double conductance(const struct state *s, const struct ts_particles *p, s
 	for (int k = 0; k < 3; k++)
 		square += (u[k] - p->v[i][k]) * (u[k] - p->v[i][k]);
 	slip.speed = sqrt(square);
-	if (fluid->empty)
-		slip.empty = ts_fluid_value(fluid, fluid->empty, place, NULL);
+	if (fluid->void_fraction)
+		slip.empty = ts_fluid_value(fluid, fluid->void_fraction, place, NULL);
 	return TS_PI * slip.diameter * s->conductivity *
 	       ts_nusselt_ranz_marshall(ts_slip_reynolds(&slip),
 					fluid->viscosity * s->capacity / s->conductivity);
@@ -234,19 +234,19 @@ struct context {
 	const struct ts_particles *particles;
 };
 
-static void lay(void *data, size_t i)
+static void add_heat_source(void *data, size_t i)
 {
 	const struct context *c = data;
 	struct state *s = c->state;
-	struct ts_coupling_weights share;
+	struct ts_coupling_weights weights;
 	double place[3];
 	int cell[3];
 
 	if (!ts_coupling_locate(s->fluid, c->particles->x[i], place, cell))
 		return;
-	ts_coupling_weights_centre(s->fluid, place, cell, TS_INTERPOLATE_LINEAR, &share);
-	ts_coupling_distribute_force(&s->fluid->grid, &share, -1, s->transport.value,
-		       s->given[i] / (s->fluid->density * s->capacity), 0, s->transport.source, NULL);
+	ts_coupling_weights_centre(s->fluid, place, cell, TS_INTERPOLATE_LINEAR, &weights);
+	ts_coupling_distribute_force(&s->fluid->grid, &weights, -1, s->transport.value,
+		       s->heat_rate[i] / (s->fluid->density * s->capacity), 0, s->transport.source, NULL);
 }
 
 static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
@@ -257,31 +257,31 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 
 	if (!s->heat || sim->in_setup)
 		return TS_OK;
-	if (TS_GROW(s->given, s->given_capacity, p->n) != TS_OK)
+	if (TS_GROW(s->heat_rate, s->heat_rate_capacity, p->n) != TS_OK)
 		return ts_nomem(&sim->error);
 #pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
 	for (size_t i = 0; i < p->n; i++) {
 		double place[3], there, k;
 		int cell[3];
 
-		s->given[i] = 0;
+		s->heat_rate[i] = 0;
 		if (!ts_in_group(p, i, self->group) || !ts_coupling_locate(s->fluid, p->x[i], place, cell))
 			continue;
 		k = conductance(s, p, i, place);
 		there = ts_fluid_value(s->fluid, s->transport.value, place, NULL);
 		ts_heat_from_wall(s->heat, sim, i, k, there);
-		s->given[i] = k * (there - ts_heat_column(sim, s->heat->temperature)[i]);
+		s->heat_rate[i] = k * (there - ts_heat_column(sim, s->heat->temperature)[i]);
 	}
-	s->exchanged = p->n ? ts_exactsum_of(s->given, p->n, 1) : 0;
+	s->exchanged = p->n ? ts_exactsum_of(s->heat_rate, p->n, 1) : 0;
 	TS_TRY(ts_cell_order_make(&s->order, sim, s->fluid, self->group, 1));
-	ts_cell_order_each(&s->order, ts_team(sim, p->n), lay, &context);
+	ts_cell_order_each(&s->order, ts_team(sim, p->n), add_heat_source, &context);
 	s->steps++;
 	return TS_OK;
 }
 
 /* ---- with each step of the fluid */
 
-static enum ts_status carry(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid, double dt)
+static enum ts_status advance_scalar(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid, double dt)
 {
 	struct state *s = self->state;
 
@@ -293,7 +293,7 @@ static enum ts_status carry(struct ts_instance *self, struct tsim *sim, struct t
 	return TS_OK;
 }
 
-static enum ts_status settle(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
+static enum ts_status finish_step(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
 			     double length)
 {
 	struct state *s = self->state;
@@ -302,8 +302,8 @@ static enum ts_status settle(struct ts_instance *self, struct tsim *sim, struct 
 	(void)length;
 	memset(s->transport.source, 0, s->size * sizeof *s->transport.source);
 	s->steps = 0;
-	if (fluid->empty)
-		memcpy(s->transport.empty, fluid->empty, s->size * sizeof *fluid->empty);
+	if (fluid->void_fraction)
+		memcpy(s->transport.void_fraction, fluid->void_fraction, s->size * sizeof *fluid->void_fraction);
 	return TS_OK;
 }
 
@@ -317,7 +317,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	(void)sim;
 	TS_TRY(ts_archive_fixed(a, "value", TS_SAVED_F64, t->value, s->size));
 	TS_TRY(ts_archive_fixed(a, "source", TS_SAVED_F64, t->source, s->size));
-	return t->empty ? ts_archive_fixed(a, "empty", TS_SAVED_F64, t->empty, s->size) : TS_OK;
+	return t->void_fraction ? ts_archive_fixed(a, "empty", TS_SAVED_F64, t->void_fraction, s->size) : TS_OK;
 }
 
 static const struct ts_saved saved[] = {
@@ -354,7 +354,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 				size_t at = ts_at(grid, i, j, k);
 				double value = s->transport.value[at];
 
-				ts_exactsum_add(&sum, (s->transport.empty ? s->transport.empty[at] : 1) *
+				ts_exactsum_add(&sum, (s->transport.void_fraction ? s->transport.void_fraction[at] : 1) *
 							      value * ts_grid_volume(grid, i, j, k));
 				least = fmin(least, value);
 				most = fmax(most, value);
@@ -417,7 +417,7 @@ static void fini(struct ts_instance *self)
 
 	ts_transport_release(&s->transport);
 	ts_cell_order_release(&s->order);
-	ts_free(s->given);
+	ts_free(s->heat_rate);
 }
 
 #define FACE(name, k)                                                                              \

@@ -1,4 +1,4 @@
-/* The fluid as particles see it: a velocity at each place, a viscosity, a density. */
+/* Flow styles: a velocity at each position, a viscosity, a density; and access to the live flow style. */
 #ifndef TS_FLOW_FLOW_H
 #define TS_FLOW_FLOW_H
 
@@ -8,11 +8,11 @@ struct ts_fluid;
 
 struct ts_flow_style {
 	struct ts_style style;
-	/* Velocity of the undisturbed fluid at x: between the particles, where these leave a void fraction. */
+	/* Velocity of the undisturbed fluid at x; with a void fraction the interstitial velocity. */
 	void (*velocity)(const struct ts_instance *self, const double x[3], double u[3]);
 	double (*viscosity)(const struct ts_instance *self); /* dynamic */
 	double (*density)(const struct ts_instance *self);
-	/* Its fields on a grid, made by now (flow/fluid.h); NULL: the velocity is imposed, nobody acts on it. */
+	/* Its fields on a grid, which exist (flow/fluid.h); NULL: the velocity is imposed and particles do not change it. */
 	struct ts_fluid *(*fluid)(const struct ts_instance *self);
 };
 
@@ -21,16 +21,17 @@ static inline const struct ts_flow_style *ts_flow_style_of(const struct ts_insta
 	return (const struct ts_flow_style *)inst->style;
 }
 
-/* The live flow style's fields; an error for `who` ("fix drag/ergun") where there is no fluid that is solved for. */
+/* The fields of the live flow style; an error in the name of `who` ("fix drag/ergun") if there is no fluid that is solved
+ * for. fluid.c */
 enum ts_status ts_flow_require_fluid(struct tsim *sim, const char *who, const struct ts_place *where,
 				     struct ts_fluid **out);
 
-/* Its numbers for thermo_style and formulas: flow_ke ... */
+/* Keywords of the fluid for thermo_style and formulas: flow_ke ... flow_keywords.c */
 extern const struct ts_system_style ts_flow_system;
 
-/* The same without an error: NULL. */
+/* The same; NULL in place of an error. fluid.c */
 struct ts_fluid *ts_flow_fluid(const struct tsim *sim);
-/* Fixes of a style that take part in the fluid's steps, from the k-th fix on: start with *k = 0, until NULL. */
+/* Iterates over the fixes of a style that take part in the steps of the fluid: start with *k = 0; NULL at the end. */
 const struct ts_instance *ts_flow_part_named(const struct tsim *sim, const char *style, size_t *k);
 
 #endif

@@ -107,7 +107,7 @@ static struct rates look_at_given(const struct ts_fluid *fluid, const struct wea
 				  enum ts_grid_side side)
 {
 	const struct ts_grid *grid = &fluid->grid;
-	const struct ts_flow_face_velocity *given = &fluid->given[d][side];
+	const struct ts_flow_face_velocity *given = &fluid->face_velocity[d][side];
 	const int a = d == 0, b = d == 2 ? 1 : 2;
 	struct rates most = { 0 };
 

@@ -21,7 +21,7 @@ static double row_energy(const struct ts_fluid *fluid, int j, int k)
 			squares += u[0] * u[0] + u[grid->stride[d]] * u[grid->stride[d]];
 		}
 		sum += 0.25 * squares * ts_grid_volume(grid, i, j, k) *
-		       (fluid->empty ? fluid->empty[at] : 1);
+		       (fluid->void_fraction ? fluid->void_fraction[at] : 1);
 	}
 	return sum;
 }
@@ -31,11 +31,11 @@ static double row_energy(const struct ts_fluid *fluid, int j, int k)
 static double flow_of_cell(const struct ts_fluid *fluid, int d, size_t low)
 {
 	const size_t high = low + (size_t)fluid->grid.stride[d];
-	const double *u = fluid->u[d], *share = fluid->inertia[d];
+	const double *u = fluid->u[d], *e = fluid->momentum_void_fraction[d];
 
-	if (share)
-		return share[low] * u[low] + share[high] * u[high];
-	return (fluid->empty ? fluid->empty[low] : 1) * (u[low] + u[high]);
+	if (e)
+		return e[low] * u[low] + e[high] * u[high];
+	return (fluid->void_fraction ? fluid->void_fraction[low] : 1) * (u[low] + u[high]);
 }
 
 double ts_flow_momentum(const struct ts_fluid *fluid, int d)
@@ -110,7 +110,7 @@ void ts_flow_centre_vorticity(const struct ts_fluid *fluid, const int cell[3], d
 	}
 }
 
-static bool counts(const struct ts_instance *region, int d, double x, const double other[2])
+static bool in_region(const struct ts_instance *region, int d, double x, const double other[2])
 {
 	double place[3];
 
@@ -122,12 +122,12 @@ static bool counts(const struct ts_instance *region, int d, double x, const doub
 	return ts_region_contains(region, place);
 }
 
-static double through(const struct ts_fluid *fluid, int d, size_t at)
+static double face_flow(const struct ts_fluid *fluid, int d, size_t at)
 {
-	return fluid->u[d][at] * (fluid->empty_face[d] ? fluid->empty_face[d][at] : 1);
+	return fluid->u[d][at] * (fluid->void_fraction_face[d] ? fluid->void_fraction_face[d][at] : 1);
 }
 
-static void flux(const struct ts_fluid *fluid, int d, double x, const struct ts_instance *region,
+static void sum_flux(const struct ts_fluid *fluid, int d, double x, const struct ts_instance *region,
 		 struct ts_flow_flux_sums *out)
 {
 	const struct ts_grid *grid = &fluid->grid;
@@ -147,11 +147,11 @@ static void flux(const struct ts_fluid *fluid, int d, double x, const struct ts_
 			size_t at = ts_at(grid, cell[0], cell[1], cell[2]);
 			double a = grid->width[b][cell[b]] * grid->width[c][cell[c]];
 
-			if (!counts(region, d, x, other))
+			if (!in_region(region, d, x, other))
 				continue;
 			area += a;
-			row += a * ((1 - part) * through(fluid, d, at) +
-				    part * through(fluid, d, at + (size_t)grid->stride[d]));
+			row += a * ((1 - part) * face_flow(fluid, d, at) +
+				    part * face_flow(fluid, d, at + (size_t)grid->stride[d]));
 		}
 		out->flux += row;
 		out->area += area;
@@ -162,7 +162,7 @@ enum ts_status ts_flow_flux(const struct ts_fluid *fluid, struct tsim *sim, int 
 			    struct ts_instance *region, struct ts_flow_flux_sums *out)
 {
 	TS_TRY(ts_region_update(region, sim));
-	flux(fluid, d, x, region, out);
+	sum_flux(fluid, d, x, region, out);
 	return TS_OK;
 }
 
@@ -207,7 +207,7 @@ static void add_pressure(const struct edge *e, struct ts_flow_face_load *out)
 			double area = grid->width[b][cell[b]] * grid->width[c][cell[c]];
 			double x = grid->face[e->d][e->cell + (e->sign > 0)];
 
-			if (!counts(e->region, e->d, x, other))
+			if (!in_region(e->region, e->d, x, other))
 				continue;
 			out->area += area;
 			row += area *
@@ -218,7 +218,7 @@ static void add_pressure(const struct edge *e, struct ts_flow_face_load *out)
 }
 
 /* Length that belongs to face i of axis t: half of each cell beside it that is in the grid. */
-static double share(const struct ts_grid *grid, int t, int i)
+static double face_length(const struct ts_grid *grid, int t, int i)
 {
 	double low = i > 0 || grid->periodic[t] ? grid->width[t][i - 1] : 0;
 	double high = i < grid->n[t] || grid->periodic[t] ? grid->width[t][i] : 0;
@@ -246,8 +246,8 @@ static void add_shear(const struct edge *e, int t, struct ts_flow_face_load *out
 			along[t] = grid->face[t][cell[t]];
 			along[e->d] = grid->face[e->d][e->cell + (e->sign > 0)];
 			if (!e->region || ts_region_contains(e->region, along))
-				row += share(grid, t, cell[t]) * grid->width[c][cell[c]] *
-				       (e->fluid->empty_face[t] ? e->fluid->empty_face[t][at] : 1) *
+				row += face_length(grid, t, cell[t]) * grid->width[c][cell[c]] *
+				       (e->fluid->void_fraction_face[t] ? e->fluid->void_fraction_face[t][at] : 1) *
 				       (u[at] - u[at + e->outward]) / gap;
 		}
 		out->shear[t] += e->fluid->viscosity * row;

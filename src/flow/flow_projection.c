@@ -43,7 +43,7 @@ static enum ts_status check_viscous(struct ts_instance *self, struct tsim *sim)
 			       "viscous explicit, which then has no limit of its own",
 			       viscous);
 	p->theta = p->viscous == TS_VISCOUS_BACKWARD ? 1 : 0.5;
-	p->fluid.pressure_ahead = true;
+	p->fluid.incremental = true;
 	return TS_OK;
 }
 
@@ -159,13 +159,13 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 		const char *name;
 		double **field;
 	} vectors[] = { { "u", fluid->u },		 { "force", fluid->force },
-			{ "exchange", fluid->exchange }, { "used", fluid->used },
-			{ "history", p->history },	 { "empty_face", fluid->empty_face },
-			{ "inertia", fluid->inertia } },
+			{ "exchange", fluid->exchange }, { "used", fluid->exchange_velocity },
+			{ "history", p->history },	 { "empty_face", fluid->void_fraction_face },
+			{ "inertia", fluid->momentum_void_fraction } },
 	  scalars[] = { { "p", &fluid->p },
-			{ "empty", &fluid->empty },
-			{ "empty_rate", &fluid->empty_rate },
-			{ "empty_before", &p->empty_before },
+			{ "empty", &fluid->void_fraction },
+			{ "empty_rate", &fluid->void_fraction_rate },
+			{ "empty_before", &p->void_fraction_before },
 			{ "increment", &p->increment },
 			{ "p_mean", &fluid->p_mean } };
 	enum ts_status status = TS_OK;
@@ -192,7 +192,7 @@ static void fingerprint(const struct ts_instance *self, const struct tsim *sim, 
 			    (size_t)(p->fluid.grid.n[d] + 1) * sizeof(double));
 	for (int d = 0; d < 3; d++)
 		for (int side = 0; side < 2; side++) {
-			const struct ts_flow_face_velocity *given = &p->before[d][side];
+			const struct ts_flow_face_velocity *given = &p->velocity_before[d][side];
 
 			ts_hash_add(hash, &p->fluid.face[d][side], sizeof p->fluid.face[d][side]);
 			ts_hash_add(hash, given->constant, sizeof given->constant);
@@ -241,9 +241,9 @@ static void warn_of_walls(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_projection *p = self->state;
 
-	if (p->viscosity > 0 || p->told_walls || !sticks(p, sim))
+	if (p->viscosity > 0 || p->warned_walls || !sticks(p, sim))
 		return;
-	p->told_walls = true;
+	p->warned_walls = true;
 	ts_warn(&sim->log, ts_instance_word(self, "viscosity"),
 		"flow_style projection: a fluid with viscosity 0 does not stick to walls and bodies, but they "
 		"set its velocity; use flow_boundary FACE slip, or a viscosity");
@@ -261,7 +261,7 @@ static enum ts_status describe(struct ts_instance *self, struct tsim *sim, struc
 
 	TS_TRY(ts_projection_net_outflow(self, sim, &mean));
 	TS_TRY(ts_projection_check_pressure(self, sim));
-	if (p->viscous != TS_VISCOUS_EXPLICIT && p->fluid.empty)
+	if (p->viscous != TS_VISCOUS_EXPLICIT && p->fluid.void_fraction)
 		return ts_fail(&sim->error, TS_STATE, ts_instance_word(self, viscous_names[p->viscous]),
 			       "flow_style projection: viscous %s does not know the room between particles "
 			       "(fix void_fraction): use viscous explicit, with substeps auto if it limits the step",
@@ -270,9 +270,9 @@ static enum ts_status describe(struct ts_instance *self, struct tsim *sim, struc
 	ts_report_line(report, "fluid", "%d x %d x %d cells, convection %s (%s), time %s", grid->n[0],
 		       grid->n[1], grid->n[2], ts_convection_names[p->convection], ts_flow_form_names[p->form],
 		       ts_flow_time_names[p->time]);
-	ts_pressure_explain(sim, &p->poisson, p->fluid.empty || p->fluid.exchange[0], report);
+	ts_pressure_explain(sim, &p->poisson, p->fluid.void_fraction || p->fluid.exchange[0], report);
 	report->bytes += 8 * fields * (double)grid->size;
-	if (!p->fluid.empty)
+	if (!p->fluid.void_fraction)
 		ts_report_left_out(report, "void fraction", 0, 8 * ROOM_FIELDS * (double)grid->size,
 				   "no fix says that particles take room from the fluid");
 	if (!p->substeps)

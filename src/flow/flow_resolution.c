@@ -49,7 +49,7 @@ static double largest_speed(const struct ts_fluid *fluid)
 		for (enum ts_grid_side side = TS_LOW; side <= TS_HIGH; side++)
 			for (int c = 0; c < grid->dimensions; c++)
 				if (fluid->face[d][side] == TS_FLOW_WALL)
-					most = fmax(most, fabs(fluid->given[d][side].constant[c]));
+					most = fmax(most, fabs(fluid->face_velocity[d][side].constant[c]));
 		for (int k = 0; k < grid->n[2]; k++)
 			for (int j = 0; j < grid->n[1]; j++)
 				for (int i = 0; i < grid->n[0]; i++)
@@ -58,7 +58,7 @@ static double largest_speed(const struct ts_fluid *fluid)
 	return most;
 }
 
-static void look(const struct ts_fluid *fluid, int c, int d, const int cell[3], struct wiggle *most)
+static void check_wiggle(const struct ts_fluid *fluid, int c, int d, const int cell[3], struct wiggle *most)
 {
 	const struct ts_grid *grid = &fluid->grid;
 	const size_t at = ts_at(grid, cell[0], cell[1], cell[2]), s = (size_t)grid->stride[d];
@@ -100,7 +100,7 @@ static struct wiggle largest_wiggle(const struct ts_fluid *fluid)
 			for (int k = from[2]; k < to[2]; k++)
 				for (int j = from[1]; j < to[1]; j++)
 					for (int i = from[0]; i < to[0]; i++)
-						look(fluid, c, d, (int[3]){ i, j, k }, &most);
+						check_wiggle(fluid, c, d, (int[3]){ i, j, k }, &most);
 		}
 	return most;
 }
@@ -138,7 +138,7 @@ static struct wall wall_at(const struct ts_fluid *fluid, int d, enum ts_grid_sid
 static void profile(const struct wall *wall, int c, int ia, int ib, double u[3])
 {
 	const struct ts_fluid *fluid = wall->fluid;
-	const struct ts_flow_face_velocity *given = &fluid->given[wall->d][wall->side];
+	const struct ts_flow_face_velocity *given = &fluid->face_velocity[wall->d][wall->side];
 	size_t plane = ts_flow_plane_at(&fluid->grid, wall->d, ia, ib);
 	double own = given->plane[c] ? given->plane[c][plane] : given->constant[c];
 
@@ -191,7 +191,7 @@ static bool is_grown(const struct ts_fluid *fluid, double width, double fastest)
 	       fluid->time * fluid->viscosity > 4 * width * width * fluid->density;
 }
 
-static enum ts_status tell_wiggle(const struct ts_instance *self, struct tsim *sim, double fastest)
+static enum ts_status report_wiggle(const struct ts_instance *self, struct tsim *sim, double fastest)
 {
 	const struct ts_projection *p = self->state;
 	const struct ts_fluid *fluid = &p->fluid;
@@ -199,7 +199,7 @@ static enum ts_status tell_wiggle(const struct ts_instance *self, struct tsim *s
 	char remedy[128];
 
 	/* Particles smaller than the cells give neighbours different forces. */
-	if (fluid->force[0] || fluid->exchange[0] || fluid->empty)
+	if (fluid->force[0] || fluid->exchange[0] || fluid->void_fraction)
 		return TS_OK;
 	if (!(w.size > ALTERNATES * fastest) || !is_grown(fluid, w.width, fastest))
 		return TS_OK;
@@ -218,7 +218,7 @@ static enum ts_status tell_wiggle(const struct ts_instance *self, struct tsim *s
 			      remedy);
 }
 
-static enum ts_status tell_wall(const struct ts_instance *self, struct tsim *sim,
+static enum ts_status report_wall(const struct ts_instance *self, struct tsim *sim,
 				const struct wall *wall, double fastest)
 {
 	const struct ts_fluid *fluid = wall->fluid;
@@ -246,13 +246,13 @@ enum ts_status ts_projection_check_resolution(const struct ts_instance *self, st
 
 	if (fluid->steps == 0 || !(fluid->viscosity > 0) || !(fastest > 0))
 		return TS_OK;
-	TS_TRY(tell_wiggle(self, sim, fastest));
+	TS_TRY(report_wiggle(self, sim, fastest));
 	for (int d = 0; d < fluid->grid.dimensions; d++)
 		for (enum ts_grid_side side = TS_LOW; side <= TS_HIGH; side++)
 			if (fluid->face[d][side] == TS_FLOW_WALL && fluid->grid.n[d] >= 3) {
 				struct wall wall = wall_at(fluid, d, side);
 
-				TS_TRY(tell_wall(self, sim, &wall, fastest));
+				TS_TRY(report_wall(self, sim, &wall, fastest));
 			}
 	return TS_OK;
 }

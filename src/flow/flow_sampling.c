@@ -17,8 +17,8 @@ static const char *const names[] = { [X] = "x",	      [Y] = "y",   [Z] = "z",	[S
 				     [VX] = "vx",     [VY] = "vy", [VZ] = "vz", [SPEED] = "speed",
 				     [P] = "p",	      [VOID] = "void",
 				     [WX] = "wx",     [WY] = "wy", [WZ] = "wz", NULL };
-static const int usual[] = { VX, VY, VZ, P };
-enum { NUSUAL = sizeof usual / sizeof *usual };
+static const int default_columns[] = { VX, VY, VZ, P };
+enum { NUSUAL = sizeof default_columns / sizeof *default_columns };
 
 /* Where the values lie along an axis. The last: in the centres, and those that hold on the boundary. */
 enum nodes { ON_FACES, IN_CENTRES, IN_CENTRES_AND_ON_BOUNDARIES };
@@ -64,7 +64,7 @@ static void node_range(const struct axis *a, int *low, int *high)
 	}
 }
 
-static void add(struct stencil *s, int index, double weight)
+static void add_node(struct stencil *s, int index, double weight)
 {
 	s->index[s->n] = index;
 	s->weight[s->n++] = weight;
@@ -74,37 +74,37 @@ static void add(struct stencil *s, int index, double weight)
  * without a gradient there, that of the cell. */
 static void add_boundary(struct stencil *s, const struct axis *a, bool high, double weight)
 {
-	const double *mirror = a->fluid->mirror[a->d][high];
+	const double *mirror = a->fluid->ghost_weights[a->d][high];
 	enum ts_flow_face face = a->fluid->face[a->d][high];
 	int first = high ? a->grid->n[a->d] - 1 : 0, inward = high ? -1 : 1;
 
 	if (face != TS_FLOW_WALL && face != TS_FLOW_INLET) {
-		add(s, first, weight);
+		add_node(s, first, weight);
 		return;
 	}
-	add(s, first - inward, weight / mirror[0]);
-	add(s, first, -weight * mirror[1] / mirror[0]);
+	add_node(s, first - inward, weight / mirror[0]);
+	add_node(s, first, -weight * mirror[1] / mirror[0]);
 	if (mirror[2] != 0)
-		add(s, first + inward, -weight * mirror[2] / mirror[0]);
+		add_node(s, first + inward, -weight * mirror[2] / mirror[0]);
 }
 
-static double inside(const struct ts_grid *grid, int d, double x)
+static double clamp_to_grid(const struct ts_grid *grid, int d, double x)
 {
 	return fmin(fmax(x, grid->face[d][0]), grid->face[d][grid->n[d]]);
 }
 
 /* The `count` nodes around x, as far as there are so many. */
-static struct stencil around(const struct axis *a, double x, int count)
+static struct stencil stencil_around(const struct axis *a, double x, int count)
 {
 	const struct ts_grid *grid = a->grid;
 	struct stencil s = { 0 };
 	int low, high, first;
 
 	if (a->d >= grid->dimensions) {
-		add(&s, 0, 1);
+		add_node(&s, 0, 1);
 		return s;
 	}
-	x = inside(grid, a->d, x);
+	x = clamp_to_grid(grid, a->d, x);
 	node_range(a, &low, &high);
 	first = ts_grid_find(grid, a->d, x);
 	if (a->nodes != ON_FACES && x < grid->centre[a->d][first])
@@ -122,7 +122,7 @@ static struct stencil around(const struct axis *a, double x, int count)
 		if (is_boundary(a, k))
 			add_boundary(&s, a, k >= 0, weight);
 		else
-			add(&s, k, weight);
+			add_node(&s, k, weight);
 	}
 	return s;
 }
@@ -160,7 +160,7 @@ static double centred(const struct ts_fluid *fluid, const double *field, const d
 	struct stencil s[3];
 
 	for (int d = 0; d < 3; d++)
-		s[d] = around(&(struct axis){ fluid, &fluid->grid, d, IN_CENTRES }, x[d], count);
+		s[d] = stencil_around(&(struct axis){ fluid, &fluid->grid, d, IN_CENTRES }, x[d], count);
 	return combine(s, fluid, of_field, field);
 }
 
@@ -173,7 +173,7 @@ static double velocity(const struct ts_fluid *fluid, int component, const double
 	for (int d = 0; d < 3; d++) {
 		enum nodes nodes = d == component ? ON_FACES : IN_CENTRES_AND_ON_BOUNDARIES;
 
-		s[d] = around(&(struct axis){ fluid, &fluid->grid, d, nodes }, x[d], count);
+		s[d] = stencil_around(&(struct axis){ fluid, &fluid->grid, d, nodes }, x[d], count);
 	}
 	return combine(s, fluid, of_field, fluid->u[component]);
 }
@@ -185,7 +185,7 @@ static double vorticity(const struct ts_fluid *fluid, int component, const doubl
 	if (fluid->grid.dimensions == 2 && component != 2)
 		return 0;
 	for (int d = 0; d < 3; d++)
-		s[d] = around(&(struct axis){ fluid, &fluid->grid, d,
+		s[d] = stencil_around(&(struct axis){ fluid, &fluid->grid, d,
 					      d == component ? IN_CENTRES : ON_FACES },
 			      x[d], 2);
 	return combine(s, fluid, of_edge, &component);
@@ -215,14 +215,14 @@ void ts_flow_sample(const struct ts_flow_sampler *sampler, const struct ts_fluid
 		else if (what == P)
 			out[k] = centred(fluid, fluid->p, x, count);
 		else if (what == VOID)
-			out[k] = fluid->empty ? centred(fluid, fluid->empty, x, count) : 1;
+			out[k] = fluid->void_fraction ? centred(fluid, fluid->void_fraction, x, count) : 1;
 		else
 			out[k] = vorticity(fluid, what - WX, x);
 	}
 }
 
 /* Without words. */
-static enum ts_status take_usual(struct ts_instance *self, struct tsim *sim)
+static enum ts_status take_default_columns(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_name_list *list = &((struct ts_flow_sampler *)self->state)->list;
 
@@ -230,7 +230,7 @@ static enum ts_status take_usual(struct ts_instance *self, struct tsim *sim)
 		list->item = ts_arena_alloc(&self->arena, NUSUAL, sizeof *list->item);
 	if (!list->item)
 		return ts_nomem(&sim->error);
-	memcpy(list->item, usual, sizeof usual);
+	memcpy(list->item, default_columns, sizeof default_columns);
 	list->n = NUSUAL;
 	return TS_OK;
 }
@@ -248,7 +248,7 @@ enum ts_status ts_flow_sampler_init(struct ts_instance *self, struct tsim *sim)
 	if (status == TS_OK)
 		status = s->words.n ? ts_flow_read_names(sim, ts_str_text(&who), &self->arena, s->words,
 							 names, sizeof *names, &s->list)
-				    : take_usual(self, sim);
+				    : take_default_columns(self, sim);
 	ts_str_release(&who);
 	if (status == TS_OK && !s->carried)
 		s->carried = ts_arena_alloc(&self->arena, s->list.n, sizeof *s->carried);

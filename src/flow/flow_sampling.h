@@ -1,20 +1,20 @@
-/* Numbers of a fluid at any place, by name: what probes, lines and planes give.
+/* Sampling of a fluid at any position by names of quantities: computes flow/probe, flow/line and flow/plane.
  *
- * Between the values of the grid each axis is interpolated by the polynomial through the nearest 2 or 4 of them
- * (Lagrange), the value on the boundary itself being one of them for velocities along it. The error falls with
- * h^2 or h^4. Vorticity is always linear, between the edges on which it lives. */
+ * Along each axis values are interpolated by the Lagrange polynomial through the nearest 2 or 4 points; for velocities
+ * along a boundary the value on the boundary is one of them. The error is of order h^2 or h^4. Vorticity is always
+ * interpolated linearly between the edges on which it is defined. */
 #ifndef TS_FLOW_FLOW_SAMPLING_H
 #define TS_FLOW_FLOW_SAMPLING_H
 
 #include "core/name_list.h"
 #include "flow/fluid.h"
 
-/* First member of the computes that sample. */
+/* First member of the state of these computes. */
 struct ts_flow_sampler {
 	struct ts_words words; /* argument */
 	int interpolation;     /* argument */
 	struct ts_name_list list;
-	const double **carried; /* of each column that is a scalar of a fix, while a table is made */
+	const double **carried; /* of each column f_ID: the scalar field, valid while a table is made; else NULL */
 	struct tsim *sim;
 };
 extern const char *const ts_flow_interpolations[];
@@ -32,18 +32,18 @@ extern const char *const ts_flow_interpolations[];
 	"the values of the grid are interpolated through the nearest 2 values along\neach axis, with " \
 	"`interpolation cubic` 4, the velocity on a wall being one of them; vorticity always through 2."
 
-/* For the init of such a compute: reads the words, checks that there is a fluid. */
+/* Called in the init of such a compute: reads the words, checks that there is a fluid. */
 enum ts_status ts_flow_sampler_init(struct ts_instance *self, struct tsim *sim);
-/* An error with the place of the word where x lies outside of the grid. */
+/* An error at `where` if x is outside the grid. */
 enum ts_status ts_flow_sampler_inside(struct ts_instance *self, struct tsim *sim, const double x[3],
 				      const struct ts_place *where);
-/* One row; `s` is the distance along a line. */
+/* Computes one row of the table; `s`: distance along a line. */
 void ts_flow_sample(const struct ts_flow_sampler *sampler, const struct ts_fluid *fluid,
 		    const double x[3], double s, double *out);
-/* The fluid as it is now, and the table for so many rows. */
+/* Finds the fluid, and makes the table for that number of rows. */
 enum ts_status ts_flow_sampler_begin(struct ts_instance *self, size_t rows, struct ts_table *out,
 				     struct ts_fluid **fluid);
-/* The values of c_ID[k]: the first row. `eval` gives the table. */
+/* The values c_ID[k], which are the first row of the table that `eval` makes. */
 enum ts_status ts_flow_sampler_first_row(struct ts_instance *self, const struct tsim *sim,
 					 struct ts_table *out,
 					 enum ts_status (*eval)(struct ts_instance *self,

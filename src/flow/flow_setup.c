@@ -24,7 +24,7 @@ enum ts_status ts_projection_require(struct tsim *sim, const char *who, const st
 
 /* ---- where the grid lies */
 
-static enum ts_status bounds(struct ts_instance *self, struct tsim *sim, double lo[3], double hi[3])
+static enum ts_status grid_bounds(struct ts_instance *self, struct tsim *sim, double lo[3], double hi[3])
 {
 	struct ts_projection *p = self->state;
 	const struct ts_box *box = &sim->domain->box;
@@ -77,7 +77,7 @@ static enum ts_status check_cells(struct ts_instance *self, struct tsim *sim, co
 }
 
 /* Whether the grid that is there is the one that is wanted. */
-static bool is_as(const struct ts_grid *grid, const double *const face[3], const bool periodic[3])
+static bool same_grid(const struct ts_grid *grid, const double *const face[3], const bool periodic[3])
 {
 	for (int d = 0; d < 3; d++) {
 		if (!grid->memory || grid->periodic[d] != periodic[d])
@@ -89,13 +89,13 @@ static bool is_as(const struct ts_grid *grid, const double *const face[3], const
 }
 
 /* The fields of a grid depend on its numbers of cells only: they outlive a change of lengths. */
-static enum ts_status remake(struct ts_projection *p, const double *const face[3],
+static enum ts_status remake_grid(struct ts_projection *p, const double *const face[3],
 			     const bool periodic[3])
 {
 	struct ts_fluid *fluid = &p->fluid;
 	const int n[3] = { (int)p->cells[0], (int)p->cells[1], (int)p->cells[2] };
 
-	if (is_as(&fluid->grid, face, periodic) && p->rhs)
+	if (same_grid(&fluid->grid, face, periodic) && p->rhs)
 		return TS_OK;
 	p->pressure = NULL;
 	ts_operators_release(&p->operators);
@@ -112,7 +112,7 @@ static enum ts_status remake(struct ts_projection *p, const double *const face[3
 }
 
 /* The fields that every projection has: velocity, its predictor, pressure, right-hand side. */
-static enum ts_status no_room(struct ts_instance *self, struct tsim *sim)
+static enum ts_status fail_out_of_memory(struct ts_instance *self, struct tsim *sim)
 {
 	enum { FIELDS = 8 };
 	const struct ts_projection *p = self->state;
@@ -133,7 +133,7 @@ static enum ts_status make_grid(struct ts_instance *self, struct tsim *sim)
 	enum ts_status status = TS_OK;
 	bool periodic[3];
 
-	TS_TRY(bounds(self, sim, lo, hi));
+	TS_TRY(grid_bounds(self, sim, lo, hi));
 	for (int d = 0; d < 3; d++)
 		periodic[d] = ts_box_periodic(&sim->domain->box, d) &&
 			      spans_box(&sim->domain->box, d, lo[d], hi[d]);
@@ -151,9 +151,9 @@ static enum ts_status make_grid(struct ts_instance *self, struct tsim *sim)
 			face[d][n] = hi[d];
 	}
 	if (status == TS_OK)
-		status = remake(p, (const double *const *)face, periodic);
+		status = remake_grid(p, (const double *const *)face, periodic);
 	ts_arena_release(&arena);
-	return status == TS_NOMEM ? no_room(self, sim) : status;
+	return status == TS_NOMEM ? fail_out_of_memory(self, sim) : status;
 }
 
 enum ts_status ts_projection_setup(struct ts_instance *self, struct tsim *sim)
@@ -170,7 +170,7 @@ enum ts_status ts_projection_setup(struct ts_instance *self, struct tsim *sim)
 	p->poisson.threads = ts_team(sim, ts_grid_cells(&fluid->grid));
 	TS_TRY(ts_projection_set_face_types(self, sim));
 	TS_TRY(ts_projection_evaluate_boundary(self, sim));
-	p->filled = false;
+	p->ghosts_filled = false;
 	ts_projection_interpolate_boundary(p, 0); /* the fields are those of the last step */
 	if (ts_projection_not_started(p))
 		ts_fluid_fill_velocity(fluid, fluid->u);
@@ -186,21 +186,21 @@ void ts_projection_release(struct ts_projection *p)
 	ts_operators_release(&p->operators);
 	for (int d = 0; d < 3; d++) {
 		ts_grid_field_free(p->work[d]);
-		ts_grid_field_free(p->second[d]);
+		ts_grid_field_free(p->second_stage[d]);
 		ts_grid_field_free(p->history[d]);
 		ts_grid_field_free(p->weight[d]);
-		ts_grid_field_free(p->room_before[d]);
-		ts_grid_field_free(p->room_rate[d]);
-		ts_grid_field_free(p->room_start[d]);
-		ts_grid_field_free(p->room_last[d]);
+		ts_grid_field_free(p->void_before[d]);
+		ts_grid_field_free(p->void_rate[d]);
+		ts_grid_field_free(p->void_start[d]);
+		ts_grid_field_free(p->void_stage[d]);
 		ts_free(p->graded[d]);
 		for (int k = 0; k < 6; k++) {
-			ts_free(p->now[d][k / 3].plane[k % 3]);
-			ts_free(p->before[d][k / 3].plane[k % 3]);
+			ts_free(p->velocity_now[d][k / 3].plane[k % 3]);
+			ts_free(p->velocity_before[d][k / 3].plane[k % 3]);
 		}
 	}
 	ts_projection_release_pressure(p);
 	ts_grid_field_free(p->rhs);
 	ts_grid_field_free(p->increment);
-	ts_grid_field_free(p->empty_before);
+	ts_grid_field_free(p->void_fraction_before);
 }

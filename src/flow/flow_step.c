@@ -6,7 +6,7 @@
 
 #include "base/banned.h"
 
-static struct ts_predictor predictor(const struct ts_projection *p, double dt)
+static struct ts_predictor make_predictor(const struct ts_projection *p, double dt)
 {
 	const struct ts_fluid *fluid = &p->fluid;
 	struct ts_predictor out = { .fluid = fluid,
@@ -25,7 +25,7 @@ static struct ts_predictor predictor(const struct ts_projection *p, double dt)
 	return out;
 }
 
-static void exchange_fields(double *a[3], double *b[3])
+static void swap_fields(double *a[3], double *b[3])
 {
 	for (int d = 0; d < 3; d++) {
 		double *keep = a[d];
@@ -37,7 +37,7 @@ static void exchange_fields(double *a[3], double *b[3])
 
 /* ---- those who take part */
 
-static enum ts_status parts_force(struct tsim *sim, struct ts_fluid *fluid, double time, double dt)
+static enum ts_status apply_part_forces(struct tsim *sim, struct ts_fluid *fluid, double time, double dt)
 {
 	struct ts_instance *part;
 	bool any = false;
@@ -55,34 +55,34 @@ static enum ts_status parts_force(struct tsim *sim, struct ts_fluid *fluid, doub
 	return TS_OK;
 }
 
-static enum ts_status parts_carry(struct tsim *sim, struct ts_fluid *fluid, double dt)
+static enum ts_status call_after_substep(struct tsim *sim, struct ts_fluid *fluid, double dt)
 {
 	struct ts_instance *part;
 
 	for (size_t k = 0; (part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));) {
 		const struct ts_flow_part *flow_part = part->state;
 
-		if (flow_part->carry)
-			TS_TRY(flow_part->carry(part, sim, fluid, dt));
+		if (flow_part->after_substep)
+			TS_TRY(flow_part->after_substep(part, sim, fluid, dt));
 	}
 	return TS_OK;
 }
 
-static enum ts_status parts_settle(struct tsim *sim, struct ts_fluid *fluid, double length)
+static enum ts_status call_after_step(struct tsim *sim, struct ts_fluid *fluid, double length)
 {
 	struct ts_instance *part;
 
 	for (size_t k = 0; (part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));) {
 		const struct ts_flow_part *flow_part = part->state;
 
-		if (flow_part->settle)
-			TS_TRY(flow_part->settle(part, sim, fluid, length));
+		if (flow_part->after_step)
+			TS_TRY(flow_part->after_step(part, sim, fluid, length));
 	}
 	return TS_OK;
 }
 
 /* Longest step that those who take part allow. */
-static double parts_limit(const struct tsim *sim, const struct ts_fluid *fluid)
+static double part_limit(const struct tsim *sim, const struct ts_fluid *fluid)
 {
 	const struct ts_instance *part;
 	double least = INFINITY;
@@ -99,7 +99,7 @@ static double parts_limit(const struct tsim *sim, const struct ts_fluid *fluid)
 /* ---- Adams-Bashforth */
 
 /* From u and the Euler step u + dt F to u + dt (F + (F - F before) dt/(2 dt before)); keeps F. */
-static void add_history(struct ts_projection *p, double *const out[3], double dt)
+static void add_adams_bashforth(struct ts_projection *p, double *const out[3], double dt)
 {
 	const struct ts_fluid *fluid = &p->fluid;
 	const size_t size = fluid->grid.size;
@@ -122,7 +122,7 @@ static void add_history(struct ts_projection *p, double *const out[3], double dt
 
 /* ---- a step */
 
-static enum ts_status want_vector(const struct ts_grid *grid, double *field[3])
+static enum ts_status allocate_vector(const struct ts_grid *grid, double *field[3])
 {
 	/* In a plane the third component, too, which is 0: these take turns with the velocities, which have it. */
 	for (int d = 0; d < 3; d++)
@@ -132,14 +132,14 @@ static enum ts_status want_vector(const struct ts_grid *grid, double *field[3])
 }
 
 /* Memory that only some schemes need. */
-static enum ts_status want_memory(struct ts_projection *p, const struct ts_flow_time_scheme *scheme)
+static enum ts_status allocate_scheme_fields(struct ts_projection *p, const struct ts_flow_time_scheme *scheme)
 {
 	if (p->viscous != TS_VISCOUS_EXPLICIT && !p->increment &&
 	    !(p->increment = ts_grid_field(&p->fluid.grid)))
 		return TS_NOMEM;
 	if (scheme->stages > 1)
-		TS_TRY(want_vector(&p->fluid.grid, p->second));
-	return scheme->history ? want_vector(&p->fluid.grid, p->history) : TS_OK;
+		TS_TRY(allocate_vector(&p->fluid.grid, p->second_stage));
+	return scheme->history ? allocate_vector(&p->fluid.grid, p->history) : TS_OK;
 }
 
 /* Viscosity over a step, from p->work with all else but the pressure to u*. */
@@ -166,7 +166,7 @@ static enum ts_status make_stage(struct ts_instance *self, struct tsim *sim,
 {
 	struct ts_projection *p = self->state;
 	struct ts_fluid *fluid = &p->fluid;
-	struct ts_predictor stage = predictor(p, dt);
+	struct ts_predictor stage = make_predictor(p, dt);
 	double length = scheme->take[s] * dt;
 
 	stage.keep = scheme->keep[s];
@@ -180,15 +180,15 @@ static enum ts_status make_stage(struct ts_instance *self, struct tsim *sim,
 		ts_projection_stage_void_fraction(p, &stage, s);
 	ts_flow_predict(&stage);
 	if (scheme->history)
-		add_history(p, p->work, dt);
+		add_adams_bashforth(p, p->work, dt);
 	if (p->viscous != TS_VISCOUS_EXPLICIT)
 		TS_TRY(implicit_step(p, dt) == TS_OK ? TS_OK : ts_nomem(&sim->error));
-	exchange_fields(fluid->u, p->work);
+	swap_fields(fluid->u, p->work);
 	ts_projection_apply_particle_forces(p, length);
 	ts_projection_interpolate_boundary(p, ((double)p->now_at + scheme->at[s]) / (double)p->done);
 	ts_fluid_fill_velocity(fluid, fluid->u);
-	TS_TRY(parts_force(sim, fluid, fluid->time + scheme->at[s] * dt, length));
-	p->pressure_share = ((double)p->now_at + scheme->pressure_at[s]) / (double)p->done;
+	TS_TRY(apply_part_forces(sim, fluid, fluid->time + scheme->at[s] * dt, length));
+	p->pressure_time = ((double)p->now_at + scheme->pressure_at[s]) / (double)p->done;
 	TS_TRY(ts_projection_project_velocity(self, sim, length, length));
 	ts_projection_average_exchange(p, s == 0 ? carry : 1, scheme->take[s]);
 	return TS_OK;
@@ -201,18 +201,18 @@ enum ts_status ts_projection_substep(struct ts_instance *self, struct tsim *sim,
 	const struct ts_flow_time_scheme *scheme = &ts_flow_time_schemes[p->time];
 	double *old[3] = { fluid->u[0], fluid->u[1], fluid->u[2] };
 
-	if (want_memory(p, scheme) != TS_OK)
+	if (allocate_scheme_fields(p, scheme) != TS_OK)
 		return ts_nomem(&sim->error);
 	for (int s = 0; s < scheme->stages; s++) {
 		TS_TRY(make_stage(self, sim, scheme, s, old, dt, carry));
 		if (s < scheme->stages - 1 && p->work[0] == old[0]) /* it is needed to the end */
-			exchange_fields(p->work, p->second);
+			swap_fields(p->work, p->second_stage);
 	}
 	fluid->dt = dt;
 	fluid->time += dt;
 	fluid->steps++;
 	TS_TRY(ts_projection_check_substep(self, sim, old, dt));
-	return parts_carry(sim, fluid, dt);
+	return call_after_substep(sim, fluid, dt);
 }
 
 /* Into how many steps of the fluid this length is cut. */
@@ -225,7 +225,7 @@ static enum ts_status choose_substeps(struct ts_instance *self, struct tsim *sim
 	p->done = p->substeps;
 	if (p->substeps)
 		return TS_OK;
-	limit = p->courant * fmin(ts_flow_limit(p), parts_limit(sim, &p->fluid));
+	limit = p->courant * fmin(ts_flow_limit(p), part_limit(sim, &p->fluid));
 	if (!(length <= MOST * limit))
 		return ts_fail(&sim->error, TS_PHYSICS, &self->where,
 			       "the fluid's stable step is %g, less than a millionth of the %g it is to make: "
@@ -237,7 +237,7 @@ static enum ts_status choose_substeps(struct ts_instance *self, struct tsim *sim
 
 /* Over a step of several stages what u counts in `used` shrinks by the factors of the later ones: what came
  * before is carried with the inverse of all of them. */
-static double carry_of(const struct ts_flow_time_scheme *scheme)
+static double initial_carry(const struct ts_flow_time_scheme *scheme)
 {
 	double product = 1;
 
@@ -246,13 +246,13 @@ static double carry_of(const struct ts_flow_time_scheme *scheme)
 	return 1 / product;
 }
 
-static void divide_used(struct ts_projection *p, double by)
+static void divide_exchange_means(struct ts_projection *p, double by)
 {
 	struct ts_fluid *fluid = &p->fluid;
 
-	for (int d = 0; d < 3 && fluid->used[d] && by > 1; d++)
+	for (int d = 0; d < 3 && fluid->exchange_velocity[d] && by > 1; d++)
 		for (size_t k = 0; k < fluid->grid.size; k++)
-			fluid->used[d][k] /= by;
+			fluid->exchange_velocity[d][k] /= by;
 	for (size_t k = 0; fluid->p_mean && by > 1 && k < fluid->grid.size; k++)
 		fluid->p_mean[k] /= by;
 }
@@ -264,22 +264,22 @@ enum ts_status ts_projection_step(struct ts_instance *self, struct tsim *sim, do
 
 	if (p->check_closed)
 		TS_TRY(p->check_closed(sim));
-	p->source_share = p->source_steps > 0 ? 1 / (double)p->source_steps : 0;
+	p->source_scale = p->source_steps > 0 ? 1 / (double)p->source_steps : 0;
 	if (ts_projection_update_void_fraction(p, length) != TS_OK)
 		return ts_nomem(&sim->error);
-	if (!p->filled) {
+	if (!p->ghosts_filled) {
 		ts_projection_interpolate_boundary(p, 0);
 		ts_fluid_fill_velocity(&p->fluid, p->fluid.u);
 	}
-	p->filled = true;
+	p->ghosts_filled = true;
 	TS_TRY(choose_substeps(self, sim, length));
 	for (int64_t k = 0; k < p->done; k++) {
 		p->now_at = k;
 		TS_TRY(ts_projection_substep(self, sim, length / (double)p->done, carry));
-		carry = carry_of(&ts_flow_time_schemes[p->time]);
+		carry = initial_carry(&ts_flow_time_schemes[p->time]);
 	}
-	divide_used(p, (double)p->done);
-	TS_TRY(parts_settle(sim, &p->fluid, length));
+	divide_exchange_means(p, (double)p->done);
+	TS_TRY(call_after_step(sim, &p->fluid, length));
 	if (ts_projection_store_boundary(p) != TS_OK)
 		return ts_nomem(&sim->error);
 	ts_projection_clear_sources(p);

@@ -14,28 +14,28 @@ static void release_vector(double *field[3])
 
 void ts_fluid_release(struct ts_fluid *fluid)
 {
-	double **const scalars[] = { &fluid->p, &fluid->empty, &fluid->empty_rate, &fluid->p_mean };
+	double **const scalars[] = { &fluid->p, &fluid->void_fraction, &fluid->void_fraction_rate, &fluid->p_mean };
 
 	release_vector(fluid->u);
 	release_vector(fluid->force);
 	release_vector(fluid->exchange);
-	release_vector(fluid->used);
-	release_vector(fluid->empty_face);
-	release_vector(fluid->inertia);
+	release_vector(fluid->exchange_velocity);
+	release_vector(fluid->void_fraction_face);
+	release_vector(fluid->momentum_void_fraction);
 	for (size_t k = 0; k < sizeof scalars / sizeof *scalars; k++) {
 		ts_grid_field_free(*scalars[k]);
 		*scalars[k] = NULL;
 	}
 	for (int d = 0; d < 3; d++)
 		for (int side = 0; side < 2; side++) {
-			release_vector(fluid->given[d][side].plane);
+			release_vector(fluid->face_velocity[d][side].plane);
 			ts_free(fluid->pressure[d][side].plane);
 			fluid->pressure[d][side].plane = NULL;
 		}
 	ts_grid_release(&fluid->grid);
 }
 
-static enum ts_status want_field(const struct ts_grid *grid, double **field, double value)
+static enum ts_status allocate_field(const struct ts_grid *grid, double **field, double value)
 {
 	if (*field)
 		return TS_OK;
@@ -45,17 +45,17 @@ static enum ts_status want_field(const struct ts_grid *grid, double **field, dou
 	return *field ? TS_OK : TS_NOMEM;
 }
 
-static enum ts_status want_vector(const struct ts_grid *grid, double *field[3], double value)
+static enum ts_status allocate_vector(const struct ts_grid *grid, double *field[3], double value)
 {
 	for (int d = 0; d < 3; d++)
-		TS_TRY(want_field(grid, &field[d], value));
+		TS_TRY(allocate_field(grid, &field[d], value));
 	return TS_OK;
 }
 
 enum ts_status ts_fluid_make(struct ts_fluid *fluid)
 {
-	TS_TRY(want_vector(&fluid->grid, fluid->u, 0));
-	return want_field(&fluid->grid, &fluid->p, 0);
+	TS_TRY(allocate_vector(&fluid->grid, fluid->u, 0));
+	return allocate_field(&fluid->grid, &fluid->p, 0);
 }
 
 enum ts_status ts_fluid_require_fields(struct ts_fluid *fluid, struct tsim *sim, unsigned fields)
@@ -64,19 +64,19 @@ enum ts_status ts_fluid_require_fields(struct ts_fluid *fluid, struct tsim *sim,
 	enum ts_status status = TS_OK;
 
 	if (fields & TS_FLUID_FORCE)
-		status = want_vector(grid, fluid->force, 0);
+		status = allocate_vector(grid, fluid->force, 0);
 	if (fields & TS_FLUID_EXCHANGE && status == TS_OK)
-		status = want_vector(grid, fluid->exchange, 0);
+		status = allocate_vector(grid, fluid->exchange, 0);
 	if (fields & TS_FLUID_EXCHANGE && status == TS_OK)
-		status = want_vector(grid, fluid->used, 0);
+		status = allocate_vector(grid, fluid->exchange_velocity, 0);
 	if (fields & TS_FLUID_VOID && status == TS_OK)
-		status = want_field(grid, &fluid->empty, 1);
+		status = allocate_field(grid, &fluid->void_fraction, 1);
 	if (fields & TS_FLUID_VOID && status == TS_OK)
-		status = want_field(grid, &fluid->empty_rate, 0);
+		status = allocate_field(grid, &fluid->void_fraction_rate, 0);
 	if (fields & TS_FLUID_VOID && status == TS_OK)
-		status = want_vector(grid, fluid->empty_face, 1);
+		status = allocate_vector(grid, fluid->void_fraction_face, 1);
 	if (fields & TS_FLUID_P_MEAN && status == TS_OK)
-		status = want_field(grid, &fluid->p_mean, 0);
+		status = allocate_field(grid, &fluid->p_mean, 0);
 	return status == TS_OK ? TS_OK : ts_nomem(&sim->error);
 }
 

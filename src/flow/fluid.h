@@ -1,33 +1,33 @@
-/* A fluid whose flow is solved for: its fields on the grid, and how others take part.
+/* The fields of a fluid whose flow is solved for, and the interface of the fixes that take part in its steps.
  *
- * Incompressible, Newtonian; u is the interstitial velocity where particles leave the void fraction e:
- *   d(e)/dt + div(e u) = 0
+ * Incompressible and Newtonian. With particles the equations are averaged over volumes; e is the void fraction and
+ * u the interstitial velocity:
+ *   de/dt + div(e u) = 0
  *   e rho (du/dt + u.grad u) = -e grad p + div(e tau) + e rho g + f - k u
- * f and k come from particles (per volume of the cell: f the explicit part, k >= 0 the semi-implicit one),
- * forces of immersed bodies enter between predictor and projection.
+ * The particles exert f and k, per volume of the cell: f is the explicit part of their force, k >= 0 the coefficient
+ * of the semi-implicit part. Forces of immersed bodies are applied between predictor and projection.
  *
- * Order of a time step of the simulation: particles move; forces, among them drag with the fluid of the last
- * step, are added up in POST_FORCE, where the coupling fixes put the reaction into f and k; in
- * END_OF_STEP, before all fixes, the fluid makes its step (or several, or one each N: see `every`, `substeps`).
- * Fields f and k are zeroed after the step in which they were used. */
+ * Order of a time step of the simulation: particles move; in POST_FORCE the coupling fixes compute forces with the
+ * velocity of the last step of the fluid and add the reaction to f and k; in END_OF_STEP, before all fixes, the fluid
+ * makes its step (or several, or one every N steps: `substeps`, `every`). The fields f and k are set to zero after
+ * the step that used them. */
 #ifndef TS_FLOW_FLUID_H
 #define TS_FLOW_FLUID_H
 
 #include "core/sim.h"
 #include "grid/grid.h"
 
-enum ts_grid_side { TS_LOW, TS_HIGH };
-
+/* Boundary condition of a face of the grid. */
 enum ts_flow_face {
 	TS_FLOW_PERIODIC,
-	TS_FLOW_WALL,  /* no slip; may move */
-	TS_FLOW_SLIP,  /* no flow across, no shear; symmetry */
+	TS_FLOW_WALL,  /* no slip; the wall may move */
+	TS_FLOW_SLIP,  /* no flow across, no shear; also a plane of symmetry */
 	TS_FLOW_INLET, /* velocity given */
-	TS_FLOW_OUTLET, /* pressure given, no normal gradient of velocity; what comes back in brings no momentum */
-	TS_FLOW_INTAKE /* an inlet by its pressure: as an outlet, but what comes in moves across as inside */
+	TS_FLOW_OUTLET, /* pressure given, zero normal gradient of velocity; backflow enters without momentum */
+	TS_FLOW_INTAKE /* pressure given; fluid that enters has the normal velocity of the first cell */
 };
 
-/* Whether the pressure is given there, and the flow across not. */
+/* Whether the condition gives the pressure, and leaves the velocity across the face to be solved for. */
 static inline bool ts_flow_face_open(enum ts_flow_face face)
 {
 	return face == TS_FLOW_OUTLET || face == TS_FLOW_INTAKE;
@@ -36,59 +36,61 @@ static inline bool ts_flow_face_open(enum ts_flow_face face)
 /* Pressure given on one face of the grid. */
 struct ts_flow_face_pressure {
 	double constant;
-	double *plane; /* where it varies over the face, by ts_flow_plane_at; NULL: constant */
+	double *plane; /* if it varies over the face: values indexed by ts_flow_plane_at; NULL: constant. Owned */
 };
 
 /* Velocity given at one face of the grid, for walls and inlets. */
 struct ts_flow_face_velocity {
 	double constant[3];
-	double *plane[3]; /* where it varies over the face, by ts_flow_plane_at; NULL: constant */
+	double *plane[3]; /* if it varies over the face: values indexed by ts_flow_plane_at; NULL: constant. Owned */
 };
 
 struct ts_fluid {
 	struct ts_grid grid;
 	enum ts_flow_face face[3][2]; /* [axis][enum ts_grid_side] */
-	struct ts_flow_face_velocity given[3][2];
-	struct ts_flow_face_pressure pressure[3][2]; /* on open faces, of the last projection, less: */
+	struct ts_flow_face_velocity face_velocity[3][2];
+	/* Pressure on open faces in the last projection, without pressure_base (pressure units). */
+	struct ts_flow_face_pressure pressure[3][2];
 	double pressure_base;
-	/* A component along a wall or an inlet in the first ghost cell: mirror[0] times the velocity given plus
-	 * mirror[1], mirror[2] times those of the two cells inside. */
-	double mirror[3][2][3];
+	/* Tangential component in the first ghost cell at a wall or inlet: ghost_weights[0] times the velocity given
+	 * plus ghost_weights[1] and [2] times the velocities in the first and second cell inside. */
+	double ghost_weights[3][2][3];
 	double density, viscosity; /* viscosity: dynamic */
 	double *u[3]; /* at lower faces; ghosts hold what the boundary conditions say */
 	double *p;    /* at centres */
 
-	/* On demand, see ts_fluid_require_fields: NULL where nobody has asked. Particles add to f and k in each step of the
-	 * simulation, but not in its set-up (sim->in_setup); the fluid takes the means over the steps since its
-	 * last one. */
-	double *force[3];    /* f above, at lower faces, force per volume */
-	double *exchange[3]; /* k above, at lower faces */
-	double *used[3];     /* beside exchange: the mean velocity that k multiplied in the last step, at
-			      * which the projection has it: u of the end of the step with time euler */
-	double *empty;       /* void fraction e, at centres: particles set it in the cells inside */
-	double *empty_rate;  /* de/dt since the last step of the fluid, at centres: made by the fluid */
-	double *empty_face[3]; /* e at lower faces: made by the fluid from `empty` */
-	double *inertia[3];    /* where e u is stepped forward: the e of this product after the last step */
-	double *p_mean;	       /* the pressure that the last step took, mean over its stages and substeps */
+	/* Optional fields, allocated by ts_fluid_require_fields; NULL if no fix needs them. Particles add to f and k in each
+	 * step of the simulation, but not in its set-up (sim->in_setup); the fluid takes the means over the steps
+	 * since its last one. */
+	double *force[3];    /* f above, at lower faces: force per volume */
+	double *exchange[3]; /* k above, at lower faces: force per volume and velocity */
+	double *exchange_velocity[3]; /* with exchange: mean of the velocity that multiplied k in the last step, as the
+				       * projection has it; with time euler the velocity at the end of the step */
+	double *void_fraction;        /* e at centres; fix void_fraction sets it in the inner cells */
+	double *void_fraction_rate;   /* de/dt since the last step of the fluid, at centres; set by the fluid */
+	double *void_fraction_face[3]; /* e at lower faces; set by the fluid */
+	double *momentum_void_fraction[3]; /* form conservative, at lower faces: e in the product e u after the last step */
+	double *p_mean;	       /* mean of the pressure over the stages and substeps of the last step */
 
-	double dt;       /* of the last step of the fluid; 0: there was none */
+	double dt;       /* length of the last step of the fluid (time units); 0: there was none */
 	double time;     /* of the fields */
-	int64_t steps;   /* of the fluid, since its beginning */
+	int64_t steps;   /* number of steps of the fluid since its beginning */
 	double courant;  /* largest sum |u| dt/h in the last step */
-	double divergence; /* largest |div(e u) + de/dt| after the last projection */
-	double residual;   /* largest |change of u|/dt in the last step */
+	double divergence; /* largest |div(e u) + de/dt| after the last projection (1/time) */
+	double residual;   /* largest |change of u|/dt in the last step (velocity/time) */
 	int iterations;    /* of the pressure solver in the last projection */
-	bool pressure_ahead; /* predictors have the old pressure in them, and projections find its change */
-	double body_force[3]; /* acceleration of all fluid, now (body_force of the style) */
+	bool incremental;  /* incremental projection: the predictor contains the old pressure gradient, and the
+			    * projection solves for the change of the pressure */
+	double body_force[3]; /* acceleration of all fluid, at this time (body_force of the style) */
 	int threads, grain; /* of the simulation; 0: one thread */
 	struct ts_fluid_outside {
-		size_t most;   /* particles outside the grid at once in this run */
-		int64_t steps; /* in so many steps of the simulation */
-		int64_t last;  /* the last one of these */
+		size_t most;   /* largest number of particles outside the grid at once in this run */
+		int64_t steps; /* number of steps of the simulation with particles outside */
+		int64_t last;  /* the last of these steps */
 	} outside;
 };
 
-/* How many threads are worth it for a loop of n rounds; as ts_team. */
+/* Number of threads to use for a loop of n iterations; as ts_team. */
 static inline int ts_fluid_team(const struct ts_fluid *fluid, size_t n)
 {
 	size_t most = fluid->grain > 0 ? n / (size_t)fluid->grain : 1;
@@ -98,7 +100,8 @@ static inline int ts_fluid_team(const struct ts_fluid *fluid, size_t n)
 
 enum ts_fluid_field { TS_FLUID_FORCE = 1, TS_FLUID_EXCHANGE = 2, TS_FLUID_VOID = 4, TS_FLUID_P_MEAN = 8 };
 
-/* Where a point of a face across axis d stands in the planes of its values; a < b are the other two axes. */
+/* Index of a point of a face across axis d in the planes of its values; ia, ib: its indices along the other two axes,
+ * a < b. */
 static inline size_t ts_flow_plane_at(const struct ts_grid *grid, int d, int ia, int ib)
 {
 	int a = d == 0, b = d == 2 ? 1 : 2;
@@ -119,73 +122,80 @@ static inline double ts_flow_face_pressure_at(const struct ts_flow_face_pressure
 	return p->plane ? p->plane[at] : p->constant;
 }
 
-/* Takes memory for u and p on the grid, which has been made; all at rest. */
+/* ---- fluid.c */
+
+/* Allocates u and p on the grid, which exists; the fluid is at rest. */
 enum ts_status ts_fluid_make(struct ts_fluid *fluid);
 void ts_fluid_release(struct ts_fluid *fluid);
 
-/* How much of a force added after a step the velocities get before the next forces: velocity Verlet has given half of
- * the kick already. */
+/* Fraction of a force that is added in END_OF_STEP which the velocities still receive before the next forces are
+ * computed: 1/2 with velocity Verlet, whose first half kick has already been made, else 1. */
 double ts_fluid_kick_fraction(const struct tsim *sim);
 
-/* Makes optional fields, in the init of who needs them. */
+/* Allocates optional fields (enum ts_fluid_field). Called in the init of fixes that need them. */
 enum ts_status ts_fluid_require_fields(struct ts_fluid *fluid, struct tsim *sim, unsigned fields);
 
 struct ts_mesh_surface;
 struct ts_coupling_volume;
 struct ts_closed_search;
 
-/* Who takes part in a step of the fluid: state of a fix begins with this and its family is TS_FAMILY_FLOW_PART.
- * Called in script order; NULL: nothing to do. */
+/* Interface of the fixes that take part in a step of the fluid. The state of such a fix begins with this struct, and
+ * the family of its style is TS_FAMILY_FLOW_PART. The slots are called in script order; NULL: nothing to do. */
 #define TS_FAMILY_FLOW_PART "flow part"
 struct ts_flow_part {
 	/* After each predictor, before its projection: may change u to u + dt f (direct forcing). `dt` is that of
-	 * the (sub)step, `time` the one the fields will have. */
+	 * the (sub)step, `time` the time of the fields after it. */
 	enum ts_status (*force)(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
 				double time, double dt);
-	/* After each step of the fluid, of which a step of the simulation may have several: scalars are carried
-	 * on, forces summed. */
-	enum ts_status (*carry)(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
-				double dt);
-	/* Where the volume of a particle counts, for e; NULL: it makes no e. */
-	void (*spread)(const struct ts_instance *self, const struct tsim *sim, struct ts_coupling_volume *how);
-	/* Largest stable dt of the fluid as far as it is concerned, or INFINITY. */
+	/* After each substep of the fluid, of length dt: advances scalars, sums forces. */
+	enum ts_status (*after_substep)(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
+					double dt);
+	/* How the volume of a particle is distributed over the cells, for e; NULL: the fix does not set e. */
+	void (*volume_distribution)(const struct ts_instance *self, const struct tsim *sim,
+				    struct ts_coupling_volume *how);
+	/* The largest stable dt of the fluid as far as this fix is concerned, or INFINITY. */
 	double (*limit)(const struct ts_instance *self, const struct ts_fluid *fluid);
-	/* After all of these, `length` in all: `used` is the mean over them; f and k are still there. */
-	enum ts_status (*settle)(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
-				 double length);
-	/* Tells the search for closed-off fluid which faces of cells it holds (immersed/closed_regions.h). */
-	void (*block)(const struct ts_instance *self, struct ts_closed_search *search);
-	/* What it carries along, at centres, ghosts written: f_ID in dumps and probes (flow/transported_scalars.h). */
+	/* After all substeps, of total length `length`: exchange_velocity is the mean over them, and f and k still hold
+	 * the values that were used. */
+	enum ts_status (*after_step)(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
+				     double length);
+	/* Adds the faces whose velocity the body gives to the search for closed regions (immersed/closed_regions.h). */
+	void (*mark_closed)(const struct ts_instance *self, struct ts_closed_search *search);
+	/* The scalar field that the fix advances, at centres, ghosts set: f_ID in dumps and probes
+	 * (flow/transported_scalars.h). */
 	const double *(*scalar)(struct ts_instance *self);
-	/* Adds the force of the last step on the mesh, and the torque about the mesh's anchor; says how much of the
-	 * fluid counts as virtual mass by volume of a body that moves freely (immersed/virtual_mass_stabilization.h). */
-	void (*load)(const struct ts_instance *self, const struct ts_mesh_surface *mesh,
-		     double load[2][3], double *virtual_density);
-	/* Whether bodies that move freely have come to a speed that may be what went wrong in a step of dt; the
-	 * cause, and what to do. */
-	bool (*blame)(const struct ts_instance *self, const struct ts_fluid *fluid, double dt, char *cause,
-		      size_t size);
+	/* Adds the force of the last step on the mesh (load[0]) and the torque about the anchor of the mesh (load[1]);
+	 * raises *virtual_density to the virtual mass per volume of a freely moving body
+	 * (immersed/virtual_mass_stabilization.h). */
+	void (*mesh_load)(const struct ts_instance *self, const struct ts_mesh_surface *mesh,
+			  double load[2][3], double *virtual_density);
+	/* Called when a step of length dt has become unstable: returns whether the speed of freely moving bodies may be
+	 * the cause, and writes the cause and the remedy to `cause`. */
+	bool (*explain_instability)(const struct ts_instance *self, const struct ts_fluid *fluid, double dt, char *cause,
+				    size_t size);
 };
 
-/* Writes ghosts of a velocity field, u or another; and its components across the boundary where these are
- * given. */
+/* ---- ghosts.c */
+
+/* Sets the ghosts of a velocity field (fluid->u or another), and the components across boundaries that give them. */
 void ts_fluid_fill_velocity(const struct ts_fluid *fluid, double *const u[3]);
-/* Ghosts only: the boundary itself is left as it is. */
+/* Sets only the ghosts: components on the boundary keep their values. */
 void ts_fluid_fill_ghosts(const struct ts_fluid *fluid, double *const u[3]);
-/* Of a scalar at centres: no gradient at faces that are not periodic. */
+/* Sets the ghosts of a centred scalar: zero gradient at faces that are not periodic. */
 void ts_fluid_fill_centred(const struct ts_fluid *fluid, double *field);
-/* Of the pressure: as a scalar, but as `pressure` and `pressure_base` of the fluid say on open faces. */
+/* Sets the ghosts of the pressure: as of a scalar, but by `pressure` + `pressure_base` at open faces. */
 void ts_fluid_fill_pressure(const struct ts_fluid *fluid, double *p);
 /* The same without pressure_base. */
 void ts_fluid_fill_relative(const struct ts_fluid *fluid, double *p);
-
-/* Of any field, where the grid is periodic only. */
+/* Sets only the periodic ghosts, of any field. */
 void ts_fluid_fill_periodic(const struct ts_fluid *fluid, double *field);
 
-/* Velocity at a place, trilinear between the values of each component; exact at boundary faces with the
- * conditions there. Outside the grid: of the nearest place in it. */
+/* ---- fluid_interpolation.c */
+
+/* Velocity at x: each component is interpolated trilinearly between its points; exact at boundary faces with their
+ * conditions. A place outside the grid gets the velocity of the nearest place in it. */
 void ts_fluid_velocity(const struct ts_fluid *fluid, const double x[3], double u[3]);
-/* The same for a centred field, and for its gradient where it is wanted (NULL: not). */
+/* Value of a centred field at x, interpolated likewise, and its gradient (NULL: not computed). */
 double ts_fluid_value(const struct ts_fluid *fluid, const double *field, const double x[3],
 		      double gradient[3]);
 

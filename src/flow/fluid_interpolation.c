@@ -12,7 +12,7 @@ struct stencil {
 };
 
 /* The place in the grid: across a periodic boundary by its image, else the nearest. */
-static double inside(const struct ts_grid *grid, int d, double x)
+static double wrap_or_clamp(const struct ts_grid *grid, int d, double x)
 {
 	double lo = grid->face[d][0], hi = grid->face[d][grid->n[d]];
 
@@ -23,7 +23,7 @@ static double inside(const struct ts_grid *grid, int d, double x)
 	return x > lo ? x < hi ? x : hi : lo; /* lo also where x is not a number */
 }
 
-static struct stencil between(const double *point, int i, double x)
+static struct stencil linear_stencil(const double *point, int i, double x)
 {
 	double gap = point[i + 1] - point[i], t = (x - point[i]) / gap;
 
@@ -32,7 +32,7 @@ static struct stencil between(const double *point, int i, double x)
 
 static struct stencil at_faces(const struct ts_grid *grid, int d, double x)
 {
-	return between(grid->face[d], ts_grid_find(grid, d, x), x);
+	return linear_stencil(grid->face[d], ts_grid_find(grid, d, x), x);
 }
 
 static struct stencil at_centres(const struct ts_grid *grid, int d, double x)
@@ -41,7 +41,7 @@ static struct stencil at_centres(const struct ts_grid *grid, int d, double x)
 
 	if (grid->ghosts[d] == 0) /* nothing varies along this axis */
 		return (struct stencil){ 0, 1, { 1, 0, 0 }, { 0, 0, 0 } };
-	return between(grid->centre[d], x < grid->centre[d][i] ? i - 1 : i, x);
+	return linear_stencil(grid->centre[d], x < grid->centre[d][i] ? i - 1 : i, x);
 }
 
 /* Between a wall and the first point inside: linear from the velocity given, which is got back from the
@@ -67,7 +67,7 @@ static bool sticks(enum ts_flow_face face)
 }
 
 /* Component c of the velocity along axis d. */
-static struct stencil of_velocity(const struct ts_fluid *fluid, int c, int d, double x)
+static struct stencil velocity_stencil(const struct ts_fluid *fluid, int c, int d, double x)
 {
 	const struct ts_grid *grid = &fluid->grid;
 
@@ -75,15 +75,15 @@ static struct stencil of_velocity(const struct ts_fluid *fluid, int c, int d, do
 		return at_faces(grid, d, x);
 	if (!grid->periodic[d] && grid->ghosts[d]) {
 		if (x < grid->centre[d][0] && sticks(fluid->face[d][TS_LOW]))
-			return beside_wall(grid, d, TS_LOW, x, fluid->mirror[d][TS_LOW]);
+			return beside_wall(grid, d, TS_LOW, x, fluid->ghost_weights[d][TS_LOW]);
 		if (x > grid->centre[d][grid->n[d] - 1] && sticks(fluid->face[d][TS_HIGH]))
-			return beside_wall(grid, d, TS_HIGH, x, fluid->mirror[d][TS_HIGH]);
+			return beside_wall(grid, d, TS_HIGH, x, fluid->ghost_weights[d][TS_HIGH]);
 	}
 	return at_centres(grid, d, x);
 }
 
 /* Sum over the points of three stencils; along axis `derived` (-1: none) with the slopes. */
-static double gather(const struct ts_grid *grid, const double *field, const struct stencil s[3],
+static double sum_stencil(const struct ts_grid *grid, const double *field, const struct stencil s[3],
 		     int derived)
 {
 	const double *w[3];
@@ -108,13 +108,13 @@ void ts_fluid_velocity(const struct ts_fluid *fluid, const double x[3], double u
 	double at[3];
 
 	for (int d = 0; d < 3; d++)
-		at[d] = inside(&fluid->grid, d, x[d]);
+		at[d] = wrap_or_clamp(&fluid->grid, d, x[d]);
 	for (int c = 0; c < 3; c++) {
 		struct stencil s[3];
 
 		for (int d = 0; d < 3; d++)
-			s[d] = of_velocity(fluid, c, d, at[d]);
-		u[c] = gather(&fluid->grid, fluid->u[c], s, -1);
+			s[d] = velocity_stencil(fluid, c, d, at[d]);
+		u[c] = sum_stencil(&fluid->grid, fluid->u[c], s, -1);
 	}
 }
 
@@ -125,8 +125,8 @@ double ts_fluid_value(const struct ts_fluid *fluid, const double *field, const d
 	struct stencil s[3];
 
 	for (int d = 0; d < 3; d++)
-		s[d] = at_centres(grid, d, inside(grid, d, x[d]));
+		s[d] = at_centres(grid, d, wrap_or_clamp(grid, d, x[d]));
 	for (int d = 0; gradient && d < 3; d++)
-		gradient[d] = gather(grid, field, s, d);
-	return gather(grid, field, s, -1);
+		gradient[d] = sum_stencil(grid, field, s, d);
+	return sum_stencil(grid, field, s, -1);
 }

@@ -64,7 +64,7 @@ static struct plane rows_across(const struct ts_grid *grid, int d, size_t from, 
 }
 
 /* Calls `share` for the rows of the plane across d, in which each line takes `rounds`. */
-static void share_rows(const struct ts_fluid *fluid, int d, int rounds, ts_share_fn *share, void *task)
+static void fill_rows_in_parallel(const struct ts_fluid *fluid, int d, int rounds, ts_share_fn *share, void *task)
 {
 	struct plane plane = plane_across(&fluid->grid, d);
 	size_t rows = (size_t)(plane.to[plane.b] - plane.from[plane.b]);
@@ -80,7 +80,7 @@ static inline ptrdiff_t plane_offset(const struct ts_grid *grid, const struct pl
 	return (ptrdiff_t)grid->origin + ia * grid->stride[plane->a] + ib * grid->stride[plane->b];
 }
 
-static void wrap(const struct ts_grid *grid, double *field, const struct plane *plane)
+static void wrap_periodic(const struct ts_grid *grid, double *field, const struct plane *plane)
 {
 	int d = plane->d, n = grid->n[d], g = grid->ghosts[d];
 	ptrdiff_t s = grid->stride[d];
@@ -123,7 +123,7 @@ static void fill_across(const struct ts_fluid *fluid, double *u, const struct pl
 			if (kind == TS_FLOW_SLIP && !keep)
 				at[0] = 0;
 			else if (!open && !keep)
-				at[0] = given_at(&fluid->given[d][side], grid, d, d, ia, ib);
+				at[0] = given_at(&fluid->face_velocity[d][side], grid, d, d, ia, ib);
 			at[-s] = !open ? 2 * at[0] - at[s] : out > 0 || kind == TS_FLOW_INTAKE ? at[0] : 0;
 			at[-2 * s] = !open ? 2 * at[-s] - at[0] : at[-s];
 		}
@@ -132,7 +132,7 @@ static void fill_across(const struct ts_fluid *fluid, double *u, const struct pl
 /* ---- components along the face */
 
 /* 1 where the fluid leaves through an open face beside a point of component c, else 0. */
-static double leaves(const struct ts_grid *grid, const double *across, ptrdiff_t at, int c,
+static double flows_out(const struct ts_grid *grid, const double *across, ptrdiff_t at, int c,
 		     enum ts_grid_side side)
 {
 	double u = across[at] + across[at - grid->stride[c]];
@@ -158,10 +158,10 @@ static void fill_along(const struct ts_fluid *fluid, double *const u[3], int c,
 			double given = 0;
 
 			if (rule == RULE_MIRROR)
-				given = given_at(&fluid->given[d][side], grid, d, c, ia, ib);
+				given = given_at(&fluid->face_velocity[d][side], grid, d, c, ia, ib);
 			else if (rule == RULE_OUT && !lowest)
-				given = leaves(grid, u[d], at + face, c, side);
-			fill_line(rule, u[c] + at + first, s, given, fluid->mirror[d][side]);
+				given = flows_out(grid, u[d], at + face, c, side);
+			fill_line(rule, u[c] + at + first, s, given, fluid->ghost_weights[d][side]);
 		}
 }
 
@@ -183,7 +183,7 @@ static void velocity_rows(void *context, size_t from, size_t to)
 		int c = (task->d + turn) % grid->dimensions;
 
 		if (grid->periodic[task->d]) {
-			wrap(grid, task->u[c], &plane);
+			wrap_periodic(grid, task->u[c], &plane);
 			continue;
 		}
 		for (int side = 0; side < 2; side++)
@@ -200,7 +200,7 @@ static void fill_velocity(const struct ts_fluid *fluid, double *const u[3], bool
 	struct velocity_task task = { .fluid = fluid, .u = u, .keep = keep };
 
 	for (task.d = 0; task.d < fluid->grid.dimensions; task.d++)
-		share_rows(fluid, task.d, 2 * fluid->grid.dimensions, velocity_rows, &task);
+		fill_rows_in_parallel(fluid, task.d, 2 * fluid->grid.dimensions, velocity_rows, &task);
 }
 
 void ts_fluid_fill_velocity(const struct ts_fluid *fluid, double *const u[3])
@@ -216,7 +216,7 @@ void ts_fluid_fill_ghosts(const struct ts_fluid *fluid, double *const u[3])
 /* ---- what lives in centres */
 
 /* `given` and `base`: of the rule that wants a value on the face, their sum; NULL: 0. */
-static void fill_side(const struct ts_grid *grid, double *field, const struct plane *plane,
+static void fill_centred_side(const struct ts_grid *grid, double *field, const struct plane *plane,
 		      enum ts_grid_side side, enum rule rule, const struct ts_flow_face_pressure *given,
 		      double base)
 {
@@ -249,13 +249,13 @@ static void centred_rows(void *context, size_t from, size_t to)
 	struct plane plane = rows_across(grid, task->d, from, to);
 
 	if (grid->periodic[task->d]) {
-		wrap(grid, task->field, &plane);
+		wrap_periodic(grid, task->field, &plane);
 		return;
 	}
 	for (int side = 0; side < 2; side++) {
 		bool given = task->is_pressure && ts_flow_face_open(task->fluid->face[task->d][side]);
 
-		fill_side(grid, task->field, &plane, (enum ts_grid_side)side, given ? RULE_ODD : RULE_EVEN,
+		fill_centred_side(grid, task->field, &plane, (enum ts_grid_side)side, given ? RULE_ODD : RULE_EVEN,
 			  given ? &task->fluid->pressure[task->d][side] : NULL, task->base);
 	}
 }
@@ -266,7 +266,7 @@ static void fill_centred(const struct ts_fluid *fluid, double *field, bool is_pr
 				     .base = base };
 
 	for (task.d = 0; task.d < fluid->grid.dimensions; task.d++)
-		share_rows(fluid, task.d, 2, centred_rows, &task);
+		fill_rows_in_parallel(fluid, task.d, 2, centred_rows, &task);
 }
 
 void ts_fluid_fill_centred(const struct ts_fluid *fluid, double *field)
@@ -290,5 +290,5 @@ void ts_fluid_fill_periodic(const struct ts_fluid *fluid, double *field)
 
 	for (task.d = 0; task.d < fluid->grid.dimensions; task.d++)
 		if (fluid->grid.periodic[task.d])
-			share_rows(fluid, task.d, 2, centred_rows, &task);
+			fill_rows_in_parallel(fluid, task.d, 2, centred_rows, &task);
 }

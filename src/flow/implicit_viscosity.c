@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "flow/predictor.h"
 
 #include "base/banned.h"
 
@@ -68,7 +69,7 @@ static void close_end(const struct ts_fluid *fluid, int c, int d, enum ts_grid_s
 		      double *diagonal, double *inner)
 {
 	enum ts_flow_face kind = fluid->face[d][side];
-	const double *mirror = fluid->mirror[d][side];
+	const double *mirror = fluid->ghost_weights[d][side];
 
 	if (c == d && !ts_flow_face_open(kind))
 		return; /* the velocity on the boundary is given: no change */

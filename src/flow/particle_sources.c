@@ -7,27 +7,27 @@
 #include "base/banned.h"
 
 /* What du/dt is multiplied by in the momentum of a stage. */
-static const double *inertia(const struct ts_projection *p, int d)
+static const double *momentum_void_fraction(const struct ts_projection *p, int d)
 {
-	return ts_projection_conservative(p) && p->fluid.inertia[d] && !p->still ? p->fluid.inertia[d]
-									  : p->fluid.empty_face[d];
+	return ts_projection_conservative(p) && p->fluid.momentum_void_fraction[d] && !p->initial_projection ? p->fluid.momentum_void_fraction[d]
+									  : p->fluid.void_fraction_face[d];
 }
 
 /* w = e e/E/(1 + dt k/(E rho)) for all faces across d, E the e of the product e u. */
 static void make_weights(const struct ts_projection *p, int d, double dt)
 {
 	const struct ts_fluid *fluid = &p->fluid;
-	const double *e = fluid->empty_face[d], *k = fluid->exchange[d], *mass = inertia(p, d);
-	const double share = dt / fluid->density * p->source_share;
+	const double *e = fluid->void_fraction_face[d], *k = fluid->exchange[d], *mass = momentum_void_fraction(p, d);
+	const double share = dt / fluid->density * p->source_scale;
 	double *weight = p->weight[d];
 	const size_t size = fluid->grid.size;
 
 #pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
 	for (size_t at = 0; at < size; at++) {
-		double room = e ? e[at] : 1, heavy = mass ? mass[at] : 1;
+		double fraction = e ? e[at] : 1, heavy = mass ? mass[at] : 1;
 		double held = k ? share * k[at] / heavy : 0;
 
-		weight[at] = mass == e ? room / (1 + held) : room * (room / heavy) / (1 + held);
+		weight[at] = mass == e ? fraction / (1 + held) : fraction * (fraction / heavy) / (1 + held);
 	}
 }
 
@@ -37,7 +37,7 @@ enum ts_status ts_projection_face_weights(struct ts_projection *p, double dt)
 
 	for (int d = 0; d < fluid->grid.dimensions; d++) {
 		if (!fluid->exchange[d] && !ts_projection_conservative(p)) {
-			p->poisson.weight[d] = fluid->empty_face[d];
+			p->poisson.weight[d] = fluid->void_fraction_face[d];
 			continue;
 		}
 		if (!p->weight[d] && !(p->weight[d] = ts_grid_field(&fluid->grid)))
@@ -50,11 +50,11 @@ enum ts_status ts_projection_face_weights(struct ts_projection *p, double dt)
 }
 
 /* u <- (u + dt f/(e rho))/(1 + dt k/(e rho)) at the faces of a component. */
-static void push_row(const struct ts_projection *p, int c, size_t at, size_t end, double dt)
+static void apply_forces_to_row(const struct ts_projection *p, int c, size_t at, size_t end, double dt)
 {
 	const struct ts_fluid *fluid = &p->fluid;
-	const double *e = inertia(p, c), *f = fluid->force[c], *k = fluid->exchange[c];
-	const double share = dt / fluid->density * p->source_share;
+	const double *e = momentum_void_fraction(p, c), *f = fluid->force[c], *k = fluid->exchange[c];
+	const double share = dt / fluid->density * p->source_scale;
 	double *u = fluid->u[c];
 
 	for (; at < end; at++) {
@@ -85,13 +85,13 @@ void ts_projection_apply_particle_forces(struct ts_projection *p, double dt)
 
 			ts_flow_unknowns(fluid, c, from, to);
 			if (j >= from[1] && j < to[1] && k >= from[2] && k < to[2])
-				push_row(p, c, ts_at(grid, from[0], j, k), ts_at(grid, to[0], j, k), dt);
+				apply_forces_to_row(p, c, ts_at(grid, from[0], j, k), ts_at(grid, to[0], j, k), dt);
 		}
 	}
 }
 
 /* used <- take (carry used + u). */
-static void use(struct ts_projection *p, double *used, const double *u, double carry, double take)
+static void average_field(struct ts_projection *p, double *used, const double *u, double carry, double take)
 {
 	const size_t size = p->fluid.grid.size;
 
@@ -104,10 +104,10 @@ void ts_projection_average_exchange(struct ts_projection *p, double carry, doubl
 {
 	struct ts_fluid *fluid = &p->fluid;
 
-	for (int d = 0; d < fluid->grid.dimensions && fluid->used[d]; d++)
-		use(p, fluid->used[d], fluid->u[d], carry, take);
+	for (int d = 0; d < fluid->grid.dimensions && fluid->exchange_velocity[d]; d++)
+		average_field(p, fluid->exchange_velocity[d], fluid->u[d], carry, take);
 	if (fluid->p_mean)
-		use(p, fluid->p_mean, fluid->p, carry, take);
+		average_field(p, fluid->p_mean, fluid->p, carry, take);
 }
 
 void ts_projection_clear_sources(struct ts_projection *p)

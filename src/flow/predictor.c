@@ -1,10 +1,10 @@
-/* The predictor: convection and diffusion of all components in one pass over the rows of the grid. */
+#include "flow/predictor.h"
+
 #include <math.h>
 
 #include "base/clones.h"
 #include "base/inline.h"
 #include "flow/convection.h"
-#include "flow/operators.h"
 
 #include "base/banned.h"
 
@@ -37,8 +37,8 @@ struct at_point {
 /* What stays the same along a row, for one direction e. */
 struct direction {
 	const double *q;     /* the velocity in this direction */
-	const double *share; /* the void fraction on its faces, and in the centres of cells */
-	const double *share_centre;
+	const double *void_face; /* the void fraction on its faces, and in the centres of cells */
+	const double *void_centre;
 	const double *flow; /* e of the fluxes, where e u is stepped forward */
 	ptrdiff_t se;
 	bool same; /* e is the direction of the component */
@@ -46,15 +46,15 @@ struct direction {
 };
 
 /* Void fractions on the lower and upper side; 1 without. */
-TS_INLINE void shares(const struct direction *e, ptrdiff_t at, ptrdiff_t sc, double mass,
+TS_INLINE void void_fractions(const struct direction *e, ptrdiff_t at, ptrdiff_t sc, double mass,
 		      double *low, double *high)
 {
 	if (e->same) {
-		*low = e->share_centre[at - sc];
-		*high = e->share_centre[at];
+		*low = e->void_centre[at - sc];
+		*high = e->void_centre[at];
 	} else {
-		*low = mass * e->share[at - sc] + (1 - mass) * e->share[at];
-		*high = mass * e->share[at - sc + e->se] + (1 - mass) * e->share[at + e->se];
+		*low = mass * e->void_face[at - sc] + (1 - mass) * e->void_face[at];
+		*high = mass * e->void_face[at - sc + e->se] + (1 - mass) * e->void_face[at + e->se];
 	}
 }
 
@@ -79,15 +79,15 @@ TS_INLINE double along(double inverse, double below, double above, double part_l
 		       double part_high, const struct ts_operator_line *line, int m,
 		       const struct direction *e, const double *u, ptrdiff_t at, ptrdiff_t sc,
 		       double mass, double nu, double gamma, enum ts_convection scheme,
-		       enum ts_flow_form form, bool packed)
+		       enum ts_flow_form form, bool with_void)
 {
 	const double *q = e->q;
 	const ptrdiff_t se = e->se;
 	double here = u[at], low = u[at - se], high = u[at + se];
 	double q_low, q_high, e_low = 1, e_high = 1, rate;
 
-	if (packed)
-		shares(e, at, sc, mass, &e_low, &e_high);
+	if (with_void)
+		void_fractions(e, at, sc, mass, &e_low, &e_high);
 	if (e->same) { /* centres of cells: midway between two faces */
 		q_low = 0.5 * (low + here);
 		q_high = 0.5 * (here + high);
@@ -103,7 +103,7 @@ TS_INLINE double along(double inverse, double below, double above, double part_l
 
 		if (form == TS_FORM_CONSERVATIVE) {
 			fluxes(e, at, sc, mass, &q_low, &q_high);
-		} else if (packed) {
+		} else if (with_void) {
 			q_low *= e_low;
 			q_high *= e_high;
 			phi_low -= here;
@@ -114,7 +114,7 @@ TS_INLINE double along(double inverse, double below, double above, double part_l
 		rate = ts_convection_difference(scheme, gamma, e->same ? here : 0.5 * (q_low + q_high), high - here,
 				    here - low, above, below, inverse);
 	}
-	if (!packed)
+	if (!with_void)
 		return rate + nu * (above * (high - here) - below * (here - low));
 	return rate + nu * (above * e_high * (high - here) - below * e_low * (here - low));
 }
@@ -126,22 +126,22 @@ struct row {
 };
 
 TS_INLINE struct direction direction(const struct row *row, int d, int c, int dimensions,
-				     bool packed)
+				     bool with_void)
 {
 	const struct ts_fluid *fluid = row->p->fluid;
 
 	if (d >= dimensions)
 		return (struct direction){ 0 };
 	return (struct direction){ .q = row->p->u[d] + row->at,
-				   .share = packed ? fluid->empty_face[d] + row->at : NULL,
-				   .share_centre = packed ? fluid->empty + row->at : NULL,
+				   .void_face = with_void ? fluid->void_fraction_face[d] + row->at : NULL,
+				   .void_centre = with_void ? fluid->void_fraction + row->at : NULL,
 				   .flow = row->p->flow[d] ? row->p->flow[d] + row->at : NULL,
 				   .se = d == 0 ? 1 : fluid->grid.stride[d],
 				   .same = c == d };
 }
 
 TS_INLINE void predict_row(const struct row *row, int c, int dimensions, enum ts_convection scheme,
-			   enum ts_flow_form form, bool packed)
+			   enum ts_flow_form form, bool with_void)
 {
 	const struct ts_predictor *p = row->p;
 	const struct ts_operators *o = p->operators;
@@ -152,89 +152,89 @@ TS_INLINE void predict_row(const struct row *row, int c, int dimensions, enum ts
 				       : c == 2	      ? &o->staggered[2]
 						      : &o->centred[2];
 	const struct at_point z = { AT(line_z, dimensions < 3 ? 0 : row->k) };
-	const struct direction along_x = direction(row, 0, c, dimensions, packed);
-	const struct direction along_y = direction(row, 1, c, dimensions, packed);
-	const struct direction along_z = direction(row, 2, c, dimensions, packed);
+	const struct direction along_x = direction(row, 0, c, dimensions, with_void);
+	const struct direction along_y = direction(row, 1, c, dimensions, with_void);
+	const struct direction along_z = direction(row, 2, c, dimensions, with_void);
 	const ptrdiff_t sc = c == 0 ? 1 : p->fluid->grid.stride[c];
 	const double *mass_x = o->mass[0];
 	const double mass_c = c == 1 ? o->mass[1][row->j] : c == 2 ? o->mass[2][row->k] : 0;
 	const double *u = p->u[c] + row->at, *old = p->old[c] + row->at;
-	const double *share = packed ? p->fluid->empty_face[c] + row->at : NULL;
+	const double *void_face = with_void ? p->fluid->void_fraction_face[c] + row->at : NULL;
 	double *out = p->out[c] + row->at;
 	const double nu = p->nu, gamma = p->gamma, keep = p->keep, take = p->take, dt = p->dt;
 	const double acceleration = p->acceleration[c];
-	const bool whole = form == TS_FORM_CONSERVATIVE;
-	const double *start = whole ? p->start[c] + row->at : NULL, *last = whole ? p->last[c] + row->at : NULL;
-	const double *next = whole ? p->next[c] + row->at : NULL;
+	const bool conservative = form == TS_FORM_CONSERVATIVE;
+	const double *start = conservative ? p->start[c] + row->at : NULL, *last = conservative ? p->last[c] + row->at : NULL;
+	const double *next = conservative ? p->next[c] + row->at : NULL;
 
 #pragma omp simd
 	for (int i = row->from; i < row->to; i++) {
 		double mass = c == 0 ? mass_x[i] : mass_c;
-		double rate = along(AT(line, i), &along_x, u, i, sc, mass, nu, gamma, scheme, form, packed);
+		double rate = along(AT(line, i), &along_x, u, i, sc, mass, nu, gamma, scheme, form, with_void);
 
-		rate += along(OF(y), &along_y, u, i, sc, mass, nu, gamma, scheme, form, packed);
+		rate += along(OF(y), &along_y, u, i, sc, mass, nu, gamma, scheme, form, with_void);
 		if (dimensions == 3)
-			rate += along(OF(z), &along_z, u, i, sc, mass, nu, gamma, scheme, form, packed);
-		if (whole) {
-			rate += share[i] * acceleration;
+			rate += along(OF(z), &along_z, u, i, sc, mass, nu, gamma, scheme, form, with_void);
+		if (conservative) {
+			rate += void_face[i] * acceleration;
 			out[i] = (keep * start[i] * old[i] + take * (last[i] * u[i] + dt * rate)) / next[i];
 			continue;
 		}
-		if (packed)
-			rate /= share[i];
+		if (with_void)
+			rate /= void_face[i];
 		out[i] = keep * old[i] + take * (u[i] + dt * (acceleration + rate));
 	}
 }
 
 typedef void row_fn(const struct row *row);
 
-#define ROW(name, c, dimensions, scheme, form, packed)                                             \
+#define ROW(name, c, dimensions, scheme, form, with_void)                                             \
 	TS_CLONES                                                                                  \
 	static void name##_##c(const struct row *row)                                              \
 	{                                                                                          \
-		predict_row(row, c, dimensions, scheme, form, packed);                             \
+		predict_row(row, c, dimensions, scheme, form, with_void);                             \
 	}
-#define ROWS(name, scheme, form, packed)                                                           \
-	ROW(name##_2, 0, 2, scheme, form, packed)                                                  \
-	ROW(name##_2, 1, 2, scheme, form, packed)                                                  \
-	ROW(name##_3, 0, 3, scheme, form, packed)                                                  \
-	ROW(name##_3, 1, 3, scheme, form, packed)                                                  \
-	ROW(name##_3, 2, 3, scheme, form, packed)
+#define ROWS(name, scheme, form, with_void)                                                           \
+	ROW(name##_2, 0, 2, scheme, form, with_void)                                                  \
+	ROW(name##_2, 1, 2, scheme, form, with_void)                                                  \
+	ROW(name##_3, 0, 3, scheme, form, with_void)                                                  \
+	ROW(name##_3, 1, 3, scheme, form, with_void)                                                  \
+	ROW(name##_3, 2, 3, scheme, form, with_void)
 #define VARIANTS(name, scheme, form)                                                               \
 	ROWS(name##_free, scheme, form, false)                                                     \
-	ROWS(name##_packed, scheme, form, true)
-#define WHOLE(name, scheme) ROWS(name##_whole, scheme, TS_FORM_CONSERVATIVE, true)
+	ROWS(name##_void, scheme, form, true)
+#define CONSERVATIVE(name, scheme) ROWS(name##_conservative, scheme, TS_FORM_CONSERVATIVE, true)
 #define ENTRY(name)                                                                                \
 	{                                                                                          \
 		{ name##_2_0, name##_2_1, NULL }, { name##_3_0, name##_3_1, name##_3_2 }           \
 	}
 #define ENTRIES(name)                                                                              \
 	{                                                                                          \
-		ENTRY(name##_free), ENTRY(name##_packed)                                           \
+		ENTRY(name##_free), ENTRY(name##_void)                                           \
 	}
 
 VARIANTS(donor, TS_CONVECTION_DONOR, TS_FORM_VOLUME)
 VARIANTS(central, TS_CONVECTION_CENTRAL, TS_FORM_VOLUME)
 VARIANTS(quick, TS_CONVECTION_QUICK, TS_FORM_VOLUME)
 VARIANTS(cubista, TS_CONVECTION_CUBISTA, TS_FORM_VOLUME)
-WHOLE(donor, TS_CONVECTION_DONOR)
-WHOLE(central, TS_CONVECTION_CENTRAL)
-WHOLE(quick, TS_CONVECTION_QUICK)
-WHOLE(cubista, TS_CONVECTION_CUBISTA)
+CONSERVATIVE(donor, TS_CONVECTION_DONOR)
+CONSERVATIVE(central, TS_CONVECTION_CENTRAL)
+CONSERVATIVE(quick, TS_CONVECTION_QUICK)
+CONSERVATIVE(cubista, TS_CONVECTION_CUBISTA)
 VARIANTS(difference, TS_CONVECTION_DONOR, TS_FORM_DIFFERENCE)
 
-/* [scheme][particles take room][in three dimensions][component] */
+/* [scheme][with void fraction][in three dimensions][component] */
 static row_fn *const volume_rows[TS_NCONVECTION][2][2][3] = {
 	[TS_CONVECTION_DONOR] = ENTRIES(donor),
 	[TS_CONVECTION_CENTRAL] = ENTRIES(central),
 	[TS_CONVECTION_QUICK] = ENTRIES(quick),
 	[TS_CONVECTION_CUBISTA] = ENTRIES(cubista),
 };
-static row_fn *const whole_rows[TS_NCONVECTION][2][3] = {
-	[TS_CONVECTION_DONOR] = ENTRY(donor_whole),
-	[TS_CONVECTION_CENTRAL] = ENTRY(central_whole),
-	[TS_CONVECTION_QUICK] = ENTRY(quick_whole),
-	[TS_CONVECTION_CUBISTA] = ENTRY(cubista_whole),
+static row_fn *const conservative_rows[TS_NCONVECTION][2][3] = {
+	[TS_CONVECTION_DONOR] = ENTRY(donor_conservative),
+	[TS_CONVECTION_CENTRAL] = ENTRY(central_conservative),
+	[TS_CONVECTION_QUICK] = ENTRY(quick_conservative),
+	[TS_CONVECTION_CUBISTA] = ENTRY(cubista_conservative),
 };
 /* Central differences are the donor cell's with gamma 0. */
 static row_fn *const difference_rows[2][2][3] = ENTRIES(difference);
@@ -242,11 +242,11 @@ static row_fn *const difference_rows[2][2][3] = ENTRIES(difference);
 void ts_flow_predict(const struct ts_predictor *p)
 {
 	const struct ts_grid *grid = &p->fluid->grid;
-	bool packed = p->fluid->empty, solid = grid->dimensions == 3;
+	bool with_void = p->fluid->void_fraction, solid = grid->dimensions == 3;
 	row_fn *const *row_of = p->form == TS_FORM_DIFFERENCE
-					? difference_rows[packed][solid]
-				: p->next[0] ? whole_rows[p->convection][solid]
-					: volume_rows[p->convection][packed][solid];
+					? difference_rows[with_void][solid]
+				: p->next[0] ? conservative_rows[p->convection][solid]
+					: volume_rows[p->convection][with_void][solid];
 	int from[3][3], to[3][3], height = grid->n[1] + 1;
 	long total = (long)height * (grid->n[2] + (grid->dimensions == 3));
 

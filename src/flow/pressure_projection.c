@@ -33,14 +33,14 @@ static void divergence_row(const struct ts_fluid *fluid, int j, int k, double *o
 }
 
 /* The same of e u, and de/dt. */
-static void packed_row(const struct ts_fluid *fluid, int j, int k, double *out)
+static void divergence_row_void(const struct ts_fluid *fluid, int j, int k, double *out)
 {
 	const struct ts_grid *grid = &fluid->grid;
 	const size_t at = ts_at(grid, 0, j, k);
 
-	memcpy(out, fluid->empty_rate + at, (size_t)grid->n[0] * sizeof *out);
+	memcpy(out, fluid->void_fraction_rate + at, (size_t)grid->n[0] * sizeof *out);
 	for (int d = 0; d < grid->dimensions; d++) {
-		const double *u = fluid->u[d] + at, *e = fluid->empty_face[d] + at;
+		const double *u = fluid->u[d] + at, *e = fluid->void_fraction_face[d] + at;
 		const double *width = grid->width[d] + (d == 1 ? j : d == 2 ? k : 0);
 		const ptrdiff_t s = grid->stride[d];
 
@@ -51,14 +51,14 @@ static void packed_row(const struct ts_fluid *fluid, int j, int k, double *out)
 
 void ts_flow_divergence_row(const struct ts_fluid *fluid, int j, int k, double *out)
 {
-	if (fluid->empty)
-		packed_row(fluid, j, k, out);
+	if (fluid->void_fraction)
+		divergence_row_void(fluid, j, k, out);
 	else
 		divergence_row(fluid, j, k, out);
 }
 
 /* rhs = scale (div u - mean) */
-static void divergence(const struct ts_projection *p, double scale, double mean)
+static void make_right_hand_side(const struct ts_projection *p, double scale, double mean)
 {
 	const struct ts_grid *grid = &p->fluid.grid;
 	long rows = (long)grid->n[1] * grid->n[2];
@@ -77,7 +77,7 @@ static void divergence(const struct ts_projection *p, double scale, double mean)
 /* u -= factor grad p on the faces of component c where it is not given. Where particles hold the fluid the
  * factor is as much less as the weight of the face is less than its void fraction. */
 TS_CLONES
-static void correct_row(const struct ts_projection *projection, const double *pressure, int c, int j, int k,
+static void subtract_gradient_row(const struct ts_projection *projection, const double *pressure, int c, int j, int k,
 			int from, int to, double factor)
 {
 	const struct ts_fluid *fluid = &projection->fluid;
@@ -90,7 +90,7 @@ static void correct_row(const struct ts_projection *projection, const double *pr
 	double *u = fluid->u[c] + at;
 
 	if (weight) {
-		const double *e = fluid->empty_face[c];
+		const double *e = fluid->void_fraction_face[c];
 
 		for (int i = from; i < to; i++)
 			u[i] -= factor * weight[at + (size_t)i] / (e ? e[at + (size_t)i] : 1) *
@@ -107,7 +107,7 @@ static void correct_row(const struct ts_projection *projection, const double *pr
 	}
 }
 
-static void correct(const struct ts_projection *p, const double *pressure, double factor)
+static void subtract_gradient(const struct ts_projection *p, const double *pressure, double factor)
 {
 	const struct ts_grid *grid = &p->fluid.grid;
 	int from[3][3], to[3][3], height = grid->n[1] + 1;
@@ -121,7 +121,7 @@ static void correct(const struct ts_projection *p, const double *pressure, doubl
 
 		for (int c = 0; c < grid->dimensions; c++)
 			if (j >= from[c][1] && j < to[c][1] && k >= from[c][2] && k < to[c][2])
-				correct_row(p, pressure, c, j, k, from[c][0], to[c][0], factor);
+				subtract_gradient_row(p, pressure, c, j, k, from[c][0], to[c][0], factor);
 	}
 }
 
@@ -135,12 +135,12 @@ enum ts_status ts_projection_solver(struct ts_instance *self, struct tsim *sim, 
 		return ts_nomem(&sim->error);
 	weighted = p->poisson.weight[0];
 	TS_TRY(ts_pressure_choose(sim, &p->poisson, &self->where, &pressure));
-	if (pressure == p->pressure && p->removals == sim->removals && p->weighted == weighted)
+	if (pressure == p->pressure && p->removals == sim->removals && p->weights_vary == weighted)
 		return TS_OK;
 	TS_TRY(ts_pressure_style_of(pressure)->prepare(pressure, sim, &p->poisson));
 	p->pressure = pressure;
 	p->removals = sim->removals;
-	p->weighted = weighted;
+	p->weights_vary = weighted;
 	return TS_OK;
 }
 
@@ -167,17 +167,17 @@ enum ts_status ts_projection_project_velocity(struct ts_instance *self, struct t
 	struct ts_projection *p = self->state;
 	struct ts_fluid *fluid = &p->fluid;
 	struct ts_poisson_report report = { 0 };
-	double *pressure = fluid->pressure_ahead ? p->increment : fluid->p, mean;
+	double *pressure = fluid->incremental ? p->increment : fluid->p, mean;
 
 	TS_TRY(ts_projection_solver(self, sim, held));
 	TS_TRY(ts_projection_net_outflow(self, sim, &mean));
-	divergence(p, fluid->density / dt, mean);
+	make_right_hand_side(p, fluid->density / dt, mean);
 	if (ts_projection_impose_pressure(p) != TS_OK)
 		return ts_nomem(&sim->error);
 	TS_TRY(ts_pressure_style_of(p->pressure)->solve(p->pressure, sim, p->rhs, pressure, &report));
 	fluid->iterations = report.iterations;
 	ts_fluid_fill_relative(fluid, pressure);
-	correct(p, pressure, dt / fluid->density);
+	subtract_gradient(p, pressure, dt / fluid->density);
 	ts_projection_restore_pressure(p);
 	if (pressure != fluid->p)
 		add_increment(p, dt);
@@ -191,16 +191,16 @@ enum ts_status ts_projection_project_initial(struct ts_instance *self, struct ts
 	struct ts_fluid *fluid = &p->fluid;
 	const struct ts_grid *grid = &fluid->grid;
 	enum ts_status status;
-	bool ahead;
+	bool incremental;
 
 	ts_fluid_fill_velocity(fluid, fluid->u);
 	/* Any time step gives the same velocity; this one makes numbers of the size of 1. */
-	ahead = fluid->pressure_ahead;
-	fluid->pressure_ahead = false;
-	p->still = true;
+	incremental = fluid->incremental;
+	fluid->incremental = false;
+	p->initial_projection = true;
 	status = ts_projection_project_velocity(self, sim, fluid->density * grid->width[0][0], 0);
-	fluid->pressure_ahead = ahead;
-	p->still = false;
+	fluid->incremental = incremental;
+	p->initial_projection = false;
 	TS_TRY(status);
 	memset(fluid->p, 0, grid->size * sizeof *fluid->p);
 	if (p->increment)

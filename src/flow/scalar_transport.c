@@ -19,7 +19,7 @@ enum ts_status ts_transport_make(struct ts_transport *t, const struct ts_fluid *
 
 void ts_transport_release(struct ts_transport *t)
 {
-	double **const fields[] = { &t->value, &t->source, &t->rate, &t->stage, &t->empty };
+	double **const fields[] = { &t->value, &t->source, &t->rate, &t->stage, &t->void_fraction };
 
 	for (size_t k = 0; k < sizeof fields / sizeof *fields; k++) {
 		ts_grid_field_free(*fields[k]);
@@ -28,7 +28,7 @@ void ts_transport_release(struct ts_transport *t)
 }
 
 /* Beyond a face whose value is given, as if T were linear across it. */
-static void mirror(const struct ts_grid *grid, int d, int side, double given, double *value)
+static void set_ghosts_by_value(const struct ts_grid *grid, int d, int side, double given, double *value)
 {
 	int a = d == 0, b = d == 2 ? 1 : 2, i[3];
 	ptrdiff_t out = side ? grid->stride[d] : -grid->stride[d];
@@ -50,11 +50,11 @@ void ts_transport_fill(const struct ts_transport *t, const struct ts_fluid *flui
 	for (int d = 0; d < grid->dimensions; d++)
 		for (int side = 0; side < 2 && !grid->periodic[d]; side++)
 			if (t->face[d][side].condition == TS_SCALAR_VALUE)
-				mirror(grid, d, side, t->face[d][side].now, value);
+				set_ghosts_by_value(grid, d, side, t->face[d][side].now, value);
 }
 
 /* T that is carried across a face inside, from the three points upwind of it and the one downwind. */
-static double carried(enum ts_scalar_scheme scheme, double far, double up, double down)
+static double face_value(enum ts_scalar_scheme scheme, double far, double up, double down)
 {
 	double a = up - far, b = down - up;
 
@@ -64,24 +64,24 @@ static double carried(enum ts_scalar_scheme scheme, double far, double up, doubl
 }
 
 /* Flow of T by area through the lower face m across d of the cell at `at`. */
-static double flow_inside(const struct ts_transport *t, const struct ts_fluid *fluid, int d, int m,
+static double flux_inside(const struct ts_transport *t, const struct ts_fluid *fluid, int d, int m,
 			  size_t at, const double *value)
 {
 	const ptrdiff_t s = fluid->grid.stride[d];
-	const double *q = value + at, e = fluid->empty ? fluid->empty_face[d][at] : 1;
+	const double *q = value + at, e = fluid->void_fraction ? fluid->void_fraction_face[d][at] : 1;
 	const double u = fluid->u[d][at];
-	double side = u > 0 ? carried(t->scheme, q[-2 * s], q[-s], q[0])
-			    : carried(t->scheme, q[s], q[0], q[-s]);
+	double side = u > 0 ? face_value(t->scheme, q[-2 * s], q[-s], q[0])
+			    : face_value(t->scheme, q[s], q[0], q[-s]);
 
 	return e * (u * side - t->diffusivity * (q[0] - q[-s]) / fluid->grid.gap[d][m]);
 }
 
-static double flow_at_boundary(const struct ts_transport *t, const struct ts_fluid *fluid, int d, int side,
+static double flux_at_boundary(const struct ts_transport *t, const struct ts_fluid *fluid, int d, int side,
 			       size_t at, const double *value)
 {
 	const struct ts_scalar_face *face = &t->face[d][side];
 	const struct ts_grid *grid = &fluid->grid;
-	const double e = fluid->empty ? fluid->empty_face[d][at] : 1, u = fluid->u[d][at];
+	const double e = fluid->void_fraction ? fluid->void_fraction_face[d][at] : 1, u = fluid->u[d][at];
 	const double here = value[side ? (ptrdiff_t)at - grid->stride[d] : (ptrdiff_t)at];
 	const double inward = side ? -1 : 1;
 	const double half = 0.5 * grid->width[d][side ? grid->n[d] - 1 : 0];
@@ -92,14 +92,14 @@ static double flow_at_boundary(const struct ts_transport *t, const struct ts_flu
 	return e * u * here + (face->condition == TS_SCALAR_FLUX ? inward * face->now : 0);
 }
 
-static double flow(const struct ts_transport *t, const struct ts_fluid *fluid, int d, int m, size_t at,
+static double scalar_flux(const struct ts_transport *t, const struct ts_fluid *fluid, int d, int m, size_t at,
 		   const double *value)
 {
 	const struct ts_grid *grid = &fluid->grid;
 
 	if (!grid->periodic[d] && (m == 0 || m == grid->n[d]))
-		return flow_at_boundary(t, fluid, d, m > 0, at, value);
-	return flow_inside(t, fluid, d, m, at, value);
+		return flux_at_boundary(t, fluid, d, m > 0, at, value);
+	return flux_inside(t, fluid, d, m, at, value);
 }
 
 /* d(e T)/dt */
@@ -118,8 +118,8 @@ static void find_rate(const struct ts_transport *t, const struct ts_fluid *fluid
 			double sum = t->constant + t->source[at];
 
 			for (int d = 0; d < grid->dimensions; d++)
-				sum += (flow(t, fluid, d, i[d], at, value) -
-					flow(t, fluid, d, i[d] + 1, at + (size_t)grid->stride[d], value)) /
+				sum += (scalar_flux(t, fluid, d, i[d], at, value) -
+					scalar_flux(t, fluid, d, i[d] + 1, at + (size_t)grid->stride[d], value)) /
 				       grid->width[d][i[d]];
 			t->rate[at] = sum;
 		}
@@ -154,7 +154,7 @@ double ts_transport_limit(const struct ts_transport *t, const struct ts_fluid *f
 static double after(const struct ts_transport *t, const struct ts_fluid *fluid, size_t k, double part,
 		    double content, double dt)
 {
-	double e = t->empty ? t->empty[k] + dt * fluid->empty_rate[k] : 1;
+	double e = t->void_fraction ? t->void_fraction[k] + dt * fluid->void_fraction_rate[k] : 1;
 
 	return e > 0 ? part * (content + dt * t->rate[k]) / e : 0; /* padding between rows has none */
 }
@@ -163,7 +163,7 @@ static double after(const struct ts_transport *t, const struct ts_fluid *fluid, 
 static void advance(struct ts_transport *t, const struct ts_fluid *fluid, double dt, int threads)
 {
 	const size_t size = fluid->grid.size;
-	double *e = t->empty;
+	double *e = t->void_fraction;
 
 	ts_transport_fill(t, fluid, t->value);
 	find_rate(t, fluid, t->value, threads);
@@ -174,7 +174,7 @@ static void advance(struct ts_transport *t, const struct ts_fluid *fluid, double
 	find_rate(t, fluid, t->stage, threads);
 #pragma omp parallel for num_threads(threads) schedule(static)
 	for (size_t k = 0; k < size; k++) {
-		double then = e ? e[k] + dt * fluid->empty_rate[k] : 1;
+		double then = e ? e[k] + dt * fluid->void_fraction_rate[k] : 1;
 
 		t->value[k] = after(t, fluid, k, 0.5, (e ? e[k] : 1) * t->value[k] + then * t->stage[k], dt);
 		if (e)

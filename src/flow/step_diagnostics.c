@@ -7,14 +7,14 @@
 
 #include "base/banned.h"
 
-struct look {
+struct row_diagnostics {
 	double speed; /* sum |u|/h */
 	double change;
 	bool broken; /* something is not a number */
 };
 
 TS_CLONES
-static struct look look_at_row(const struct ts_fluid *fluid, double *const before[3], int j, int k)
+static struct row_diagnostics diagnose_row(const struct ts_fluid *fluid, double *const before[3], int j, int k)
 {
 	const struct ts_grid *grid = &fluid->grid;
 	const size_t at = ts_at(grid, 0, j, k);
@@ -23,9 +23,9 @@ static struct look look_at_row(const struct ts_fluid *fluid, double *const befor
 	const double *a = before[0] + at, *b = before[1] + at, *c = before[solid ? 2 : 1] + at;
 	const double *width = grid->width[0], wy = 1 / grid->width[1][j];
 	const double wz = solid ? 1 / grid->width[2][k] : 0;
-	double speed = 0, change = 0, nothing = 0;
+	double speed = 0, change = 0, not_a_number = 0;
 
-#pragma omp simd reduction(max : speed, change) reduction(+ : nothing)
+#pragma omp simd reduction(max : speed, change) reduction(+ : not_a_number)
 	for (int i = 0; i < grid->n[0]; i++) {
 		double s = fabs(u[i]) / width[i] + fabs(v[i]) * wy + fabs(w[i]) * wz;
 		double x = fabs(u[i] - a[i]), y = fabs(v[i] - b[i]), z = fabs(w[i] - c[i]);
@@ -34,9 +34,9 @@ static struct look look_at_row(const struct ts_fluid *fluid, double *const befor
 		most = most > z ? most : z;
 		speed = s > speed ? s : speed;
 		change = most > change ? most : change;
-		nothing += 0 * s; /* not a number if s is not */
+		not_a_number += 0 * s; /* not a number if s is not */
 	}
-	return (struct look){ speed, change, !(nothing == 0) };
+	return (struct row_diagnostics){ speed, change, !(not_a_number == 0) };
 }
 
 static double largest_divergence(const struct ts_fluid *fluid, int j, int k, double *row)
@@ -75,21 +75,21 @@ static void fastest_cell(const struct ts_fluid *fluid, double x[3])
 }
 
 /* Whether bodies that are free to move have brought it about. */
-static bool blame_bodies(const struct tsim *sim, const struct ts_fluid *fluid, double dt, char *cause, size_t size)
+static bool bodies_explain(const struct tsim *sim, const struct ts_fluid *fluid, double dt, char *cause, size_t size)
 {
 	const struct ts_instance *part;
 
 	for (size_t k = 0; (part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));) {
 		const struct ts_flow_part *flow_part = part->state;
 
-		if (flow_part->blame && flow_part->blame(part, fluid, dt, cause, size))
+		if (flow_part->explain_instability && flow_part->explain_instability(part, fluid, dt, cause, size))
 			return true;
 	}
 	return false;
 }
 
 /* Which limit the step was beyond, for the velocities it began with, as far as can be told. */
-static enum ts_status explain(struct ts_instance *self, struct tsim *sim, bool broken, double dt)
+static enum ts_status fail_unstable(struct ts_instance *self, struct tsim *sim, bool broken, double dt)
 {
 	const struct ts_projection *p = self->state;
 	const struct ts_fluid *fluid = &p->fluid;
@@ -98,7 +98,7 @@ static enum ts_status explain(struct ts_instance *self, struct tsim *sim, bool b
 	double x[3] = { 0 };
 	char cause[512];
 
-	if (blame_bodies(sim, fluid, dt, cause, sizeof cause))
+	if (bodies_explain(sim, fluid, dt, cause, sizeof cause))
 		return ts_fail(&sim->error, TS_PHYSICS, &self->where,
 			       "the fluid left the region of stable steps at time %g with a step of %g: %s",
 			       fluid->time, dt, cause);
@@ -139,11 +139,11 @@ enum ts_status ts_projection_check_substep(struct ts_instance *self, struct tsim
 	reduction(max : speed, change, divergence) reduction(| : broken)
 	for (long line = 0; line < rows; line++) {
 		int j = (int)(line % grid->n[1]), k = (int)(line / grid->n[1]);
-		struct look look = look_at_row(fluid, before, j, k);
+		struct row_diagnostics row = diagnose_row(fluid, before, j, k);
 
-		speed = fmax(speed, look.speed);
-		change = fmax(change, look.change);
-		broken |= look.broken;
+		speed = fmax(speed, row.speed);
+		change = fmax(change, row.change);
+		broken |= row.broken;
 		divergence = fmax(divergence, largest_divergence(fluid, j, k,
 								 p->rhs + ts_at(grid, 0, j, k)));
 	}
@@ -151,6 +151,6 @@ enum ts_status ts_projection_check_substep(struct ts_instance *self, struct tsim
 	fluid->residual = change / dt;
 	fluid->divergence = divergence;
 	if (broken || !(fluid->courant <= MARGIN * ts_flow_time_schemes[p->time].courant))
-		return explain(self, sim, broken, dt);
+		return fail_unstable(self, sim, broken, dt);
 	return TS_OK;
 }

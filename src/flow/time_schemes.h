@@ -1,4 +1,4 @@
-/* Schemes in time: tables of numbers. */
+/* Time integration schemes as tables of coefficients. */
 #ifndef TS_FLOW_TIME_SCHEMES_H
 #define TS_FLOW_TIME_SCHEMES_H
 
@@ -6,19 +6,18 @@
 
 enum { TS_MOST_STAGES = 3 };
 
-/* Each stage is u <- keep u(beginning) + take (u + dt rate(u)), projected. */
+/* Each stage is u <- keep u(beginning) + take (u + dt rate(u)), then projected. */
 struct ts_flow_time_scheme {
 	const char *name, *help;
 	int order, stages;
 	double keep[TS_MOST_STAGES], take[TS_MOST_STAGES];
-	double at[TS_MOST_STAGES]; /* the time a stage ends at, in steps */
-	double pressure_at[TS_MOST_STAGES]; /* when it takes the pressure that is given on faces */
-	bool history;              /* uses the rate of the step before */
-	/* How far the region of stability of du/dt = z u goes along the negative real and along the imaginary
-	 * axis; 0: not at all. */
+	double at[TS_MOST_STAGES]; /* time at the end of a stage, in steps */
+	double pressure_at[TS_MOST_STAGES]; /* time of the pressure given on faces in a stage, in steps */
+	bool history;              /* uses the rate of change in the step before */
+	/* Extent of the stability region of du/dt = z u along the negative real and along the imaginary axis; 0: none. */
 	double real, imaginary;
-	/* Courant number sum |u| dt/h that is never exceeded: 1 for euler, where it follows from the limits of
-	 * decay and growth; of second order, what little viscosity stands. */
+	/* Largest Courant number sum |u| dt/h: 1 for euler, where it follows from the limits of decay and growth; for schemes
+	 * of second order the value that is stable with little viscosity. */
 	double courant;
 };
 

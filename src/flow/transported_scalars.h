@@ -1,21 +1,21 @@
-/* Scalars that fixes carry along with the fluid, by name: f_ID. */
+/* Access to the scalar fields that fixes transport with the fluid, by name: f_ID. */
 #ifndef TS_FLOW_TRANSPORTED_SCALARS_H
 #define TS_FLOW_TRANSPORTED_SCALARS_H
 
 #include "core/name_list.h"
 #include "flow/fluid.h"
 
-/* A list of words, each one of a table of names (ts_name_list_read) or f_ID of a fix that carries a scalar: of
- * those the index is TS_FLOW_SCALAR. */
+/* Reads a list of words, each a name of the table (ts_name_list_read) or f_ID of a fix that transports a scalar, whose
+ * index is TS_FLOW_SCALAR. */
 enum { TS_FLOW_SCALAR = -1 };
 enum ts_status ts_flow_read_names(struct tsim *sim, const char *what, struct ts_arena *arena,
 				  struct ts_words words, const void *table, size_t stride,
 				  struct ts_name_list *out);
 
-/* The scalar at centres, as it is now. */
+/* The present field of the scalar, at centres. */
 enum ts_status ts_flow_scalar_field(struct tsim *sim, const char *what, const struct ts_word *word,
 			       const double **out);
-/* The next fix that carries one, *k counting as in ts_sim_next_of; NULL: there are no more. */
+/* The next fix that transports a scalar, *k as in ts_sim_next_of; NULL at the end. */
 struct ts_instance *ts_flow_next_scalar(const struct tsim *sim, size_t *k);
 
 #endif

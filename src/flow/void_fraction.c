@@ -6,7 +6,7 @@
 
 #include "base/banned.h"
 
-static long all_rows(const struct ts_grid *grid)
+static long count_rows(const struct ts_grid *grid)
 {
 	return (long)(grid->n[1] + 2 * grid->ghosts[1]) * (grid->n[2] + 2 * grid->ghosts[2]);
 }
@@ -28,7 +28,7 @@ static void to_faces(const struct ts_projection *p, int d, const double *e, doub
 	const int n = grid->n[0] + 2 * grid->ghosts[0];
 
 #pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
-	for (long line = 0; line < all_rows(grid); line++) {
+	for (long line = 0; line < count_rows(grid); line++) {
 		int j, k;
 		size_t at = row_at(grid, line, &j, &k);
 		bool lowest = (d == 1 && j == -grid->ghosts[1]) || (d == 2 && k == -grid->ghosts[2]);
@@ -58,7 +58,7 @@ static void to_faces(const struct ts_projection *p, int d, const double *e, doub
  * what holds in cells holds there (Harlow & Welch's staggered volumes; F. N. Felten & T. S. Lund,
  * J. Comput. Phys. 215 (2006) 465). */
 
-static enum ts_status want(const struct ts_projection *p, double *field[3])
+static enum ts_status allocate_vector(const struct ts_projection *p, double *field[3])
 {
 	for (int d = 0; d < p->fluid.grid.dimensions; d++)
 		if (!field[d] && !(field[d] = ts_grid_field(&p->fluid.grid)))
@@ -66,24 +66,24 @@ static enum ts_status want(const struct ts_projection *p, double *field[3])
 	return TS_OK;
 }
 
-static enum ts_status room_keep(struct ts_projection *p, double elapsed)
+static enum ts_status store_momentum_void_fraction(struct ts_projection *p, double elapsed)
 {
 	struct ts_fluid *fluid = &p->fluid;
 	const size_t bytes = fluid->grid.size * sizeof(double);
 
-	TS_TRY(want(p, p->room_before));
-	TS_TRY(want(p, p->room_rate));
-	TS_TRY(want(p, p->room_start));
-	TS_TRY(want(p, p->room_last));
-	TS_TRY(want(p, fluid->inertia));
-	p->room_elapsed = elapsed;
+	TS_TRY(allocate_vector(p, p->void_before));
+	TS_TRY(allocate_vector(p, p->void_rate));
+	TS_TRY(allocate_vector(p, p->void_start));
+	TS_TRY(allocate_vector(p, p->void_stage));
+	TS_TRY(allocate_vector(p, fluid->momentum_void_fraction));
+	p->void_elapsed = elapsed;
 	for (int d = 0; d < fluid->grid.dimensions; d++) {
 		if (p->empty_known) {
-			memcpy(p->room_before[d], fluid->empty_face[d], bytes);
-			to_faces(p, d, fluid->empty_rate, p->room_rate[d]);
+			memcpy(p->void_before[d], fluid->void_fraction_face[d], bytes);
+			to_faces(p, d, fluid->void_fraction_rate, p->void_rate[d]);
 		} else {
-			to_faces(p, d, fluid->empty, p->room_before[d]);
-			memset(p->room_rate[d], 0, bytes);
+			to_faces(p, d, fluid->void_fraction, p->void_before[d]);
+			memset(p->void_rate[d], 0, bytes);
 		}
 	}
 	return TS_OK;
@@ -91,12 +91,12 @@ static enum ts_status room_keep(struct ts_projection *p, double elapsed)
 
 /* ---- at the beginning of a step of the fluid */
 
-static void make_rate(const struct ts_projection *p, double elapsed)
+static void make_void_rate(const struct ts_projection *p, double elapsed)
 {
 	const struct ts_fluid *fluid = &p->fluid;
 	const size_t size = fluid->grid.size;
-	const double *e = fluid->empty;
-	double *rate = fluid->empty_rate, *before = p->empty_before;
+	const double *e = fluid->void_fraction;
+	double *rate = fluid->void_fraction_rate, *before = p->void_fraction_before;
 	const double per_time = p->empty_known ? 1 / elapsed : 0;
 
 #pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
@@ -110,17 +110,17 @@ enum ts_status ts_projection_update_void_fraction(struct ts_projection *p, doubl
 {
 	struct ts_fluid *fluid = &p->fluid;
 
-	if (!fluid->empty)
+	if (!fluid->void_fraction)
 		return TS_OK;
-	if (!p->empty_before && !(p->empty_before = ts_grid_field(&fluid->grid)))
+	if (!p->void_fraction_before && !(p->void_fraction_before = ts_grid_field(&fluid->grid)))
 		return TS_NOMEM;
-	ts_fluid_fill_centred(fluid, fluid->empty);
+	ts_fluid_fill_centred(fluid, fluid->void_fraction);
 	if (ts_projection_conservative(p))
-		TS_TRY(room_keep(p, elapsed));
-	make_rate(p, elapsed);
+		TS_TRY(store_momentum_void_fraction(p, elapsed));
+	make_void_rate(p, elapsed);
 	p->empty_known = 1;
 	for (int d = 0; d < fluid->grid.dimensions; d++)
-		to_faces(p, d, fluid->empty, fluid->empty_face[d]);
+		to_faces(p, d, fluid->void_fraction, fluid->void_fraction_face[d]);
 	return TS_OK;
 }
 
@@ -129,9 +129,9 @@ double ts_projection_void_rate_integral(const struct ts_projection *p)
 	const struct ts_grid *grid = &p->fluid.grid;
 	double sum = 0;
 
-	for (int k = 0; k < grid->n[2] && p->fluid.empty; k++)
+	for (int k = 0; k < grid->n[2] && p->fluid.void_fraction; k++)
 		for (int j = 0; j < grid->n[1]; j++) {
-			const double *rate = p->fluid.empty_rate + ts_at(grid, 0, j, k);
+			const double *rate = p->fluid.void_fraction_rate + ts_at(grid, 0, j, k);
 			double row = 0;
 
 			for (int i = 0; i < grid->n[0]; i++)
@@ -154,17 +154,17 @@ static double lag_of(const struct ts_flow_time_scheme *scheme)
 }
 
 /* E at the beginning of a step of the fluid: the first one has the rate of the step before. */
-static void begin(struct ts_projection *p, int d, double dt)
+static void begin_substep(struct ts_projection *p, int d, double dt)
 {
 	const double lag = lag_of(&ts_flow_time_schemes[p->time]), done = (double)p->now_at;
-	const double *before = p->room_before[d], *rate = p->room_rate[d],
-		     *now = p->fluid.empty_face[d];
-	double *start = p->room_start[d], *mass = p->fluid.inertia[d];
+	const double *before = p->void_before[d], *rate = p->void_rate[d],
+		     *now = p->fluid.void_fraction_face[d];
+	double *start = p->void_start[d], *mass = p->fluid.momentum_void_fraction[d];
 	const size_t size = p->fluid.grid.size;
 
 #pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
 	for (size_t at = 0; at < size; at++) {
-		double own = (now[at] - before[at]) / p->room_elapsed;
+		double own = (now[at] - before[at]) / p->void_elapsed;
 
 		start[at] =
 			before[at] + dt * (p->now_at > 0 ? (done - lag) * own : -lag * rate[at]);
@@ -173,18 +173,18 @@ static void begin(struct ts_projection *p, int d, double dt)
 }
 
 /* E of the end of the stage. */
-static void go_on(struct ts_projection *p, int d, const struct ts_predictor *stage, bool first)
+static void advance_stage(struct ts_projection *p, int d, const struct ts_predictor *stage, bool first)
 {
-	const double *before = p->room_before[d], *rate = p->room_rate[d],
-		     *now = p->fluid.empty_face[d];
-	const double *start = p->room_start[d];
-	double *last = p->room_last[d], *mass = p->fluid.inertia[d];
+	const double *before = p->void_before[d], *rate = p->void_rate[d],
+		     *now = p->fluid.void_fraction_face[d];
+	const double *start = p->void_start[d];
+	double *last = p->void_stage[d], *mass = p->fluid.momentum_void_fraction[d];
 	const double keep = stage->keep, take = stage->take, dt = stage->dt;
 	const size_t size = p->fluid.grid.size;
 
 #pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
 	for (size_t at = 0; at < size; at++) {
-		double change = first ? rate[at] : (now[at] - before[at]) / p->room_elapsed;
+		double change = first ? rate[at] : (now[at] - before[at]) / p->void_elapsed;
 
 		last[at] = mass[at];
 		mass[at] = keep * start[at] + take * (last[at] + dt * change);
@@ -197,11 +197,11 @@ void ts_projection_stage_void_fraction(struct ts_projection *p, struct ts_predic
 
 	for (int d = 0; d < p->fluid.grid.dimensions; d++) {
 		if (s == 0)
-			begin(p, d, stage->dt);
-		go_on(p, d, stage, first);
-		stage->flow[d] = first ? p->room_before[d] : p->fluid.empty_face[d];
-		stage->start[d] = p->room_start[d];
-		stage->last[d] = p->room_last[d];
-		stage->next[d] = p->fluid.inertia[d];
+			begin_substep(p, d, stage->dt);
+		advance_stage(p, d, stage, first);
+		stage->flow[d] = first ? p->void_before[d] : p->fluid.void_fraction_face[d];
+		stage->start[d] = p->void_start[d];
+		stage->last[d] = p->void_stage[d];
+		stage->next[d] = p->fluid.momentum_void_fraction[d];
 	}
 }

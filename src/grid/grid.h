@@ -1,10 +1,10 @@
 /* The staggered (MAC) grid: Cartesian, each axis uniform or graded by itself.
  *
  * Fields are arrays of doubles of grid.size, ghost cells included; cell (i,j,k), 0 <= i < n[0] ..., is at
- * ts_at(grid, i, j, k). Pressure, void fraction and scalars live in the centres of cells, velocity component
- * d on their lower faces across axis d: u[0] of cell (i,j,k) is at (face[0][i], centre[1][j], centre[2][k]).
- * The faces of the upper boundary are the lower faces of the first ghost cells, i = n[0]; beyond them fields have two
- * layers of faces, as below the lower boundary. */
+ * ts_at(grid, i, j, k). Pressure, void fraction and scalars are stored at cell centres; velocity component d
+ * is stored at the lower faces across axis d: u[0] of cell (i,j,k) is at (face[0][i], centre[1][j], centre[2][k]).
+ * The faces of the upper boundary are the lower faces of the first ghost cells, i = n[0]; two layers of faces
+ * follow beyond each boundary. Lengths are in the units of the script. */
 #ifndef TS_GRID_GRID_H
 #define TS_GRID_GRID_H
 
@@ -13,28 +13,31 @@
 
 #include "base/status.h"
 
-#define TS_GRID_GHOSTS 2 /* layers of ghost cells: what schemes of three upwind points need */
+#define TS_GRID_GHOSTS 2 /* layers of ghost cells, as schemes with three upwind points need them */
+
+enum ts_grid_side { TS_LOW, TS_HIGH }; /* of an axis: its lower and its upper boundary */
 
 struct ts_grid {
-	int dimensions;      /* 2: the z axis is one cell thick and nothing varies along it; or 3 */
-	bool by_depth;	     /* dimension 2: particles are discs, and they and all that they exchange by unit of depth */
-	int n[3];            /* cells, ghosts not counted */
-	int ghosts[3];       /* layers on either side: TS_GRID_GHOSTS, along z none in two dimensions */
-	ptrdiff_t stride[3]; /* of fields; stride[0] == 1 */
+	int dimensions;      /* 2: one cell along z and no gradient along z; or 3 */
+	bool by_depth;	     /* `dimension 2`: particles are discs; masses, forces and volumes are per unit of depth */
+	int n[3];            /* number of cells, without ghosts */
+	int ghosts[3];       /* layers on either side: TS_GRID_GHOSTS, none along z in two dimensions */
+	ptrdiff_t stride[3]; /* distance in a field between neighbours along an axis, in doubles; stride[0] == 1 */
 	size_t size;         /* of a field, in doubles */
-	size_t origin;       /* of cell (0,0,0) */
+	size_t origin;       /* index of cell (0,0,0) in a field */
 	bool periodic[3];
-	bool uniform[3];
-	/* By index from -ghosts on, as they are used: face[d][i] is the lower face of cell i, up to
-	 * i = n + ghosts. Ghost cells mirror the cells at the boundary, or continue periodically. */
+	bool uniform[3];     /* all cells along the axis have the same width */
+	/* Indexed from -ghosts to n + ghosts: face[d][i] is the coordinate of the lower face of cell i. Ghost cells
+	 * have the widths of the cells they mirror at a boundary, or of their periodic images. */
 	double *face[3];
 	double *centre[3];
 	double *width[3]; /* face[i+1] - face[i] */
 	double *gap[3];   /* centre[i] - centre[i-1] */
-	double *memory;   /* of all these */
+	double *memory;   /* of all these arrays; owned */
 };
 
-/* Faces of the axes, lowest first: n[d] + 1 each, increasing. `dimensions` 2 wants n[2] == 1. */
+/* Makes the grid from the coordinates of the faces of each axis: n[d] + 1 each, increasing. With `dimensions` 2
+ * n[2] must be 1. Released by ts_grid_release. */
 enum ts_status ts_grid_make(struct ts_grid *grid, int dimensions, const int n[3],
 			    const double *const face[3], const bool periodic[3]);
 void ts_grid_release(struct ts_grid *grid);
@@ -54,11 +57,11 @@ static inline size_t ts_grid_cells(const struct ts_grid *grid)
 	return (size_t)grid->n[0] * (size_t)grid->n[1] * (size_t)grid->n[2];
 }
 
-/* The cell that holds a coordinate of axis d, from 0 to n - 1; -1 outside the grid (upper face: n - 1).
- * Uniform axes without search. */
+/* The index of the cell along axis d that contains the coordinate x, from 0 to n - 1; -1 if x is outside the grid. The
+ * upper boundary belongs to cell n - 1. Constant time on uniform axes, else a bisection. */
 int ts_grid_find(const struct ts_grid *grid, int d, double x);
 
-/* A field of zeros, aligned to 64 bytes; NULL: out of memory. Freed by ts_grid_field_free. */
+/* Allocates a field of zeros, aligned to 64 bytes; NULL if out of memory. Freed by ts_grid_field_free. */
 double *ts_grid_field(const struct ts_grid *grid);
 void ts_grid_field_free(double *field);
 

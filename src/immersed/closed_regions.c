@@ -9,29 +9,29 @@
 
 #include "base/banned.h"
 
-/* Of what a body pushes into a region, how much may be that of the steps by which the grid has its
- * surface. */
+/* Largest net flow of bodies into a region, by the sum of the magnitudes, that may be an error of the staircase shape
+ * of the surface on the grid. */
 static const double STEPS = 0.1;
 
-/* Far above round-off. */
+/* Relative imbalance of flows that is not round-off. */
 static const double UNEVEN = 1e-9;
 
-/* A region narrower than this many cells is not resolved: a gap that closes, or a corner. */
+/* A region narrower than this number of cells is not resolved: a gap that closes, or a corner. */
 enum { WIDE = 3 };
 
 /* Labels of cells. */
-enum { OUTSIDE = -1, UNSEEN = 0, FREE = 1, FIRST_REGION = 2 };
+enum { OUTSIDE = -1, UNLABELLED = 0, FREE = 1, FIRST_REGION = 2 };
 
 struct region {
-	double net, gross;   /* what comes in by the faces of the grid, per time; with sizes */
-	double pushed, push; /* the same of bodies */
-	int lo[3], hi[3];
-	int face; /* where most comes in: 2 d + side; -1: nowhere */
-	double most;
-	bool unknown;	 /* how a body beside it moves */
-	uint16_t body;	 /* from 1: one beside it; 0: there is none */
-	double place[3]; /* mean place of the faces where that body ends it */
-	size_t ends;
+	double net, gross;   /* flow into it through faces of the grid (volume/time): sum, and sum of magnitudes */
+	double pushed, push; /* the same for flow from bodies */
+	int lo[3], hi[3]; /* range of its cells */
+	int face; /* face of the grid with the largest flow: 2 d + side; -1: none */
+	double most; /* that flow */
+	bool unknown;	 /* the motion of a body beside it is not known yet */
+	uint16_t body;	 /* a body beside it, counted from 1; 0: none */
+	double place[3]; /* mean position of the faces between the region and that body */
+	size_t ends;	 /* number of these faces */
 };
 
 struct body {
@@ -44,14 +44,14 @@ struct body {
 struct ts_closed_search {
 	struct ts_projection *p;
 	const struct ts_grid *grid;
-	uint16_t *owner[3]; /* of lower faces: the body that gives the velocity, from 1; 0: fluid */
+	uint16_t *owner[3]; /* of lower faces: the body that prescribes the velocity, from 1; 0: none */
 	int32_t *label;	    /* of cells */
 	size_t *stack, nstack;
 	struct body *body;
 	size_t nbodies, body_capacity;
 	struct region *region;
 	size_t nregions, region_capacity;
-	bool varies; /* what is given at a region, or under a body, changes with time */
+	bool varies; /* velocities given at a region, or under a body, change with time */
 	enum ts_status status;
 };
 
@@ -83,10 +83,10 @@ static void index_of(const struct ts_grid *grid, size_t at, int i[3])
 	i[0] = (int)(rest % grid->stride[1]);
 }
 
-/* One face of a cell: its place in the field of the component, and the cell across. */
+/* One face of a cell: its index in the field of the component, and the cell across. */
 struct link {
 	size_t face, cell;
-	bool boundary; /* there is none across */
+	bool boundary; /* there is no cell across */
 };
 
 static struct link link_of(const struct ts_grid *grid, size_t at, const int i[3], int d, int side)
@@ -117,10 +117,10 @@ static bool is_open(const struct ts_closed_search *s, int d, int side)
 	return ts_flow_face_open(s->p->fluid.face[d][side]);
 }
 
-/* The velocity across the boundary that is given at the cell. */
+/* The normal velocity given on the boundary at this cell; 0 on open and slip faces. */
 static double given_there(const struct ts_closed_search *s, const int i[3], int d, int side)
 {
-	const struct ts_flow_face_velocity *now = &s->p->now[d][side];
+	const struct ts_flow_face_velocity *now = &s->p->velocity_now[d][side];
 	int a = d == 0, b = d == 2 ? 1 : 2;
 
 	if (is_open(s, d, side) || s->p->fluid.face[d][side] == TS_FLOW_SLIP)
@@ -129,7 +129,7 @@ static double given_there(const struct ts_closed_search *s, const int i[3], int 
 			     : now->constant[d];
 }
 
-/* Whether that may be another one at the next step. */
+/* Whether that velocity may change in the next step. */
 static bool varies_there(const struct ts_closed_search *s, int d, int side)
 {
 	const struct ts_flow_condition *condition = &s->p->condition[d][side];
@@ -137,17 +137,17 @@ static bool varies_there(const struct ts_closed_search *s, int d, int side)
 	return !is_open(s, d, side) && condition->velocity[d].variable && !condition->once;
 }
 
-/* ---- filling */
+/* ---- flood fill */
 
-static void see(struct ts_closed_search *s, size_t cell, int32_t label)
+static void label_cell(struct ts_closed_search *s, size_t cell, int32_t label)
 {
-	if (s->label[cell] != UNSEEN)
+	if (s->label[cell] != UNLABELLED)
 		return;
 	s->label[cell] = label;
 	s->stack[s->nstack++] = cell;
 }
 
-static void note_end(struct ts_closed_search *s, struct region *region, const int i[3], int d, int side,
+static void add_body_face(struct ts_closed_search *s, struct region *region, const int i[3], int d, int side,
 		     uint16_t body)
 {
 	double x[3];
@@ -164,7 +164,7 @@ static void note_end(struct ts_closed_search *s, struct region *region, const in
 		region->place[a] += (x[a] - region->place[a]) / (double)region->ends;
 }
 
-static void note_boundary(struct ts_closed_search *s, struct region *region, const int i[3], int d,
+static void add_boundary_face(struct ts_closed_search *s, struct region *region, const int i[3], int d,
 			  int side)
 {
 	double flow = given_there(s, i, d, side) * area_of(s->grid, i, d) * (side ? -1 : 1);
@@ -178,7 +178,7 @@ static void note_boundary(struct ts_closed_search *s, struct region *region, con
 	}
 }
 
-/* All that hangs together with the cell on the stack. */
+/* Labels all cells connected to the cell on the stack, and sums up the flow into them. */
 static void fill_closed_region(struct ts_closed_search *s, int32_t label, struct region *region)
 {
 	while (s->nstack) {
@@ -194,11 +194,11 @@ static void fill_closed_region(struct ts_closed_search *s, int32_t label, struct
 				uint16_t body = s->owner[d][link.face];
 
 				if (!link.boundary && !body)
-					see(s, link.cell, label);
+					label_cell(s, link.cell, label);
 				if (body)
-					note_end(s, region, i, d, side, body);
+					add_body_face(s, region, i, d, side, body);
 				if (link.boundary)
-					note_boundary(s, region, i, d, side);
+					add_boundary_face(s, region, i, d, side);
 			}
 		}
 	}
@@ -209,18 +209,18 @@ static void fill_closed_region(struct ts_closed_search *s, int32_t label, struct
 		for (i[1] = 0; i[1] < (grid)->n[1]; i[1]++)                                        \
 			for (i[0] = 0; i[0] < (grid)->n[0]; i[0]++)
 
-/* The cell across a face, which no body holds, of a cell that is free. Most have one beside them in
- * memory. */
-static inline void go_across(struct ts_closed_search *s, size_t at, int d, int side)
+/* Labels the cell across a face of a free cell as free, unless a body prescribes the velocity of the face. In most cases
+ * the cell across is the neighbour in memory. */
+static inline void label_neighbor(struct ts_closed_search *s, size_t at, int d, int side)
 {
 	const size_t stride = (size_t)s->grid->stride[d];
 	size_t cell = side ? at + stride : at - stride, face = side ? cell : at;
 	struct link link;
 	int i[3];
 
-	if (s->label[cell] == UNSEEN) {
+	if (s->label[cell] == UNLABELLED) {
 		if (!s->owner[d][face])
-			see(s, cell, FREE);
+			label_cell(s, cell, FREE);
 		return;
 	}
 	if (s->label[cell] != OUTSIDE || !s->grid->periodic[d])
@@ -228,11 +228,11 @@ static inline void go_across(struct ts_closed_search *s, size_t at, int d, int s
 	index_of(s->grid, at, i);
 	link = link_of(s->grid, at, i, d, side);
 	if (!s->owner[d][link.face])
-		see(s, link.cell, FREE);
+		label_cell(s, link.cell, FREE);
 }
 
-/* From the cells at an open face on. */
-static void fill_from(struct ts_closed_search *s, int d, int side)
+/* Labels all cells connected to an open face. */
+static void fill_from_face(struct ts_closed_search *s, int d, int side)
 {
 	const struct ts_grid *grid = s->grid;
 	int a = d == 0, b = d == 2 ? 1 : 2, i[3];
@@ -243,24 +243,24 @@ static void fill_from(struct ts_closed_search *s, int d, int side)
 			size_t at = ts_at(grid, i[0], i[1], i[2]);
 
 			if (!s->owner[d][side ? at + (size_t)grid->stride[d] : at])
-				see(s, at, FREE);
+				label_cell(s, at, FREE);
 		}
 	while (s->nstack) {
 		size_t at = s->stack[--s->nstack];
 
 		for (int e = 0; e < grid->dimensions; e++) {
-			go_across(s, at, e, TS_LOW);
-			go_across(s, at, e, TS_HIGH);
+			label_neighbor(s, at, e, TS_LOW);
+			label_neighbor(s, at, e, TS_HIGH);
 		}
 	}
 }
 
-static void fill_free(struct ts_closed_search *s)
+static void fill_from_open_faces(struct ts_closed_search *s)
 {
 	for (int d = 0; d < s->grid->dimensions; d++)
 		for (int side = 0; side < 2; side++)
 			if (is_open(s, d, side))
-				fill_from(s, d, side);
+				fill_from_face(s, d, side);
 }
 
 static enum ts_status fill_closed_regions(struct ts_closed_search *s)
@@ -273,14 +273,14 @@ static enum ts_status fill_closed_regions(struct ts_closed_search *s)
 		struct region region = { .face = -1 };
 		int32_t label = FIRST_REGION + (int32_t)s->nregions;
 
-		if (s->label[at] != UNSEEN)
+		if (s->label[at] != UNLABELLED)
 			continue;
 		memcpy(region.lo, i, sizeof region.lo);
 		memcpy(region.hi, i, sizeof region.hi);
-		see(s, at, label);
+		label_cell(s, at, label);
 		fill_closed_region(s, label, &region);
 		if (memcmp(region.lo, region.hi, sizeof region.lo) == 0 && region.gross == 0) {
-			s->label[at] = FREE; /* within a body */
+			s->label[at] = FREE; /* a single cell inside a body */
 			continue;
 		}
 		TS_TRY(TS_GROW(s->region, s->region_capacity, s->nregions + 1));
@@ -289,9 +289,9 @@ static enum ts_status fill_closed_regions(struct ts_closed_search *s)
 	return TS_OK;
 }
 
-/* ---- what bodies push */
+/* ---- flow from bodies */
 
-static void push(struct ts_closed_search *s, int32_t label, double flow)
+static void add_body_flow(struct ts_closed_search *s, int32_t label, double flow)
 {
 	struct region *region;
 
@@ -302,7 +302,7 @@ static void push(struct ts_closed_search *s, int32_t label, double flow)
 	region->push += fabs(flow);
 }
 
-static void push_all(struct ts_closed_search *s, const struct body *body)
+static void add_body_flows(struct ts_closed_search *s, const struct body *body)
 {
 	const struct ts_immersed *ib = body->ib;
 
@@ -317,20 +317,20 @@ static void push_all(struct ts_closed_search *s, const struct body *body)
 				continue;
 			index_of(s->grid, point->at, i);
 			if (i[c] >= s->grid->n[c])
-				continue; /* of an open face */
+				continue; /* beyond an open face */
 			flow = point->target * area_of(s->grid, i, c);
 			link = link_of(s->grid, point->at, i, c, 0);
 			if (link.boundary || s->label[link.cell] == s->label[point->at])
 				continue;
-			push(s, s->label[point->at], flow);
-			push(s, s->label[link.cell], -flow);
+			add_body_flow(s, s->label[point->at], flow);
+			add_body_flow(s, s->label[link.cell], -flow);
 		}
 }
 
-/* ---- what is wrong */
+/* ---- errors */
 
 /* "fix dam (immersed/boundary region dam)" */
-static void name_of(const struct body *body, char *out, size_t size)
+static void body_name(const struct body *body, char *out, size_t size)
 {
 	const struct ts_instance *self = body->self;
 	size_t words = body->motion == TS_BODY_FREE ? 1 : 2; /* spheres have no name of their own */
@@ -350,7 +350,7 @@ static bool is_wide(const struct ts_closed_search *s, const struct region *regio
 	return true;
 }
 
-static enum ts_status judge(const struct ts_closed_search *s, struct tsim *sim,
+static enum ts_status check_region(const struct ts_closed_search *s, struct tsim *sim,
 			    const struct region *region)
 {
 	const struct ts_instance *self = region->body ? s->body[region->body - 1].self : NULL;
@@ -360,7 +360,7 @@ static enum ts_status judge(const struct ts_closed_search *s, struct tsim *sim,
 
 	if (!self || region->unknown || fabs(net) <= (region->push > 0 ? STEPS : UNEVEN) * gross)
 		return TS_OK;
-	name_of(&s->body[region->body - 1], name, sizeof name);
+	body_name(&s->body[region->body - 1], name, sizeof name);
 	if (region->gross > UNEVEN * gross)
 		return ts_fail(&sim->error, TS_PHYSICS, &self->where,
 			       "%s: the body closes off the fluid beside flow_boundary %s about (%.4g %.4g %.4g): "
@@ -388,8 +388,8 @@ static bool near_face(const struct ts_grid *grid, int d, int side, const double 
 	return lo[d] <= x && x <= hi[d];
 }
 
-/* Whether one part of a body stands where the fluid comes in with another velocity than it has. */
-static enum ts_status look_at_inlet(struct ts_closed_search *s, struct tsim *sim, const struct body *body,
+/* Refuses a part of a body that covers an inlet where the fluid enters with another velocity than that of the body. */
+static enum ts_status check_inlet(struct ts_closed_search *s, struct tsim *sim, const struct body *body,
 				    size_t part, int d, int side)
 {
 	const struct ts_grid *grid = s->grid;
@@ -413,7 +413,7 @@ static enum ts_status look_at_inlet(struct ts_closed_search *s, struct tsim *sim
 			if (given == 0 || body->motion == TS_BODY_UNKNOWN ||
 			    fabs(given - v[d]) <= UNEVEN * fabs(given))
 				continue;
-			name_of(body, name, sizeof name);
+			body_name(body, name, sizeof name);
 			return ts_fail(&sim->error, TS_PHYSICS, &body->self->where,
 				       "%s: the body stands on flow_boundary %s, at (%.4g %.4g %.4g), where fluid "
 				       "is to cross the face with velocity %g and the body has %g: move it off, or "
@@ -424,7 +424,7 @@ static enum ts_status look_at_inlet(struct ts_closed_search *s, struct tsim *sim
 	return TS_OK;
 }
 
-static enum ts_status look_at_inlets(struct ts_closed_search *s, struct tsim *sim)
+static enum ts_status check_inlets(struct ts_closed_search *s, struct tsim *sim)
 {
 	for (size_t k = 0; k < s->nbodies; k++)
 		for (size_t part = 0; part < s->body[k].solid->parts; part++) {
@@ -435,13 +435,13 @@ static enum ts_status look_at_inlets(struct ts_closed_search *s, struct tsim *si
 			for (int face = 0; face < 2 * s->grid->dimensions; face++)
 				if (!s->grid->periodic[face / 2] &&
 				    near_face(s->grid, face / 2, face % 2, lo, hi))
-					TS_TRY(look_at_inlet(s, sim, &s->body[k], part, face / 2,
+					TS_TRY(check_inlet(s, sim, &s->body[k], part, face / 2,
 							     face % 2));
 		}
 	return TS_OK;
 }
 
-/* ---- all of it */
+/* ---- the whole search */
 
 static void mark_bodies(struct ts_closed_search *s, struct tsim *sim)
 {
@@ -450,12 +450,12 @@ static void mark_bodies(struct ts_closed_search *s, struct tsim *sim)
 	for (size_t k = 0; (part = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));) {
 		const struct ts_flow_part *flow_part = part->state;
 
-		if (flow_part->block)
-			flow_part->block(part, s);
+		if (flow_part->mark_closed)
+			flow_part->mark_closed(part, s);
 	}
 }
 
-static enum ts_status take_memory(struct ts_closed_search *s)
+static enum ts_status allocate_fields(struct ts_closed_search *s)
 {
 	for (int d = 0; d < s->grid->dimensions; d++)
 		if (!(s->owner[d] = ts_alloc(s->grid->size, sizeof **s->owner)))
@@ -465,7 +465,7 @@ static enum ts_status take_memory(struct ts_closed_search *s)
 	return s->label && s->stack ? TS_OK : TS_NOMEM;
 }
 
-/* All that is not a cell of the grid. */
+/* Labels ghost cells and padding as outside. */
 static void mark_outside(struct ts_closed_search *s)
 {
 	const struct ts_grid *grid = s->grid;
@@ -477,9 +477,9 @@ static void mark_outside(struct ts_closed_search *s)
 			       (size_t)grid->n[0] * sizeof *s->label);
 }
 
-static enum ts_status search(struct ts_closed_search *s, struct tsim *sim)
+static enum ts_status search_all(struct ts_closed_search *s, struct tsim *sim)
 {
-	enum ts_status status = take_memory(s);
+	enum ts_status status = allocate_fields(s);
 
 	if (status == TS_OK)
 		mark_bodies(s, sim);
@@ -487,16 +487,16 @@ static enum ts_status search(struct ts_closed_search *s, struct tsim *sim)
 		return ts_nomem(&sim->error);
 	if (s->nbodies == 0)
 		return TS_OK;
-	TS_TRY(look_at_inlets(s, sim));
+	TS_TRY(check_inlets(s, sim));
 	mark_outside(s);
-	fill_free(s);
+	fill_from_open_faces(s);
 	if (fill_closed_regions(s) != TS_OK)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < s->nbodies && s->nregions; k++)
 		if (s->body[k].motion == TS_BODY_DRIVEN)
-			push_all(s, &s->body[k]);
+			add_body_flows(s, &s->body[k]);
 	for (size_t k = 0; k < s->nregions; k++)
-		TS_TRY(judge(s, sim, &s->region[k]));
+		TS_TRY(check_region(s, sim, &s->region[k]));
 	return TS_OK;
 }
 
@@ -510,7 +510,7 @@ enum ts_status ts_immersed_check_closed(struct tsim *sim)
 		return TS_OK;
 	s.p = flow->state;
 	s.grid = &s.p->fluid.grid;
-	status = search(&s, sim);
+	status = search_all(&s, sim);
 	s.p->check_closed = s.varies ? ts_immersed_check_closed : NULL;
 	for (int d = 0; d < 3; d++)
 		ts_free(s.owner[d]);

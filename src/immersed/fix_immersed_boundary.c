@@ -39,12 +39,12 @@ struct state {
 	const char *mesh;
 	struct ts_words velocity_words, omega_words;
 	struct ts_number velocity[3], omega[3];
-	double centre[3], share, virtual_mass; /* centre NaN: not given */
+	double centre[3], relax, virtual_mass; /* centre NaN: not given */
 	int64_t iterations;
 	double least_cells;
 
 	struct ts_solid *solid;
-	struct ts_solid_prescribed given;
+	struct ts_solid_prescribed prescribed;
 	struct ts_solid_pose stand; /* saved */
 	struct ts_immersed immersed;
 	bool placed, told;
@@ -56,9 +56,9 @@ struct state {
 	struct record own; /* saved: of a region or a mesh */
 	const struct ts_mesh_surface *surface; /* of a mesh */
 	double lever[3]; /* saved: of what its torque is about, from the mean of its corners */
-	size_t column, net; /* of spheres: records, and struct ts_net_force */
+	size_t column, net_column; /* of spheres: records, and struct ts_net_force */
 	struct ts_restraints restraints;
-	bool carried; /* a mesh that goes where the fluid takes it */
+	bool free_mesh; /* a mesh that goes where the fluid takes it */
 	double slip;	   /* saved */
 };
 
@@ -74,21 +74,21 @@ static struct record *record_of(struct state *s, const struct tsim *sim, size_t 
 
 static struct ts_net_force *net_of(const struct state *s, const struct tsim *sim, size_t row)
 {
-	return (struct ts_net_force *)sim->particles->column[s->net].data + row;
+	return (struct ts_net_force *)sim->particles->column[s->net_column].data + row;
 }
 
-static enum ts_status force(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
+static enum ts_status apply_forcing(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
 			    double time, double dt);
-static enum ts_status carry(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
+static enum ts_status end_substep(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
 			    double dt);
 static double limit(const struct ts_instance *self, const struct ts_fluid *fluid);
-static enum ts_status settle(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
+static enum ts_status update_forces(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
 			     double length);
-static void load(const struct ts_instance *self, const struct ts_mesh_surface *mesh, double out[2][3],
+static void add_mesh_load(const struct ts_instance *self, const struct ts_mesh_surface *mesh, double out[2][3],
 		 double *virtual_density);
-static bool blame(const struct ts_instance *self, const struct ts_fluid *fluid, double dt, char *cause,
+static bool explain_instability(const struct ts_instance *self, const struct ts_fluid *fluid, double dt, char *cause,
 		  size_t size);
-static void block(const struct ts_instance *self, struct ts_closed_search *search);
+static void mark_closed_faces(const struct ts_instance *self, struct ts_closed_search *search);
 
 /* ---- before a run */
 
@@ -96,13 +96,13 @@ static enum ts_status read_motion(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 
-	s->given.velocity = s->velocity_words.n > 0;
-	s->given.omega = s->omega_words.n > 0;
-	s->given.centre = !isnan(s->centre[0]);
-	if (s->given.velocity)
+	s->prescribed.velocity = s->velocity_words.n > 0;
+	s->prescribed.omega = s->omega_words.n > 0;
+	s->prescribed.centre = !isnan(s->centre[0]);
+	if (s->prescribed.velocity)
 		TS_TRY(ts_flow_read_vector(sim, "fix immersed/boundary: velocity", s->velocity_words,
 					   &self->where, &self->arena, s->velocity));
-	if (s->given.omega)
+	if (s->prescribed.omega)
 		TS_TRY(ts_flow_read_vector(sim, "fix immersed/boundary: omega", s->omega_words,
 					   &self->where, &self->arena, s->omega));
 	return TS_OK;
@@ -119,7 +119,7 @@ static enum ts_status make_region(struct ts_instance *self, struct tsim *sim, in
 			       "region of style %s; take block, cone, cylinder, plane, prism, sphere, wedge, "
 			       "or a union or intersect of these, or a mesh",
 			       s->region->style->name);
-	s->solid = ts_solid_of_region(s->region, dimensions, &s->given, &s->stand);
+	s->solid = ts_solid_of_region(s->region, dimensions, &s->prescribed, &s->stand);
 	return s->solid ? TS_OK : ts_nomem(&sim->error);
 }
 
@@ -138,7 +138,7 @@ static enum ts_status make_mesh(struct ts_instance *self, struct tsim *sim, int 
 			       s->mesh, t + 1, surface->mesh.centre[t][0],
 			       surface->mesh.centre[t][1], surface->mesh.centre[t][2]);
 	s->surface = surface;
-	s->solid = ts_solid_of_mesh(surface, dimensions, &s->given);
+	s->solid = ts_solid_of_mesh(surface, dimensions, &s->prescribed);
 	return s->solid ? TS_OK : ts_nomem(&sim->error);
 }
 
@@ -152,7 +152,7 @@ static enum ts_status make_spheres(struct ts_instance *self, struct tsim *sim, i
 	snprintf(name, sizeof name, "immersed %s", self->id);
 	TS_TRY(ts_particles_add_column(sim, name, RECORD, 0, &s->column));
 	snprintf(name, sizeof name, "immersed net %s", self->id);
-	TS_TRY(ts_particles_add_column(sim, name, TS_NET_FORCE_NUMBERS, 0, &s->net));
+	TS_TRY(ts_particles_add_column(sim, name, TS_NET_FORCE_NUMBERS, 0, &s->net_column));
 	TS_TRY(ts_restraints_find(&s->restraints, sim, self, false));
 	s->solid = ts_solid_of_spheres(self->group, dimensions);
 	return s->solid ? TS_OK : ts_nomem(&sim->error);
@@ -164,12 +164,12 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct ts_fluid *fluid;
 
 	TS_TRY(ts_flow_require_fluid(sim, "fix immersed/boundary", &self->where, &fluid));
-	s->part = (struct ts_flow_part){ .force = force, .carry = carry, .limit = limit,
-					.settle = settle, .load = load, .block = block, .blame = blame };
+	s->part = (struct ts_flow_part){ .force = apply_forcing, .after_substep = end_substep, .limit = limit,
+					.after_step = update_forces, .mesh_load = add_mesh_load, .mark_closed = mark_closed_faces, .explain_instability = explain_instability };
 	TS_TRY(read_motion(self, sim));
 	ts_solid_free(s->solid);
 	s->solid = NULL;
-	s->placed = s->begun = s->stepped = s->carried = false;
+	s->placed = s->begun = s->stepped = s->free_mesh = false;
 	s->fluid = fluid;
 	if (s->body == REGION)
 		return make_region(self, sim, sim->dimension);
@@ -179,26 +179,26 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 static enum ts_status evaluate(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
-	struct ts_solid_motion *m = &s->given.motion;
+	struct ts_solid_motion *m = &s->prescribed.motion;
 
 	for (int k = 0; k < 3; k++) {
-		if (s->given.velocity)
+		if (s->prescribed.velocity)
 			TS_TRY(ts_number_now(sim, &s->velocity[k], &self->where, &m->velocity[k]));
-		if (s->given.omega)
+		if (s->prescribed.omega)
 			TS_TRY(ts_number_now(sim, &s->omega[k], &self->where, &m->omega[k]));
 		m->centre[k] = s->centre[k];
 	}
 	return TS_OK;
 }
 
-static enum ts_status place(struct ts_instance *self, struct tsim *sim, const struct ts_fluid *fluid)
+static enum ts_status update_points(struct ts_instance *self, struct tsim *sim, const struct ts_fluid *fluid)
 {
 	struct state *s = self->state;
 	enum ts_status status;
 
 	TS_TRY(evaluate(self, sim));
 	TS_TRY(s->solid->kind->update(s->solid, sim));
-	if (s->placed && !s->solid->moved && !s->given.velocity && !s->given.omega)
+	if (s->placed && !s->solid->moved && !s->prescribed.velocity && !s->prescribed.omega)
 		return TS_OK;
 	TS_TRY(ts_immersed_check_size(sim, &self->where, s->solid, &fluid->grid, s->body == SPHERES,
 				      s->least_cells));
@@ -208,7 +208,7 @@ static enum ts_status place(struct ts_instance *self, struct tsim *sim, const st
 }
 
 /* What the flow does around a solid that it does not resolve is wrong; said once. */
-static void tell(struct ts_instance *self, struct tsim *sim)
+static void warn_unresolved(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 
@@ -227,25 +227,25 @@ static void tell(struct ts_instance *self, struct tsim *sim)
 }
 
 /* A region that moves, and a mesh, have their velocity from a step. */
-static bool waits(const struct state *s)
+static bool velocity_unknown(const struct state *s)
 {
-	if (s->stepped || s->given.velocity || s->given.omega)
+	if (s->stepped || s->prescribed.velocity || s->prescribed.omega)
 		return false;
 	return s->body == REGION ? ((const struct ts_region *)s->region->state)->moves :
 				   s->surface && s->surface->v;
 }
 
-static void block(const struct ts_instance *self, struct ts_closed_search *search)
+static void mark_closed_faces(const struct ts_instance *self, struct ts_closed_search *search)
 {
 	const struct state *s = self->state;
 
 	if (s->placed)
 		ts_closed_search_add_body(search, self, &s->immersed, s->solid,
-				s->body == SPHERES ? TS_BODY_FREE : waits(s) ? TS_BODY_UNKNOWN : TS_BODY_DRIVEN);
+				s->body == SPHERES ? TS_BODY_FREE : velocity_unknown(s) ? TS_BODY_UNKNOWN : TS_BODY_DRIVEN);
 }
 
 /* Whether it closes off fluid that has to go somewhere. */
-static enum ts_status seek(struct ts_instance *self, struct tsim *sim)
+static enum ts_status check_closed(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 
@@ -255,7 +255,7 @@ static enum ts_status seek(struct ts_instance *self, struct tsim *sim)
 }
 
 /* The same when it has moved, or grown, so far that it may have reached something. */
-static enum ts_status seek_again(struct ts_instance *self, struct tsim *sim, double time)
+static enum ts_status check_closed_if_moved(struct ts_instance *self, struct tsim *sim, double time)
 {
 	static const double FAR = 0.5, GROWN = 0.02;
 	struct state *s = self->state;
@@ -266,11 +266,11 @@ static enum ts_status seek_again(struct ts_instance *self, struct tsim *sim, dou
 	if (!s->stepped) /* of the fluid, for the first time */
 		s->drift = 2 * FAR;
 	s->stepped = true;
-	return s->drift > FAR || grown > GROWN * (double)s->seen_inside ? seek(self, sim) : TS_OK;
+	return s->drift > FAR || grown > GROWN * (double)s->seen_inside ? check_closed(self, sim) : TS_OK;
 }
 
 /* What the fluid inside does before the first step, of which only the change counts. */
-static enum ts_status know_inside(struct ts_instance *self, struct tsim *sim, const struct ts_fluid *fluid)
+static enum ts_status initialize_inner_fluid(struct ts_instance *self, struct tsim *sim, const struct ts_fluid *fluid)
 {
 	struct state *s = self->state;
 	bool all = true;
@@ -302,27 +302,27 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 	if (report->limits_only)
 		return TS_OK;
 	TS_TRY(ts_flow_require_fluid(sim, "fix immersed/boundary", &self->where, &fluid));
-	TS_TRY(place(self, sim, fluid));
+	TS_TRY(update_points(self, sim, fluid));
 	s->seen_at = fluid->time;
-	TS_TRY(know_inside(self, sim, fluid));
-	tell(self, sim);
-	TS_TRY(seek(self, sim));
+	TS_TRY(initialize_inner_fluid(self, sim, fluid));
+	warn_unresolved(self, sim);
+	TS_TRY(check_closed(self, sim));
 	ts_report_line(report, "immersed body", "%s: %zu points of velocities inside, %zu beside the surface",
-		       self->id, s->immersed.inside, s->immersed.nbands);
+		       self->id, s->immersed.inside, s->immersed.nouter);
 	return TS_OK;
 }
 
 /* ---- in a step of the fluid */
 
-static enum ts_status force(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
+static enum ts_status apply_forcing(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
 			    double time, double dt)
 {
 	struct state *s = self->state;
 
 	if (!s->begun) {
-		TS_TRY(place(self, sim, fluid));
-		TS_TRY(seek_again(self, sim, time));
-		TS_TRY(know_inside(self, sim, fluid)); /* of particles that are new in this run */
+		TS_TRY(update_points(self, sim, fluid));
+		TS_TRY(check_closed_if_moved(self, sim, time));
+		TS_TRY(initialize_inner_fluid(self, sim, fluid)); /* of particles that are new in this run */
 		ts_immersed_begin_step(&s->immersed, s->solid->parts);
 	}
 	s->begun = true;
@@ -330,7 +330,7 @@ static enum ts_status force(struct ts_instance *self, struct tsim *sim, struct t
 	return TS_OK;
 }
 
-static enum ts_status carry(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
+static enum ts_status end_substep(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
 			    double dt)
 {
 	struct state *s = self->state;
@@ -341,14 +341,14 @@ static enum ts_status carry(struct ts_instance *self, struct tsim *sim, struct t
 }
 
 /* Force and torque on a part, from what its forcing gave to the fluid and the fluid inside; by `depth`. */
-static void take(const struct ts_immersed_sums *sums, double density, double share, double length,
+static void update_part_force(const struct ts_immersed_sums *sums, double density, double share, double length,
 		 double depth, struct record *r)
 {
 	for (int k = 0; k < 3; k++) {
 		double rate = (sums->velocity[k] - r->velocity[k]) / length;
 		double turn = (sums->spin[k] - r->spin[k]) / length;
 		double force = density * sums->volume * rate - sums->impulse[k] / length;
-		double torque = density * sums->volume * turn - sums->twist[k] / length;
+		double torque = density * sums->volume * turn - sums->angular_impulse[k] / length;
 
 		r->force[k] += (r->known > INSIDE ? share : 1) * (force / depth - r->force[k]);
 		r->torque[k] += (r->known > INSIDE ? share : 1) * (torque / depth - r->torque[k]);
@@ -365,11 +365,11 @@ static void mean_of_corners(const struct ts_mesh *mesh, double mean[3])
 		ts_axpy(1 / (3 * (double)mesh->n), mesh->x[c / 3][c % 3], mean);
 }
 
-static enum ts_status settle(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
+static enum ts_status update_forces(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
 			     double length)
 {
 	struct state *s = self->state;
-	double share = s->body == REGION ? 1 : s->share;
+	double share = s->body == REGION ? 1 : s->relax;
 	/* masses of discs are those by unit of depth */
 	const bool discs = s->body == SPHERES && sim->dimension == 2;
 	double depth = discs ? fluid->grid.width[2][0] : 1;
@@ -379,7 +379,7 @@ static enum ts_status settle(struct ts_instance *self, struct tsim *sim, struct 
 	for (size_t k = 0; k < s->solid->parts; k++) {
 		struct record *r = record_of(s, sim, k);
 
-		take(&s->immersed.sums[k], fluid->density, share, length, depth, r);
+		update_part_force(&s->immersed.sums[k], fluid->density, share, length, depth, r);
 		if (discs) /* the middle of the cells may be beside the plane of the discs */
 			r->torque[0] = r->torque[1] = 0;
 	}
@@ -396,7 +396,7 @@ static enum ts_status settle(struct ts_instance *self, struct tsim *sim, struct 
 
 /* The mesh has moved on since, and takes the torque along by the mean of its corners: a place near it, so that a
  * turn since then hardly matters, where the anchor may be far away. */
-static void load(const struct ts_instance *self, const struct ts_mesh_surface *mesh, double out[2][3],
+static void add_mesh_load(const struct ts_instance *self, const struct ts_mesh_surface *mesh, double out[2][3],
 		 double *virtual_density)
 {
 	struct state *s = self->state;
@@ -404,7 +404,7 @@ static void load(const struct ts_instance *self, const struct ts_mesh_surface *m
 
 	if (s->body != MESH || s->surface != mesh)
 		return;
-	s->carried = true;
+	s->free_mesh = true;
 	*virtual_density = fmax(*virtual_density, s->virtual_mass * s->fluid->density);
 	mean_of_corners(&mesh->mesh, arm);
 	ts_add(arm, s->lever, arm);
@@ -425,19 +425,19 @@ static double limit(const struct ts_instance *self, const struct ts_fluid *fluid
 }
 
 /* A light body and the fluid that excite each other grow until the step is too long for the speed. */
-static bool blame(const struct ts_instance *self, const struct ts_fluid *fluid, double dt, char *cause,
+static bool explain_instability(const struct ts_instance *self, const struct ts_fluid *fluid, double dt, char *cause,
 		  size_t size)
 {
 	static const double FAST = 0.25; /* cells a step, by the Courant number of the fluid */
 	const struct state *s = self->state;
 
-	if (!(s->body == SPHERES || s->carried) || s->immersed.rate * dt < FAST * fluid->courant)
+	if (!(s->body == SPHERES || s->free_mesh) || s->immersed.rate * dt < FAST * fluid->courant)
 		return false;
 	snprintf(cause, size,
 		 "the bodies of fix immersed/boundary %s have come to %.3g cells a step, and where they are light the "
 		 "force of the fluid and their motion may have excited each other; use `relax` below its %g there, "
 		 "a larger `virtual_mass` than %g, or a smaller `timestep`",
-		 self->id, s->immersed.rate * dt, s->share, s->virtual_mass);
+		 self->id, s->immersed.rate * dt, s->relax, s->virtual_mass);
 	return true;
 }
 
@@ -459,7 +459,7 @@ static double density_of(const struct tsim *sim, size_t i)
 	return body->mass / volume;
 }
 
-static void resist_one(struct state *s, const struct tsim *sim, size_t i)
+static void stabilize_particle(struct state *s, const struct tsim *sim, size_t i)
 {
 	struct ts_particles *p = sim->particles;
 	struct ts_net_force *net = net_of(s, sim, i);
@@ -475,7 +475,7 @@ static void resist_one(struct state *s, const struct tsim *sim, size_t i)
 }
 
 /* When all forces on the particles are known. */
-static enum ts_status resist(struct ts_instance *self, struct tsim *sim)
+static enum ts_status stabilize_particles(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
@@ -484,7 +484,7 @@ static enum ts_status resist(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_restraints_prepare(&s->restraints, sim));
 	for (size_t i = 0; i < p->n; i++)
 		if (ts_in_group(p, i, self->group) && p->imass[i] != 0)
-			resist_one(s, sim, i);
+			stabilize_particle(s, sim, i);
 	return TS_OK;
 }
 
@@ -566,7 +566,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	if (s->body != SPHERES)
 		return TS_OK;
 	TS_TRY(ts_particles_archive_column(a, sim, "record", s->column));
-	return ts_particles_archive_column(a, sim, "net force", s->net);
+	return ts_particles_archive_column(a, sim, "net force", s->net_column);
 }
 
 static void fini(struct ts_instance *self)
@@ -599,7 +599,7 @@ static void fini(struct ts_instance *self)
 	TS_REAL("min_cells", struct state, least_cells, .fallback = "4", .range = TS_NOT_NEGATIVE, \
 		.unit = "", .help = "a body with fewer cells across is refused")
 #define RELAX                                                                                      \
-	TS_REAL("relax", struct state, share, .fallback = "1", .range = TS_WITHIN, .lo = 1e-3,     \
+	TS_REAL("relax", struct state, relax, .fallback = "1", .range = TS_WITHIN, .lo = 1e-3,     \
 		.hi = 1,                                                                           \
 		.help = "how much of the force of a step replaces that of the step before"),       \
 	TS_REAL("virtual_mass", struct state, virtual_mass, .fallback = "1.5",                     \
@@ -724,7 +724,7 @@ const struct ts_style ts_fix_immersed_boundary = {
 	.values = values,
 	.init = init,
 	.hook = { [TS_STAGE_POST_FORCE] = post_force },
-	.late = { [TS_LATE_INERTIA] = resist },
+	.late = { [TS_LATE_INERTIA] = stabilize_particles },
 	.is_late = resists,
 	.plan = plan,
 	.fini = fini,

@@ -12,10 +12,10 @@
 
 /* How much of the pressure before the velocities beside the surface get in advance. They are not exactly free
  * of divergence, as those inside are: with all of it, their pressure would grow in each step. */
-static const double BAND_PRESSURE = 0.5;
+static const double OUTER_PRESSURE = 0.5;
 
 /* What a point of the band takes of a thread's time, in simple rounds. */
-enum { BAND_ROUNDS = 8 };
+enum { OUTER_ROUNDS = 8 };
 
 /* What u at a point of component c has to have more than the velocity wanted, so that this share of the gradient
  * of the pressure before, dt/rho dp/dx, which the projection will take from it again, is allowed for.
@@ -25,13 +25,13 @@ static double pressure_part(const struct ts_fluid *fluid, int c, size_t at, int 
 {
 	const struct ts_grid *grid = &fluid->grid;
 
-	share = fluid->pressure_ahead ? 0 : share;
+	share = fluid->incremental ? 0 : share;
 	return share * dt / fluid->density * (fluid->p[at] - fluid->p[at - (size_t)grid->stride[c]]) /
 	       grid->gap[c][index];
 }
 
 /* Velocity at a place, linear between the points around, less the pressure's part. */
-static double outer_velocity(const struct ts_fluid *fluid, int c, const struct ts_immersed_sample *b,
+static double sample_velocity(const struct ts_fluid *fluid, int c, const struct ts_immersed_sample *b,
 			     double dt)
 {
 	const struct ts_grid *grid = &fluid->grid;
@@ -69,38 +69,38 @@ static void force_inside(struct ts_immersed *ib, struct ts_fluid *fluid, int c, 
 	}
 }
 
-static double band_velocity(const struct ts_immersed *ib, const struct ts_fluid *fluid, int c, double dt,
+static double outer_target_velocity(const struct ts_immersed *ib, const struct ts_fluid *fluid, int c, double dt,
 			    const struct ts_immersed_outer *b)
 {
 	const struct ts_immersed_point *p = &ib->point[b->point];
-	double u = b->surface + pressure_part(fluid, c, p->at, p->index, dt, BAND_PRESSURE);
+	double u = b->surface + pressure_part(fluid, c, p->at, p->index, dt, OUTER_PRESSURE);
 
 	for (int m = 0; m < 2; m++)
-		u += b->out[m].count * (outer_velocity(fluid, c, &b->out[m], dt) - b->surface);
+		u += b->out[m].count * (sample_velocity(fluid, c, &b->out[m], dt) - b->surface);
 	return p->before + b->weight * (u - p->before);
 }
 
 /* All from the velocities before: a band may lie among the points of another. */
-static void force_band(struct ts_immersed *ib, struct ts_fluid *fluid, int c, double dt)
+static void force_outer(struct ts_immersed *ib, struct ts_fluid *fluid, int c, double dt)
 {
-	size_t first = ib->band_first[c], end = ib->band_first[c + 1];
+	size_t first = ib->outer_first[c], end = ib->outer_first[c + 1];
 
-#pragma omp parallel num_threads(ts_fluid_team(fluid, BAND_ROUNDS * (end - first)))
+#pragma omp parallel num_threads(ts_fluid_team(fluid, OUTER_ROUNDS * (end - first)))
 	{
 #pragma omp for schedule(static)
 		for (size_t k = first; k < end; k++)
-			ib->band[k].next = band_velocity(ib, fluid, c, dt, &ib->band[k]);
+			ib->outer[k].next = outer_target_velocity(ib, fluid, c, dt, &ib->outer[k]);
 #pragma omp for schedule(static)
 		for (size_t k = first; k < end; k++)
-			fluid->u[c][ib->point[ib->band[k].point].at] = ib->band[k].next;
+			fluid->u[c][ib->point[ib->outer[k].point].at] = ib->outer[k].next;
 	}
 }
 
 /* Impulse of the forcing at one point and its moment, to the part. */
-static void add_up(struct ts_immersed *ib, const struct ts_fluid *fluid, int c, size_t k)
+static void add_impulse(struct ts_immersed *ib, const struct ts_fluid *fluid, int c, size_t k)
 {
 	const struct ts_immersed_point *p = &ib->point[k];
-	double *sum = ib->sums[p->part].stage, e = fluid->empty ? fluid->empty_face[c][p->at] : 1;
+	double *sum = ib->sums[p->part].stage, e = fluid->void_fraction ? fluid->void_fraction_face[c][p->at] : 1;
 	double impulse = fluid->density * e * p->volume * (fluid->u[c][p->at] - p->before);
 	int a = (c + 1) % 3, b = (c + 2) % 3;
 
@@ -131,7 +131,7 @@ struct part_task {
 	const struct ts_fluid *fluid;
 };
 
-static void share_parts(struct ts_immersed *ib, const struct ts_fluid *fluid, size_t parts,
+static void parts_in_parallel(struct ts_immersed *ib, const struct ts_fluid *fluid, size_t parts,
 			ts_share_fn *share, void *task)
 {
 	int team = ts_fluid_team(fluid, ib->npoints);
@@ -139,13 +139,13 @@ static void share_parts(struct ts_immersed *ib, const struct ts_fluid *fluid, si
 	ts_parallel(parts < (size_t)team ? (int)parts : team, parts, share, task);
 }
 
-static void add_up_parts(void *context, size_t from, size_t to)
+static void add_part_impulses(void *context, size_t from, size_t to)
 {
 	const struct part_task *task = context;
 
 	for (int c = 0; c < task->fluid->grid.dimensions; c++)
 		for (size_t k = first_of(task->ib, c, from), end = first_of(task->ib, c, to); k < end; k++)
-			add_up(task->ib, task->fluid, c, k);
+			add_impulse(task->ib, task->fluid, c, k);
 }
 
 void ts_immersed_begin_step(struct ts_immersed *ib, size_t parts)
@@ -161,7 +161,7 @@ void ts_immersed_end_substep(struct ts_immersed *ib, size_t parts)
 		struct ts_immersed_sums *s = &ib->sums[k];
 
 		ts_add(s->impulse, s->stage, s->impulse);
-		ts_add(s->twist, s->stage + 3, s->twist);
+		ts_add(s->angular_impulse, s->stage + 3, s->angular_impulse);
 		memset(s->stage, 0, sizeof s->stage);
 	}
 	ib->first_dt = 0;
@@ -169,7 +169,7 @@ void ts_immersed_end_substep(struct ts_immersed *ib, size_t parts)
 
 /* A step of several stages s, each u <- keep_s u_0 + take_s (u + dt ...) with dt_s = take_s dt and take_0 = 1:
  * what was given before counts take_s times. */
-static void fade_sums(struct ts_immersed *ib, double dt, size_t parts)
+static void scale_stage_sums(struct ts_immersed *ib, double dt, size_t parts)
 {
 	if (!(ib->first_dt > 0))
 		ib->first_dt = dt;
@@ -183,15 +183,15 @@ void ts_immersed_force(struct ts_immersed *ib, struct ts_fluid *fluid, size_t pa
 {
 	const int dimensions = fluid->grid.dimensions;
 
-	fade_sums(ib, dt, parts);
+	scale_stage_sums(ib, dt, parts);
 	for (int c = 0; c < dimensions; c++)
 		force_inside(ib, fluid, c, dt);
-	for (int m = 0; m < iterations && ib->nbands; m++) {
+	for (int m = 0; m < iterations && ib->nouter; m++) {
 		ts_fluid_fill_velocity(fluid, fluid->u);
 		for (int c = 0; c < dimensions; c++)
-			force_band(ib, fluid, c, dt);
+			force_outer(ib, fluid, c, dt);
 	}
-	share_parts(ib, fluid, parts, add_up_parts, &(struct part_task){ ib, fluid });
+	parts_in_parallel(ib, fluid, parts, add_part_impulses, &(struct part_task){ ib, fluid });
 }
 
 /* Means over the fluid inside one part, of one component. */
@@ -217,7 +217,7 @@ static void mean_of(const struct ts_immersed *ib, const struct ts_fluid *fluid, 
 }
 
 /* (x - X) x u, X the mean place of the points of each component: of a uniform flow exactly 0. */
-static void take_mean(struct ts_immersed_sums *s, int c, const struct mean *m, int dimensions)
+static void add_mean(struct ts_immersed_sums *s, int c, const struct mean *m, int dimensions)
 {
 	int a = (c + 1) % 3, b = (c + 2) % 3;
 	double v = m->volume;
@@ -252,7 +252,7 @@ static void mean_parts(void *context, size_t from, size_t to)
 		memset(task->mean + from, 0, (to - from) * sizeof *task->mean);
 		mean_of(task->ib, task->fluid, c, from, to, task->mean);
 		for (size_t k = from; k < to; k++)
-			take_mean(&task->ib->sums[k], c, &task->mean[k], dimensions);
+			add_mean(&task->ib->sums[k], c, &task->mean[k], dimensions);
 	}
 }
 
@@ -262,7 +262,7 @@ enum ts_status ts_immersed_inner_fluid(struct ts_immersed *ib, const struct ts_f
 
 	if (!mean)
 		return TS_NOMEM;
-	share_parts(ib, fluid, parts, mean_parts, &(struct mean_task){ ib, fluid, mean });
+	parts_in_parallel(ib, fluid, parts, mean_parts, &(struct mean_task){ ib, fluid, mean });
 	ts_free(mean);
 	return TS_OK;
 }

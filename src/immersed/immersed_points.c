@@ -26,7 +26,7 @@ struct search {
 	size_t worker, part;
 	double lo[3], hi[3]; /* around the part */
 	int from[3], to[3];  /* indices, of periodic axes beyond the grid as well */
-	bool shared; /* among threads: whose a point is will be known later */
+	bool parallel; /* among threads: whose a point is will be known later */
 	struct ts_immersed_point *last;
 };
 
@@ -35,7 +35,7 @@ static double period(const struct ts_grid *grid, int d)
 	return grid->face[d][grid->n[d]] - grid->face[d][0];
 }
 
-static int turns_of(int i, int n)
+static int periods_of(int i, int n)
 {
 	return (i >= 0 ? i : i - n + 1) / n;
 }
@@ -44,7 +44,7 @@ static int turns_of(int i, int n)
 static double coordinate(const struct search *s, int d, int i)
 {
 	const double *line = d == s->component ? s->grid->face[d] : s->grid->centre[d];
-	int turns = s->grid->periodic[d] ? turns_of(i, s->grid->n[d]) : 0;
+	int turns = s->grid->periodic[d] ? periods_of(i, s->grid->n[d]) : 0;
 
 	return line[i - turns * s->grid->n[d]] + turns * period(s->grid, d);
 }
@@ -54,7 +54,7 @@ static double width(const struct search *s, int d, int i)
 {
 	const double *line = d == s->component ? s->grid->gap[d] : s->grid->width[d];
 
-	return line[s->grid->periodic[d] ? i - turns_of(i, s->grid->n[d]) * s->grid->n[d] : i];
+	return line[s->grid->periodic[d] ? i - periods_of(i, s->grid->n[d]) * s->grid->n[d] : i];
 }
 
 static int cell_of(const struct ts_grid *grid, int d, double x)
@@ -68,7 +68,7 @@ static int cell_of(const struct ts_grid *grid, int d, double x)
 
 /* Points near the part: two cells around its box; of an axis that is not periodic those between the
  * boundaries, where nothing is given, and those on open faces. */
-static void ranges(struct search *s)
+static void find_ranges(struct search *s)
 {
 	const struct ts_grid *grid = s->grid;
 
@@ -102,7 +102,7 @@ static size_t field_index(const struct ts_grid *grid, const int i[3])
 	int at[3];
 
 	for (int d = 0; d < 3; d++)
-		at[d] = i[d] - (grid->periodic[d] ? turns_of(i[d], grid->n[d]) * grid->n[d] : 0);
+		at[d] = i[d] - (grid->periodic[d] ? periods_of(i[d], grid->n[d]) * grid->n[d] : 0);
 	return ts_at(grid, at[0], at[1], at[2]);
 }
 
@@ -111,7 +111,7 @@ static bool nearest_yet(struct search *s, size_t at, double distance)
 {
 	struct ts_immersed *ib = s->ib;
 
-	if (s->solid->parts < 2 || s->shared)
+	if (s->solid->parts < 2 || s->parallel)
 		return true;
 	if (ib->owner[at] && !(distance < ib->distance[at]))
 		return false;
@@ -130,15 +130,15 @@ static enum ts_status add_point(struct search *s, const int i[3], const double x
 	if (!nearest_yet(s, at, distance))
 		return TS_OK;
 	TS_TRY(TS_GROW(ib->point, ib->point_capacity, ib->npoints + 1));
-	if (s->shared) {
-		TS_TRY(TS_GROW(ib->note, ib->note_capacity, ib->npoints + 1));
-		ib->note[ib->npoints] = (struct ts_immersed_candidate){ .distance = distance };
+	if (s->parallel) {
+		TS_TRY(TS_GROW(ib->candidate, ib->candidate_capacity, ib->npoints + 1));
+		ib->candidate[ib->npoints] = (struct ts_immersed_candidate){ .distance = distance };
 	}
 	p = s->last = &ib->point[ib->npoints++];
 	*p = (struct ts_immersed_point){ .at = at, .part = (int32_t)s->part, .solid = 1 };
 	p->index = i[s->component];
 	if (s->grid->periodic[s->component])
-		p->index -= turns_of(p->index, s->grid->n[s->component]) * s->grid->n[s->component];
+		p->index -= periods_of(p->index, s->grid->n[s->component]) * s->grid->n[s->component];
 	ts_sub(x, s->solid->motion[s->part].centre, p->arm);
 	p->volume = 1;
 	for (int d = 0; d < 3; d++)
@@ -148,28 +148,28 @@ static enum ts_status add_point(struct search *s, const int i[3], const double x
 	return TS_OK;
 }
 
-static void set_target(struct search *s, const int i[3], double velocity)
+static void set_target_velocity(struct search *s, const int i[3], double velocity)
 {
 	double h = width(s, s->component, i[s->component]);
 
 	s->last->target = velocity;
-	if (s->shared)
-		s->ib->note[s->ib->npoints - 1].rate = fabs(velocity) / h;
+	if (s->parallel)
+		s->ib->candidate[s->ib->npoints - 1].rate = fabs(velocity) / h;
 	else
 		s->ib->rate = fmax(s->ib->rate, fabs(velocity) / h);
 }
 
 /* At the point that was added last. */
-static void see_thickness(struct search *s, double thickness)
+static void update_thickness(struct search *s, double thickness)
 {
-	if (s->shared)
-		s->ib->note[s->ib->npoints - 1].thickness = thickness;
+	if (s->parallel)
+		s->ib->candidate[s->ib->npoints - 1].thickness = thickness;
 	else
 		s->ib->thickness = fmax(s->ib->thickness, thickness);
 }
 
 /* How far one can go from x along n and stay in the grid. */
-static double way_out(const struct ts_grid *grid, const double x[3], const double n[3], double most)
+static double distance_to_boundary(const struct ts_grid *grid, const double x[3], const double n[3], double most)
 {
 	for (int d = 0; d < 3; d++) {
 		double face = grid->face[d][n[d] > 0 ? grid->n[d] : 0];
@@ -181,7 +181,7 @@ static double way_out(const struct ts_grid *grid, const double x[3], const doubl
 }
 
 /* The points of the component around the place x + l n. */
-static void look_out(const struct search *s, const double x[3], const double n[3], double l,
+static void find_sample(const struct search *s, const double x[3], const double n[3], double l,
 		     struct ts_immersed_sample *out)
 {
 	const struct ts_grid *grid = s->grid;
@@ -227,37 +227,37 @@ static struct extent extent_of(const struct search *s, const int i[3], const dou
 }
 
 /* A point in the fluid beside the surface. */
-static enum ts_status add_band(struct search *s, const double x[3], const struct ts_solid_surface *spot,
+static enum ts_status add_outer(struct search *s, const double x[3], const struct ts_solid_surface *surface,
 			       const struct extent *e)
 {
 	struct ts_immersed *ib = s->ib;
-	double d = spot->distance, l = way_out(s->grid, x, spot->n, 2 * e->along) / 2;
+	double d = surface->distance, l = distance_to_boundary(s->grid, x, surface->n, 2 * e->along) / 2;
 	struct ts_immersed_outer *b;
 
-	TS_TRY(TS_GROW(ib->band, ib->band_capacity, ib->nbands + 1));
-	b = &ib->band[ib->nbands++];
+	TS_TRY(TS_GROW(ib->outer, ib->outer_capacity, ib->nouter + 1));
+	b = &ib->outer[ib->nouter++];
 	*b = (struct ts_immersed_outer){ .point = ib->npoints - 1 };
 	s->last->outside = true;
 	b->weight = fmin(1, fmax(0, FADING * (1 - d / e->reach)));
-	b->surface = spot->v[s->component];
-	look_out(s, x, spot->n, l, &b->out[0]);
-	look_out(s, x, spot->n, 2 * l, &b->out[1]);
+	b->surface = surface->v[s->component];
+	find_sample(s, x, surface->n, l, &b->out[0]);
+	find_sample(s, x, surface->n, 2 * l, &b->out[1]);
 	b->out[0].count = 2 * d / (d + l);
 	b->out[1].count = -d / (d + 2 * l);
 	return TS_OK;
 }
 
 /* The point that was added last, in the light of the surface near by. */
-static enum ts_status describe(struct search *s, const int i[3], const double x[3],
-			       const struct ts_solid_surface *spot)
+static enum ts_status describe_near_point(struct search *s, const int i[3], const double x[3],
+			       const struct ts_solid_surface *surface)
 {
-	struct extent e = extent_of(s, i, spot->n);
+	struct extent e = extent_of(s, i, surface->n);
 	struct ts_immersed_point *p = s->last;
 
-	p->solid = fmin(1, fmax(0, 0.5 - spot->distance / e.across));
-	set_target(s, i, spot->v[s->component]);
-	see_thickness(s, -2 * spot->distance / e.across);
-	return spot->distance > 0 ? add_band(s, x, spot, &e) : TS_OK;
+	p->solid = fmin(1, fmax(0, 0.5 - surface->distance / e.across));
+	set_target_velocity(s, i, surface->v[s->component]);
+	update_thickness(s, -2 * surface->distance / e.across);
+	return surface->distance > 0 ? add_outer(s, x, surface, &e) : TS_OK;
 }
 
 /* Along a row in x: far from the surface the side is that of the point before. */
@@ -269,7 +269,7 @@ static enum ts_status search_row(struct search *s, int j, int k)
 		int index[3] = { i, j, k };
 		double x[3], reach = 0;
 		enum ts_solid_side side;
-		struct ts_solid_surface spot;
+		struct ts_solid_surface surface;
 
 		for (int d = 0; d < 3; d++) {
 			x[d] = coordinate(s, d, index[d]);
@@ -277,12 +277,12 @@ static enum ts_status search_row(struct search *s, int j, int k)
 				reach += width(s, d, index[d]) * width(s, d, index[d]);
 		}
 		reach = 1.001 * sqrt(reach);
-		TS_TRY(s->solid->kind->look(s->solid, s->worker, s->part, x, reach, &side, &spot));
+		TS_TRY(s->solid->kind->find_surface(s->solid, s->worker, s->part, x, reach, &side, &surface));
 		if (side == TS_SOLID_NEAR) {
-			where = spot.distance > 0 ? OUT : IN;
-			TS_TRY(add_point(s, index, x, spot.distance));
+			where = surface.distance > 0 ? OUT : IN;
+			TS_TRY(add_point(s, index, x, surface.distance));
 			if (s->last)
-				TS_TRY(describe(s, index, x, &spot));
+				TS_TRY(describe_near_point(s, index, x, &surface));
 			continue;
 		}
 		if (where == UNKNOWN)
@@ -294,16 +294,16 @@ static enum ts_status search_row(struct search *s, int j, int k)
 			double v[3];
 
 			ts_solid_velocity(&s->solid->motion[s->part], x, v);
-			set_target(s, index, v[s->component]);
+			set_target_velocity(s, index, v[s->component]);
 			s->last->deep = true;
-			see_thickness(s, 2);
+			update_thickness(s, 2);
 		}
 	}
 	return TS_OK;
 }
 
 /* Keeps what belongs to its nearest part; the scratch is clean again. */
-static void settle(struct ts_immersed *ib, size_t first, size_t first_band)
+static void keep_nearest(struct ts_immersed *ib, size_t first, size_t first_band)
 {
 	size_t n = first, bands = first_band, b = first_band;
 
@@ -311,9 +311,9 @@ static void settle(struct ts_immersed *ib, size_t first, size_t first_band)
 		struct ts_immersed_point p = ib->point[k];
 		bool mine = ib->owner[p.at] == p.part + 1;
 
-		if (b < ib->nbands && ib->band[b].point == k) {
-			ib->band[bands] = ib->band[b++];
-			ib->band[bands].point = n;
+		if (b < ib->nouter && ib->outer[b].point == k) {
+			ib->outer[bands] = ib->outer[b++];
+			ib->outer[bands].point = n;
 			bands += mine;
 		}
 		ib->point[n] = p;
@@ -322,7 +322,7 @@ static void settle(struct ts_immersed *ib, size_t first, size_t first_band)
 	for (size_t k = first; k < n; k++)
 		ib->owner[ib->point[k].at] = 0;
 	ib->npoints = n;
-	ib->nbands = bands;
+	ib->nouter = bands;
 }
 
 /* Takes up part k; the number of its rows. */
@@ -330,7 +330,7 @@ static size_t begin_part(struct search *s, size_t part)
 {
 	s->part = part;
 	s->solid->kind->bounds(s->solid, part, s->lo, s->hi);
-	ranges(s);
+	find_ranges(s);
 	if (s->from[0] >= s->to[0] || s->from[1] >= s->to[1] || s->from[2] >= s->to[2])
 		return 0;
 	return (size_t)(s->to[1] - s->from[1]) * (size_t)(s->to[2] - s->from[2]);
@@ -369,41 +369,41 @@ static void search_chunks(void *context, size_t from, size_t to)
 
 	for (size_t k = from; k < to; k++) {
 		s.ib = &task->search->ib->chunk[k];
-		s.shared = true;
+		s.parallel = true;
 		s.worker = k;
-		s.ib->npoints = s.ib->nbands = 0;
+		s.ib->npoints = s.ib->nouter = 0;
 		s.ib->status = search_rows(&s, task->rows * k / chunks, task->rows * (k + 1) / chunks);
 	}
 }
 
-static enum ts_status put_together(struct search *s, const struct ts_immersed *chunk)
+static enum ts_status append_chunk(struct search *s, const struct ts_immersed *chunk)
 {
 	struct ts_immersed *ib = s->ib;
 	size_t band = 0;
 
 	TS_TRY(chunk->status);
 	TS_TRY(TS_GROW(ib->point, ib->point_capacity, ib->npoints + chunk->npoints));
-	TS_TRY(TS_GROW(ib->band, ib->band_capacity, ib->nbands + chunk->nbands));
+	TS_TRY(TS_GROW(ib->outer, ib->outer_capacity, ib->nouter + chunk->nouter));
 	for (size_t k = 0; k < chunk->npoints; k++) {
 		const struct ts_immersed_point *p = &chunk->point[k];
-		const struct ts_immersed_candidate *note = &chunk->note[k];
-		const struct ts_immersed_outer *b = p->outside ? &chunk->band[band++] : NULL;
+		const struct ts_immersed_candidate *candidate = &chunk->candidate[k];
+		const struct ts_immersed_outer *b = p->outside ? &chunk->outer[band++] : NULL;
 
 		s->part = (size_t)p->part;
-		if (!nearest_yet(s, p->at, note->distance))
+		if (!nearest_yet(s, p->at, candidate->distance))
 			continue;
 		if (b) {
-			ib->band[ib->nbands] = *b;
-			ib->band[ib->nbands++].point = ib->npoints;
+			ib->outer[ib->nouter] = *b;
+			ib->outer[ib->nouter++].point = ib->npoints;
 		}
 		ib->point[ib->npoints++] = *p;
-		ib->rate = fmax(ib->rate, note->rate);
-		ib->thickness = fmax(ib->thickness, note->thickness);
+		ib->rate = fmax(ib->rate, candidate->rate);
+		ib->thickness = fmax(ib->thickness, candidate->thickness);
 	}
 	return TS_OK;
 }
 
-static enum ts_status search_shared(struct search *s, size_t rows, int team)
+static enum ts_status search_in_parallel(struct search *s, size_t rows, int team)
 {
 	struct ts_immersed *ib = s->ib;
 	struct search_task task = { s, rows };
@@ -414,15 +414,15 @@ static enum ts_status search_shared(struct search *s, size_t rows, int team)
 	ib->chunks = (size_t)team;
 	ts_parallel(team, ib->chunks, search_chunks, &task);
 	for (size_t k = 0; k < ib->chunks; k++)
-		TS_TRY(put_together(s, &ib->chunk[k]));
+		TS_TRY(append_chunk(s, &ib->chunk[k]));
 	return TS_OK;
 }
 
-static enum ts_status place_component(struct search *s)
+static enum ts_status find_component_points(struct search *s)
 {
 	enum { ROUNDS = 8 }; /* of a simple loop, for a look */
 	struct ts_immersed *ib = s->ib;
-	size_t first = ib->npoints, first_band = ib->nbands, rows = 0, looks = 0;
+	size_t first = ib->npoints, first_band = ib->nouter, rows = 0, looks = 0;
 	int team;
 
 	for (size_t part = 0; part < s->solid->parts; part++) {
@@ -433,13 +433,13 @@ static enum ts_status place_component(struct search *s)
 	}
 	team = ts_fluid_team(s->fluid, ROUNDS * looks);
 	team = rows < (size_t)team ? (int)rows : team;
-	TS_TRY(team > 1 ? search_shared(s, rows, team) : search_rows(s, 0, rows));
+	TS_TRY(team > 1 ? search_in_parallel(s, rows, team) : search_rows(s, 0, rows));
 	if (s->solid->parts > 1)
-		settle(ib, first, first_band);
+		keep_nearest(ib, first, first_band);
 	return TS_OK;
 }
 
-static enum ts_status make_room(struct ts_immersed *ib, const struct ts_solid *solid,
+static enum ts_status allocate_scratch(struct ts_immersed *ib, const struct ts_solid *solid,
 				const struct ts_grid *grid)
 {
 	TS_TRY(TS_GROW(ib->sums, ib->sums_capacity, solid->parts));
@@ -455,19 +455,19 @@ enum ts_status ts_immersed_find_points(struct ts_immersed *ib, struct ts_solid *
 {
 	struct search s = { .ib = ib, .solid = solid, .fluid = fluid, .grid = &fluid->grid };
 
-	TS_TRY(make_room(ib, solid, &fluid->grid));
-	ib->npoints = ib->nbands = ib->inside = 0;
+	TS_TRY(allocate_scratch(ib, solid, &fluid->grid));
+	ib->npoints = ib->nouter = ib->inside = 0;
 	ib->thickness = ib->rate = 0;
 	for (int c = 0; c < 3; c++) {
 		ib->first[c] = ib->npoints;
-		ib->band_first[c] = ib->nbands;
+		ib->outer_first[c] = ib->nouter;
 		s.component = c;
 		if (c < fluid->grid.dimensions)
-			TS_TRY(place_component(&s));
+			TS_TRY(find_component_points(&s));
 	}
 	ib->first[3] = ib->npoints;
-	ib->band_first[3] = ib->nbands;
-	ib->inside = ib->npoints - ib->nbands;
+	ib->outer_first[3] = ib->nouter;
+	ib->inside = ib->npoints - ib->nouter;
 	return TS_OK;
 }
 
@@ -476,9 +476,9 @@ void ts_immersed_release(struct ts_immersed *ib)
 	for (size_t k = 0; k < ib->chunk_capacity; k++)
 		ts_immersed_release(&ib->chunk[k]);
 	ts_free(ib->chunk);
-	ts_free(ib->note);
+	ts_free(ib->candidate);
 	ts_free(ib->point);
-	ts_free(ib->band);
+	ts_free(ib->outer);
 	ts_free(ib->distance);
 	ts_free(ib->owner);
 	ts_free(ib->sums);

@@ -7,13 +7,13 @@
 #include "base/banned.h"
 
 void ts_solid_rigid_velocity(const struct ts_solid_motion *motion, const double x[3],
-			 struct ts_solid_surface *spot)
+			 struct ts_solid_surface *surface)
 {
 	double at[3] = { x[0], x[1], x[2] };
 
-	if (spot->distance > 0)
-		ts_axpy(-spot->distance, spot->n, at);
-	ts_solid_velocity(motion, at, spot->v);
+	if (surface->distance > 0)
+		ts_axpy(-surface->distance, surface->n, at);
+	ts_solid_velocity(motion, at, surface->v);
 }
 
 /* Place of x in cells from the lower end of the grid. */

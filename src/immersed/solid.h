@@ -1,5 +1,5 @@
-/* Solids in a fluid: where their surface is, and how it moves. Regions, closed meshes, and spheres (particles)
- * answer the same questions. */
+/* Solids in a fluid: distance from their surface, and its velocity. One interface for regions, closed meshes and spheres
+ * (particles). */
 #ifndef TS_IMMERSED_SOLID_H
 #define TS_IMMERSED_SOLID_H
 
@@ -10,42 +10,45 @@
 
 struct ts_mesh_surface;
 
-/* The surface as seen from a place. */
+/* The nearest point of the surface to a position. */
 struct ts_solid_surface {
-	double distance; /* < 0 inside */
-	double n[3];	 /* unit vector out of the solid */
-	double v[3];	 /* velocity of the nearest point of the surface; inside: of the solid at the place */
+	double distance; /* length units; < 0 inside */
+	double n[3];	 /* unit normal, out of the solid */
+	double v[3];	 /* velocity of that point; inside the solid: velocity of the solid at the position */
 };
 
 enum ts_solid_side { TS_SOLID_NEAR, TS_SOLID_FAR };
 
 struct ts_solid;
 struct ts_solid_kind {
-	/* Where it is now; sets `moved` if that has changed since the last time. */
+	/* Updates position and motion; sets `moved` if the solid has moved or changed since the last call. */
 	enum ts_status (*update)(struct ts_solid *solid, struct tsim *sim);
+	/* Bounding box of a part; infinite along axes without bound. */
 	void (*bounds)(const struct ts_solid *solid, size_t part, double lo[3], double hi[3]);
-	/* TS_SOLID_FAR: the surface is farther than `reach`, and nothing is said - not even on which side.
-	 * Workers look side by side, each with its own number from 0. */
-	enum ts_status (*look)(struct ts_solid *solid, size_t worker, size_t part, const double x[3],
-			       double reach, enum ts_solid_side *side, struct ts_solid_surface *spot);
+	/* Finds the surface point nearest to x. TS_SOLID_FAR: the surface is farther than `reach`; *surface is undefined, also
+	 * the side on which x lies. Called in parallel, with a different `worker` (0, 1, ...) in each thread. */
+	enum ts_status (*find_surface)(struct ts_solid *solid, size_t worker, size_t part, const double x[3],
+				       double reach, enum ts_solid_side *side,
+				       struct ts_solid_surface *surface);
 	bool (*inside)(const struct ts_solid *solid, size_t part, const double x[3]);
 	void (*release)(struct ts_solid *solid);
-	enum ts_status (*team)(struct ts_solid *solid, size_t workers); /* so many will look; NULL: any may */
+	/* Allocates work memory for that many workers; NULL: none is needed. */
+	enum ts_status (*team)(struct ts_solid *solid, size_t workers);
 };
 
-/* A rigid motion at one time. */
+/* A rigid motion at one time: velocity of the centre, angular velocity. */
 struct ts_solid_motion {
 	double centre[3], velocity[3], omega[3];
 };
 
-/* Common to all; first member of each kind. */
+/* Common part, first member of each kind of solid. */
 struct ts_solid {
 	const struct ts_solid_kind *kind;
-	size_t parts; /* each has its own force: spheres */
-	struct ts_solid_motion *motion; /* of each part; forces turn about the centre */
+	size_t parts; /* number of parts with a force of their own: spheres; else 1 */
+	struct ts_solid_motion *motion; /* of each part; torques are about the centre. Owned */
 	size_t motion_capacity;
 	int dimensions;
-	bool moved;
+	bool moved; /* set by update */
 };
 
 static inline void ts_solid_velocity(const struct ts_solid_motion *m, const double x[3], double v[3])
@@ -57,37 +60,38 @@ static inline void ts_solid_velocity(const struct ts_solid_motion *m, const doub
 	v[2] = m->velocity[2] + m->omega[0] * b - m->omega[1] * a;
 }
 
-/* v of a spot whose distance and n are known, if the solid moves rigidly. */
+/* Sets surface->v for a solid that moves rigidly; distance and n are known. */
 void ts_solid_rigid_velocity(const struct ts_solid_motion *motion, const double x[3],
-			 struct ts_solid_surface *spot);
+			 struct ts_solid_surface *surface);
 
-/* How a region or a mesh moves, where its own motion does not say it. */
+/* Motion of a region or mesh as prescribed by the keywords velocity, omega, centre of the fix. */
 struct ts_solid_prescribed {
-	bool velocity, omega, centre; /* given */
+	bool velocity, omega, centre; /* which of them are prescribed */
 	struct ts_solid_motion motion;
 };
 
-/* Where a region stood at the last step of the fluid, its velocity comes from that; kept by who makes the
- * solid, in saved state. Zero: not seen yet. */
+/* Position and orientation of a region at the last step of the fluid, from which its velocity is computed. Owned by the
+ * fix, in its saved state. */
 struct ts_solid_pose {
-	double shift[3], turn[3][3], time;
-	bool seen;
+	double shift[3], turn[3][3], time; /* translation, rotation matrix, time of the simulation */
+	bool seen; /* false: not set yet */
 };
 
-/* Each makes a solid, or returns NULL without memory. `given` is looked at in each update. */
+/* Each makes a solid, to be freed by ts_solid_free; NULL if out of memory. `prescribed` is read in each update and stays
+ * with the caller. */
 struct ts_solid *ts_solid_of_region(struct ts_instance *region, int dimensions,
-				    const struct ts_solid_prescribed *given,
+				    const struct ts_solid_prescribed *prescribed,
 				    struct ts_solid_pose *before);
 struct ts_solid *ts_solid_of_mesh(struct ts_mesh_surface *mesh, int dimensions,
-				  const struct ts_solid_prescribed *given);
+				  const struct ts_solid_prescribed *prescribed);
 struct ts_solid *ts_solid_of_spheres(int group, int dimensions);
 void ts_solid_free(struct ts_solid *solid);
 
-/* How many cells of the grid lie side by side between lo and hi, along the axis where they are fewest; INFINITY
- * where no axis has both ends. Beyond the grid cells are as wide as at its end. */
+/* Number of cells of the grid between lo and hi along the axis where it is smallest, which is *axis; INFINITY if no axis
+ * has two finite bounds. Beyond the grid cells have the width of the last one. */
 double ts_solid_cells(const struct ts_grid *grid, const double lo[3], const double hi[3], int *axis);
 
-/* Row of the particle that part k is. */
+/* Index of the particle that is part k. */
 int32_t ts_solid_sphere_row(const struct ts_solid *solid, size_t part);
 
 #endif

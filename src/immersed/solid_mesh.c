@@ -16,7 +16,7 @@ struct closed {
 	struct ts_mesh_tree tree;
 	struct ts_mesh_list *near; /* scratch of each worker */
 	size_t workers;
-	const struct ts_solid_prescribed *given;
+	const struct ts_solid_prescribed *prescribed;
 	uint64_t moves; /* of the surface, when the tree was built */
 	double lo[3], hi[3];
 };
@@ -40,7 +40,7 @@ static bool solve(const double a[3][3], const double b[3], double x[3])
 
 /* The rigid motion nearest to the velocities of the corners in the least squares: with arms r from their mean,
  * v the mean velocity, and sum (r^2 1 - r r) omega = sum r x v. */
-static void fit(const struct ts_mesh_surface *s, struct ts_solid_motion *m)
+static void fit_rigid_motion(const struct ts_mesh_surface *s, struct ts_solid_motion *m)
 {
 	size_t corners = 3 * s->mesh.n;
 	double a[3][3] = { { 0 } }, b[3] = { 0 };
@@ -82,13 +82,13 @@ static enum ts_status update(struct ts_solid *solid, struct tsim *sim)
 	struct ts_solid_motion *m = solid->motion;
 
 	solid->moved = s->tree.n == 0 || s->moves != s->surface->moves;
-	fit(s->surface, m);
-	if (s->given->centre)
-		recentre(m, s->given->motion.centre);
-	if (s->given->velocity)
-		memcpy(m->velocity, s->given->motion.velocity, sizeof m->velocity);
-	if (s->given->omega)
-		memcpy(m->omega, s->given->motion.omega, sizeof m->omega);
+	fit_rigid_motion(s->surface, m);
+	if (s->prescribed->centre)
+		recentre(m, s->prescribed->motion.centre);
+	if (s->prescribed->velocity)
+		memcpy(m->velocity, s->prescribed->motion.velocity, sizeof m->velocity);
+	if (s->prescribed->omega)
+		memcpy(m->omega, s->prescribed->motion.omega, sizeof m->omega);
 	if (!solid->moved)
 		return TS_OK;
 	s->moves = s->surface->moves;
@@ -114,8 +114,8 @@ static enum ts_status team(struct ts_solid *solid, size_t workers)
 	return TS_GROW(s->near, s->workers, workers);
 }
 
-static enum ts_status look(struct ts_solid *solid, size_t worker, size_t part, const double x[3],
-			   double reach, enum ts_solid_side *side, struct ts_solid_surface *spot)
+static enum ts_status find_surface(struct ts_solid *solid, size_t worker, size_t part, const double x[3],
+			   double reach, enum ts_solid_side *side, struct ts_solid_surface *surface_point)
 {
 	struct closed *s = (struct closed *)solid;
 	struct ts_mesh_distance d;
@@ -126,11 +126,11 @@ static enum ts_status look(struct ts_solid *solid, size_t worker, size_t part, c
 	*side = near ? TS_SOLID_NEAR : TS_SOLID_FAR;
 	if (!near)
 		return TS_OK;
-	spot->distance = d.distance;
-	memcpy(spot->n, d.n, sizeof d.n);
-	ts_solid_rigid_velocity(solid->motion, x, spot);
-	if (spot->distance > 0 && s->surface->v && !s->given->velocity && !s->given->omega)
-		ts_mesh_surface_velocity(s->surface, (size_t)d.triangle, d.weight, spot->v);
+	surface_point->distance = d.distance;
+	memcpy(surface_point->n, d.n, sizeof d.n);
+	ts_solid_rigid_velocity(solid->motion, x, surface_point);
+	if (surface_point->distance > 0 && s->surface->v && !s->prescribed->velocity && !s->prescribed->omega)
+		ts_mesh_surface_velocity(s->surface, (size_t)d.triangle, d.weight, surface_point->v);
 	return TS_OK;
 }
 
@@ -150,10 +150,10 @@ static void release(struct ts_solid *solid)
 	ts_free(s->near);
 }
 
-static const struct ts_solid_kind kind = { update, bounds, look, inside, release, team };
+static const struct ts_solid_kind kind = { update, bounds, find_surface, inside, release, team };
 
 struct ts_solid *ts_solid_of_mesh(struct ts_mesh_surface *surface, int dimensions,
-				  const struct ts_solid_prescribed *given)
+				  const struct ts_solid_prescribed *prescribed)
 {
 	struct closed *s = ts_alloc(1, sizeof *s);
 
@@ -161,7 +161,7 @@ struct ts_solid *ts_solid_of_mesh(struct ts_mesh_surface *surface, int dimension
 		return NULL;
 	s->solid = (struct ts_solid){ .kind = &kind, .parts = 1, .dimensions = dimensions };
 	s->surface = surface;
-	s->given = given;
+	s->prescribed = prescribed;
 	if (TS_GROW(s->solid.motion, s->solid.motion_capacity, 1) == TS_OK && team(&s->solid, 1) == TS_OK)
 		return &s->solid;
 	ts_free(s->solid.motion);

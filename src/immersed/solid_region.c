@@ -12,11 +12,11 @@
 struct region {
 	struct ts_solid solid; /* first */
 	struct ts_instance *instance;
-	const struct ts_solid_prescribed *given;
+	const struct ts_solid_prescribed *prescribed;
 	struct ts_solid_pose *before;
 };
 
-static struct ts_solid_pose stand_of(const struct ts_region *r, double time)
+static struct ts_solid_pose pose_of(const struct ts_region *r, double time)
 {
 	struct ts_solid_pose s = { .time = time, .seen = true };
 
@@ -35,7 +35,7 @@ static void place(const struct ts_region *r, const struct ts_solid_pose *s, cons
 		x[k] = ts_dot(s->turn[k], arm) + r->pivot[k] + s->shift[k];
 }
 
-/* Mean velocity and angular velocity between two stands: the turn between them by its angle and axis. */
+/* Mean velocity and angular velocity between two poses: the turn between them by its angle and axis. */
 static void motion_between(const struct ts_region *r, const struct ts_solid_pose *a, const struct ts_solid_pose *b,
 			   const double home[3], struct ts_solid_motion *m)
 {
@@ -66,8 +66,8 @@ static void home_of(const struct region *s, double home[3])
 	style->bounds(s->instance, lo, hi);
 	for (int k = 0; k < 3; k++)
 		home[k] = isfinite(lo[k]) && isfinite(hi[k]) ? 0.5 * (lo[k] + hi[k]) : 0;
-	if (s->given->centre)
-		memcpy(home, s->given->motion.centre, sizeof s->given->motion.centre);
+	if (s->prescribed->centre)
+		memcpy(home, s->prescribed->motion.centre, sizeof s->prescribed->motion.centre);
 }
 
 /* Whether its shape hangs on variables, or that of a region of which it is made. */
@@ -93,7 +93,7 @@ static enum ts_status update(struct ts_solid *solid, struct tsim *sim)
 	struct ts_solid_pose now;
 
 	TS_TRY(ts_region_update(s->instance, sim));
-	now = stand_of(r, ts_sim_time(sim));
+	now = pose_of(r, ts_sim_time(sim));
 	home_of(s, home);
 	place(r, &now, home, m->centre);
 	solid->moved = !s->before->seen || (style->update && varies(sim, s->instance)) ||
@@ -102,10 +102,10 @@ static enum ts_status update(struct ts_solid *solid, struct tsim *sim)
 	memset(m->omega, 0, sizeof m->omega);
 	if (r->moves && s->before->seen && now.time > s->before->time)
 		motion_between(r, s->before, &now, home, m);
-	if (s->given->velocity)
-		memcpy(m->velocity, s->given->motion.velocity, sizeof m->velocity);
-	if (s->given->omega)
-		memcpy(m->omega, s->given->motion.omega, sizeof m->omega);
+	if (s->prescribed->velocity)
+		memcpy(m->velocity, s->prescribed->motion.velocity, sizeof m->velocity);
+	if (s->prescribed->omega)
+		memcpy(m->omega, s->prescribed->motion.omega, sizeof m->omega);
 	*s->before = now;
 	return TS_OK;
 }
@@ -138,19 +138,19 @@ static void normal(const struct region *s, const double x[3], double reach, doub
 	ts_scale(1 / length, n, n);
 }
 
-static enum ts_status look(struct ts_solid *solid, size_t worker, size_t part, const double x[3],
-			   double reach, enum ts_solid_side *side, struct ts_solid_surface *spot)
+static enum ts_status find_surface(struct ts_solid *solid, size_t worker, size_t part, const double x[3],
+			   double reach, enum ts_solid_side *side, struct ts_solid_surface *surface_point)
 {
 	const struct region *s = (const struct region *)solid;
 
 	(void)worker;
 	(void)part;
-	spot->distance = -ts_region_depth(s->instance, x);
-	*side = fabs(spot->distance) > reach ? TS_SOLID_FAR : TS_SOLID_NEAR;
+	surface_point->distance = -ts_region_depth(s->instance, x);
+	*side = fabs(surface_point->distance) > reach ? TS_SOLID_FAR : TS_SOLID_NEAR;
 	if (*side == TS_SOLID_FAR)
 		return TS_OK;
-	normal(s, x, reach, spot->n);
-	ts_solid_rigid_velocity(solid->motion, x, spot);
+	normal(s, x, reach, surface_point->n);
+	ts_solid_rigid_velocity(solid->motion, x, surface_point);
 	return TS_OK;
 }
 
@@ -160,10 +160,10 @@ static bool inside(const struct ts_solid *solid, size_t part, const double x[3])
 	return ts_region_depth(((const struct region *)solid)->instance, x) > 0;
 }
 
-static const struct ts_solid_kind kind = { update, bounds, look, inside, NULL, NULL };
+static const struct ts_solid_kind kind = { update, bounds, find_surface, inside, NULL, NULL };
 
 struct ts_solid *ts_solid_of_region(struct ts_instance *instance, int dimensions,
-				    const struct ts_solid_prescribed *given,
+				    const struct ts_solid_prescribed *prescribed,
 				    struct ts_solid_pose *before)
 {
 	struct region *s = ts_alloc(1, sizeof *s);
@@ -172,7 +172,7 @@ struct ts_solid *ts_solid_of_region(struct ts_instance *instance, int dimensions
 		return NULL;
 	s->solid = (struct ts_solid){ .kind = &kind, .parts = 1, .dimensions = dimensions };
 	s->instance = instance;
-	s->given = given;
+	s->prescribed = prescribed;
 	s->before = before;
 	if (TS_GROW(s->solid.motion, s->solid.motion_capacity, 1) == TS_OK)
 		return &s->solid;

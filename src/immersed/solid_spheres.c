@@ -64,20 +64,20 @@ static double arm_of(const struct ts_solid *solid, size_t part, const double x[3
 	return ts_norm(arm);
 }
 
-static enum ts_status look(struct ts_solid *solid, size_t worker, size_t part, const double x[3],
-			   double reach, enum ts_solid_side *side, struct ts_solid_surface *spot)
+static enum ts_status find_surface(struct ts_solid *solid, size_t worker, size_t part, const double x[3],
+			   double reach, enum ts_solid_side *side, struct ts_solid_surface *surface_point)
 {
 	const struct spheres *s = (const struct spheres *)solid;
-	double length = arm_of(solid, part, x, spot->n);
+	double length = arm_of(solid, part, x, surface_point->n);
 
 	(void)worker;
-	spot->distance = length - s->particles->radius[s->row[part]];
-	*side = fabs(spot->distance) > reach ? TS_SOLID_FAR : TS_SOLID_NEAR;
+	surface_point->distance = length - s->particles->radius[s->row[part]];
+	*side = fabs(surface_point->distance) > reach ? TS_SOLID_FAR : TS_SOLID_NEAR;
 	if (length > 0)
-		ts_scale(1 / length, spot->n, spot->n);
+		ts_scale(1 / length, surface_point->n, surface_point->n);
 	else
-		spot->n[0] = 1;
-	ts_solid_rigid_velocity(&solid->motion[part], x, spot);
+		surface_point->n[0] = 1;
+	ts_solid_rigid_velocity(&solid->motion[part], x, surface_point);
 	return TS_OK;
 }
 
@@ -94,7 +94,7 @@ static void release(struct ts_solid *solid)
 	ts_free(((struct spheres *)solid)->row);
 }
 
-static const struct ts_solid_kind kind = { update, bounds, look, inside, release, NULL };
+static const struct ts_solid_kind kind = { update, bounds, find_surface, inside, release, NULL };
 
 struct ts_solid *ts_solid_of_spheres(int group, int dimensions)
 {

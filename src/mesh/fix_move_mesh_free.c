@@ -163,8 +163,8 @@ static enum ts_status act(struct ts_instance *self, struct tsim *sim, bool in_se
 	for (size_t k = 0; (inst = ts_sim_next_of(sim, TS_KIND_FIX, TS_FAMILY_FLOW_PART, &k));) {
 		const struct ts_flow_part *part = inst->state;
 
-		if (part->load)
-			part->load(inst, surface, load, &virtual_density);
+		if (part->mesh_load)
+			part->mesh_load(inst, surface, load, &virtual_density);
 	}
 	memcpy(b->force, load[0], sizeof b->force);
 	ts_sub(surface->anchor, b->x, arm);

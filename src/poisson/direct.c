@@ -85,7 +85,7 @@ static void fill_third(struct ts_direct *s, const struct ts_poisson *problem)
 		length += h[k];
 	}
 	for (int k = 0; k < s->n[2]; k++)
-		s->share[k] = h[k] / length;
+		s->width_fraction[k] = h[k] / length;
 }
 
 static void fill_modes(struct ts_direct *s, const struct ts_poisson *problem)
@@ -141,7 +141,7 @@ enum ts_status ts_direct_make(struct ts_direct *s, const struct ts_poisson *prob
 		return TS_NOMEM;
 	s->below = s->eigenvalue + modes;
 	s->above = s->below + n;
-	s->share = s->above + n;
+	s->width_fraction = s->above + n;
 	TS_TRY(make_transforms(s, problem));
 	fill_third(s, problem);
 	fill_modes(s, problem);
@@ -344,7 +344,7 @@ static void fix_mean(const struct ts_direct *s)
 	double *mode = s->work + s->singular, mean = 0;
 
 	for (int k = 0; k < s->n[2]; k++)
-		mean += s->share[k] * mode[(size_t)k * s->plane];
+		mean += s->width_fraction[k] * mode[(size_t)k * s->plane];
 	for (int k = 0; k < s->n[2]; k++)
 		mode[(size_t)k * s->plane] -= mean;
 }

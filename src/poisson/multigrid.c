@@ -14,7 +14,7 @@ enum {
 };
 
 /* Axes whose cells are joined: those nearly as narrow as the narrowest. */
-static bool choose_axes(const struct ts_stencil *s, struct ts_multigrid_transfer way[3])
+static bool choose_axes(const struct ts_stencil *s, struct ts_multigrid_transfer transfer[3])
 {
 	double width[3], least = 0;
 	bool any = false;
@@ -27,15 +27,15 @@ static bool choose_axes(const struct ts_stencil *s, struct ts_multigrid_transfer
 			least = width[d];
 	}
 	for (int d = 0; d < 3; d++) {
-		way[d].joined = d < s->axes && s->n[d] > 1 && width[d] < 1.5 * least;
-		any = any || way[d].joined;
+		transfer[d].joined = d < s->axes && s->n[d] > 1 && width[d] < 1.5 * least;
+		any = any || transfer[d].joined;
 	}
 	return any && s->n[0] * s->n[1] * s->n[2] > FEWEST;
 }
 
 static int begin_of(const struct ts_multigrid_level *l, int d, int coarse)
 {
-	if (!l->way[d].joined)
+	if (!l->transfer[d].joined)
 		return coarse;
 	return coarse < l->s.n[d] / 2 ? 2 * coarse : l->s.n[d];
 }
@@ -46,7 +46,7 @@ static enum ts_status make_stencil(const struct ts_multigrid_level *fine, struct
 	int n[3];
 
 	for (int d = 0; d < 3; d++)
-		n[d] = fine->way[d].joined ? f->n[d] / 2 : f->n[d];
+		n[d] = fine->transfer[d].joined ? f->n[d] / 2 : f->n[d];
 	TS_TRY(ts_stencil_shape(s, n, f->axes, f->periodic));
 	s->singular = f->singular;
 	s->threads = 1 + n[0] * n[1] * n[2] / GRAIN;
@@ -56,12 +56,12 @@ static enum ts_status make_stencil(const struct ts_multigrid_level *fine, struct
 			for (int i = begin_of(fine, d, c); i < begin_of(fine, d, c + 1); i++)
 				s->width[d][c] += f->width[d][i];
 		for (int c = 1; c < n[d]; c++)
-			s->conduct[d][c] = 2 / (s->width[d][c - 1] + s->width[d][c]);
+			s->conductance[d][c] = 2 / (s->width[d][c - 1] + s->width[d][c]);
 		/* as the finer level: periodic, across half a cell, or not at all */
-		if (f->conduct[d][0] > 0)
-			s->conduct[d][0] = 2 / (s->width[d][0] + (f->periodic[d] ? s->width[d][n[d] - 1] : 0));
-		if (f->conduct[d][f->n[d]] > 0)
-			s->conduct[d][n[d]] = 2 / (s->width[d][n[d] - 1] +
+		if (f->conductance[d][0] > 0)
+			s->conductance[d][0] = 2 / (s->width[d][0] + (f->periodic[d] ? s->width[d][n[d] - 1] : 0));
+		if (f->conductance[d][f->n[d]] > 0)
+			s->conductance[d][n[d]] = 2 / (s->width[d][n[d] - 1] +
 						   (f->periodic[d] ? s->width[d][0] : 0));
 	}
 	return TS_OK;
@@ -86,30 +86,30 @@ static double centre(const struct ts_stencil *s, int d, int i)
 }
 
 /* Between which coarser cells each cell lies. */
-static void fill_below(const struct ts_stencil *fine, const struct ts_stencil *coarse, struct ts_multigrid_transfer *way,
+static void fill_below(const struct ts_stencil *fine, const struct ts_stencil *coarse, struct ts_multigrid_transfer *transfer,
 		       int d)
 {
 	for (int c = 0; c < coarse->n[d]; c++)
-		for (int i = way->begin[c]; i < way->begin[c + 1]; i++) {
+		for (int i = transfer->begin[c]; i < transfer->begin[c + 1]; i++) {
 			double x = centre(fine, d, i), here = centre(coarse, d, c);
 			int below = x < here ? c - 1 : c;
 			double low = centre(coarse, d, below), high = centre(coarse, d, below + 1);
-			bool beyond = (below < 0 && coarse->conduct[d][0] == 0) ||
-				      (below + 1 == coarse->n[d] && coarse->conduct[d][below + 1] == 0);
+			bool beyond = (below < 0 && coarse->conductance[d][0] == 0) ||
+				      (below + 1 == coarse->n[d] && coarse->conductance[d][below + 1] == 0);
 
 			/* where no gradient is, the value goes on as it is */
-			way->below[i] = beyond ? c : below;
-			way->above[i] = beyond ? 0 : (x - low) / (high - low);
+			transfer->below[i] = beyond ? c : below;
+			transfer->above[i] = beyond ? 0 : (x - low) / (high - low);
 		}
 }
 
 /* The coarser cell on one side, and its share; -1: it has none, or the value beyond is given. */
-static int parent(const struct ts_multigrid_transfer *way, const struct ts_stencil *coarse, int d, int i, int side,
+static int parent(const struct ts_multigrid_transfer *transfer, const struct ts_stencil *coarse, int d, int i, int side,
 		  double *share)
 {
-	int at = way->below[i] + side, n = coarse->n[d];
+	int at = transfer->below[i] + side, n = coarse->n[d];
 
-	*share = side ? way->above[i] : 1 - way->above[i];
+	*share = side ? transfer->above[i] : 1 - transfer->above[i];
 	if (*share == 0)
 		return -1;
 	if (coarse->periodic[d])
@@ -118,41 +118,41 @@ static int parent(const struct ts_multigrid_transfer *way, const struct ts_stenc
 }
 
 /* The same from the side of the coarser cells. */
-static void fill_cells(const struct ts_stencil *coarse, struct ts_multigrid_transfer *way, int d, int n)
+static void fill_cells(const struct ts_stencil *coarse, struct ts_multigrid_transfer *transfer, int d, int n)
 {
 	double share;
 	int at = 0;
 
 	for (int c = 0; c < coarse->n[d]; c++) {
-		way->first[c] = at;
+		transfer->first[c] = at;
 		for (int i = 0; i < n; i++)
 			for (int side = 0; side < 2; side++)
-				if (parent(way, coarse, d, i, side, &share) == c) {
-					way->cell[at] = i;
-					way->share[at++] = share;
+				if (parent(transfer, coarse, d, i, side, &share) == c) {
+					transfer->cell[at] = i;
+					transfer->weight[at++] = share;
 				}
 	}
-	way->first[coarse->n[d]] = at;
+	transfer->first[coarse->n[d]] = at;
 }
 
-static enum ts_status make_way(struct ts_multigrid_level *fine, const struct ts_stencil *coarse)
+static enum ts_status make_transfer(struct ts_multigrid_level *fine, const struct ts_stencil *coarse)
 {
 	for (int d = 0; d < 3; d++) {
-		struct ts_multigrid_transfer *way = &fine->way[d];
+		struct ts_multigrid_transfer *transfer = &fine->transfer[d];
 		size_t n = (size_t)fine->s.n[d], m = (size_t)coarse->n[d] + 1;
 
-		way->begin = ts_alloc(2 * m + 3 * n, sizeof *way->begin);
-		way->above = ts_alloc(3 * n, sizeof *way->above);
-		if (!way->begin || !way->above)
+		transfer->begin = ts_alloc(2 * m + 3 * n, sizeof *transfer->begin);
+		transfer->above = ts_alloc(3 * n, sizeof *transfer->above);
+		if (!transfer->begin || !transfer->above)
 			return TS_NOMEM;
-		way->first = way->begin + m;
-		way->below = way->first + m;
-		way->cell = way->below + n;
-		way->share = way->above + n;
+		transfer->first = transfer->begin + m;
+		transfer->below = transfer->first + m;
+		transfer->cell = transfer->below + n;
+		transfer->weight = transfer->above + n;
 		for (int c = 0; c <= coarse->n[d]; c++)
-			way->begin[c] = begin_of(fine, d, c);
-		fill_below(&fine->s, coarse, way, d);
-		fill_cells(coarse, way, d, fine->s.n[d]);
+			transfer->begin[c] = begin_of(fine, d, c);
+		fill_below(&fine->s, coarse, transfer, d);
+		fill_cells(coarse, transfer, d, fine->s.n[d]);
 	}
 	fine->row = ts_alloc_aligned((size_t)ts_stencil_rows(coarse), (size_t)fine->s.n[0] * sizeof(double));
 	return fine->row ? TS_OK : TS_NOMEM;
@@ -168,10 +168,10 @@ enum ts_status ts_multigrid_make(struct ts_multigrid *m, const struct ts_stencil
 		fine->r = ts_stencil_field(&fine->s);
 		if (!fine->r)
 			return TS_NOMEM;
-		if (!choose_axes(&fine->s, fine->way))
+		if (!choose_axes(&fine->s, fine->transfer))
 			return TS_OK;
 		TS_TRY(make_stencil(fine, &coarse->s));
-		TS_TRY(make_way(fine, &coarse->s));
+		TS_TRY(make_transfer(fine, &coarse->s));
 		coarse->p = ts_stencil_field(&coarse->s);
 		coarse->b = ts_stencil_field(&coarse->s);
 		coarse->rhs = coarse->b;
@@ -187,8 +187,8 @@ void ts_multigrid_release(struct ts_multigrid *m)
 		struct ts_multigrid_level *l = &m->level[k];
 
 		for (int d = 0; d < 3; d++) {
-			ts_free(l->way[d].begin);
-			ts_free(l->way[d].above);
+			ts_free(l->transfer[d].begin);
+			ts_free(l->transfer[d].above);
 		}
 		ts_free(l->row);
 		ts_free(l->r);
@@ -209,17 +209,17 @@ static double joined_link(const struct ts_multigrid_level *fine, const struct ts
 	double sum = 0, conduct;
 
 	for (int a = 0; a < 3; a++) {
-		from[a] = fine->way[a].begin[face[a]];
-		to[a] = a == d ? from[a] + 1 : fine->way[a].begin[face[a] + 1];
+		from[a] = fine->transfer[a].begin[face[a]];
+		to[a] = a == d ? from[a] + 1 : fine->transfer[a].begin[face[a] + 1];
 	}
-	conduct = fine->s.conduct[d][from[d]];
+	conduct = fine->s.conductance[d][from[d]];
 	if (conduct == 0)
 		return 0;
 	for (int z = from[2]; z < to[2]; z++)
 		for (int y = from[1]; y < to[1]; y++)
 			for (int x = from[0]; x < to[0]; x++)
 				sum += fine->s.link[d][ts_stencil_at(&fine->s, x, y, z)];
-	return sum * (coarse->conduct[d][face[d]] / conduct);
+	return sum * (coarse->conductance[d][face[d]] / conduct);
 }
 
 static void weigh_level(const struct ts_multigrid_level *fine, struct ts_stencil *coarse)
@@ -254,15 +254,15 @@ static void add_scaled(const double *restrict x, double scale, double *restrict 
 static void prolong_row(const struct ts_multigrid_level *fine, const struct ts_multigrid_level *coarse, int j, int k,
 			double *row)
 {
-	const int *below = fine->way[0].below;
-	const double *above = fine->way[0].above;
+	const int *below = fine->transfer[0].below;
+	const double *above = fine->transfer[0].above;
 	double *p = fine->p + ts_stencil_at(&fine->s, 0, j, k);
 
 	memset(row, 0, ((size_t)coarse->s.n[0] + 2) * sizeof *row);
 	for (int side = 0; side < 4; side++) {
 		double share[2];
-		int y = parent(&fine->way[1], &coarse->s, 1, j, side & 1, &share[0]);
-		int z = parent(&fine->way[2], &coarse->s, 2, k, side >> 1, &share[1]);
+		int y = parent(&fine->transfer[1], &coarse->s, 1, j, side & 1, &share[0]);
+		int z = parent(&fine->transfer[2], &coarse->s, 2, k, side >> 1, &share[1]);
 
 		if (y >= 0 && z >= 0)
 			add_scaled(coarse->p + ts_stencil_at(&coarse->s, -1, y, z), share[0] * share[1],
@@ -276,19 +276,19 @@ static void prolong_row(const struct ts_multigrid_level *fine, const struct ts_m
 static void restrict_row(const struct ts_multigrid_level *fine, const struct ts_multigrid_level *coarse, int j, int k,
 			 double *row)
 {
-	const struct ts_multigrid_transfer *x = &fine->way[0], *y = &fine->way[1], *z = &fine->way[2];
+	const struct ts_multigrid_transfer *x = &fine->transfer[0], *y = &fine->transfer[1], *z = &fine->transfer[2];
 	double *b = coarse->b + ts_stencil_at(&coarse->s, 0, j, k);
 
 	memset(row, 0, (size_t)fine->s.n[0] * sizeof *row);
 	for (int m = z->first[k]; m < z->first[k + 1]; m++)
 		for (int l = y->first[j]; l < y->first[j + 1]; l++)
 			add_scaled(fine->r + ts_stencil_at(&fine->s, 0, y->cell[l], z->cell[m]),
-				   y->share[l] * z->share[m], row, fine->s.n[0]);
+				   y->weight[l] * z->weight[m], row, fine->s.n[0]);
 	for (int i = 0; i < coarse->s.n[0]; i++) {
 		double sum = 0;
 
 		for (int l = x->first[i]; l < x->first[i + 1]; l++)
-			sum += x->share[l] * row[x->cell[l]];
+			sum += x->weight[l] * row[x->cell[l]];
 		b[i] = sum;
 	}
 }

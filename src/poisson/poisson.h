@@ -1,14 +1,14 @@
-/* Pressure: what a projection asks to be solved, and what solvers (pressure styles) offer.
+/* The Poisson equation of the pressure, and the interface of its solvers (pressure styles).
  *
- * For each cell P the balance of its faces f with the neighbour N across:
+ * For each cell P, summed over its faces f with the neighbour N across:
  *
  *   sum_f  w_f A_f/d_f (p_N - p_P)  =  rhs_P V_P
  *
- * A_f the area of the face, d_f the distance of the centres, V_P the volume, w_f the weight of the face (the
- * void fraction in beds; 1 without). That is the discrete div(w grad p) = rhs. At boundaries: periodic, no
- * gradient, or a pressure given on the face itself (at half a cell; its value is p = 0: who has another one puts it
- * into rhs). If no face gives a pressure the system is singular: rhs has been made to sum to zero by who asks, and
- * solvers return the solution whose volume-weighted mean is zero.
+ * with A_f the area of the face, d_f the distance between the centres, V_P the volume of the cell, w_f the weight of
+ * the face (the void fraction with particles; else 1). This is the discrete div(w grad p) = rhs. Boundary conditions:
+ * periodic, zero gradient, or a pressure given on the face, half a cell from the centre. The value given is p = 0; the
+ * caller adds other values to rhs. If no face gives a pressure the system is singular: the caller has made rhs
+ * sum to zero, and solvers return the solution whose volume-weighted mean is zero.
  *
  * Sources: Chorin, Math. Comp. 22 (1968) 745; Harlow & Welch, Phys. Fluids 8 (1965) 2182. */
 #ifndef TS_POISSON_POISSON_H
@@ -19,17 +19,17 @@
 
 enum ts_pressure_condition {
 	TS_PRESSURE_PERIODIC,
-	TS_PRESSURE_NO_GRADIENT, /* the velocity across the face is given: wall, slip, inlet */
+	TS_PRESSURE_NO_GRADIENT, /* zero gradient: the velocity across the face is given (wall, slip, inlet) */
 	TS_PRESSURE_GIVEN        /* outlet */
 };
 
 struct ts_poisson {
 	const struct ts_grid *grid;
 	enum ts_pressure_condition condition[3][2]; /* [axis][0 low, 1 high] */
-	/* Weights at lower faces of cells, as velocity components are; NULL: 1 everywhere. They may change from
-	 * solve to solve, grid and conditions only with a new prepare. */
+	/* Weights at the lower faces of cells, fields as velocity components; NULL: 1 everywhere. Weights may change between
+	 * solves; grid and conditions only with a new call of `prepare`. */
 	const double *weight[3];
-	bool singular;
+	bool singular; /* no face gives a pressure */
 	int threads;
 };
 
@@ -42,19 +42,20 @@ struct ts_poisson_report {
  * ts_pressure_choose. */
 struct ts_pressure_style {
 	struct ts_style style;
-	/* Whether it can solve this; else *why says why not ("weights vary"). NULL: it can solve all. */
+	/* Whether the solver is applicable; if not, *why is set to the reason ("weights vary"). NULL: always. */
 	bool (*suits)(const struct ts_poisson *problem, const char **why);
-	/* New grid or conditions: takes memory, makes plans. `problem` stays valid until the next prepare. */
+	/* Called for a new grid or new conditions: allocates memory and makes plans. `problem` stays valid until the next
+	 * call. */
 	enum ts_status (*prepare)(struct ts_instance *self, struct tsim *sim,
 				  const struct ts_poisson *problem);
-	/* rhs: inner cells count, ghosts are not read. p: the first guess, then the solution; ghosts are not
-	 * written. Bitwise the same for any number of threads. */
+	/* rhs: only inner cells are read. p: the initial guess, then the solution; ghosts are not written. The result is
+	 * bitwise the same for any number of threads. */
 	enum ts_status (*solve)(struct ts_instance *self, struct tsim *sim, const double *rhs,
 				double *p, struct ts_poisson_report *report);
-	/* Seconds a solve will cost, roughly, for the choice of the default and -explain. self may be NULL: with
-	 * the arguments' defaults. */
+	/* Estimated time of a solve in seconds, for the choice of the default and for -explain. `self` may be NULL: with the
+	 * default arguments. */
 	double (*cost)(const struct ts_instance *self, const struct ts_poisson *problem);
-	int fields; /* that it keeps, about, in numbers of the cells */
+	int fields; /* memory it needs, as a number of fields of one double per cell, approximate */
 };
 
 static inline const struct ts_pressure_style *ts_pressure_style_of(const struct ts_instance *inst)
@@ -68,21 +69,25 @@ static inline bool ts_pressure_suits(const struct ts_pressure_style *style, cons
 	return !style->suits || style->suits(problem, why);
 }
 
-/* The live pressure style, or the default for this problem (made on the first call; rules in its doc and in
- * -explain). */
+/* ---- pressure_choice.c */
+
+/* The live pressure style, or the default style for this problem, which is made at the first call (command
+ * pressure_style documents the rules). */
 enum ts_status ts_pressure_choose(struct tsim *sim, const struct ts_poisson *problem,
 				  const struct ts_place *where, struct ts_instance **out);
 
-/* A line of the plan: which solver, why, and how long a solve will take. `weights`: there will be some. */
+/* Adds a line to the plan: the solver, the reason, and the estimated time of a solve. `weights`: faces have weights. */
 struct ts_plan_report;
 void ts_pressure_explain(const struct tsim *sim, const struct ts_poisson *problem, bool weights,
 			 struct ts_plan_report *report);
 
-/* out = div(w grad p) in the inner cells: the operator itself, for residuals and tests. Reads p of inner cells
- * only. */
+/* ---- poisson.c */
+
+/* out = div(w grad p) in the inner cells, for residuals and tests. Reads p in inner cells only. */
 void ts_poisson_apply(const struct ts_poisson *problem, const double *p, double *out);
 
-/* 1/d of the lower face of cell i, 0 <= i <= n: across a boundary half a cell, or 0 where no gradient is. */
+/* 1/d_f of the lower face of cell i along axis d, 0 <= i <= n (1/length). At a boundary d_f is half a cell; 0 with zero
+ * gradient. */
 double ts_poisson_conductance(const struct ts_poisson *problem, int d, int i);
 
 #endif

@@ -21,15 +21,15 @@ static double contrast(const struct ts_stencil *s, const struct ts_poisson *prob
 		int last[3] = { s->n[0], s->n[1], s->n[2] };
 
 		for (int a = 0; a < 3; a++)
-			last[a] -= a != d || s->conduct[d][s->n[d]] == 0;
+			last[a] -= a != d || s->conductance[d][s->n[d]] == 0;
 #pragma omp parallel for num_threads(s->threads) schedule(static) reduction(max : most) reduction(min : least)
 		for (int row = 0; row < (last[1] + 1) * (last[2] + 1); row++) {
 			int j = row % (last[1] + 1), k = row / (last[1] + 1);
 			const double *w = problem->weight[d] + ts_at(problem->grid, 0, j, k);
 
-			if ((d == 1 && s->conduct[1][j] == 0) || (d == 2 && s->conduct[2][k] == 0))
+			if ((d == 1 && s->conductance[1][j] == 0) || (d == 2 && s->conductance[2][k] == 0))
 				continue;
-			for (int i = d == 0 && s->conduct[0][0] == 0; i <= last[0]; i++) {
+			for (int i = d == 0 && s->conductance[0][0] == 0; i <= last[0]; i++) {
 				most = w[i] > most ? w[i] : most;
 				least = w[i] < least ? w[i] : least;
 			}

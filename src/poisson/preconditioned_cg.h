@@ -1,4 +1,4 @@
-/* Conjugate gradients with one of the preconditioners there are. */
+/* The conjugate gradient method with a choice of preconditioners: state and slots of pressure styles cg and others. */
 #ifndef TS_POISSON_PRECONDITIONED_CG_H
 #define TS_POISSON_PRECONDITIONED_CG_H
 
@@ -9,11 +9,11 @@
 #include "poisson/pressure_style.h"
 
 enum ts_preconditioner {
-	TS_PRECONDITION_AUTO, /* for each solve direct, or multigrid where weights differ too much */
+	TS_PRECONDITION_AUTO, /* chosen for each solve: direct, or multigrid if the weights differ too much */
 	TS_PRECONDITION_DIAGONAL,
-	TS_PRECONDITION_DIRECT, /* the problem without weights */
+	TS_PRECONDITION_DIRECT, /* the direct solver, with all weights 1 */
 	TS_PRECONDITION_MULTIGRID,
-	TS_PRECONDITION_HYPRE /* pressure_style hypre alone */
+	TS_PRECONDITION_HYPRE /* pressure_style hypre only */
 };
 extern const char *const ts_preconditioner_names[];
 
@@ -26,9 +26,9 @@ struct ts_preconditioned {
 	struct ts_hypre *hypre;
 };
 
-/* Seconds of a solve with the best of them, roughly. */
+/* Estimated time of a solve in seconds with the fastest preconditioner. */
 double ts_preconditioned_cost(const struct ts_preconditioned *c, const struct ts_poisson *problem);
-/* Slots of styles whose state it is. */
+/* Slots of pressure styles whose state is struct ts_preconditioned. */
 enum ts_status ts_preconditioned_prepare(struct ts_instance *self, struct tsim *sim,
 					 const struct ts_poisson *problem);
 enum ts_status ts_preconditioned_solve(struct ts_instance *self, struct tsim *sim, const double *rhs,

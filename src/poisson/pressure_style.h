@@ -1,26 +1,26 @@
-/* What pressure styles share: when iterations end, and which style a problem gets by default. */
+/* Common parts of iterative pressure styles: tolerance, system of equations, end of the iterations. */
 #ifndef TS_POISSON_PRESSURE_STYLE_H
 #define TS_POISSON_PRESSURE_STYLE_H
 
 #include "poisson/poisson.h"
 #include "poisson/stencil.h"
 
-/* How many threads are worth it. */
+/* Number of threads to use for the problem. */
 int ts_pressure_team(const struct tsim *sim, const struct ts_poisson *problem);
 
 enum ts_iteration_unfinished { TS_UNFINISHED_STOP, TS_UNFINISHED_WARN };
 
-/* First in the state of solvers that iterate. */
+/* First member of the state of iterative solvers. */
 struct ts_iteration {
-	double tolerance; /* of the residual, by the largest right-hand side */
-	int64_t most;
-	int unfinished;
-	bool told;
-	bool weighed; /* without weights, once is enough */
-	bool changed; /* links, by the last ts_iteration_begin */
+	double tolerance; /* largest residual by largest right-hand side */
+	int64_t most;   /* largest number of iterations */
+	int unfinished; /* enum ts_iteration_unfinished */
+	bool told;    /* the warning has been written */
+	bool weighed; /* the links have been set; without weights that is done once */
+	bool changed; /* the last ts_iteration_begin has changed the links */
 	struct ts_stencil stencil;
 	const struct ts_poisson *problem;
-	double *b, *p;
+	double *b, *p; /* right-hand side and solution, fields of the stencil; owned */
 };
 
 extern const char *const ts_iteration_unfinished_names[];
@@ -37,10 +37,10 @@ extern const char *const ts_iteration_unfinished_names[];
 enum ts_status ts_iteration_prepare(struct ts_iteration *it, struct tsim *sim,
 				    const struct ts_poisson *problem);
 void ts_iteration_release(struct ts_iteration *it);
-/* Links, right-hand side and first guess, and how small the residual has to be; *goal 0: the solution is 0. */
+/* Sets links, right-hand side and initial guess, and the residual to be reached; *goal 0: the solution is 0. */
 enum ts_status ts_iteration_begin(struct ts_iteration *it, struct ts_instance *self, struct tsim *sim,
 				  const double *rhs, const double *p, double *goal);
-/* The solution to `p`; an error or a warning if the residual is beyond the goal. */
+/* Copies the solution to `p`; an error or a warning if the residual is larger than the goal. */
 enum ts_status ts_iteration_end(struct ts_iteration *it, struct ts_instance *self, struct tsim *sim,
 				double goal, const struct ts_poisson_report *report, double *p);
 

@@ -54,9 +54,9 @@ enum ts_status ts_stencil_shape(struct ts_stencil *s, const int n[3], int axes, 
 	lengths = (size_t)ts_stencil_rows(s);
 	for (int d = 0; d < 3; d++) {
 		s->width[d] = s->memory + lengths;
-		s->conduct[d] = s->width[d] + n[d];
+		s->conductance[d] = s->width[d] + n[d];
 		s->link[d] = d < axes ? s->fields + (size_t)d * s->size : NULL;
-		s->colour[d] = s->conduct[d] + n[d] + 1;
+		s->colour[d] = s->conductance[d] + n[d] + 1;
 		lengths += 3 * (size_t)n[d] + 1;
 	}
 	set_colours(s);
@@ -78,7 +78,7 @@ enum ts_status ts_stencil_make(struct ts_stencil *s, const struct ts_poisson *pr
 	for (int d = 0; d < 3; d++) {
 		memcpy(s->width[d], grid->width[d], (size_t)grid->n[d] * sizeof(double));
 		for (int i = 0; i <= grid->n[d]; i++)
-			s->conduct[d][i] = ts_poisson_conductance(problem, d, i);
+			s->conductance[d][i] = ts_poisson_conductance(problem, d, i);
 	}
 	return TS_OK;
 }
@@ -105,12 +105,12 @@ static void weigh_row(struct ts_stencil *s, const struct ts_poisson *problem, in
 	double area = 1;
 
 	for (int a = 1; a < 3; a++)
-		area *= a == d ? s->conduct[a][index[a]] : s->width[a][index[a]];
+		area *= a == d ? s->conductance[a][index[a]] : s->width[a][index[a]];
 	if (s->periodic[d] && d > 0 && index[d] == s->n[d])
 		index[d] = 0;
 	weight = weight ? weight + ts_at(grid, 0, index[1], index[2]) : NULL;
 	for (int i = 0; i < s->n[0] + (d == 0); i++) {
-		double across = d == 0 ? s->conduct[0][i] : s->width[0][i];
+		double across = d == 0 ? s->conductance[0][i] : s->width[0][i];
 		int face = d == 0 && s->periodic[0] && i == s->n[0] ? 0 : i;
 
 		/* a face without gradient may have any weight, NaN too */

@@ -1,28 +1,28 @@
-/* The balance of cells as iterative solvers use it: links between neighbours, written out.
+/* The system of equations of iterative solvers: a 5- or 7-point stencil with a coefficient (link) for each face.
  *
- * Of a cell P with the neighbours N across its faces, (A p)_P = sum_f link_f (p_P - p_N), link = w A/d: the
- * operator of poisson/poisson.h by -V, symmetric and positive (semi)definite. Fields have one layer of ghost cells,
- * which hold the periodic image, or 0: the value at a face with a given pressure; a link across a face
- * without gradient is 0. So inner loops know no boundaries. */
+ * For a cell P with the neighbours N across its faces, (A p)_P = sum_f link_f (p_P - p_N), link = w A/d: the
+ * operator of poisson/poisson.h multiplied by -V, symmetric and positive (semi)definite. Fields have one layer of ghost
+ * cells, which hold the periodic image, or 0, the value on a face with a given pressure; the link across a face with
+ * zero gradient is 0. So inner loops need no case for boundaries. */
 #ifndef TS_POISSON_STENCIL_H
 #define TS_POISSON_STENCIL_H
 
 #include "poisson/poisson.h"
 
 struct ts_stencil {
-	int n[3], axes; /* axes along which there are links: 2 or 3 */
+	int n[3], axes; /* number of cells; number of axes with links: 2 or 3 */
 	int threads;
 	bool periodic[3], singular;
 	ptrdiff_t stride[3];
 	size_t origin, size;
 	double *width[3];    /* of cells */
-	double *conduct[3];  /* 1/d of lower faces 0 .. n, 0 where no gradient is */
-	double *link[3];     /* fields: of lower faces, upper boundary too */
-	double *inverse;     /* field: 1/sum of links; 0 for a cell without */
-	int colours;         /* of cells, so that no neighbours have the same: 2, or 3 with an odd period */
-	double *colour[3];   /* 0, 1 or 2 by index along each axis; the cell's is the sum modulo `colours` */
-	double *rows;        /* one number for each row: parts of sums */
-	double *memory, *fields;
+	double *conductance[3];  /* 1/d of lower faces 0 .. n; 0 with zero gradient */
+	double *link[3];     /* fields: links of lower faces, including the upper boundary */
+	double *inverse;     /* field: 1/sum of the links of a cell; 0 if it has none */
+	int colours;         /* number of colours, such that neighbours differ: 2, or 3 with an odd number of cells along a periodic axis */
+	double *colour[3];   /* 0, 1 or 2 by index along each axis; the colour of a cell is their sum modulo `colours` */
+	double *rows;        /* partial sums, one for each row of cells */
+	double *memory, *fields; /* of the arrays and of the fields above; owned */
 };
 
 static inline size_t ts_stencil_at(const struct ts_stencil *s, int i, int j, int k)
@@ -35,24 +35,25 @@ static inline int ts_stencil_rows(const struct ts_stencil *s)
 	return s->n[1] * s->n[2];
 }
 
-/* Where a row begins: row = j + k n[1]. */
+/* Index of the first cell of a row, row = j + k n[1]. */
 static inline size_t ts_stencil_row(const struct ts_stencil *s, int row)
 {
 	return ts_stencil_at(s, 0, row % s->n[1], row / s->n[1]);
 }
 
-/* Geometry, without links; released by ts_stencil_release also after a failure. */
+/* Sets the geometry, without links; to be released by ts_stencil_release also after a failure. */
 enum ts_status ts_stencil_make(struct ts_stencil *s, const struct ts_poisson *problem);
 enum ts_status ts_stencil_shape(struct ts_stencil *s, const int n[3], int axes, const bool periodic[3]);
 void ts_stencil_release(struct ts_stencil *s);
 
-/* Links from the problem's weights as they are now. */
+/* Computes the links from the present weights of the problem. */
 void ts_stencil_set_weights(struct ts_stencil *s, const struct ts_poisson *problem);
-/* `inverse` from the links. */
+/* Computes `inverse` from the links. */
 void ts_stencil_invert_diagonal(struct ts_stencil *s);
 
 double *ts_stencil_field(const struct ts_stencil *s);
-/* Between fields of the grid and those here. `volumes`: multiplied by minus the volume, as right-hand sides are. */
+/* Copies between fields of the grid and fields of the stencil. `volumes`: multiplied by minus the volume, as for
+ * right-hand sides. */
 void ts_stencil_from_grid(const struct ts_stencil *s, const struct ts_grid *grid, const double *field,
 		     bool volumes, double *out);
 void ts_stencil_to_grid(const struct ts_stencil *s, const struct ts_grid *grid, const double *field,
@@ -64,19 +65,19 @@ void ts_stencil_per_volume(const struct ts_stencil *s, const double *r, double *
 void ts_stencil_ghosts(const struct ts_stencil *s, double *p);
 /* out = A p, after ts_stencil_ghosts(p); returns p.Ap */
 double ts_stencil_apply(const struct ts_stencil *s, const double *p, double *out);
-/* Gauss-Seidel in the cells of one colour, as the squares of a chess board: p += omega (what balances the cell - p).
- * Ghosts must be right, and are so afterwards. */
+/* A Gauss-Seidel sweep over the cells of one colour: p += omega (p_GS - p), with p_GS the value that solves the equation
+ * of the cell. Ghosts must be set before, and are set afterwards. */
 void ts_stencil_sweep(const struct ts_stencil *s, double *p, const double *b, int colour, double omega);
-/* out = b - A p, after ts_stencil_ghosts(p); returns its largest value by volume. NaN if there is one. */
+/* out = b - A p, after ts_stencil_ghosts(p); returns the largest |out|/V, NaN if a value is NaN. */
 double ts_stencil_residual(const struct ts_stencil *s, const double *p, const double *b, double *out);
-/* Largest value by volume. */
+/* Returns the largest |r|/V. */
 double ts_stencil_largest(const struct ts_stencil *s, const double *r);
 double ts_stencil_dot(const struct ts_stencil *s, const double *a, const double *b);
-/* Takes off the mean by volume: the solution of a singular system. */
+/* Subtracts the volume-weighted mean: the solution of a singular system. */
 void ts_stencil_centre(const struct ts_stencil *s, double *p);
-/* Makes a right-hand side of a singular system sum to zero to the last bit but one. */
+/* Corrects the right-hand side of a singular system so that it sums to zero, to round-off. */
 void ts_stencil_balance(const struct ts_stencil *s, double *b);
-/* The parts of rows, in order. */
+/* Sum and maximum of the partial results in `rows`, in their order. */
 double ts_stencil_sum_rows(const struct ts_stencil *s);
 double ts_stencil_max_rows(const struct ts_stencil *s);
 
