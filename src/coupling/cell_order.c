@@ -37,7 +37,7 @@ static void sort_cell(int32_t *row, size_t from, size_t to, const int32_t *tag)
 	}
 }
 
-/* Counted into their cells, in each by identity; start[c + 1] is first filled up to the end of cell c. */
+/* Counting sort by cell, then by identity in each cell. start[c + 1] is used as the next free index of cell c. */
 static void sort_particles(struct ts_cell_order *order, const struct ts_particles *p, size_t ncells)
 {
 	size_t *start = order->start;
@@ -95,7 +95,7 @@ void ts_cell_order_release(struct ts_cell_order *order)
 	*order = (struct ts_cell_order){ 0 };
 }
 
-/* Even slabs, odd slabs, and in a ring of an odd number the last one by itself. */
+/* Even slabs, then odd slabs; with an odd number along a periodic axis the last slab by itself. */
 void ts_cell_order_each(const struct ts_cell_order *order, int threads, ts_cell_order_fn *add,
 			void *context)
 {

@@ -51,7 +51,7 @@ static void velocity_at(const struct ts_coupling_force *s, const double x[3], do
 		ts_flow_style_of(s->flow)->velocity(s->flow, x, u);
 }
 
-/* du/dx_a by differences over the width of a cell; at a boundary over what there is of it. */
+/* du/dx_a by a difference over the width of a cell, at a boundary over the part of it inside the grid. */
 static void gradient_along(const struct ts_coupling_force *s, int a, double radius,
 			struct ts_coupling_local_flow *around)
 {
@@ -59,7 +59,7 @@ static void gradient_along(const struct ts_coupling_force *s, int a, double radi
 	double half = grid ? 0.5 * grid->width[a][around->cell[a]] : radius;
 	double low[3], high[3], at_low[3], at_high[3];
 
-	if (grid && grid->ghosts[a] == 0) { /* nothing varies along this axis */
+	if (grid && grid->ghosts[a] == 0) { /* two dimensions: no gradient along z */
 		for (int c = 0; c < 3; c++)
 			around->gradient[c][a] = 0;
 		return;
@@ -78,7 +78,7 @@ static void gradient_along(const struct ts_coupling_force *s, int a, double radi
 		around->gradient[c][a] = (at_high[c] - at_low[c]) / (high[a] - low[a]);
 }
 
-/* false: there is no fluid where particle i is */
+/* Finds the flow at particle i; false if it is outside the fluid. */
 static bool find_local_flow(const struct ts_instance *self, const struct ts_particles *p, size_t i,
 			struct ts_coupling_local_flow *around)
 {

@@ -1,4 +1,4 @@
-/* What the fluid gets of drags, and what the particles get back when it has made its step. */
+/* Momentum exchange of drag: the reaction on the fluid, and the correction of the forces on particles after its step. */
 #include "coupling/drag_force.h"
 
 #include <math.h>
@@ -15,7 +15,7 @@ double ts_drag_steps_to_fluid(const struct ts_drag *s)
 	return p->waited + 1 >= p->every ? (double)p->every : 0;
 }
 
-/* What the fluid gets of one particle. */
+/* Adds the reaction to the drag on one particle to the fluid. */
 static void add_reaction(void *context, size_t i)
 {
 	struct ts_instance *self = ((struct ts_instance **)context)[0];
@@ -51,7 +51,7 @@ enum ts_status ts_drag_add_to_fluid(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* What particle i gets more, now that the fluid has another velocity. */
+/* Adds B (u' - u) to the force on particle i. */
 static void correct_particle(const struct ts_instance *self, const struct tsim *sim, const struct ts_fluid *fluid,
 		       size_t i, double share)
 {

@@ -39,14 +39,14 @@ static enum ts_status check_numbers(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* ---- drags that relax velocities act when all other forces are known */
+/* ---- set-up. Schemes exact and implicit act after all other forces */
 
 bool ts_drag_is_late(const struct ts_instance *self)
 {
 	return ((const struct ts_drag *)self->state)->scheme != TS_DRAG_EXPLICIT;
 }
 
-/* All drags that relax velocities: on a particle that several act on they do it together. */
+/* Lists all drags with schemes exact or implicit: several of them on one particle are combined. */
 static enum ts_status find_relaxing_drags(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_drag *s = self->state;
@@ -85,14 +85,15 @@ enum ts_status ts_drag_init(struct ts_instance *self, struct tsim *sim)
 	return check_numbers(self, sim);
 }
 
-/* ---- what is known before all forces are */
+/* ---- explicit part, before all forces are known */
 
 struct drag_diagnostics {
-	double reynolds, stiffness; /* the largest Re, and c h/m where the force is explicit */
-	bool outside;		    /* there is no fluid */
+	double reynolds, stiffness; /* Re; c h/m if the force is explicit */
+	bool outside;		    /* the particle is outside the fluid */
 };
 
-/* Never more than takes the particle to the fluid's velocity, within the part of its motion that follows forces. */
+/* Slope of the force for the exchange over several steps: not larger than `most`, which takes the particle to the velocity
+ * of the fluid; `part`: fraction of the force that is effective, the rest of the motion is prescribed. */
 static double exchange_slope(double steps, double slope, double most, double c, double part)
 {
 	double moving = fmin(steps * slope, fmax(slope, most));
@@ -100,7 +101,7 @@ static double exchange_slope(double steps, double slope, double most, double c, 
 	return part == 1 ? moving : part * moving + (1 - part) * steps * c;
 }
 
-/* How much of a force along each axis takes effect along it. */
+/* Fraction of a force along each axis that is effective along it after the restraints. */
 static void unrestrained_fractions(const struct ts_drag *s, const struct tsim *sim, size_t i, double part[3])
 {
 	for (int k = 0; k < 3; k++) {
@@ -111,8 +112,8 @@ static void unrestrained_fractions(const struct ts_drag *s, const struct tsim *s
 	}
 }
 
-/* The explicit force; where the drag relaxes velocities only what has no effect, as the motion is given: whoever takes
- * it away counts it. */
+/* Applies the explicit force to particle i. With schemes exact and implicit only the part that restraints remove, so that
+ * the fix that removes it accounts for it. */
 static void apply_drag(const struct ts_instance *self, struct tsim *sim, size_t i, struct ts_slip *slip,
 		    struct drag_diagnostics *found)
 {
@@ -223,9 +224,9 @@ enum ts_status ts_drag_post_force(struct ts_instance *self, struct tsim *sim)
 	return ts_drag_is_late(self) ? TS_OK : pass_to_fluid(self, sim);
 }
 
-/* ---- relaxation, with all other forces */
+/* ---- schemes exact and implicit, after all other forces */
 
-/* Force of one component, given the others f; *slope is B. */
+/* Drag of one component for the sum f of the other forces; sets *slope to B. */
 static double drag_component(int scheme, double c, double w, double f, double mass, double h, double *slope)
 {
 	double rate = c / mass;
@@ -239,8 +240,9 @@ static double drag_component(int scheme, double c, double w, double f, double ma
 	return *slope * (w - h * f / mass);
 }
 
-/* Several drags on one particle are one of coefficient C = sum of c to the velocity (sum of c u)/C; its force less
- * sum of c (u - v) is what the slip changes by over the step, times C: the same for all of them. Implicit if one is. */
+/* Combines several drags on one particle into one with the coefficient C = sum c and the fluid velocity (sum c u)/C. Its
+ * force minus sum c (u - v) is C times the change of the mean slip over the step, which is the same for all of them. The
+ * scheme is implicit if one of them is. */
 static void combine_drags(const struct ts_drag *first, const struct tsim *sim, size_t i)
 {
 	const struct ts_particles *p = sim->particles;

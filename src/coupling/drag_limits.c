@@ -1,4 +1,4 @@
-/* How long a step drags bear. */
+/* Limits of the time step by drag. */
 #include "coupling/drag_force.h"
 
 #include <math.h>
@@ -11,7 +11,7 @@
 
 #include "base/banned.h"
 
-/* Unresolved drag supposes that a cell holds the particle. */
+/* Drag laws for unresolved particles assume that cells are larger than particles. */
 static void warn_of_cells(const struct ts_instance *self, struct tsim *sim, double diameter)
 {
 	const struct ts_drag *s = self->state;
@@ -28,7 +28,7 @@ static void warn_of_cells(const struct ts_instance *self, struct tsim *sim, doub
 			self->style->name, least, diameter);
 }
 
-/* k at the faces across c: the sum of the coefficients by volume. */
+/* Sums k at the faces across c: drag coefficients per volume. */
 static void sum_coefficients(const struct ts_instance *self, const struct tsim *sim, int c, double *k)
 {
 	const struct ts_drag *s = self->state;
@@ -51,7 +51,7 @@ static void sum_coefficients(const struct ts_instance *self, const struct tsim *
 	}
 }
 
-/* The fluid gets the force as it is, du/dt = -k (u - v)/(e rho): the largest k/(e rho). Weights sum to 1, so no mode
+/* Largest rate k/(e rho) of du/dt = -k (u - v)/(e rho), for drag that is explicit in the fluid. Weights sum to 1, so no mode
  * of the velocities relaxes faster. */
 static enum ts_status lagged_rate(const struct ts_instance *self, struct tsim *sim, double *rate)
 {
@@ -78,8 +78,8 @@ static enum ts_status lagged_rate(const struct ts_instance *self, struct tsim *s
 	return TS_OK;
 }
 
-/* Explicit drag makes the velocity of the particle relax as well: the slip decays at no more than both rates. The fluid
- * takes its steps with the force of `every` steps before. */
+/* With scheme explicit the velocity of the particle relaxes as well: the slip decays at most at the sum of both rates. The
+ * fluid makes one step of `every` steps of the simulation. */
 static enum ts_status limit_lagged(struct ts_instance *self, struct tsim *sim, double relaxation,
 				   struct ts_plan_report *report)
 {
@@ -98,7 +98,7 @@ static enum ts_status limit_lagged(struct ts_instance *self, struct tsim *sim, d
 			       self->style->name);
 }
 
-/* The largest diameter, and the least relaxation times: of all, and of those whose drag is explicit. */
+/* Largest diameter; smallest relaxation times m/c of all particles, and of those with explicit drag. */
 struct relaxation_times {
 	double largest, least, explicit;
 };

@@ -1,4 +1,4 @@
-/* The slip between a particle and the fluid, and the inertia of the particle: what all other files of drag read. */
+/* Slip velocity between a particle and the fluid, and mass of the particle: used by all other files drag_*.c. */
 #include "coupling/drag_force.h"
 
 #include <math.h>
@@ -34,8 +34,8 @@ static double mean(double wa, double wb, double a, double b)
 	return (wa * a + wb * b) / (wa + wb);
 }
 
-/* Velocity of the cell: the mean of its faces; in a bed that of the flow e u through them, so that the slip in
- * a layer of the bed is the flow through it by its own void fraction. */
+/* Velocity of a cell: mean over its faces; with a void fraction the mean of e u divided by e of the cell, so that the slip
+ * in a layer of a bed is the superficial velocity by the void fraction of that layer. */
 static void cell_velocity(const struct ts_fluid *fluid, const int cell[3], double u[3])
 {
 	const struct ts_grid *grid = &fluid->grid;

@@ -15,11 +15,11 @@ struct state {
 	struct ts_added_mass mass; /* first */
 	bool accelerates;
 	struct ts_restraints restraints;
-	double *last[3], *rate[3]; /* velocity of the fluid after its last step, and its change by time */
+	double *last[3], *rate[3]; /* fields: velocity of the fluid after its last step, and du/dt. Owned */
 	size_t size, capacity[2][3];
 };
 
-/* Du/Dt at the particle */
+/* Du/Dt at the particle. */
 static void fluid_acceleration(const struct state *s, const struct ts_coupling_local_flow *around, double a[3])
 {
 	const struct ts_fluid *fluid = s->mass.force.fluid;
@@ -48,7 +48,7 @@ static double added_to(const struct ts_instance *self, const struct tsim *sim, s
 	       ts_body_volume(sim, sim->particles->radius[i]);
 }
 
-/* The part that does not depend on how the particle moves. */
+/* The part C rho V_p Du/Dt, which does not depend on the motion of the particle. */
 static void add_force(const struct ts_instance *self, const struct tsim *sim, size_t i,
 		const struct ts_coupling_local_flow *around, double f[3], double torque[3])
 {
@@ -60,7 +60,7 @@ static void add_force(const struct ts_instance *self, const struct tsim *sim, si
 		f[k] *= added;
 }
 
-/* Its own acceleration follows from all forces: (m + M) a = f, where they take effect. */
+/* The part -M a with (m + M) a = f, M the added mass and f the effective sum of all forces. */
 static void add_own_inertia(const struct ts_instance *self, struct tsim *sim, size_t i)
 {
 	struct state *s = self->state;
@@ -114,8 +114,8 @@ static enum ts_status store_fluid_acceleration(struct ts_instance *self, struct 
 	return TS_OK;
 }
 
-/* Two of them would each take the other's force for one that accelerates the particle; and a member of a rigid body does
- * not move as the force on it says. */
+/* Refuses two of these fixes on one particle, as each would count the force of the other as an accelerating force; and
+ * members of rigid bodies, whose acceleration is not f/m. */
 static enum ts_status refuse(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;

@@ -1,4 +1,4 @@
-/* Fix buoyancy: particles in a fluid at rest weigh less. */
+/* Fix buoyancy: hydrostatic buoyancy of particles. */
 #include "flow/projection.h"
 #include "law/buoyancy.h"
 
@@ -22,7 +22,7 @@ struct state {
 	double level, density;
 	struct ts_instance *region;
 	const struct ts_gravity *gravity;
-	double down; /* +1 or -1: which way gravity points along the axis */
+	double down; /* direction of gravity along the axis, +1 or -1 */
 	struct ts_tally total;
 };
 
@@ -43,7 +43,8 @@ static enum ts_status find_gravity(struct ts_instance *self, struct tsim *sim)
 		       "fix buoyancy: the fluid needs the weight of one fix gravity, there are %d", n);
 }
 
-/* Fixes by which the pressure of a fluid acts on particles: where that holds the fluid's weight, buoyancy is in it. */
+/* Fixes by which the pressure of the fluid acts on particles: a pressure that balances the weight of the fluid contains the
+ * buoyancy already. */
 static const struct ts_instance *pressed(const struct tsim *sim, const struct ts_instance *self)
 {
 	const struct ts_instance *fix;

@@ -1,6 +1,6 @@
-/* Fixes couple/cfd and its family: a program around the library computes the fluid, and gives each particle the force
- * of it, as with LIGGGHTS. What is exchanged are columns of the particles that the program reads and writes by name;
- * without such a program they stay zero.
+/* Fixes couple/cfd and its family: a program that uses the library computes the fluid and the force on each particle, as
+ * with LIGGGHTS. Data are exchanged in columns of the particles, which the program reads and writes by name; without such
+ * a program they stay zero.
  *
  * The names are those of LIGGGHTS: dragforce (3), Ksl, uf (3), convectiveHeatFlux. */
 #include "core/report.h"
@@ -14,7 +14,7 @@
 
 enum { MOST = 3 };
 
-/* ---- fix couple/cfd: that there is a partner */
+/* ---- fix couple/cfd: declares the coupling */
 
 #define FAMILY_PARTNER "coupled program"
 
@@ -47,7 +47,7 @@ static enum ts_status setup_partner(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* ---- what acts: each with columns that are exchanged */
+/* ---- fixes that act on particles, each with its columns */
 
 struct field {
 	const char *name;
@@ -58,14 +58,14 @@ struct force {
 	const struct field *field; /* the columns that it exchanges */
 	int nfields;
 	double alpha; /* CrankNicolson; NaN: explicit */
-	double first; /* couple/cfd/convection: temperature of particles before fix heat/gran says it */
+	double first; /* couple/cfd/convection: initial temperature, unused if fix heat/gran gives one */
 	const char *weight;
 	bool implicit, ready;
 	size_t column[MOST];
 	double sum[3]; /* force on all particles in this step */
 };
 
-enum { DRAG, COEFFICIENT, VELOCITY }; /* of the columns; a heat flux is the only one of its fix */
+enum { DRAG, COEFFICIENT, VELOCITY }; /* indices of columns; a heat flux is the only column of its fix */
 static const struct field force_fields[] = { { "dragforce", 3 }, { "Ksl", 1 }, { "uf", 3 } };
 static const struct field heat_field = { "convectiveHeatFlux", 1 };
 
@@ -104,7 +104,7 @@ static enum ts_status add_columns(struct ts_instance *self, struct tsim *sim, co
 				       "fix %s: '%s' has %zu numbers of each particle already, expected %zu",
 				       self->style->name, field[k].name, p->column[s->column[k]].width,
 				       field[k].width);
-		if (s->column[k] != known) /* of a fix property/atom: as it is */
+		if (s->column[k] != known) /* column of a fix property/atom: keeps its values */
 			continue;
 		TS_TRY(ts_particles_column_initial(sim, s->column[k], zero));
 		ts_particles_fill_initial(&p->column[s->column[k]], 0, p->n);

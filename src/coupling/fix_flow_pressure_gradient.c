@@ -19,14 +19,14 @@ static const char *const interpolations[] = { "linear", "cell", "volume", NULL }
 struct state {
 	struct ts_coupling_force force; /* first */
 	int interpolation, how;
-	const struct ts_instance *void_fix; /* who makes the void fraction */
+	const struct ts_instance *void_fix; /* the fix that computes the void fraction */
 	struct ts_restraints restraints;
 };
 
-/* ---- by volume: as much of the gradient in each cell as of the particle is there
+/* ---- interpolation volume: the gradients of cells weighted by the volume of the particle in them
  *
- * A face has half of what the two cells beside it have of a particle. So all particles together have (1 - e) of the
- * gradient at each face, and the fluid the rest. */
+ * A face belongs half to each of its two cells. So the particles together take the fraction (1 - e) of the gradient at
+ * each face, and the fluid the rest. */
 
 struct gradient_sum {
 	const struct ts_fluid *fluid;
@@ -89,7 +89,7 @@ static void add_force(const struct ts_instance *self, const struct tsim *sim, si
 	}
 }
 
-/* ---- the pressure of the step, which is known after it */
+/* ---- correction by the pressure of the step, which is known after it */
 
 static void correct_particle(struct ts_instance *self, const struct tsim *sim, size_t i, double share)
 {
@@ -129,7 +129,7 @@ static enum ts_status correct_forces(struct ts_instance *self, struct tsim *sim,
 	return TS_OK;
 }
 
-/* ---- life */
+/* ---- set-up */
 
 static const struct ts_instance *find_void_fix(const struct tsim *sim)
 {
@@ -160,7 +160,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return s->force.part.after_step ? ts_fluid_require_fields(s->force.fluid, sim, TS_FLUID_P_MEAN) : TS_OK;
 }
 
-/* Where nothing can leave through faces, that momentum is not kept is a change of it that should not be. */
+/* In a box that is periodic on all sides total momentum should be constant: reports settings that do not conserve it. */
 static enum ts_status review(struct ts_instance *self, struct tsim *sim)
 {
 	const struct state *s = self->state;

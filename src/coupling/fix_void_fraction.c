@@ -1,4 +1,4 @@
-/* Fix void_fraction: what particles leave of each cell to the fluid. */
+/* Fix void_fraction: volume fraction of the fluid in each cell. */
 #include "core/report.h"
 
 #include <math.h>
@@ -23,9 +23,9 @@ struct state {
 	struct ts_fluid *fluid;
 	struct ts_cell_order order;
 	bool warned;
-	bool told; /* that the cells do not resolve the kernel */
-	double found; /* the least of a cell, before it is limited */
-	double (*last_particles)[4]; /* places and radii that the field was made of */
+	bool told; /* warned that the cells do not resolve the kernel */
+	double found; /* smallest value of a cell, before the lower limit */
+	double (*last_particles)[4]; /* positions and radii from which the field was computed; owned */
 	size_t nlast, last_capacity;
 	struct tsim *sim; /* evaluation may fail */
 };
@@ -68,7 +68,7 @@ static double largest_radius(const struct ts_instance *self, const struct ts_par
 	return largest;
 }
 
-/* A cell narrower than a particle whose volume is all put into it may have more solid than volume. */
+/* Method centre in a cell narrower than the particle may give a solid fraction above 1. */
 static enum ts_status check_centre(struct ts_instance *self, struct tsim *sim, double diameter)
 {
 	const struct state *s = self->state;
@@ -87,8 +87,8 @@ static enum ts_status check_centre(struct ts_instance *self, struct tsim *sim, d
 		       least, diameter);
 }
 
-/* Cells wider than the kernel reaches to either side hold it wholly: the field is the mean over the cell. Two
- * diameters, where the kernel of 1.5 begins to lie in one cell for some places of the centre. */
+/* Cells wider than the kernel contain it completely, and the field is the mean over the cell. Warned from two diameters
+ * on, where the default kernel of 1.5 diameters lies in one cell for some positions of the centre. */
 static void check_kernel(struct ts_instance *self, struct tsim *sim, double diameter)
 {
 	static const double MOST = 2; /* diameters */
@@ -109,7 +109,7 @@ static void check_kernel(struct ts_instance *self, struct tsim *sim, double diam
 		most, most / diameter, s->reach * diameter, fits);
 }
 
-/* The check_reach that a particle reaches; refused if it is too far. */
+/* Finds the largest number of cells that a particle reaches; an error if it is too large. */
 static enum ts_status check_reach(struct ts_instance *self, struct tsim *sim, int *reach)
 {
 	const struct state *s = self->state;
@@ -158,8 +158,7 @@ static void limit_void_fraction(struct ts_instance *self, struct tsim *sim)
 	}
 }
 
-/* Whether the particles are not those, where they were, of which the field was made: a bed that is held costs
- * nothing. */
+/* Whether particles have moved or changed since the field was computed: a fixed bed costs nothing. */
 static enum ts_status compare_particles(struct ts_instance *self, struct tsim *sim, bool *moved)
 {
 	struct state *s = self->state;
@@ -220,7 +219,7 @@ static const struct ts_saved saved[] = {
 	TS_SAVED_ROWS_END,
 };
 
-/* Mean over the volume, and the least of a cell. */
+/* Mean over the volume, and smallest value of a cell. */
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct state *s = self->state;

@@ -33,7 +33,7 @@ static void set_axis(struct ts_coupling_weights *s, int d, int low, int high, do
 	s->weight[d][1] = share;
 }
 
-/* Along an axis on which the points are centres of cells. */
+/* Weights along an axis on which the points are cell centres. */
 static void along_centres(const struct ts_grid *grid, int d, double x, int cell,
 			  enum ts_coupling_interpolation how, struct ts_coupling_weights *s)
 {
@@ -51,7 +51,7 @@ static void along_centres(const struct ts_grid *grid, int d, double x, int cell,
 		s->index[d][1] = grid->periodic[d] ? 0 : n - 1;
 }
 
-/* Along the axis of the component. */
+/* Weights along the axis of the component, on which the points are faces. */
 static void along_faces(const struct ts_grid *grid, int d, double x, int cell,
 			enum ts_coupling_interpolation how, struct ts_coupling_weights *s)
 {
@@ -83,7 +83,7 @@ void ts_coupling_weights_centre(const struct ts_fluid *fluid, const double place
 		along_centres(&fluid->grid, d, place[d], cell[d], how, out);
 }
 
-/* Corner b of the eight: its place in a field and its weight. */
+/* Field index and weight of corner b of eight. */
 static double corner_weight(const struct ts_grid *grid, const struct ts_coupling_weights *s, int b, size_t *at)
 {
 	int x = b & 1, y = b >> 1 & 1, z = b >> 2 & 1;

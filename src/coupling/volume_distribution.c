@@ -25,14 +25,14 @@ int ts_coupling_volume_reach(const struct ts_grid *grid, const struct ts_couplin
 	return (int)fmin(ceil(extent(how, radius) / least), 1e6);
 }
 
-/* Cells along an axis that the particle reaches; faces relative to its centre, in units of the reach, from the
- * lower one of cell `first` on. */
+/* Cells along an axis that the particle reaches; face: coordinates of their faces relative to the centre of the particle,
+ * in units of the reach, from the lower face of cell `first`. */
 struct span {
 	int first, n;
 	double face[TS_VOLUME_MAX_CELLS + 2];
 };
 
-/* By the widths of the grid and of its periodic images. */
+/* Width of cell i, which may be a periodic image. */
 static double width_at(const struct ts_grid *grid, int d, int i)
 {
 	int n = grid->n[d];
@@ -55,7 +55,7 @@ static void find_span(const struct ts_grid *grid, int d, double x, int cell, dou
 		s->face[s->n] = low / reach;
 	} while (low < reach && s->n <= TS_VOLUME_MAX_CELLS &&
 		 (grid->periodic[d] || s->first + s->n < grid->n[d]));
-	/* The cells along a boundary have what would be beyond it. */
+	/* Cells along a boundary receive the part beyond it. */
 	if (s->face[0] > -1)
 		s->face[0] = -1;
 	if (s->face[s->n] < 1)
@@ -77,7 +77,7 @@ static void add_to_cell(const struct ts_grid *grid, const struct span s[3], int 
 	to->visit(to->context, index, volume);
 }
 
-/* What of the unit ball, or disc, lies beyond the corners of one layer of faces. */
+/* Volume of the unit ball (area of the unit disc) beyond each corner of one layer of faces. */
 typedef double layer[TS_VOLUME_MAX_CELLS + 2][TS_VOLUME_MAX_CELLS + 2];
 
 static void corner_volumes(const struct span s[3], bool disc, double z, layer out)
@@ -131,7 +131,7 @@ static void distribute_by_kernel(const struct ts_grid *grid, const struct span s
 				    to);
 }
 
-/* A slice of the flow one cell thick has all of the particle. */
+/* Along an axis of one cell the whole particle is in it. */
 static void span_one_cell(int d, struct span s[3])
 {
 	s[d].first = 0;

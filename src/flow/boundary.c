@@ -1,4 +1,4 @@
-/* Boundary conditions: which there are, what is given there, and whether the flow can be. */
+/* Boundary conditions: types of the faces, velocities given on them, and the check of the net flow. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -7,10 +7,10 @@
 
 #include "base/banned.h"
 
-/* ---- kinds */
+/* ---- types */
 
-/* The ghost of a component along a wall: the parabola through the wall and two points inside, which makes
- * its slope at the wall of second order; or the straight line through the first. */
+/* Weights of the ghost value of a tangential component at a wall: extrapolation by the parabola through the wall and two
+ * points inside, which makes the slope at the wall of second order; or linear through the first point. */
 static void set_ghost_weights(struct ts_fluid *fluid, int d, enum ts_grid_side side, bool straight)
 {
 	const struct ts_grid *grid = &fluid->grid;
@@ -94,7 +94,7 @@ static double value_of(const struct ts_flow_face_velocity *given, int c, size_t 
 	return given->plane[c] ? given->plane[c][k] : given->constant[c];
 }
 
-/* Planes where something varies over the face now. What was given at the last step stays as it is. */
+/* Allocates the planes of component c if it varies over the face now, else frees them. Values of the last step are kept. */
 static enum ts_status allocate_planes(struct ts_projection *p, int d, enum ts_grid_side side, int c, bool over_face)
 {
 	struct ts_flow_face_velocity *now = &p->velocity_now[d][side], *before = &p->velocity_before[d][side];
@@ -214,9 +214,9 @@ enum ts_status ts_projection_archive_boundary(struct ts_projection *p, struct ts
 	return ts_projection_archive_pressure(p, sim, archive);
 }
 
-/* ---- what flows in must flow out */
+/* ---- net flow */
 
-/* Flow outwards through one face of the grid, and the sum of its sizes. */
+/* Returns the outward volume flow through one face of the grid; adds the sum of magnitudes to *size. */
 static double outflow_through(const struct ts_fluid *fluid, int d, enum ts_grid_side side, double *size)
 {
 	const struct ts_grid *grid = &fluid->grid;
@@ -238,7 +238,8 @@ static double outflow_through(const struct ts_fluid *fluid, int d, enum ts_grid_
 	return side == TS_LOW ? -sum : sum;
 }
 
-/* Where the script says what flows through the boundary: the face, of those it names, with most of the net flow. */
+/* The line of the script for an error about the net flow: the flow_boundary command of the face with the largest part of
+ * it. */
 static const struct ts_place *place_of_flow(const struct ts_instance *self, double net)
 {
 	const struct ts_projection *p = self->state;
@@ -260,7 +261,7 @@ static const struct ts_place *place_of_flow(const struct ts_instance *self, doub
 
 enum ts_status ts_projection_net_outflow(struct ts_instance *self, struct tsim *sim, double *mean)
 {
-	static const double UNEVEN = 1e-9; /* far above round-off */
+	static const double UNEVEN = 1e-9; /* relative imbalance that is not round-off */
 	struct ts_projection *p = self->state;
 	const struct ts_grid *grid = &p->fluid.grid;
 	double net = 0, size = 0, volume = 1;

@@ -1,4 +1,4 @@
-/* Values of the formulas that flow_boundary gives, at the points of a face of the grid. */
+/* Evaluation of the formulas of flow_boundary at the points of a face of the grid. */
 #include <math.h>
 
 #include "flow/projection.h"

@@ -1,13 +1,12 @@
-/* Pressure given on open faces: outlets, and inlets by their pressure.
+/* Pressure given on open faces (outlets and intakes).
  *
- * It stands on the face itself, half a cell from the centre: p of the first ghost is 2 P - p, and
- * what it adds to the balance of the cell, w (2/h) P / h, goes to the right-hand side. Solvers see
- * the difference from `base`, the middle of all that is given: a level of 1e5 costs no digits, and
- * the same pressure on all open faces is as none.
+ * The pressure P is given on the face itself, half a cell from the centre: the first ghost has
+ * 2 P - p, and the contribution w (2/h) P / h of the face to the equation of the cell goes to the
+ * right-hand side. Solvers use the difference from `base`, the mean of the largest and the smallest
+ * pressure given: a level of 1e5 loses no digits, and equal pressures on all open faces are 0.
  *
- * Over a stage of a time scheme the pressure pushes as a mean over its length: it is taken where
- * the stage takes its rates, in the middle for schemes of one stage, so that the schemes keep their
- * order. */
+ * In a stage of a time scheme the pressure acts as a mean over the stage: it is evaluated at the time
+ * of the rates of the stage, in the middle for schemes of one stage, so that the order is kept. */
 #include <math.h>
 #include <stdio.h>
 
@@ -16,7 +15,7 @@
 
 #include "base/banned.h"
 
-/* ---- all points of a face, beside its ghosts too */
+/* ---- planes of values: all points of a face, including those beside ghosts */
 
 struct face_points {
 	int a, b, from[2], to[2];
@@ -70,7 +69,7 @@ static bool is_open(const struct ts_projection *p, int face)
 	return ts_flow_face_open(p->fluid.face[face / 2][face % 2]);
 }
 
-/* ---- what is given */
+/* ---- values given */
 
 enum ts_status ts_projection_evaluate_pressure(struct ts_projection *p, struct tsim *sim, int d,
 					   enum ts_grid_side side)
@@ -102,8 +101,8 @@ enum ts_status ts_projection_store_pressure(struct ts_projection *p)
 	return TS_OK;
 }
 
-/* Of a fluid at rest under the body force: what is below the top of the grid weighs on it. Along a
- * periodic axis nothing holds it. */
+/* Hydrostatic pressure at x of a fluid at rest under the body force, 0 at the upper end of the grid. Along a periodic axis
+ * the body force is not balanced by a pressure. */
 static double weight_above(const struct ts_fluid *fluid, const double x[3])
 {
 	const struct ts_grid *grid = &fluid->grid;
@@ -118,7 +117,7 @@ static double weight_above(const struct ts_fluid *fluid, const double x[3])
 	return fluid->density * sum;
 }
 
-/* The pressure of the next projection on a face, and its extremes. */
+/* Computes the pressure of the next projection on a face; updates the smallest and the largest value. */
 static enum ts_status make_next(struct ts_projection *p, int d, int side, double extreme[2])
 {
 	const struct ts_grid *grid = &p->fluid.grid;
@@ -157,7 +156,7 @@ static enum ts_status make_next(struct ts_projection *p, int d, int side, double
 	return TS_OK;
 }
 
-/* Less `base`. */
+/* Subtracts `base`. */
 static void make_relative(const struct ts_grid *grid, int d, struct ts_flow_face_pressure *p,
 			  double base)
 {
@@ -230,8 +229,7 @@ static void shift_field(const struct ts_projection *p, double *field, double by)
 		field[k] += by;
 }
 
-/* What the pressure on open faces adds to the balances of the cells there, on the right-hand side.
- */
+/* Adds the contribution of the pressure on an open face to rhs. */
 static void add_face_to_rhs(struct ts_projection *p, int d, int side, double sign)
 {
 	const struct ts_grid *grid = &p->fluid.grid;
@@ -296,7 +294,7 @@ void ts_projection_restore_pressure(struct ts_projection *p)
 	fluid->pressure_base = p->next_pressure_base;
 }
 
-/* ---- saved */
+/* ---- restart */
 
 static enum ts_status archive_one(struct ts_projection *p, struct tsim *sim,
 				  struct ts_archive *archive, const char *what, int face,
@@ -344,10 +342,10 @@ void ts_projection_release_pressure(struct ts_projection *p)
 	}
 }
 
-/* ---- what cannot be meant */
+/* ---- checks */
 
-/* The axis along the face on which a body force acts that something could hold, or -1. Formulas
- * count whatever they are now. */
+/* An axis along the face, not periodic, with a body force; -1 if there is none. A formula counts as a body force whatever
+ * its present value. */
 static int force_along(const struct ts_projection *p, int d)
 {
 	const struct ts_grid *grid = &p->fluid.grid;

@@ -9,14 +9,14 @@ static const char *const face_names[] = { "xlo", "xhi", "ylo", "yhi", "zlo", "zh
 enum { EACH_STEP, ONCE };
 static const char *const updates[] = { "step", "once", NULL };
 
-/* What can be chosen: a periodic face is one of the box. */
+/* Conditions that can be chosen; periodic faces follow from the boundary command of the box. */
 static const char *const kinds[] = { "wall", "slip", "inlet", "outlet", NULL };
 _Static_assert(TS_FLOW_PERIODIC == 0 && TS_FLOW_OUTLET == 4 && TS_FLOW_INTAKE == 5, "kinds begin after the periodic one");
 
 static const char *const depths[] = { "no", "yes", NULL };
 
 struct state {
-	int face, kind, update, hydrostatic; /* the last: -1 where nothing is said */
+	int face, kind, update, hydrostatic; /* hydrostatic: -1 if not given */
 	struct ts_words velocity, set;
 	struct ts_number pressure;
 };

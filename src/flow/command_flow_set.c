@@ -1,4 +1,4 @@
-/* Command flow_set: the velocity with which the fluid begins. */
+/* Command flow_set: initial velocity of the fluid. */
 #include "flow/projection.h"
 
 #include <math.h>

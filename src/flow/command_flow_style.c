@@ -15,7 +15,7 @@ static const struct ts_flow_condition *first_condition(const struct ts_projectio
 	return NULL;
 }
 
-/* Another style is another fluid: at rest, with the default conditions at its faces. */
+/* A new style replaces the fluid: it is at rest, with the default conditions on its faces. */
 static enum ts_status refuse_loss(struct tsim *sim, const struct ts_place *where)
 {
 	const struct ts_instance *flow = ts_sim_only(sim, TS_KIND_FLOW);

@@ -1,4 +1,4 @@
-/* Compute: volume of fluid that crosses a plane or a face of the grid. */
+/* Compute flow/flux: volume flow through a plane or a face of the grid. */
 #include "flow/flow.h"
 #include "flow/flow_measures.h"
 #include "region/region.h"

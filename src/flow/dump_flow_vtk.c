@@ -12,9 +12,9 @@ enum { VELOCITY, PRESSURE, VOID, VORTICITY, NFIELDS };
 
 struct state {
 	struct ts_dump_vtk vtk;
-	struct ts_words words, chosen; /* as given; all there are without words */
-	struct ts_name_list list;      /* of the chosen */
-	struct ts_vtk_array *array;    /* one for each, in the arena */
+	struct ts_words words, chosen; /* arguments; all fields if there are none */
+	struct ts_name_list list;      /* indices of `chosen` */
+	struct ts_vtk_array *array;    /* one for each of them, in the arena */
 };
 
 typedef void fill_fn(const struct ts_fluid *fluid, const int cell[3], double *out);
@@ -46,7 +46,7 @@ static const struct field {
 	[NFIELDS] = { NULL, 0, NULL },
 };
 
-/* Which file can hold the grid. */
+/* The VTK format that can hold the grid. */
 static enum ts_status check_name(struct ts_instance *self, struct tsim *sim)
 {
 	const char *file = ((const struct state *)self->state)->vtk.common.file;
@@ -80,7 +80,7 @@ static const char *name_of(struct ts_instance *self, const struct ts_instance *f
 	return name;
 }
 
-/* Without words: all fields there are, and all that fixes carry. */
+/* Without words: all fields of the fluid, and all scalars of fixes. */
 static enum ts_status take_all(struct ts_instance *self, struct tsim *sim, const struct ts_fluid *fluid)
 {
 	const struct ts_instance *fix;
@@ -112,7 +112,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	s->chosen = s->words;
 	if (!s->words.n)
 		TS_TRY(take_all(self, sim, fluid));
-	s->list.item = NULL; /* there may be more than before */
+	s->list.item = NULL; /* fields may have been added */
 	TS_TRY(ts_flow_read_names(sim, "dump flow/vtk", &self->arena, s->chosen, fields, sizeof *fields,
 				  &s->list));
 	s->array = ts_arena_alloc(&self->arena, s->list.n, sizeof *s->array);
@@ -133,7 +133,7 @@ static size_t columns(const struct state *s)
 	return n;
 }
 
-/* By the function, or of the field alone. */
+/* Value of a cell: by the function, or from the scalar field. */
 static void fill_cells(const struct ts_fluid *fluid, fill_fn *fill, const double *carried, size_t n,
 		       double *to)
 {
@@ -195,7 +195,7 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
-	const double left = 0.9 * 4 / 3; /* by zlib, then in base64 */
+	const double left = 0.9 * 4 / 3; /* size after zlib and base64, by size of the data */
 	const struct state *s = self->state;
 	struct ts_fluid *fluid;
 

@@ -1,4 +1,4 @@
-/* Fix flow/scalar: heat, or what else the fluid carries. */
+/* Fix flow/scalar: transport of heat or another scalar by the fluid. */
 #include "flow/scalar_transport.h"
 
 #include <math.h>
@@ -39,15 +39,15 @@ struct state {
 	struct ts_transport transport;
 	struct ts_cell_order order;
 	bool arguments_read, known; /* known: the field T has values */
-	int64_t steps;	  /* whose heat is in transport.source */
-	double *heat_rate;	  /* heat by time into each particle */
+	int64_t steps;	  /* number of steps of the simulation whose heat is in transport.source */
+	double *heat_rate; /* heat flux into each particle (energy/time); owned */
 	size_t heat_rate_capacity;
-	double exchanged; /* in all, in the last step */
-	size_t size;	  /* of the fields */
+	double exchanged; /* sum of heat_rate in the last step */
+	size_t size;	  /* of the fields, in doubles */
 	struct tsim *sim; /* evaluation may fail */
 };
 
-/* ---- words */
+/* ---- arguments */
 
 static const struct ts_arg number_rows[] = {
 	TS_NUMBER("number", struct condition, number, .flags = TS_POSITIONAL, .help = "number or v_NAME"),
@@ -80,7 +80,7 @@ static enum ts_status read_face_conditions(struct ts_instance *self, struct tsim
 	return TS_OK;
 }
 
-/* Values on faces as they are now; a flux in units of T times velocity. */
+/* Evaluates the conditions on faces and the source; fluxes are converted to T times velocity. */
 static enum ts_status conditions_now(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
@@ -131,7 +131,7 @@ static enum ts_status set_initial_field(struct ts_instance *self, struct tsim *s
 	return status;
 }
 
-/* ---- life */
+/* ---- set-up */
 
 static enum ts_status advance_scalar(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid, double dt);
 static enum ts_status finish_step(struct ts_instance *self, struct tsim *sim, struct ts_fluid *fluid,
@@ -286,7 +286,7 @@ static enum ts_status advance_scalar(struct ts_instance *self, struct tsim *sim,
 	struct state *s = self->state;
 
 	TS_TRY(conditions_now(self, sim));
-	for (size_t k = 0; s->steps > 1 && k < s->size; k++) /* the mean over them */
+	for (size_t k = 0; s->steps > 1 && k < s->size; k++) /* the mean over these steps */
 		s->transport.source[k] /= (double)s->steps;
 	s->steps = s->steps ? 1 : 0;
 	ts_transport_advance(&s->transport, fluid, dt, ts_team(sim, s->size));

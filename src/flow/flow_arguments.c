@@ -1,4 +1,4 @@
-/* Words that several commands of the fluid share. */
+/* Arguments common to several commands of the fluid. */
 #include "flow/projection.h"
 #include "region/region.h"
 

@@ -1,4 +1,4 @@
-/* What a fluid that is solved for gives to the table of the log, and to formulas. */
+/* Keywords of the fluid for thermo_style and formulas. */
 #include <math.h>
 
 #include "flow/flow.h"

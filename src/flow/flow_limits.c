@@ -1,16 +1,16 @@
-/* How long a step of the fluid may be.
+/* Stability limits of the time step of the fluid.
  *
- * Von Neumann's analysis with velocities and widths frozen: a wave of du/dt = -u grad u + nu lap u turns with
- * at most C = sum |u|/h and decays with at most D = sum (nu lambda + kappa |u|/h), lambda = 4/h^2 the largest
- * number of the second difference, 8/(sqrt(3) h^2) beside a wall with the quadratic profile, kappa what the
- * convection scheme adds. A scheme in time stands dt D up to its limit on the real axis and dt C up to that on the
- * imaginary one.
+ * Von Neumann analysis with velocities and widths frozen: a wave of du/dt = -u grad u + nu lap u has a frequency of
+ * at most C = sum |u|/h and a decay rate of at most D = sum (nu lambda + kappa |u|/h), with lambda = 4/h^2 the
+ * largest eigenvalue of the second difference, 8/(sqrt(3) h^2) beside a wall with the quadratic profile, and kappa
+ * the contribution of the convection scheme. A time scheme is stable for dt D up to its limit on the real axis and dt C
+ * up to that on the imaginary axis.
  *
- * Explicit Euler with central differences grows slowly where waves turn without decay enough: stable for
- * dt sum u^2/(2 nu) <= 1, nu + gamma |u| h/2 with donor cells: A. C. Hindmarsh, P. M. Gresho & D. F. Griffiths,
- * Int. J. Numer. Meth. Fluids 4 (1984) 853. Of second order, ab2 and rk2 grow with (dt C)^4/4 and /8 in a step:
- * stable for 1.185/8 (dt C)^4 <= dt nu_least/h^2, half of that rk2; QUICK damps waves k h of the length of this
- * growth by C (k h)^4/16 itself: enough for (dt C)^3 <= 0.2 (measured), 1/2 with rk2. */
+ * With explicit Euler and central differences waves of too little decay grow slowly: stable for
+ * dt sum u^2/(2 nu) <= 1, with nu + gamma |u| h/2 in place of nu for donor cells: A. C. Hindmarsh, P. M. Gresho & D. F. Griffiths,
+ * Int. J. Numer. Meth. Fluids 4 (1984) 853. The schemes of second order, ab2 and rk2, amplify by (dt C)^4/4 and
+ * (dt C)^4/8 per step: stable for 1.185/8 (dt C)^4 <= dt nu_least/h^2, rk2 for half of it; QUICK itself damps these
+ * waves, of wave number k, at the rate C (k h)^4/16: sufficient for (dt C)^3 <= 0.2 (measured), 1/2 with rk2. */
 #include <math.h>
 
 #include "flow/flow_limits.h"
@@ -18,7 +18,7 @@
 
 #include "base/banned.h"
 
-/* Largest number of the second differences along axis d. */
+/* Largest eigenvalue of the second differences along axis d (1/length^2). */
 static double largest_number(const struct ts_projection *p, int d)
 {
 	static const double BESIDE_WALL = 1.1547005383792515; /* 2/sqrt(3) */
@@ -41,7 +41,7 @@ static double largest_number(const struct ts_projection *p, int d)
 	return most;
 }
 
-/* What convection adds to the decay, per |u|/h. */
+/* Contribution of the convection scheme to the decay rate, by |u|/h. */
 static double decay_of(const struct ts_projection *p)
 {
 	double share = p->convection == TS_CONVECTION_DONOR ? p->gamma : 1;
@@ -49,16 +49,16 @@ static double decay_of(const struct ts_projection *p)
 	return share * ts_convection_schemes[p->convection].decay;
 }
 
-/* Rates at a cell; the largest of each are taken over the grid. */
+/* Rates at a cell (1/time), and the largest ones over the grid. */
 struct rates {
 	double turn;  /* C */
-	double growth; /* 1 over the longest step by the second kind of limit */
+	double growth; /* 1/(largest step by the limit of slow growth) */
 };
 
 struct weak {
 	enum { WEAK_NONE, WEAK_EULER, WEAK_FOURTH } kind;
 	double nu, gamma, factor;
-	double most; /* Courant number that QUICK's own damping stands */
+	double most; /* largest Courant number with the damping by QUICK alone */
 };
 
 static double growth_rate(const struct weak *weak, const double u[3], const double h[3], double turn)
@@ -102,7 +102,7 @@ static struct rates look_at_row(const struct ts_fluid *fluid, const struct weak 
 	return most;
 }
 
-/* A fluid at rest beside a wall that moves along itself, or an inlet, soon has its velocity. */
+/* Velocities of moving walls and inlets count as well: a fluid at rest beside them will take them. */
 static struct rates look_at_given(const struct ts_fluid *fluid, const struct weak *weak, int d,
 				  enum ts_grid_side side)
 {

@@ -26,8 +26,8 @@ static double row_energy(const struct ts_fluid *fluid, int j, int k)
 	return sum;
 }
 
-/* e u of the two faces of a cell across axis d; by the e of the cell the sum over cells is the same, since e of a face is
- * made of halves of cells. */
+/* Sum of e u on the two faces of a cell across axis d. With the e of the cell the sum over all cells is the same, since e of
+ * a face is the mean of the halves of two cells. */
 static double flow_of_cell(const struct ts_fluid *fluid, int d, size_t low)
 {
 	const size_t high = low + (size_t)fluid->grid.stride[d];
@@ -166,17 +166,17 @@ enum ts_status ts_flow_flux(const struct ts_fluid *fluid, struct tsim *sim, int 
 	return TS_OK;
 }
 
-/* A face of the grid, seen from the first cell inside. */
+/* A face of the grid and the first layer of cells inside. */
 struct edge {
 	const struct ts_fluid *fluid;
 	int d;
-	int cell;	   /* along d */
-	ptrdiff_t outward; /* to the ghost */
-	double sign;	   /* of the outward normal */
+	int cell;	   /* index of these cells along d */
+	ptrdiff_t outward; /* stride to the ghosts */
+	double sign;	   /* of the outward normal along d */
 	const struct ts_instance *region;
 };
 
-/* On the face itself. */
+/* Pressure on the face itself. */
 static double face_pressure(const struct edge *e, const int cell[3], ptrdiff_t at)
 {
 	const struct ts_grid *grid = &e->fluid->grid;
@@ -226,7 +226,7 @@ static double face_length(const struct ts_grid *grid, int t, int i)
 	return 0.5 * (low + high);
 }
 
-/* Of the component t, which lives on the faces across t. */
+/* Adds the shear force of component t, which is stored on the faces across t. */
 static void add_shear(const struct edge *e, int t, struct ts_flow_face_load *out)
 {
 	const struct ts_grid *grid = &e->fluid->grid;

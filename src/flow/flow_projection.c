@@ -6,14 +6,13 @@
 #include "flow/implicit_viscosity.h"
 #include "flow/flow_limits.h"
 #include "flow/flow_resolution.h"
-#include "flow/implicit.h"
 
 #include "base/banned.h"
 
 static const char *const viscous_names[] = { "explicit", "implicit", "backward", NULL };
 static const char *const wall_forms[] = { "quadratic", "linear", NULL };
 
-/* ---- life */
+/* ---- set-up and steps */
 
 static const struct ts_arg cell_rows[] = {
 	TS_INT("NX", struct ts_projection, cells[0], .flags = TS_POSITIONAL, .range = TS_WITHIN, .lo = 1,
@@ -60,7 +59,7 @@ static enum ts_status read_words(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* What follows from the arguments as they are now. */
+/* Sets what follows from the present arguments. */
 static enum ts_status derive(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_projection *p = self->state;
@@ -88,7 +87,7 @@ static enum ts_status derive(struct ts_instance *self, struct tsim *sim)
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_projection *p = self->state;
-	bool is_run = p->read; /* the faces are known only then */
+	bool is_run = p->read; /* only in a run are the faces known */
 
 	if (!is_run)
 		TS_TRY(read_words(self, sim));
@@ -119,7 +118,7 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-/* The next run begins with these ghosts: a state that is saved and one that goes on are the same. */
+/* Sets the ghosts with which the next run begins, so that a saved state and one that continues are the same. */
 static enum ts_status finish(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_fluid *fluid = &((struct ts_projection *)self->state)->fluid;
@@ -149,7 +148,7 @@ static enum ts_status archive_field(struct ts_archive *archive, const char *name
 	return ts_archive_fixed(archive, full, TS_SAVED_F64, *field, grid->size);
 }
 
-/* Fields as they are, ghosts included. Those on demand are there when somebody had asked for them. */
+/* Saves or restores the fields, ghosts included; optional fields if they are allocated, or in the file. */
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive)
 {
 	struct ts_projection *p = self->state;
@@ -199,7 +198,7 @@ static void fingerprint(const struct ts_instance *self, const struct tsim *sim, 
 		}
 }
 
-/* ---- for others */
+/* ---- slots of struct ts_flow_style */
 
 static void velocity(const struct ts_instance *self, const double x[3], double u[3])
 {
@@ -221,7 +220,7 @@ static struct ts_fluid *fluid(const struct ts_instance *self)
 	return &((struct ts_projection *)self->state)->fluid;
 }
 
-/* Whether a wall or a body sets the velocity along its surface. */
+/* Whether a wall or a body prescribes the tangential velocity on its surface. */
 static bool sticks(const struct ts_projection *p, const struct tsim *sim)
 {
 	const struct ts_instance *inst;
@@ -236,7 +235,7 @@ static bool sticks(const struct ts_projection *p, const struct tsim *sim)
 	return false;
 }
 
-/* Without viscosity nothing balances the shear at a wall: the layer beside it is as thick as the cells. */
+/* Without viscosity the boundary layer beside a no-slip wall has the thickness of a cell: an artefact. */
 static void warn_of_walls(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_projection *p = self->state;
@@ -249,7 +248,7 @@ static void warn_of_walls(struct ts_instance *self, struct tsim *sim)
 		"set its velocity; use flow_boundary FACE slip, or a viscosity");
 }
 
-enum { ROOM_FIELDS = 6 }; /* void fraction in centres and on faces, its rate, and as it was before */
+enum { VOID_FIELDS = 6 }; /* void fraction at centres and on faces, its rate, and that of the last step */
 
 static enum ts_status describe(struct ts_instance *self, struct tsim *sim, struct ts_plan_report *report)
 {
@@ -273,7 +272,7 @@ static enum ts_status describe(struct ts_instance *self, struct tsim *sim, struc
 	ts_pressure_explain(sim, &p->poisson, p->fluid.void_fraction || p->fluid.exchange[0], report);
 	report->bytes += 8 * fields * (double)grid->size;
 	if (!p->fluid.void_fraction)
-		ts_report_left_out(report, "void fraction", 0, 8 * ROOM_FIELDS * (double)grid->size,
+		ts_report_left_out(report, "void fraction", 0, 8 * VOID_FIELDS * (double)grid->size,
 				   "no fix says that particles take room from the fluid");
 	if (!p->substeps)
 		ts_report_line(report, "fluid's steps", "as its limits want, %g of the stable one, which is %g",
@@ -286,7 +285,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim, struct ts
 	const struct ts_projection *p = self->state;
 	const struct ts_flow_time_scheme *scheme = &ts_flow_time_schemes[p->time];
 	struct ts_flow_limits limits;
-	/* steps of the simulation to one of the fluid */
+	/* steps of the simulation per substep of the fluid */
 	double steps = (double)p->every / (double)(p->substeps ? p->substeps : 1);
 	size_t before = report->nlimits;
 

@@ -1,16 +1,16 @@
-/* Two signs of cells that are too wide, seen in the velocities.
+/* Two criteria for cells that are too wide, from the velocity field.
  *
  * Along an axis where the cell Reynolds number |u| h/nu is above 2 central differences (and QUICK,
- * less) make velocities that alternate from cell to cell: three differences in a row of alternating
- * sign, which no flow has that the cells resolve. A high cell Reynolds number alone says nothing:
- * where the flow varies slowly results are right.
+ * less) produce velocities that alternate from cell to cell: three consecutive differences of alternating
+ * sign, which a resolved flow does not have. A high cell Reynolds number alone is no criterion: where the
+ * flow varies slowly results are right.
  *
  * Beside a wall the profile should be smooth over the first three cells: the first is compared with
  * the parabola through the wall and the next two. If the layer is as thin as a cell, the first
- * velocity is that of the free stream, and the parabola gives 0.47 of it. And if the first cell has
- * more than half of the largest speed, as with three cells across a channel, sums over cells are
- * wrong by several per cent. The limits are those that tell errors of 4 % and more from less in the
- * cases of doc/flow.md. */
+ * velocity is that of the free stream, and the parabola gives 0.47 of it. If the first cell has
+ * more than half of the largest speed, as with three cells across a channel, integrals over cells are
+ * wrong by several per cent. The limits separate errors above and below 4 % in the cases of
+ * doc/flow.md. */
 #include "flow/flow_resolution.h"
 
 #include <math.h>
@@ -25,18 +25,18 @@ static const double ALTERNATES = 0.02, MISSES = 0.35, MATTERS = 0.1, STEEP = 0.5
 
 /* A velocity that alternates from cell to cell along an axis. */
 struct wiggle {
-	double size; /* half of the least of three differences in a row that alternate in sign */
+	double size; /* amplitude: half of the smallest of three consecutive differences of alternating sign */
 	double reynolds; /* |u| h/nu there */
 	double x[3], width;
 	int axis;
 };
 
-/* What the first cells beside a wall have of the profile. */
+/* Resolution of the velocity profile by the first cells beside a wall. */
 struct layer {
 	double miss;  /* mean of |u1 - parabola through the wall and the next two|, by the mean of
 			 |u1 - wall| */
 	double share; /* mean of |u1 - wall| by the largest speed */
-	double plus;  /* y+ of the first centres, by their mean shear */
+	double plus;  /* y+ of the first centres, with their mean shear */
 	double width; /* the widest of the first cells */
 };
 
@@ -105,7 +105,7 @@ static struct wiggle largest_wiggle(const struct ts_fluid *fluid)
 	return most;
 }
 
-/* At x by the parabola that is 0 at 0, u at a and v at b. */
+/* Value at x of the parabola that is 0 at 0, u at a and v at b. */
 static double parabola(double x, double a, double b, double u, double v)
 {
 	return u * x * (x - b) / (a * (a - b)) + v * x * (x - a) / (b * (b - a));
@@ -113,9 +113,9 @@ static double parabola(double x, double a, double b, double u, double v)
 
 struct wall {
 	const struct ts_fluid *fluid;
-	int d, a, b, row[3]; /* axes; the first three cells from it */
+	int d, a, b, row[3]; /* axes; indices of the first three cells from the wall */
 	enum ts_grid_side side;
-	double y[3]; /* their centres, from the wall */
+	double y[3]; /* distances of their centres from the wall */
 };
 
 static struct wall wall_at(const struct ts_fluid *fluid, int d, enum ts_grid_side side)
@@ -134,7 +134,7 @@ static struct wall wall_at(const struct ts_fluid *fluid, int d, enum ts_grid_sid
 	return out;
 }
 
-/* Component c of the velocities beside the wall, less its own. */
+/* Component c of the velocities in the first three cells relative to the wall. */
 static void profile(const struct wall *wall, int c, int ia, int ib, double u[3])
 {
 	const struct ts_fluid *fluid = wall->fluid;
@@ -178,8 +178,7 @@ static struct layer layer_at(const struct wall *wall, double fastest)
 			       .width = grid->width[wall->d][wall->row[0]] };
 }
 
-/* Whether the flow has had time to be more than its start: viscosity has gone four cells far, or
- * the fluid through the grid. */
+/* Whether the flow has developed: viscosity has diffused over four cells, or the fluid has crossed the grid. */
 static bool is_grown(const struct ts_fluid *fluid, double width, double fastest)
 {
 	const struct ts_grid *grid = &fluid->grid;
@@ -198,7 +197,7 @@ static enum ts_status report_wiggle(const struct ts_instance *self, struct tsim 
 	const struct wiggle w = largest_wiggle(fluid);
 	char remedy[128];
 
-	/* Particles smaller than the cells give neighbours different forces. */
+	/* Forces of unresolved particles differ from cell to cell. */
 	if (fluid->force[0] || fluid->exchange[0] || fluid->void_fraction)
 		return TS_OK;
 	if (!(w.size > ALTERNATES * fastest) || !is_grown(fluid, w.width, fastest))

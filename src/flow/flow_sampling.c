@@ -20,7 +20,7 @@ static const char *const names[] = { [X] = "x",	      [Y] = "y",   [Z] = "z",	[S
 static const int default_columns[] = { VX, VY, VZ, P };
 enum { NUSUAL = sizeof default_columns / sizeof *default_columns };
 
-/* Where the values lie along an axis. The last: in the centres, and those that hold on the boundary. */
+/* Positions of the values along an axis; the last: cell centres, and the values on the boundary. */
 enum nodes { ON_FACES, IN_CENTRES, IN_CENTRES_AND_ON_BOUNDARIES };
 
 enum { MOST_NODES = 4, MOST_INDICES = 3 * MOST_NODES };
@@ -70,8 +70,8 @@ static void add_node(struct stencil *s, int index, double weight)
 	s->weight[s->n++] = weight;
 }
 
-/* What holds on the boundary itself: at walls and inlets the velocity given, got back from the ghost; else,
- * without a gradient there, that of the cell. */
+/* Adds the value on the boundary itself: at walls and inlets the velocity given, recovered from the ghost; else, with zero
+ * gradient, that of the cell. */
 static void add_boundary(struct stencil *s, const struct axis *a, bool high, double weight)
 {
 	const double *mirror = a->fluid->ghost_weights[a->d][high];
@@ -93,7 +93,7 @@ static double clamp_to_grid(const struct ts_grid *grid, int d, double x)
 	return fmin(fmax(x, grid->face[d][0]), grid->face[d][grid->n[d]]);
 }
 
-/* The `count` nodes around x, as far as there are so many. */
+/* The `count` nodes nearest to x, or all if there are fewer. */
 static struct stencil stencil_around(const struct axis *a, double x, int count)
 {
 	const struct ts_grid *grid = a->grid;
@@ -221,7 +221,7 @@ void ts_flow_sample(const struct ts_flow_sampler *sampler, const struct ts_fluid
 	}
 }
 
-/* Without words. */
+/* The default columns, if no words are given. */
 static enum ts_status take_default_columns(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_name_list *list = &((struct ts_flow_sampler *)self->state)->list;

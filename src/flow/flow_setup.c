@@ -1,4 +1,4 @@
-/* What a projection needs before its first step: grid, fields, operators. */
+/* Set-up of a projection before its first step: grid, fields, operators. */
 #include <math.h>
 #include <string.h>
 
@@ -22,7 +22,7 @@ enum ts_status ts_projection_require(struct tsim *sim, const char *who, const st
 	return TS_OK;
 }
 
-/* ---- where the grid lies */
+/* ---- bounds of the grid */
 
 static enum ts_status grid_bounds(struct ts_instance *self, struct tsim *sim, double lo[3], double hi[3])
 {
@@ -41,7 +41,7 @@ static enum ts_status grid_bounds(struct ts_instance *self, struct tsim *sim, do
 			return ts_fail(&sim->error, TS_STATE, &self->where,
 				       "flow_style projection: the box follows the particles along %c, the grid "
 				       "cannot: use boundary p or f, or a region for the grid", "xyz"[d]);
-	for (int d = 0; d < 3; d++) { /* a region without end, as with INF, goes as far as the box */
+	for (int d = 0; d < 3; d++) { /* an unbounded region (INF) ends at the box */
 		lo[d] = fmax(lo[d], box->lo[d]);
 		hi[d] = fmin(hi[d], box->hi[d]);
 		if (!(hi[d] > lo[d]))
@@ -76,7 +76,7 @@ static enum ts_status check_cells(struct ts_instance *self, struct tsim *sim, co
 	return TS_OK;
 }
 
-/* Whether the grid that is there is the one that is wanted. */
+/* Whether the present grid has these faces and periodic axes. */
 static bool same_grid(const struct ts_grid *grid, const double *const face[3], const bool periodic[3])
 {
 	for (int d = 0; d < 3; d++) {
@@ -88,7 +88,7 @@ static bool same_grid(const struct ts_grid *grid, const double *const face[3], c
 	return true;
 }
 
-/* The fields of a grid depend on its numbers of cells only: they outlive a change of lengths. */
+/* Makes the grid anew if it has changed. Fields depend only on the numbers of cells: they are kept if lengths change. */
 static enum ts_status remake_grid(struct ts_projection *p, const double *const face[3],
 			     const bool periodic[3])
 {
@@ -111,7 +111,7 @@ static enum ts_status remake_grid(struct ts_projection *p, const double *const f
 	return p->rhs ? TS_OK : TS_NOMEM;
 }
 
-/* The fields that every projection has: velocity, its predictor, pressure, right-hand side. */
+/* Counts the fields that every projection has: velocity, predictor, pressure, right-hand side. */
 static enum ts_status fail_out_of_memory(struct ts_instance *self, struct tsim *sim)
 {
 	enum { FIELDS = 8 };

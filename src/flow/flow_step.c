@@ -1,4 +1,4 @@
-/* Time steps of the fluid. */
+/* A time step of the fluid: substeps, their stages, and the fixes that take part. */
 #include <math.h>
 
 #include "flow/flow_limits.h"
@@ -35,7 +35,7 @@ static void swap_fields(double *a[3], double *b[3])
 	}
 }
 
-/* ---- those who take part */
+/* ---- fixes that take part */
 
 static enum ts_status apply_part_forces(struct tsim *sim, struct ts_fluid *fluid, double time, double dt)
 {
@@ -81,7 +81,7 @@ static enum ts_status call_after_step(struct tsim *sim, struct ts_fluid *fluid, 
 	return TS_OK;
 }
 
-/* Longest step that those who take part allow. */
+/* Smallest of the limits of the time step by these fixes. */
 static double part_limit(const struct tsim *sim, const struct ts_fluid *fluid)
 {
 	const struct ts_instance *part;
@@ -98,7 +98,7 @@ static double part_limit(const struct tsim *sim, const struct ts_fluid *fluid)
 
 /* ---- Adams-Bashforth */
 
-/* From u and the Euler step u + dt F to u + dt (F + (F - F before) dt/(2 dt before)); keeps F. */
+/* Changes the Euler step u + dt F to u + dt (F + (F - F_old) dt/(2 dt_old)); stores F. */
 static void add_adams_bashforth(struct ts_projection *p, double *const out[3], double dt)
 {
 	const struct ts_fluid *fluid = &p->fluid;
@@ -124,14 +124,14 @@ static void add_adams_bashforth(struct ts_projection *p, double *const out[3], d
 
 static enum ts_status allocate_vector(const struct ts_grid *grid, double *field[3])
 {
-	/* In a plane the third component, too, which is 0: these take turns with the velocities, which have it. */
+	/* Three components in two dimensions, too: the third is 0, and these fields are swapped with the velocities. */
 	for (int d = 0; d < 3; d++)
 		if (!field[d] && !(field[d] = ts_grid_field(grid)))
 			return TS_NOMEM;
 	return TS_OK;
 }
 
-/* Memory that only some schemes need. */
+/* Allocates the fields that only some schemes need. */
 static enum ts_status allocate_scheme_fields(struct ts_projection *p, const struct ts_flow_time_scheme *scheme)
 {
 	if (p->viscous != TS_VISCOUS_EXPLICIT && !p->increment &&
@@ -142,7 +142,7 @@ static enum ts_status allocate_scheme_fields(struct ts_projection *p, const stru
 	return scheme->history ? allocate_vector(&p->fluid.grid, p->history) : TS_OK;
 }
 
-/* Viscosity over a step, from p->work with all else but the pressure to u*. */
+/* Implicit viscosity: p->work holds the predictor without viscosity on entry, u* on return. */
 static enum ts_status implicit_step(struct ts_projection *p, double dt)
 {
 	struct ts_fluid *fluid = &p->fluid;
@@ -153,13 +153,13 @@ static enum ts_status implicit_step(struct ts_projection *p, double dt)
 					      .theta = p->theta,
 					      .threads = p->poisson.threads };
 
-	/* Walls that change count as far as the end of the step does. */
+	/* Velocities of walls are those of the time at which the viscous term is evaluated. */
 	ts_projection_interpolate_boundary(p, ((double)p->now_at + p->theta) / (double)p->done);
 	ts_fluid_fill_velocity(fluid, fluid->u);
 	return ts_viscous_step(&step, p->work);
 }
 
-/* Stage s; the velocities at the beginning of the step are in `old`. The old stage ends up in p->work. */
+/* Computes stage s; `old`: velocities at the beginning of the substep. Those of the last stage are in p->work afterwards. */
 static enum ts_status make_stage(struct ts_instance *self, struct tsim *sim,
 				 const struct ts_flow_time_scheme *scheme, int s, double *const old[3],
 				 double dt, double carry)
@@ -205,7 +205,7 @@ enum ts_status ts_projection_substep(struct ts_instance *self, struct tsim *sim,
 		return ts_nomem(&sim->error);
 	for (int s = 0; s < scheme->stages; s++) {
 		TS_TRY(make_stage(self, sim, scheme, s, old, dt, carry));
-		if (s < scheme->stages - 1 && p->work[0] == old[0]) /* it is needed to the end */
+		if (s < scheme->stages - 1 && p->work[0] == old[0]) /* `old` is needed until the last stage */
 			swap_fields(p->work, p->second_stage);
 	}
 	fluid->dt = dt;
@@ -215,7 +215,7 @@ enum ts_status ts_projection_substep(struct ts_instance *self, struct tsim *sim,
 	return call_after_substep(sim, fluid, dt);
 }
 
-/* Into how many steps of the fluid this length is cut. */
+/* Sets p->done, the number of substeps over this length. */
 static enum ts_status choose_substeps(struct ts_instance *self, struct tsim *sim, double length)
 {
 	static const double MOST = 1e6;
@@ -235,8 +235,8 @@ static enum ts_status choose_substeps(struct ts_instance *self, struct tsim *sim
 	return TS_OK;
 }
 
-/* Over a step of several stages what u counts in `used` shrinks by the factors of the later ones: what came
- * before is carried with the inverse of all of them. */
+/* In a step of several stages the weight of u in exchange_velocity is multiplied by `take` of all later stages; the sum of
+ * the earlier substeps is multiplied by the inverse of all of them, so that substeps have equal weights. */
 static double initial_carry(const struct ts_flow_time_scheme *scheme)
 {
 	double product = 1;

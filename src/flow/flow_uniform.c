@@ -9,7 +9,7 @@
 
 #include "base/banned.h"
 
-enum { FIELDS = 8 }; /* of the cheapest solver */
+enum { FIELDS = 8 }; /* number of fields of the cheapest solver */
 
 struct uniform {
 	double velocity[3], viscosity, density;
@@ -33,7 +33,7 @@ static double density(const struct ts_instance *self)
 	return ((const struct uniform *)self->state)->density;
 }
 
-/* Of the usual size in the box, if a grid were solved on: two mean diameters. */
+/* Estimates the number of cells of a grid in the box, with cells of two mean diameters. */
 static double cells(const struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;

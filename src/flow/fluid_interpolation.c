@@ -1,17 +1,17 @@
-/* Fields between their points: trilinear, exact at boundaries. */
+/* Trilinear interpolation of fields, exact at boundaries. */
 #include "flow/fluid.h"
 
 #include <math.h>
 
 #include "base/banned.h"
 
-/* Up to three neighbouring points along an axis, from `first` on, and what each counts. */
+/* Up to three neighbouring points along an axis, from `first` on. */
 struct stencil {
 	int first, n;
-	double weight[3], slope[3]; /* of the value and of its derivative */
+	double weight[3], slope[3]; /* weights of the value, and of its derivative (1/length) */
 };
 
-/* The place in the grid: across a periodic boundary by its image, else the nearest. */
+/* The image of x in the grid along a periodic axis; else the nearest coordinate in the grid. */
 static double wrap_or_clamp(const struct ts_grid *grid, int d, double x)
 {
 	double lo = grid->face[d][0], hi = grid->face[d][grid->n[d]];
@@ -20,7 +20,7 @@ static double wrap_or_clamp(const struct ts_grid *grid, int d, double x)
 		return x;
 	if (grid->periodic[d])
 		x -= floor((x - lo) / (hi - lo)) * (hi - lo);
-	return x > lo ? x < hi ? x : hi : lo; /* lo also where x is not a number */
+	return x > lo ? x < hi ? x : hi : lo; /* lo also for NaN */
 }
 
 static struct stencil linear_stencil(const double *point, int i, double x)
@@ -39,13 +39,12 @@ static struct stencil at_centres(const struct ts_grid *grid, int d, double x)
 {
 	int i = ts_grid_find(grid, d, x);
 
-	if (grid->ghosts[d] == 0) /* nothing varies along this axis */
+	if (grid->ghosts[d] == 0) /* two dimensions: no gradient along z */
 		return (struct stencil){ 0, 1, { 1, 0, 0 }, { 0, 0, 0 } };
 	return linear_stencil(grid->centre[d], x < grid->centre[d][i] ? i - 1 : i, x);
 }
 
-/* Between a wall and the first point inside: linear from the velocity given, which is got back from the
- * ghost. */
+/* Between a wall and the first point inside: linear from the velocity given, which is recovered from the ghost. */
 static struct stencil beside_wall(const struct ts_grid *grid, int d, enum ts_grid_side side, double x,
 				  const double mirror[3])
 {
@@ -66,7 +65,7 @@ static bool sticks(enum ts_flow_face face)
 	return face == TS_FLOW_WALL || face == TS_FLOW_INLET;
 }
 
-/* Component c of the velocity along axis d. */
+/* Stencil along axis d for component c of the velocity. */
 static struct stencil velocity_stencil(const struct ts_fluid *fluid, int c, int d, double x)
 {
 	const struct ts_grid *grid = &fluid->grid;
@@ -82,7 +81,7 @@ static struct stencil velocity_stencil(const struct ts_fluid *fluid, int c, int 
 	return at_centres(grid, d, x);
 }
 
-/* Sum over the points of three stencils; along axis `derived` (-1: none) with the slopes. */
+/* Sum over the points of three stencils; along axis `derived` (-1: none) with the weights of the derivative. */
 static double sum_stencil(const struct ts_grid *grid, const double *field, const struct stencil s[3],
 		     int derived)
 {

@@ -1,4 +1,4 @@
-/* Ghost cells: what the boundary conditions make of the fields outside of the grid. */
+/* Values of ghost cells, by the boundary conditions. */
 #include "flow/fluid.h"
 
 #include "base/parallel.h"
@@ -8,10 +8,10 @@
 /* A line of values across a face: inner[0] is the first one inside, inner[step] the next, inner[-step] the
  * first ghost. */
 enum rule {
-	RULE_MIRROR, /* along a wall: the velocity given, on the face itself */
+	RULE_MIRROR, /* tangential component at a wall: the velocity given is that on the face */
 	RULE_EVEN,   /* symmetric about the face */
-	RULE_OUT,    /* no gradient; nothing comes in with backflow */
-	RULE_ODD     /* the value given on the face, which lies between two values */
+	RULE_OUT,    /* zero gradient; 0 with backflow */
+	RULE_ODD     /* value given on the face, which lies midway between two points */
 };
 
 static inline void fill_line(enum rule rule, double *inner, ptrdiff_t step, double given,
@@ -36,7 +36,7 @@ static inline void fill_line(enum rule rule, double *inner, ptrdiff_t step, doub
 	}
 }
 
-/* The plane of lines across axis d: its other axes and how far they go, ghosts included. */
+/* The plane of lines across axis d: the other two axes and their ranges, ghosts included. */
 struct plane {
 	int d, a, b, from[3], to[3];
 };
@@ -52,8 +52,8 @@ static struct plane plane_across(const struct ts_grid *grid, int d)
 	return plane;
 }
 
-/* Rows [from, to) of the plane, lines along its axis a: a line across d reads and writes nothing of the others but what
- * stays as it is, so that rows can be shared among threads. */
+/* Rows [from, to) of the plane; a row is along its axis a. A line across d reads of other lines only values that do not
+ * change, so that rows can be processed in parallel. */
 static struct plane rows_across(const struct ts_grid *grid, int d, size_t from, size_t to)
 {
 	struct plane plane = plane_across(grid, d);
@@ -63,7 +63,7 @@ static struct plane rows_across(const struct ts_grid *grid, int d, size_t from, 
 	return plane;
 }
 
-/* Calls `share` for the rows of the plane across d, in which each line takes `rounds`. */
+/* Calls `share` for ranges of rows of the plane across d, in parallel; `rounds`: work per line, for the number of threads. */
 static void fill_rows_in_parallel(const struct ts_fluid *fluid, int d, int rounds, ts_share_fn *share, void *task)
 {
 	struct plane plane = plane_across(&fluid->grid, d);
@@ -172,7 +172,7 @@ struct velocity_task {
 	bool keep;
 };
 
-/* Components across first: whether fluid leaves decides about those along. */
+/* The component across the face comes first: its sign determines the ghosts of the others on open faces. */
 static void velocity_rows(void *context, size_t from, size_t to)
 {
 	const struct velocity_task *task = context;
@@ -194,7 +194,7 @@ static void velocity_rows(void *context, size_t from, size_t to)
 	}
 }
 
-/* Axis by axis, each with the ghosts of those before it, so that edges and corners are filled as well. */
+/* Axis by axis, each including the ghosts of the axes before it, so that edges and corners are set as well. */
 static void fill_velocity(const struct ts_fluid *fluid, double *const u[3], bool keep)
 {
 	struct velocity_task task = { .fluid = fluid, .u = u, .keep = keep };
@@ -213,9 +213,9 @@ void ts_fluid_fill_ghosts(const struct ts_fluid *fluid, double *const u[3])
 	fill_velocity(fluid, u, true);
 }
 
-/* ---- what lives in centres */
+/* ---- centred fields */
 
-/* `given` and `base`: of the rule that wants a value on the face, their sum; NULL: 0. */
+/* `given` + `base`: value on the face, for RULE_ODD; NULL: 0. */
 static void fill_centred_side(const struct ts_grid *grid, double *field, const struct plane *plane,
 		      enum ts_grid_side side, enum rule rule, const struct ts_flow_face_pressure *given,
 		      double base)

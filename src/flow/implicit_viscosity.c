@@ -7,7 +7,7 @@
 
 #include "base/banned.h"
 
-/* ---- what is to be solved for: the change from u, with all of viscosity and pressure at the beginning */
+/* ---- right-hand side: the change of u by the full viscous term and the pressure gradient at the beginning */
 
 struct second {
 	double below, above;
@@ -42,10 +42,10 @@ static void change_row(const struct ts_viscous_step *s, int c, int j, int k, int
 	}
 }
 
-/* ---- systems of three diagonals */
+/* ---- tridiagonal systems */
 
-/* (1 - lambda lap) along one axis for the points of one component, factored. Periodic ones by the formula of
- * Sherman and Morrison. Arrays by index of the point. */
+/* (1 - lambda lap) along one axis for the points of one component, factored. Periodic axes use the Sherman-Morrison
+ * formula. Arrays are indexed by point. */
 struct system {
 	int from, to;
 	double *lower, *inverse, *upper; /* of the elimination */
@@ -64,7 +64,7 @@ static void eliminate(struct system *s, const double *diagonal, double *upper)
 	}
 }
 
-/* The ghost beyond the end becomes the points inside. */
+/* Eliminates the ghost beyond the end, which is a combination of points inside. */
 static void close_end(const struct ts_fluid *fluid, int c, int d, enum ts_grid_side side, double coefficient,
 		      double *diagonal, double *inner)
 {
@@ -81,7 +81,7 @@ static void close_end(const struct ts_fluid *fluid, int c, int d, enum ts_grid_s
 	*inner += coefficient * mirror[2];
 }
 
-/* Corners of the periodic matrix. */
+/* Adds the corner elements of the periodic matrix. */
 static void close_loop(struct system *s, double *diagonal, double *upper)
 {
 	int first = s->from, last = s->to - 1;
@@ -131,7 +131,7 @@ static enum ts_status make_system(const struct ts_viscous_step *step, int c, int
 		close_loop(s, diagonal, upper);
 		return TS_OK;
 	}
-	if (grid->periodic[d]) { /* of one or two points: the neighbours are each other, or itself */
+	if (grid->periodic[d]) { /* with one or two points the neighbours coincide */
 		for (int m = s->from; m < s->to; m++) {
 			double both = s->lower[m] + upper[m];
 
@@ -150,7 +150,7 @@ static enum ts_status make_system(const struct ts_viscous_step *step, int c, int
 
 enum { BLOCK = 64 };
 
-/* Sherman and Morrison's correction, for a few lines. */
+/* Sherman-Morrison correction of n lines. */
 static void close_lines(const struct system *sys, double *x, ptrdiff_t s, int n)
 {
 	const int first = sys->from, last = sys->to - 1;
@@ -163,7 +163,7 @@ static void close_lines(const struct system *sys, double *x, ptrdiff_t s, int n)
 			x[m * s + i] -= share[i] * sys->loop[m];
 }
 
-/* Solves along an axis of stride s, for n lines side by side. */
+/* Solves along an axis of stride s, for n adjacent lines at once. */
 static void solve_lines(const struct system *sys, double *x, ptrdiff_t s, int n)
 {
 	const int first = sys->from, last = sys->to - 1;
@@ -187,7 +187,7 @@ static void solve_lines(const struct system *sys, double *x, ptrdiff_t s, int n)
 		close_lines(sys, x + i, s, n - i < BLOCK ? n - i : BLOCK);
 }
 
-/* The same along x, where the points of a line follow each other. */
+/* The same along x, where the points of a line are adjacent. */
 static void solve_row(const struct system *sys, double *x)
 {
 	const int first = sys->from, last = sys->to - 1;

@@ -4,9 +4,9 @@
 
 #include "base/banned.h"
 
-enum { NARRAYS = 10 }; /* of a line */
+enum { NARRAYS = 10 }; /* number of arrays of a line */
 
-/* Lagrange's quadratic through points x[0..2] at y. */
+/* Weights of the quadratic Lagrange polynomial through points x[0..2] at y. */
 static void quadratic(const double x[3], double y, double weight[3])
 {
 	for (int k = 0; k < 3; k++) {
@@ -16,8 +16,8 @@ static void quadratic(const double x[3], double y, double weight[3])
 	}
 }
 
-/* `point`: where the values are, `side[m]` between point[m - 1] and point[m], lowest and highest indices of
- * points. */
+/* point: coordinates of the values; side[m]: coordinate of the side between point[m - 1] and point[m]; low, high: lowest
+ * and highest index of the points. */
 static void make_line(struct ts_operator_line *line, const double *point, const double *side, int low, int high,
 		      double **memory)
 {
@@ -40,7 +40,7 @@ static void make_line(struct ts_operator_line *line, const double *point, const 
 		quadratic((const double[]){ point[m - 2], point[m - 1], point[m] }, side[m], weight);
 		for (int k = 0; k < 3; k++)
 			array[4 + k][m] = weight[k];
-		if (m < high) /* beyond lies nothing that could come in */
+		if (m < high) /* no flow enters from beyond the last point */
 			quadratic((const double[]){ point[m + 1], point[m], point[m - 1] }, side[m],
 				  weight);
 		for (int k = 0; k < 3 && m < high; k++)

@@ -6,14 +6,14 @@
 
 #include "base/banned.h"
 
-/* What du/dt is multiplied by in the momentum of a stage. */
+/* The void fraction that multiplies du/dt in the momentum equation of a stage; NULL: 1. */
 static const double *momentum_void_fraction(const struct ts_projection *p, int d)
 {
 	return ts_projection_conservative(p) && p->fluid.momentum_void_fraction[d] && !p->initial_projection ? p->fluid.momentum_void_fraction[d]
 									  : p->fluid.void_fraction_face[d];
 }
 
-/* w = e e/E/(1 + dt k/(E rho)) for all faces across d, E the e of the product e u. */
+/* w = e e/E/(1 + dt k/(E rho)) for all faces across d, with E the void fraction in the product e u. */
 static void make_weights(const struct ts_projection *p, int d, double dt)
 {
 	const struct ts_fluid *fluid = &p->fluid;
@@ -90,14 +90,14 @@ void ts_projection_apply_particle_forces(struct ts_projection *p, double dt)
 	}
 }
 
-/* used <- take (carry used + u). */
-static void average_field(struct ts_projection *p, double *used, const double *u, double carry, double take)
+/* mean <- take (carry mean + u). */
+static void average_field(struct ts_projection *p, double *mean, const double *u, double carry, double take)
 {
 	const size_t size = p->fluid.grid.size;
 
 #pragma omp parallel for num_threads(p->poisson.threads) schedule(static)
 	for (size_t at = 0; at < size; at++)
-		used[at] = take * (carry * used[at] + u[at]);
+		mean[at] = take * (carry * mean[at] + u[at]);
 }
 
 void ts_projection_average_exchange(struct ts_projection *p, double carry, double take)

@@ -22,8 +22,8 @@ void ts_flow_unknowns(const struct ts_fluid *fluid, int c, int from[3], int to[3
 	to[c] = ts_flow_face_open(fluid->face[c][TS_HIGH]) ? grid->n[c] + 1 : grid->n[c];
 }
 
-/* Coefficients of a line at one point, and whose they are. They go to the functions below one by one: a structure
- * made within a loop keeps compilers from making several of its rounds at once. */
+/* Coefficients of a line at one point, the line, and the index of the point. They are passed to the functions below one by
+ * one: a structure made within a loop keeps compilers from vectorizing it. */
 struct at_point {
 	double inverse, below, above, part_low, part_high;
 	const struct ts_operator_line *line;
@@ -34,18 +34,18 @@ struct at_point {
 		(line)->part[(m) + 1], (line), (m)
 #define OF(p) p.inverse, p.below, p.above, p.part_low, p.part_high, p.line, p.m
 
-/* What stays the same along a row, for one direction e. */
+/* Constants of a row for one direction e. */
 struct direction {
-	const double *q;     /* the velocity in this direction */
-	const double *void_face; /* the void fraction on its faces, and in the centres of cells */
+	const double *q;     /* velocity in this direction */
+	const double *void_face; /* void fraction on the faces across e, and at cell centres */
 	const double *void_centre;
-	const double *flow; /* e of the fluxes, where e u is stepped forward */
+	const double *flow; /* form conservative: void fraction of the fluxes */
 	ptrdiff_t se;
 	bool same; /* e is the direction of the component */
 	double mass;
 };
 
-/* Void fractions on the lower and upper side; 1 without. */
+/* Void fractions on the lower and upper side of the control volume. */
 TS_INLINE void void_fractions(const struct direction *e, ptrdiff_t at, ptrdiff_t sc, double mass,
 		      double *low, double *high)
 {
@@ -58,8 +58,8 @@ TS_INLINE void void_fractions(const struct direction *e, ptrdiff_t at, ptrdiff_t
 	}
 }
 
-/* Fluxes e q on the lower and upper side: means of those through the faces of cells, so that what flows in and out is
- * what e on the face changes by. */
+/* Fluxes e q on the lower and upper side: means of those through the faces of cells, so that they satisfy the continuity
+ * equation of the control volume. */
 TS_INLINE void fluxes(const struct direction *e, ptrdiff_t at, ptrdiff_t sc, double mass, double *low, double *high)
 {
 	const double *q = e->q, *f = e->flow;
@@ -74,7 +74,7 @@ TS_INLINE void fluxes(const struct direction *e, ptrdiff_t at, ptrdiff_t sc, dou
 	}
 }
 
-/* What direction e adds to the rate of change of component c at place `at`. */
+/* Contribution of direction e to the rate of change of component c at index `at`. */
 TS_INLINE double along(double inverse, double below, double above, double part_low,
 		       double part_high, const struct ts_operator_line *line, int m,
 		       const struct direction *e, const double *u, ptrdiff_t at, ptrdiff_t sc,
@@ -88,10 +88,10 @@ TS_INLINE double along(double inverse, double below, double above, double part_l
 
 	if (with_void)
 		void_fractions(e, at, sc, mass, &e_low, &e_high);
-	if (e->same) { /* centres of cells: midway between two faces */
+	if (e->same) { /* the sides are cell centres, midway between two faces */
 		q_low = 0.5 * (low + here);
 		q_high = 0.5 * (here + high);
-	} else { /* edges: flow through the halves of two cells */
+	} else { /* the sides are edges: flow through the halves of two cells */
 		q_low = mass * q[at - sc] + (1 - mass) * q[at];
 		q_high = mass * q[at - sc + se] + (1 - mass) * q[at + se];
 	}
@@ -122,7 +122,7 @@ TS_INLINE double along(double inverse, double below, double above, double part_l
 struct row {
 	const struct ts_predictor *p;
 	int j, k, from, to;
-	ptrdiff_t at; /* of i = 0 */
+	ptrdiff_t at; /* field index of i = 0 */
 };
 
 TS_INLINE struct direction direction(const struct row *row, int d, int c, int dimensions,
@@ -147,7 +147,7 @@ TS_INLINE void predict_row(const struct row *row, int c, int dimensions, enum ts
 	const struct ts_operators *o = p->operators;
 	const struct ts_operator_line *line = c == 0 ? &o->staggered[0] : &o->centred[0];
 	const struct at_point y = { AT(c == 1 ? &o->staggered[1] : &o->centred[1], row->j) };
-	/* In two dimensions there are no lines along z: any point stands for one that is not used. */
+	/* In two dimensions there is no line along z; this one is not used. */
 	const struct ts_operator_line *line_z = dimensions < 3 ? &o->centred[1]
 				       : c == 2	      ? &o->staggered[2]
 						      : &o->centred[2];
@@ -236,7 +236,7 @@ static row_fn *const conservative_rows[TS_NCONVECTION][2][3] = {
 	[TS_CONVECTION_QUICK] = ENTRY(quick_conservative),
 	[TS_CONVECTION_CUBISTA] = ENTRY(cubista_conservative),
 };
-/* Central differences are the donor cell's with gamma 0. */
+/* Central differences are those of the donor cell with gamma 0. */
 static row_fn *const difference_rows[2][2][3] = ENTRIES(difference);
 
 void ts_flow_predict(const struct ts_predictor *p)

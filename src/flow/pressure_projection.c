@@ -7,7 +7,7 @@
 
 #include "base/banned.h"
 
-/* Net flow out of the cells of a row per volume. */
+/* div u in the cells of a row. */
 TS_CLONES
 static void divergence_row(const struct ts_fluid *fluid, int j, int k, double *out)
 {
@@ -32,7 +32,7 @@ static void divergence_row(const struct ts_fluid *fluid, int j, int k, double *o
 	}
 }
 
-/* The same of e u, and de/dt. */
+/* div(e u) + de/dt. */
 static void divergence_row_void(const struct ts_fluid *fluid, int j, int k, double *out)
 {
 	const struct ts_grid *grid = &fluid->grid;
@@ -74,8 +74,8 @@ static void make_right_hand_side(const struct ts_projection *p, double scale, do
 	}
 }
 
-/* u -= factor grad p on the faces of component c where it is not given. Where particles hold the fluid the
- * factor is as much less as the weight of the face is less than its void fraction. */
+/* u -= factor grad p on the faces of component c where the velocity is not given. With an exchange coefficient the factor
+ * is multiplied by weight/void fraction of the face. */
 TS_CLONES
 static void subtract_gradient_row(const struct ts_projection *projection, const double *pressure, int c, int j, int k,
 			int from, int to, double factor)
@@ -194,7 +194,7 @@ enum ts_status ts_projection_project_initial(struct ts_instance *self, struct ts
 	bool incremental;
 
 	ts_fluid_fill_velocity(fluid, fluid->u);
-	/* Any time step gives the same velocity; this one makes numbers of the size of 1. */
+	/* The velocity does not depend on the time step; this one makes the pressure of order 1. */
 	incremental = fluid->incremental;
 	fluid->incremental = false;
 	p->initial_projection = true;

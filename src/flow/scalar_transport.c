@@ -27,7 +27,7 @@ void ts_transport_release(struct ts_transport *t)
 	}
 }
 
-/* Beyond a face whose value is given, as if T were linear across it. */
+/* Sets the ghosts beyond a face with a given value, by linear extrapolation. */
 static void set_ghosts_by_value(const struct ts_grid *grid, int d, int side, double given, double *value)
 {
 	int a = d == 0, b = d == 2 ? 1 : 2, i[3];
@@ -53,7 +53,7 @@ void ts_transport_fill(const struct ts_transport *t, const struct ts_fluid *flui
 				set_ghosts_by_value(grid, d, side, t->face[d][side].now, value);
 }
 
-/* T that is carried across a face inside, from the three points upwind of it and the one downwind. */
+/* T convected through an inner face, from the second and first point upwind and the first downwind. */
 static double face_value(enum ts_scalar_scheme scheme, double far, double up, double down)
 {
 	double a = up - far, b = down - up;
@@ -63,7 +63,7 @@ static double face_value(enum ts_scalar_scheme scheme, double far, double up, do
 	return scheme == TS_SCALAR_VANLEER && a * b > 0 ? up + a * b / (a + b) : up;
 }
 
-/* Flow of T by area through the lower face m across d of the cell at `at`. */
+/* Flux of T (T times velocity) through the lower face m across d of the cell at `at`. */
 static double flux_inside(const struct ts_transport *t, const struct ts_fluid *fluid, int d, int m,
 			  size_t at, const double *value)
 {
@@ -150,16 +150,16 @@ double ts_transport_limit(const struct ts_transport *t, const struct ts_fluid *f
 	return most > 0 ? 1 / most : INFINITY;
 }
 
-/* From e T to that after dt, by the rate; e is left as it is. */
+/* Returns `part` times T after dt, from the rate of e T; t->void_fraction is not changed. */
 static double after(const struct ts_transport *t, const struct ts_fluid *fluid, size_t k, double part,
 		    double content, double dt)
 {
 	double e = t->void_fraction ? t->void_fraction[k] + dt * fluid->void_fraction_rate[k] : 1;
 
-	return e > 0 ? part * (content + dt * t->rate[k]) / e : 0; /* padding between rows has none */
+	return e > 0 ? part * (content + dt * t->rate[k]) / e : 0; /* e is 0 in the padding between rows */
 }
 
-/* Heun's method: `stage` is T after an Euler step, T the mean of what was and of a second one. */
+/* Heun's method: `stage` is T after an Euler step; the result is the mean of T and of `stage` after a second Euler step. */
 static void advance(struct ts_transport *t, const struct ts_fluid *fluid, double dt, int threads)
 {
 	const size_t size = fluid->grid.size;

@@ -1,4 +1,5 @@
-/* How a step went: cheap enough to look at each of them. */
+/* Diagnostics of a substep: Courant number, residual, divergence; and the error if it was unstable. Computed in each
+ * substep. */
 #include <math.h>
 #include <stdio.h>
 
@@ -10,7 +11,7 @@
 struct row_diagnostics {
 	double speed; /* sum |u|/h */
 	double change;
-	bool broken; /* something is not a number */
+	bool broken; /* a velocity is not a number */
 };
 
 TS_CLONES
@@ -49,7 +50,7 @@ static double largest_divergence(const struct ts_fluid *fluid, int j, int k, dou
 	return most;
 }
 
-/* Rounding of a step chosen at the limit. */
+/* Tolerance for round-off of a step at the limit. */
 static const double MARGIN = 1.000001;
 
 /* Centre of the cell with the largest sum |u|/h. */
@@ -74,7 +75,7 @@ static void fastest_cell(const struct ts_fluid *fluid, double x[3])
 			}
 }
 
-/* Whether bodies that are free to move have brought it about. */
+/* Whether freely moving bodies may be the cause of the instability. */
 static bool bodies_explain(const struct tsim *sim, const struct ts_fluid *fluid, double dt, char *cause, size_t size)
 {
 	const struct ts_instance *part;
@@ -88,7 +89,7 @@ static bool bodies_explain(const struct tsim *sim, const struct ts_fluid *fluid,
 	return false;
 }
 
-/* Which limit the step was beyond, for the velocities it began with, as far as can be told. */
+/* Fails with the limit that the step has exceeded, as far as it is known. */
 static enum ts_status fail_unstable(struct ts_instance *self, struct tsim *sim, bool broken, double dt)
 {
 	const struct ts_projection *p = self->state;

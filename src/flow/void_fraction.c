@@ -1,5 +1,5 @@
 /* The void fraction e as the equations of the fluid use it: on faces, its rate of change, and its values in the
- * momentum where e u is stepped forward (form conservative). */
+ * momentum if e u is stepped forward (form conservative). */
 #include <string.h>
 
 #include "flow/projection.h"
@@ -11,7 +11,7 @@ static long count_rows(const struct ts_grid *grid)
 	return (long)(grid->n[1] + 2 * grid->ghosts[1]) * (grid->n[2] + 2 * grid->ghosts[2]);
 }
 
-/* Where the line-th of them begins, ghosts included; there are n + 2 ghosts values. */
+/* Index of the first value of a row, ghosts included; a row has n + 2 ghosts values. */
 static size_t row_at(const struct ts_grid *grid, long line, int *j, int *k)
 {
 	int height = grid->n[1] + 2 * grid->ghosts[1];
@@ -44,19 +44,17 @@ static void to_faces(const struct ts_projection *p, int d, const double *e, doub
 	}
 }
 
-/* ---- form conservative
- * The void fraction that belongs to the velocities, where e u is stepped forward (form
- * conservative).
+/* ---- form conservative: the void fraction E of the momentum, whose product E u is stepped forward
  *
- * The projection makes the fluxes G = e u of a step close the balance of its cells, div G = -de/dt,
- * with de/dt from the step before to this one. The next step carries momentum with these fluxes,
- * d(E u)/dt = -div(G u) + ..., and a uniform velocity stays uniform if dE/dt = -div G: E lags
- * behind e by the share of the first stage in the step (the product of all `take`), times its
- * length. E u is then exactly what flows and what forces give it.
+ * After the projection the fluxes G = e u of a step satisfy the continuity equation of each cell,
+ * div G = -de/dt, with de/dt from the step before to this one. The next step convects momentum with these
+ * fluxes, d(E u)/dt = -div(G u) + ..., and a uniform velocity stays uniform if dE/dt = -div G: E lags
+ * behind e by the weight of the first stage in the step (the product of all `take`) times the length of
+ * the step. The change of E u is then exactly the sum of fluxes and forces.
  *
- * On faces e is made of halves of cells, and so are the fluxes through the sides of their volumes:
- * what holds in cells holds there (Harlow & Welch's staggered volumes; F. N. Felten & T. S. Lund,
- * J. Comput. Phys. 215 (2006) 465). */
+ * On a face e is the mean of the two cells, weighted by their halves, and so are the fluxes through the sides of
+ * the control volume of the face: continuity of the cells implies that of the control volumes (staggered grid of
+ * Harlow & Welch; F. N. Felten & T. S. Lund, J. Comput. Phys. 215 (2006) 465). */
 
 static enum ts_status allocate_vector(const struct ts_projection *p, double *field[3])
 {
@@ -143,7 +141,7 @@ double ts_projection_void_rate_integral(const struct ts_projection *p)
 
 /* ---- form conservative: E in the stages of a step */
 
-/* How far E lags behind e, in steps of the fluid. */
+/* Lag of E behind e, in steps of the fluid. */
 static double lag_of(const struct ts_flow_time_scheme *scheme)
 {
 	double lag = 1;
@@ -153,7 +151,7 @@ static double lag_of(const struct ts_flow_time_scheme *scheme)
 	return lag;
 }
 
-/* E at the beginning of a step of the fluid: the first one has the rate of the step before. */
+/* E at the beginning of a substep; the first substep uses the rate of the step before. */
 static void begin_substep(struct ts_projection *p, int d, double dt)
 {
 	const double lag = lag_of(&ts_flow_time_schemes[p->time]), done = (double)p->now_at;
@@ -172,7 +170,7 @@ static void begin_substep(struct ts_projection *p, int d, double dt)
 	}
 }
 
-/* E of the end of the stage. */
+/* E at the end of the stage. */
 static void advance_stage(struct ts_projection *p, int d, const struct ts_predictor *stage, bool first)
 {
 	const double *before = p->void_before[d], *rate = p->void_rate[d],

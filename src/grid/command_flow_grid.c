@@ -19,7 +19,7 @@ struct state {
 	struct ts_words faces;
 };
 
-/* Faces from 0 to 1 whose widths grow by the same factor, in all by `ratio`. */
+/* Faces from 0 to 1 with widths in geometric progression; last width by first width: `ratio`. */
 static void geometric(double *face, int n, double ratio)
 {
 	double factor = n > 1 ? pow(ratio, 1.0 / (n - 1)) : 1, width = 1;
@@ -71,7 +71,7 @@ static void make_tanh(const struct state *s, double *face, int n)
 	face[n] = 1;
 }
 
-/* The factor q for which h (q + q^2 + ... + q^n) = length, by bisection; NaN where there is none. */
+/* The factor q for which h (q + q^2 + ... + q^n) = length, by bisection; NaN if there is none between 0.2 and 5. */
 static double growth(double h, int64_t n, double length)
 {
 	double lo = 0.2, hi = 5;
@@ -88,14 +88,15 @@ static double growth(double h, int64_t n, double length)
 	return lo > 0.21 && hi < 4.9 ? 0.5 * (lo + hi) : NAN;
 }
 
-/* `n` faces from face[0] on, steps of `way` (1 or -1) in memory and in space, the first wider than h by q. */
-static void grow(double *face, int64_t n, int way, double h, double q)
+/* Sets n faces beyond face[0] in the direction `sign` (1 or -1), each cell wider than the one before by q; the cell before
+ * the first has width h. */
+static void grow(double *face, int64_t n, int sign, double h, double q)
 {
 	for (int64_t i = 1; i <= n; i++)
-		face[way * i] = face[way * (i - 1)] + way * (h *= q);
+		face[sign * i] = face[sign * (i - 1)] + sign * (h *= q);
 }
 
-/* Even cells from lo to hi; on both sides each wider than the one before it by the factor that fills the rest. */
+/* Uniform cells from lo to hi; on either side widths in geometric progression to the ends of the axis. */
 static enum ts_status make_around(struct tsim *sim, const struct state *s, const struct ts_grid *grid,
 				  double *face, const struct ts_place *where)
 {

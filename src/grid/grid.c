@@ -9,7 +9,7 @@
 
 enum { FACES, CENTRES, WIDTHS, GAPS, NARRAYS };
 
-/* Widths of the ghost cells: of the cells they continue, or mirror, so that face and centre formulas hold. */
+/* Width of a ghost cell: that of its periodic image, or of the cell it mirrors. */
 static double ghost_width(const double *width, int n, bool periodic, int i)
 {
 	if (periodic)
@@ -71,7 +71,7 @@ enum ts_status ts_grid_make(struct ts_grid *grid, int dimensions, const int n[3]
 		total += NARRAYS * lengths[d];
 	}
 	grid->stride[0] = 1;
-	/* One layer more than the cells have, for the faces beyond the upper boundary. Rows of a multiple of 8
+	/* One layer more than cells, for the faces beyond the upper boundary. Rows of a multiple of 8
 	 * doubles begin on lines of the cache. */
 	grid->stride[1] = (n[0] + 2 * grid->ghosts[0] + 1 + 7) / 8 * 8;
 	grid->stride[2] = grid->stride[1] * (n[1] + 2 * grid->ghosts[1] + 1);

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "core/report.h"
-#include "flow/way_out.h"
 #include "force/restraint.h"
 #include "immersed/closed_regions.h"
 #include "immersed/immersed.h"
@@ -23,11 +22,11 @@
 
 enum { REGION, MESH, SPHERES };
 
-/* What is known of a part from the last step of the fluid. */
+/* Data of a part from the last step of the fluid. */
 struct record {
-	double force[3], torque[3];	/* of the fluid on it */
-	double velocity[3], spin[3];	/* of the fluid inside */
-	double known; /* 0: nothing, INSIDE: only what is inside, 1: all */
+	double force[3], torque[3];	/* of the fluid on the part */
+	double velocity[3], spin[3];	/* of the fluid inside (struct ts_immersed_sums) */
+	double known; /* 0: nothing is set; INSIDE: velocity and spin; 1: all */
 };
 static const double INSIDE = 0.5;
 enum { RECORD = sizeof(struct record) / sizeof(double) };
@@ -48,17 +47,17 @@ struct state {
 	struct ts_solid_pose stand; /* saved */
 	struct ts_immersed immersed;
 	bool placed, told;
-	bool stepped;	       /* it has been placed in a step of this run */
-	double seen_at, drift; /* when it was placed last; cells it has moved since fluid without a way out was sought */
-	size_t seen_inside;    /* points inside, then */
+	bool stepped;	       /* its points have been found in a step of this run */
+	double seen_at, drift; /* time of the last search for points; cells moved since the last search for closed regions */
+	size_t seen_inside;    /* number of points inside at that search */
 	const struct ts_fluid *fluid;
-	bool begun; /* a step of the fluid, in substeps */
+	bool begun; /* a step of the fluid is in progress */
 	struct record own; /* saved: of a region or a mesh */
 	const struct ts_mesh_surface *surface; /* of a mesh */
-	double lever[3]; /* saved: of what its torque is about, from the mean of its corners */
-	size_t column, net_column; /* of spheres: records, and struct ts_net_force */
+	double lever[3]; /* saved: position of the torque's reference point relative to the mean of the corners */
+	size_t column, net_column; /* of spheres: columns of struct record and struct ts_net_force */
 	struct ts_restraints restraints;
-	bool free_mesh; /* a mesh that goes where the fluid takes it */
+	bool free_mesh; /* a mesh that the fluid moves */
 	double slip;	   /* saved */
 };
 
@@ -147,7 +146,7 @@ static enum ts_status make_spheres(struct ts_instance *self, struct tsim *sim, i
 	struct state *s = self->state;
 	char name[64];
 
-	/* the fluid turns them */
+	/* the fluid exerts torques */
 	TS_TRY(ts_particles_need(sim, TS_NEED(OMEGA) | TS_NEED(TORQUE)));
 	snprintf(name, sizeof name, "immersed %s", self->id);
 	TS_TRY(ts_particles_add_column(sim, name, RECORD, 0, &s->column));
@@ -207,7 +206,7 @@ static enum ts_status update_points(struct ts_instance *self, struct tsim *sim, 
 	return status == TS_NOMEM ? ts_nomem(&sim->error) : status;
 }
 
-/* What the flow does around a solid that it does not resolve is wrong; said once. */
+/* Warns once if the grid does not resolve the solid. */
 static void warn_unresolved(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
@@ -226,7 +225,7 @@ static void warn_unresolved(struct ts_instance *self, struct tsim *sim)
 	s->told = true;
 }
 
-/* A region that moves, and a mesh, have their velocity from a step. */
+/* Whether the velocity of the body is not known yet: that of a moving region or mesh follows from a step. */
 static bool velocity_unknown(const struct state *s)
 {
 	if (s->stepped || s->prescribed.velocity || s->prescribed.omega)
@@ -244,7 +243,7 @@ static void mark_closed_faces(const struct ts_instance *self, struct ts_closed_s
 				s->body == SPHERES ? TS_BODY_FREE : velocity_unknown(s) ? TS_BODY_UNKNOWN : TS_BODY_DRIVEN);
 }
 
-/* Whether it closes off fluid that has to go somewhere. */
+/* Checks for closed regions of fluid with a net inflow. */
 static enum ts_status check_closed(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;
@@ -254,7 +253,7 @@ static enum ts_status check_closed(struct ts_instance *self, struct tsim *sim)
 	return ts_immersed_check_closed(sim);
 }
 
-/* The same when it has moved, or grown, so far that it may have reached something. */
+/* The same if the body has moved or grown so much that it may have closed a region. */
 static enum ts_status check_closed_if_moved(struct ts_instance *self, struct tsim *sim, double time)
 {
 	static const double FAR = 0.5, GROWN = 0.02;
@@ -263,13 +262,13 @@ static enum ts_status check_closed_if_moved(struct ts_instance *self, struct tsi
 
 	s->drift += s->immersed.rate * fmax(0, time - s->seen_at);
 	s->seen_at = time;
-	if (!s->stepped) /* of the fluid, for the first time */
+	if (!s->stepped) /* first step of the fluid in this run */
 		s->drift = 2 * FAR;
 	s->stepped = true;
 	return s->drift > FAR || grown > GROWN * (double)s->seen_inside ? check_closed(self, sim) : TS_OK;
 }
 
-/* What the fluid inside does before the first step, of which only the change counts. */
+/* Sets velocity and spin of the fluid inside before the first step, of which the force needs the change. */
 static enum ts_status initialize_inner_fluid(struct ts_instance *self, struct tsim *sim, const struct ts_fluid *fluid)
 {
 	struct state *s = self->state;
@@ -322,7 +321,7 @@ static enum ts_status apply_forcing(struct ts_instance *self, struct tsim *sim, 
 	if (!s->begun) {
 		TS_TRY(update_points(self, sim, fluid));
 		TS_TRY(check_closed_if_moved(self, sim, time));
-		TS_TRY(initialize_inner_fluid(self, sim, fluid)); /* of particles that are new in this run */
+		TS_TRY(initialize_inner_fluid(self, sim, fluid)); /* of particles inserted in this run */
 		ts_immersed_begin_step(&s->immersed, s->solid->parts);
 	}
 	s->begun = true;
@@ -340,7 +339,7 @@ static enum ts_status end_substep(struct ts_instance *self, struct tsim *sim, st
 	return TS_OK;
 }
 
-/* Force and torque on a part, from what its forcing gave to the fluid and the fluid inside; by `depth`. */
+/* Updates force and torque on a part from the forcing and the change of the fluid inside, per `depth`. */
 static void update_part_force(const struct ts_immersed_sums *sums, double density, double share, double length,
 		 double depth, struct record *r)
 {
@@ -370,7 +369,7 @@ static enum ts_status update_forces(struct ts_instance *self, struct tsim *sim, 
 {
 	struct state *s = self->state;
 	double share = s->body == REGION ? 1 : s->relax;
-	/* masses of discs are those by unit of depth */
+	/* masses of discs are per unit of depth */
 	const bool discs = s->body == SPHERES && sim->dimension == 2;
 	double depth = discs ? fluid->grid.width[2][0] : 1;
 
@@ -380,7 +379,7 @@ static enum ts_status update_forces(struct ts_instance *self, struct tsim *sim, 
 		struct record *r = record_of(s, sim, k);
 
 		update_part_force(&s->immersed.sums[k], fluid->density, share, length, depth, r);
-		if (discs) /* the middle of the cells may be beside the plane of the discs */
+		if (discs) /* cell centres may be beside the plane of the discs */
 			r->torque[0] = r->torque[1] = 0;
 	}
 	for (size_t k = 0; s->body == SPHERES && k < s->solid->parts; k++)
@@ -394,8 +393,8 @@ static enum ts_status update_forces(struct ts_instance *self, struct tsim *sim, 
 	return TS_OK;
 }
 
-/* The mesh has moved on since, and takes the torque along by the mean of its corners: a place near it, so that a
- * turn since then hardly matters, where the anchor may be far away. */
+/* The mesh has moved since the step of the fluid; the reference point of the torque moves with the mean of its corners,
+ * which is near the body (the anchor may be far away), so that the rotation since then has little effect. */
 static void add_mesh_load(const struct ts_instance *self, const struct ts_mesh_surface *mesh, double out[2][3],
 		 double *virtual_density)
 {
@@ -424,11 +423,11 @@ static double limit(const struct ts_instance *self, const struct ts_fluid *fluid
 	return s->immersed.rate > 0 ? 1 / s->immersed.rate : INFINITY;
 }
 
-/* A light body and the fluid that excite each other grow until the step is too long for the speed. */
+/* The added-mass instability of a light body grows until the speed exceeds the limit of the step. */
 static bool explain_instability(const struct ts_instance *self, const struct ts_fluid *fluid, double dt, char *cause,
 		  size_t size)
 {
-	static const double FAST = 0.25; /* cells a step, by the Courant number of the fluid */
+	static const double FAST = 0.25; /* cells per step, by the Courant number of the fluid */
 	const struct state *s = self->state;
 
 	if (!(s->body == SPHERES || s->free_mesh) || s->immersed.rate * dt < FAST * fluid->courant)
@@ -441,7 +440,7 @@ static bool explain_instability(const struct ts_instance *self, const struct ts_
 	return true;
 }
 
-/* ---- on particles */
+/* ---- forces on particles */
 
 /* Density of the body that particle i is or belongs to. */
 static double density_of(const struct tsim *sim, size_t i)
@@ -474,7 +473,7 @@ static void stabilize_particle(struct state *s, const struct tsim *sim, size_t i
 	ts_net_force_record(net, sim->in_setup, p->f[i], p->torque[i]);
 }
 
-/* When all forces on the particles are known. */
+/* Called when all forces on particles are known. */
 static enum ts_status stabilize_particles(struct ts_instance *self, struct tsim *sim)
 {
 	struct state *s = self->state;

@@ -10,16 +10,15 @@
 
 #include "base/banned.h"
 
-/* How much of the pressure before the velocities beside the surface get in advance. They are not exactly free
- * of divergence, as those inside are: with all of it, their pressure would grow in each step. */
+/* Fraction of the old pressure gradient that is added in advance to the velocities of outer points. These are not exactly
+ * free of divergence, as those inside are: with the whole gradient their pressure would grow in each step. */
 static const double OUTER_PRESSURE = 0.5;
 
-/* What a point of the band takes of a thread's time, in simple rounds. */
+/* Work of an outer point in iterations of a simple loop, for the number of threads. */
 enum { OUTER_ROUNDS = 8 };
 
-/* What u at a point of component c has to have more than the velocity wanted, so that this share of the gradient
- * of the pressure before, dt/rho dp/dx, which the projection will take from it again, is allowed for.
- * Predictors that have that gradient in them already have too little of it, for shares below 1. */
+/* Velocity to be added at a point of component c for the fraction `share` of the old pressure gradient, dt/rho dp/dx, which
+ * the projection subtracts again. 0 with the incremental projection, whose predictor contains that gradient. */
 static double pressure_part(const struct ts_fluid *fluid, int c, size_t at, int index, double dt,
 			    double share)
 {
@@ -30,7 +29,7 @@ static double pressure_part(const struct ts_fluid *fluid, int c, size_t at, int 
 	       grid->gap[c][index];
 }
 
-/* Velocity at a place, linear between the points around, less the pressure's part. */
+/* Velocity at a sample, trilinear between the points around it, minus their pressure parts. */
 static double sample_velocity(const struct ts_fluid *fluid, int c, const struct ts_immersed_sample *b,
 			     double dt)
 {
@@ -80,7 +79,7 @@ static double outer_target_velocity(const struct ts_immersed *ib, const struct t
 	return p->before + b->weight * (u - p->before);
 }
 
-/* All from the velocities before: a band may lie among the points of another. */
+/* All new values are computed from the old velocities: samples of an outer point may include other outer points. */
 static void force_outer(struct ts_immersed *ib, struct ts_fluid *fluid, int c, double dt)
 {
 	size_t first = ib->outer_first[c], end = ib->outer_first[c + 1];
@@ -96,7 +95,7 @@ static void force_outer(struct ts_immersed *ib, struct ts_fluid *fluid, int c, d
 	}
 }
 
-/* Impulse of the forcing at one point and its moment, to the part. */
+/* Adds the impulse of the forcing at one point, and its moment, to the sums of the part. */
 static void add_impulse(struct ts_immersed *ib, const struct ts_fluid *fluid, int c, size_t k)
 {
 	const struct ts_immersed_point *p = &ib->point[k];
@@ -109,7 +108,7 @@ static void add_impulse(struct ts_immersed *ib, const struct ts_fluid *fluid, in
 	sum[3 + b] -= p->arm[a] * impulse;
 }
 
-/* The first point of component c whose part is not below this one: points are in the order of their parts. */
+/* The first point of component c of this part or a later one: points are sorted by part. */
 static size_t first_of(const struct ts_immersed *ib, int c, size_t part)
 {
 	size_t low = ib->first[c], high = ib->first[c + 1];
@@ -125,7 +124,7 @@ static size_t first_of(const struct ts_immersed *ib, int c, size_t part)
 	return low;
 }
 
-/* Sums of parts go to threads, each part as a whole, so that its sum has one order. */
+/* Sums of parts in parallel, each part by one thread, so that the order of its sum is fixed. */
 struct part_task {
 	struct ts_immersed *ib;
 	const struct ts_fluid *fluid;
@@ -168,7 +167,7 @@ void ts_immersed_end_substep(struct ts_immersed *ib, size_t parts)
 }
 
 /* A step of several stages s, each u <- keep_s u_0 + take_s (u + dt ...) with dt_s = take_s dt and take_0 = 1:
- * what was given before counts take_s times. */
+ * the impulses of earlier stages are multiplied by take_s. */
 static void scale_stage_sums(struct ts_immersed *ib, double dt, size_t parts)
 {
 	if (!(ib->first_dt > 0))
@@ -194,7 +193,7 @@ void ts_immersed_force(struct ts_immersed *ib, struct ts_fluid *fluid, size_t pa
 	parts_in_parallel(ib, fluid, parts, add_part_impulses, &(struct part_task){ ib, fluid });
 }
 
-/* Means over the fluid inside one part, of one component. */
+/* Sums over the fluid inside one part, of one component. */
 struct mean {
 	double volume, u, x[3], xu[3];
 };
@@ -216,7 +215,7 @@ static void mean_of(const struct ts_immersed *ib, const struct ts_fluid *fluid, 
 	}
 }
 
-/* (x - X) x u, X the mean place of the points of each component: of a uniform flow exactly 0. */
+/* (x - X) x u, X the mean position of the points of each component: exactly 0 in uniform flow. */
 static void add_mean(struct ts_immersed_sums *s, int c, const struct mean *m, int dimensions)
 {
 	int a = (c + 1) % 3, b = (c + 2) % 3;

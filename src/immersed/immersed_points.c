@@ -1,4 +1,4 @@
-/* Which points a solid forces. */
+/* Finds the points that a solid forces. */
 #include "immersed/immersed.h"
 
 #include <math.h>
@@ -11,12 +11,12 @@
 
 #include "base/banned.h"
 
-/* Values set beside the surface count fully up to 1 - 1/FADING of the distance where they end. With less the
- * force on bodies that move is a little smoother, but the error of a surface of steps comes back, of first
- * order in the spacing. */
+/* The weight of outer points is 1 up to the fraction 1 - 1/FADING of the distance at which it is 0. With a smaller value the
+ * force on moving bodies is a little smoother, but the error of a staircase surface, of first order in the spacing,
+ * returns. */
 static const double FADING = 10;
 
-/* One velocity component while its points are sought. */
+/* The search for the points of one velocity component. */
 struct search {
 	struct ts_immersed *ib;
 	struct ts_solid *solid;
@@ -24,9 +24,9 @@ struct search {
 	const struct ts_grid *grid;
 	int component;
 	size_t worker, part;
-	double lo[3], hi[3]; /* around the part */
-	int from[3], to[3];  /* indices, of periodic axes beyond the grid as well */
-	bool parallel; /* among threads: whose a point is will be known later */
+	double lo[3], hi[3]; /* bounding box of the part */
+	int from[3], to[3];  /* ranges of indices; along periodic axes also beyond the grid */
+	bool parallel; /* several threads: the part of a point is determined later */
 	struct ts_immersed_point *last;
 };
 
@@ -66,8 +66,8 @@ static int cell_of(const struct ts_grid *grid, int d, double x)
 	return (int)turns * grid->n[d] + ts_grid_find(grid, d, x - turns * period(grid, d));
 }
 
-/* Points near the part: two cells around its box; of an axis that is not periodic those between the
- * boundaries, where nothing is given, and those on open faces. */
+/* Sets the ranges of points near the part: its bounding box and two cells around it. Along axes that are not periodic only
+ * points inside the boundaries, and on open faces. */
 static void find_ranges(struct search *s)
 {
 	const struct ts_grid *grid = s->grid;
@@ -106,7 +106,7 @@ static size_t field_index(const struct ts_grid *grid, const int i[3])
 	return ts_at(grid, at[0], at[1], at[2]);
 }
 
-/* A point of several parts belongs to the nearest: marked here, settled when all have been looked at. */
+/* Whether this part is the nearest to the point so far; marks it. keep_nearest removes the points of the others. */
 static bool nearest_yet(struct search *s, size_t at, double distance)
 {
 	struct ts_immersed *ib = s->ib;
@@ -144,7 +144,7 @@ static enum ts_status add_point(struct search *s, const int i[3], const double x
 	for (int d = 0; d < 3; d++)
 		p->volume *= width(s, d, i[d]);
 	if (!s->grid->periodic[s->component] && (p->index == 0 || p->index == s->grid->n[s->component]))
-		p->volume *= 0.5; /* half of it is outside of the grid */
+		p->volume *= 0.5; /* half of the control volume is outside the grid */
 	return TS_OK;
 }
 
@@ -159,7 +159,7 @@ static void set_target_velocity(struct search *s, const int i[3], double velocit
 		s->ib->rate = fmax(s->ib->rate, fabs(velocity) / h);
 }
 
-/* At the point that was added last. */
+/* Updates the thickness by the point that was added last. */
 static void update_thickness(struct search *s, double thickness)
 {
 	if (s->parallel)
@@ -168,7 +168,7 @@ static void update_thickness(struct search *s, double thickness)
 		s->ib->thickness = fmax(s->ib->thickness, thickness);
 }
 
-/* How far one can go from x along n and stay in the grid. */
+/* Distance from x along n to the boundary of the grid, at most `most`. */
 static double distance_to_boundary(const struct ts_grid *grid, const double x[3], const double n[3], double most)
 {
 	for (int d = 0; d < 3; d++) {
@@ -180,7 +180,7 @@ static double distance_to_boundary(const struct ts_grid *grid, const double x[3]
 	return most;
 }
 
-/* The points of the component around the place x + l n. */
+/* Finds the points of the component around the position x + l n. */
 static void find_sample(const struct search *s, const double x[3], const double n[3], double l,
 		     struct ts_immersed_sample *out)
 {
@@ -205,8 +205,8 @@ static void find_sample(const struct search *s, const double x[3], const double 
 	out->index = i[s->component];
 }
 
-/* Of a cell with these widths: its extent between planes across n, how far apart its points are along n, and
- * how far from the surface a point may be and still have a neighbour inside. */
+/* Of the cell around a point: extent along n, spacing l along n, and largest distance from the surface at which a neighbour
+ * may be inside. */
 struct extent {
 	double across, along, reach;
 };
@@ -226,7 +226,7 @@ static struct extent extent_of(const struct search *s, const int i[3], const dou
 	return e;
 }
 
-/* A point in the fluid beside the surface. */
+/* Adds the outer point for the forced point that was added last. */
 static enum ts_status add_outer(struct search *s, const double x[3], const struct ts_solid_surface *surface,
 			       const struct extent *e)
 {
@@ -247,7 +247,7 @@ static enum ts_status add_outer(struct search *s, const double x[3], const struc
 	return TS_OK;
 }
 
-/* The point that was added last, in the light of the surface near by. */
+/* Completes the point that was added last from the nearest point of the surface. */
 static enum ts_status describe_near_point(struct search *s, const int i[3], const double x[3],
 			       const struct ts_solid_surface *surface)
 {
@@ -260,7 +260,7 @@ static enum ts_status describe_near_point(struct search *s, const int i[3], cons
 	return surface->distance > 0 ? add_outer(s, x, surface, &e) : TS_OK;
 }
 
-/* Along a row in x: far from the surface the side is that of the point before. */
+/* Searches a row along x: a point far from the surface is on the same side as the point before. */
 static enum ts_status search_row(struct search *s, int j, int k)
 {
 	enum { UNKNOWN, OUT, IN } where = UNKNOWN;
@@ -302,7 +302,7 @@ static enum ts_status search_row(struct search *s, int j, int k)
 	return TS_OK;
 }
 
-/* Keeps what belongs to its nearest part; the scratch is clean again. */
+/* Keeps the points that belong to their nearest part, and resets the work fields. */
 static void keep_nearest(struct ts_immersed *ib, size_t first, size_t first_band)
 {
 	size_t n = first, bands = first_band, b = first_band;
@@ -325,7 +325,7 @@ static void keep_nearest(struct ts_immersed *ib, size_t first, size_t first_band
 	ib->nouter = bands;
 }
 
-/* Takes up part k; the number of its rows. */
+/* Begins with a part; returns the number of its rows. */
 static size_t begin_part(struct search *s, size_t part)
 {
 	s->part = part;
@@ -336,7 +336,7 @@ static size_t begin_part(struct search *s, size_t part)
 	return (size_t)(s->to[1] - s->from[1]) * (size_t)(s->to[2] - s->from[2]);
 }
 
-/* Of the rows of all parts, one part after the other, those from `from` to `to`. */
+/* Searches the rows from `from` to `to`, counted over all parts. */
 static enum ts_status search_rows(struct search *s, size_t from, size_t to)
 {
 	size_t first = 0, rows;
@@ -354,7 +354,7 @@ static enum ts_status search_rows(struct search *s, size_t from, size_t to)
 	return TS_OK;
 }
 
-/* ---- among threads: each looks at rows of its own, then what they found is put together in their order */
+/* ---- in parallel: each thread searches its own range of rows; the results are joined in the order of the ranges */
 
 struct search_task {
 	const struct search *search;
@@ -420,7 +420,7 @@ static enum ts_status search_in_parallel(struct search *s, size_t rows, int team
 
 static enum ts_status find_component_points(struct search *s)
 {
-	enum { ROUNDS = 8 }; /* of a simple loop, for a look */
+	enum { ROUNDS = 8 }; /* work of a point in iterations of a simple loop, for the number of threads */
 	struct ts_immersed *ib = s->ib;
 	size_t first = ib->npoints, first_band = ib->nouter, rows = 0, looks = 0;
 	int team;

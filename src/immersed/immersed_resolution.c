@@ -1,4 +1,4 @@
-/* Whether the grid is fine enough for a body. */
+/* Check of the number of cells across a body. */
 #include <math.h>
 #include <stdio.h>
 
@@ -8,10 +8,10 @@
 
 #include "base/banned.h"
 
-/* How much less than wanted is rounding of the lengths of a script. */
+/* Relative tolerance for round-off of lengths in the script. */
 static const double ROUNDING = 1e-9;
 
-/* A clump is as thick as its largest sphere. */
+/* Radius of the largest sphere of the body to which particle i belongs. */
 static double thickest(const struct tsim *sim, size_t i)
 {
 	const struct ts_particles *p = sim->particles;

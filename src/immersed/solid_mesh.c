@@ -14,14 +14,14 @@ struct closed {
 	struct ts_solid solid; /* first */
 	struct ts_mesh_surface *surface;
 	struct ts_mesh_tree tree;
-	struct ts_mesh_list *near; /* scratch of each worker */
+	struct ts_mesh_list *near; /* work memory of each worker; owned */
 	size_t workers;
 	const struct ts_solid_prescribed *prescribed;
-	uint64_t moves; /* of the surface, when the tree was built */
+	uint64_t moves; /* counter of moves of the surface when the tree was built */
 	double lo[3], hi[3];
 };
 
-/* Solves a x = b, a symmetric; false if a is singular. Cramer. */
+/* Solves a x = b for symmetric a by Cramer's rule; false if a is singular. */
 static bool solve(const double a[3][3], const double b[3], double x[3])
 {
 	double minor[3], det;
@@ -38,8 +38,8 @@ static bool solve(const double a[3][3], const double b[3], double x[3])
 	return true;
 }
 
-/* The rigid motion nearest to the velocities of the corners in the least squares: with arms r from their mean,
- * v the mean velocity, and sum (r^2 1 - r r) omega = sum r x v. */
+/* Least-squares fit of a rigid motion to the velocities of the corners: with r the positions relative to their mean,
+ * the velocity is the mean, and sum (r^2 1 - r r) omega = sum r x v. */
 static void fit_rigid_motion(const struct ts_mesh_surface *s, struct ts_solid_motion *m)
 {
 	size_t corners = 3 * s->mesh.n;
@@ -66,7 +66,7 @@ static void fit_rigid_motion(const struct ts_mesh_surface *s, struct ts_solid_mo
 		memset(m->omega, 0, sizeof m->omega);
 }
 
-/* The same motion told about another point. */
+/* The same motion, with another centre. */
 static void recentre(struct ts_solid_motion *m, const double centre[3])
 {
 	double v[3];

@@ -1,4 +1,4 @@
-/* Regions as solids: distance from their surface, normal by differences of it. */
+/* Regions as solids: distance from the surface, normal by finite differences. */
 #include "immersed/solid.h"
 
 #include <math.h>
@@ -35,7 +35,7 @@ static void place(const struct ts_region *r, const struct ts_solid_pose *s, cons
 		x[k] = ts_dot(s->turn[k], arm) + r->pivot[k] + s->shift[k];
 }
 
-/* Mean velocity and angular velocity between two poses: the turn between them by its angle and axis. */
+/* Mean velocity and angular velocity between two poses; the rotation between them by its angle and axis. */
 static void motion_between(const struct ts_region *r, const struct ts_solid_pose *a, const struct ts_solid_pose *b,
 			   const double home[3], struct ts_solid_motion *m)
 {
@@ -56,7 +56,7 @@ static void motion_between(const struct ts_region *r, const struct ts_solid_pose
 	}
 }
 
-/* The middle of the shape where it was defined. */
+/* Centre of the shape as defined, before it moves. */
 static void home_of(const struct region *s, double home[3])
 {
 	const struct ts_region_style *style =
@@ -70,7 +70,7 @@ static void home_of(const struct region *s, double home[3])
 		memcpy(home, s->prescribed->motion.centre, sizeof s->prescribed->motion.centre);
 }
 
-/* Whether its shape hangs on variables, or that of a region of which it is made. */
+/* Whether the shape depends on variables, also through the regions it consists of. */
 static bool varies(const struct tsim *sim, const struct ts_instance *region)
 {
 	for (size_t k = 0; k < region->words.n; k++) {
@@ -116,7 +116,7 @@ static void bounds(const struct ts_solid *solid, size_t part, double lo[3], doub
 	ts_region_bounds(((const struct region *)solid)->instance, lo, hi);
 }
 
-/* The distance falls at the rate 1 along the normal: central differences over a small part of the reach. */
+/* Normal as the gradient of the distance, by central differences over a small part of the reach. */
 static void normal(const struct region *s, const double x[3], double reach, double n[3])
 {
 	double step = 1e-4 * reach, length;
@@ -131,7 +131,7 @@ static void normal(const struct region *s, const double x[3], double reach, doub
 					       : 0;
 	}
 	length = ts_norm(n);
-	if (!(length > 0)) { /* on a ridge of the distance, deep inside */
+	if (!(length > 0)) { /* the distance has no gradient there, deep inside */
 		n[0] = 1;
 		length = 1;
 	}

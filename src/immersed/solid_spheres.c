@@ -30,7 +30,7 @@ static enum ts_status update(struct ts_solid *solid, struct tsim *sim)
 	if (TS_GROW(s->row, s->capacity, p->n) != TS_OK ||
 	    TS_GROW(solid->motion, solid->motion_capacity, p->n) != TS_OK)
 		return ts_nomem(&sim->error);
-	for (size_t a = 0; a < all.n; a++) { /* by identity: which of two equally near owns a place */
+	for (size_t a = 0; a < all.n; a++) { /* in the order of identities, which decides between two equally near spheres */
 		size_t i = (size_t)all.row[a];
 		struct ts_solid_motion *m = &solid->motion[solid->parts];
 

@@ -4,7 +4,7 @@
 #include <stdio.h>
 
 #include "box/domain.h"
-#include "core/plan.h"
+#include "core/report.h"
 #include "mesh/mesh_motion.h"
 
 #include "base/banned.h"

@@ -85,8 +85,8 @@ static void diagonal(const struct ts_stencil *s, const double *r, double *z)
 	}
 }
 
-/* One iteration; `before` is r.z of the last one, or 0: the direction begins anew. Returns r.z, or 0 where nothing is
- * left that could be taken off, or there is a NaN. */
+/* One iteration; `before`: r.z of the last one, 0 to restart the direction. Returns r.z; 0 if the residual cannot be reduced
+ * further, or if there is a NaN. */
 static double iterate(struct ts_conjugate_gradient *c, const struct ts_stencil *s,
 		      ts_precondition_fn *precondition, void *context, double before, double *p)
 {
@@ -120,7 +120,7 @@ struct ts_poisson_report ts_conjugate_gradient_solve(struct ts_conjugate_gradien
 			break;
 		report.iterations++;
 		report.residual = ts_stencil_largest(s, c->r);
-		if (report.residual <= goal) { /* what was carried along has errors of its own */
+		if (report.residual <= goal) { /* the updated residual has errors of its own */
 			ts_stencil_ghosts(s, p);
 			report.residual = ts_stencil_residual(s, p, b, c->r);
 			rz = 0;

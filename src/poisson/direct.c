@@ -10,14 +10,14 @@
 
 #include "base/banned.h"
 
-enum { STRIP = 64 }; /* modes eliminated side by side */
+enum { STRIP = 64 }; /* number of modes eliminated at once */
 
 static bool periodic(const struct ts_poisson *problem, int d)
 {
 	return problem->condition[d][0] == TS_PRESSURE_PERIODIC;
 }
 
-/* Whether an axis has waves for modes. */
+/* Whether the modes of an axis are waves. */
 static bool even(const struct ts_poisson *problem, int d)
 {
 	const enum ts_pressure_condition *end = problem->condition[d];
@@ -25,7 +25,7 @@ static bool even(const struct ts_poisson *problem, int d)
 	return problem->grid->uniform[d] && (end[0] == end[1] || problem->grid->n[d] % 2 == 0);
 }
 
-/* The third axis: one that can be eliminated, the dearest to transform. */
+/* Chooses the third axis: of those that can be eliminated the most expensive to transform. */
 static int third_axis(const struct ts_poisson *problem)
 {
 	const struct ts_grid *grid = problem->grid;
@@ -43,8 +43,8 @@ static int third_axis(const struct ts_poisson *problem)
 	return best;
 }
 
-/* Measured: 2 ns a cell for waves, there and back, 0.11 ns times its length for the matrix of an axis, 3 ns for the
- * rest; its modes take 10 ns times the cube of its length. */
+/* Measured: per cell 2 ns for wave transforms, forward and backward, 0.11 ns times the number of cells along the axis for a
+ * matrix, and 3 ns for the rest; the modes of a matrix take 10 ns times the cube of that number. */
 double ts_direct_cost(const struct ts_poisson *problem)
 {
 	int third = third_axis(problem);
@@ -115,7 +115,7 @@ static enum ts_status make_transforms(struct ts_direct *s, const struct ts_poiss
 		most = ts_transform_work_size(&s->transform[k]) > most ? ts_transform_work_size(&s->transform[k]) :
 								     most;
 	}
-	/* lines and what their transforms need, or coefficients of an elimination */
+	/* lines and work memory of their transforms, or coefficients of an elimination */
 	s->line_size = longest * TS_LINES;
 	most += s->line_size;
 	s->spare_size = most > (size_t)s->n[2] * STRIP ? most : (size_t)s->n[2] * STRIP;
@@ -133,7 +133,7 @@ enum ts_status ts_direct_make(struct ts_direct *s, const struct ts_poisson *prob
 	s->eliminates = !periodic(problem, s->axis[2]);
 	modes = (size_t)s->n[0] * (size_t)s->n[1];
 	n = (size_t)s->n[2];
-	/* an odd number of cache lines, so that planes do not compete for the same places of the cache */
+	/* an odd number of cache lines, so that planes do not map to the same cache sets */
 	s->plane = ((modes + 7) / 8 | 1) * 8;
 	s->work = ts_alloc_aligned(s->plane * n, sizeof *s->work);
 	s->eigenvalue = ts_alloc_aligned(modes + 3 * n, sizeof *s->eigenvalue);
@@ -167,8 +167,8 @@ struct task {
 	size_t shares;
 };
 
-/* Rows of the first axis in a field of the grid, and in the work: those of a plane, or in two dimensions those
- * of several. */
+/* Rows along the first axis in a field of the grid, and in the work memory: those of a plane, in two dimensions those of
+ * several planes. */
 struct rows {
 	int count;
 	ptrdiff_t apart, step; /* from row to row, from cell to cell */
@@ -190,7 +190,7 @@ static struct rows rows_of(const struct task *task, int c)
 			      .work_start = (size_t)c * s->plane };
 }
 
-/* Rows to lines side by side, and back. Those that are missing are 0. */
+/* Copies rows to interleaved lines, and back. Missing rows are 0. */
 static void gather(const double *restrict row, int count, ptrdiff_t apart, int n, ptrdiff_t step,
 		   double *restrict lines)
 {
@@ -241,7 +241,7 @@ static void first_backward(const struct task *task, const struct rows *r, double
 
 typedef void transform_fn(const struct ts_transform *t, double *lines, double *spare);
 
-/* Columns of n values `stride` apart, side by side in the work. */
+/* Columns of n values, `stride` apart, adjacent in the work memory. */
 static void load(const double *work, size_t stride, int n, int count, double *lines)
 {
 	for (int j = 0; j < n; j++) {
@@ -272,7 +272,7 @@ static void second(const struct ts_direct *s, transform_fn *transform, int c, do
 	}
 }
 
-/* Planes go to threads in ranges; which one a range begins with tells whose it is. */
+/* Threads process ranges of planes; the first plane of a range determines its work memory. */
 static double *spare_of(const struct task *task, size_t from)
 {
 	size_t thread = 0;
@@ -312,7 +312,7 @@ static void backward_planes(void *context, size_t from, size_t to)
 	}
 }
 
-/* One row of the elimination: what is left of the coupling to the row above, and of the right-hand side. */
+/* One row of the forward elimination: new coefficient to the row above, and new right-hand side. */
 TS_CLONES
 static void eliminate(const double *restrict eigenvalue, double below, double above,
 		      const double *restrict factor_below, const double *restrict row_below,
@@ -337,8 +337,7 @@ static void substitute(const double *restrict factor, const double *restrict row
 		row[m] -= factor[m] * row_above[m];
 }
 
-/* The mode that is given up to a constant: the pivot of the last row would be 0; its value is chosen, then the mean
- * taken off. */
+/* The singular mode: the pivot of the last row would be 0; its value is set, then the mean is subtracted. */
 static void fix_mean(const struct ts_direct *s)
 {
 	double *mode = s->work + s->singular, mean = 0;
@@ -387,7 +386,7 @@ static void eliminate_strips(void *context, size_t from, size_t to)
 	}
 }
 
-/* Modes of all three axes: each by its eigenvalue. */
+/* Modes of all three axes: each is divided by its eigenvalue. */
 TS_CLONES
 static void divide(const struct ts_direct *s, size_t mode, int count, double *lines)
 {

@@ -16,7 +16,7 @@ void ts_fourier_root(long k, long n, double root[2])
 	long quarter;
 	double a, c, s;
 
-	/* the angle less a multiple of 90 degrees: at most 45 */
+	/* the angle minus a multiple of 90 degrees, at most 45 degrees */
 	k = ((k % n) + n) % n;
 	quarter = (8 * k / n + 1) / 2;
 	a = TWO_PI * (double)(4 * k - quarter * n) / (double)(4 * n);
@@ -26,7 +26,7 @@ void ts_fourier_root(long k, long n, double root[2])
 	root[1] = quarter % 2 ? (quarter == 1 ? c : -c) : quarter == 2 ? -s : s;
 }
 
-enum { LARGE = 13 }; /* primes above cost more as sums than a convolution does */
+enum { LARGE = 13 }; /* for larger primes a convolution is faster than direct sums */
 
 static int next_radix(int n)
 {
@@ -113,13 +113,13 @@ size_t ts_fourier_work_size(const struct ts_fourier *f, int lines)
 	return rows * (size_t)lines;
 }
 
-/* A stage of a transform: `rest` butterflies, each for `block` numbers side by side. */
+/* A stage of a transform: `rest` butterflies, each for `block` adjacent numbers. */
 struct pass {
 	const double *xr, *xi;
 	double *yr, *yi;
 	double (*root)[2];
 	size_t block;
-	int radix, rest, apart; /* apart: between roots that the stage uses */
+	int radix, rest, apart; /* apart: distance between the roots that the stage uses */
 };
 
 /* The k-th term of butterfly p, and its k-th result. */
@@ -278,7 +278,7 @@ static void add_turned(const double *restrict xr, const double *restrict xi, con
 	}
 }
 
-/* Any radix, by the sums themselves. */
+/* Any radix, by direct sums. */
 static void radix_any(const struct ts_fourier *f, const struct pass *s)
 {
 	int step = f->n / s->radix; /* between roots of the radix */
@@ -328,7 +328,7 @@ static void turn_rows(const double (*f)[2], int rows, int lines, const double *x
 	}
 }
 
-/* Bluestein's way: turned by the chirp, convolved with its conjugate, turned again. */
+/* Bluestein's algorithm: multiply by the chirp, convolve with its conjugate, multiply again. */
 static void convolve(const struct ts_fourier *f, int lines, double *re, double *im, double *spare)
 {
 	const struct ts_fourier *g = f->longer;

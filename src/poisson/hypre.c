@@ -45,7 +45,7 @@ static void begin(void)
 	HYPRE_Init();
 }
 
-/* All cells: hypre's functions take their corners, and may not be given constants. */
+/* Corners of the range of all cells; hypre's functions take pointers to non-constant data. */
 struct corners {
 	int low[3], high[3];
 };
@@ -118,8 +118,8 @@ void ts_hypre_release(struct ts_hypre *h)
 	ts_free(h);
 }
 
-/* Sum of the links of a cell, and what it has in common with its upper neighbours. A singular matrix is made definite by
- * a trifle. */
+/* Matrix entries of a cell: the sum of its links, and those to its upper neighbours. A singular matrix is made definite by a
+ * small relative change. */
 static void fill_cell(const struct ts_stencil *s, size_t at, const int upper[3], double *value)
 {
 	value[0] = s->inverse[at] > 0 ? 1 / s->inverse[at] : 1;
@@ -146,7 +146,7 @@ enum ts_status ts_hypre_set_weights(struct ts_hypre *h)
 	HYPRE_StructPFMGSetMaxIter(h->solver, 1);
 	HYPRE_StructPFMGSetTol(h->solver, 0);
 	HYPRE_StructPFMGSetZeroGuess(h->solver);
-	HYPRE_StructPFMGSetRelaxType(h->solver, 2); /* red and black, symmetric */
+	HYPRE_StructPFMGSetRelaxType(h->solver, 2); /* red-black, symmetric */
 	HYPRE_StructPFMGSetNumPreRelax(h->solver, 1);
 	HYPRE_StructPFMGSetNumPostRelax(h->solver, 1);
 	HYPRE_StructPFMGSetup(h->solver, h->matrix, h->b, h->x);
@@ -168,7 +168,7 @@ void ts_hypre_cycle(void *hypre, const double *r, double *z)
 	HYPRE_StructVectorSetConstantValues(h->x, 0);
 	HYPRE_StructVectorAssemble(h->x);
 	HYPRE_StructPFMGSolve(h->solver, h->matrix, h->b, h->x);
-	HYPRE_ClearAllErrors(); /* that one cycle does not converge is meant */
+	HYPRE_ClearAllErrors(); /* one cycle is not meant to converge */
 	HYPRE_StructVectorGetBoxValues(h->x, all.low, all.high, h->values);
 	for (int row = 0; row < rows; row++)
 		for (int i = 0; i < n; i++)

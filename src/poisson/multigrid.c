@@ -8,12 +8,12 @@
 #include "base/banned.h"
 
 enum {
-	FEWEST = 16,  /* cells of the coarsest level, more or less */
-	SWEEPS = 8,   /* there, in either direction */
-	GRAIN = 4096, /* cells that are worth a thread */
+	FEWEST = 16,  /* approximate number of cells of the coarsest level */
+	SWEEPS = 8,   /* on the coarsest level, in each direction */
+	GRAIN = 4096, /* cells per thread */
 };
 
-/* Axes whose cells are joined: those nearly as narrow as the narrowest. */
+/* Axes along which cells are merged: those with cells nearly as narrow as the narrowest. */
 static bool choose_axes(const struct ts_stencil *s, struct ts_multigrid_transfer transfer[3])
 {
 	double width[3], least = 0;
@@ -85,7 +85,7 @@ static double centre(const struct ts_stencil *s, int d, int i)
 	return x + 0.5 * s->width[d][i];
 }
 
-/* Between which coarser cells each cell lies. */
+/* Prolongation: the coarse cells beside each fine cell. */
 static void fill_below(const struct ts_stencil *fine, const struct ts_stencil *coarse, struct ts_multigrid_transfer *transfer,
 		       int d)
 {
@@ -97,13 +97,13 @@ static void fill_below(const struct ts_stencil *fine, const struct ts_stencil *c
 			bool beyond = (below < 0 && coarse->conductance[d][0] == 0) ||
 				      (below + 1 == coarse->n[d] && coarse->conductance[d][below + 1] == 0);
 
-			/* where no gradient is, the value goes on as it is */
+			/* with zero gradient the value is continued */
 			transfer->below[i] = beyond ? c : below;
 			transfer->above[i] = beyond ? 0 : (x - low) / (high - low);
 		}
 }
 
-/* The coarser cell on one side, and its share; -1: it has none, or the value beyond is given. */
+/* The coarse cell on one side, and its weight; -1: there is none, or the value beyond is given. */
 static int parent(const struct ts_multigrid_transfer *transfer, const struct ts_stencil *coarse, int d, int i, int side,
 		  double *share)
 {
@@ -117,7 +117,7 @@ static int parent(const struct ts_multigrid_transfer *transfer, const struct ts_
 	return at < n ? at : -1;
 }
 
-/* The same from the side of the coarser cells. */
+/* Restriction: the transpose, for each coarse cell. */
 static void fill_cells(const struct ts_stencil *coarse, struct ts_multigrid_transfer *transfer, int d, int n)
 {
 	double share;
@@ -200,7 +200,7 @@ void ts_multigrid_release(struct ts_multigrid *m)
 	*m = (struct ts_multigrid){ 0 };
 }
 
-/* The link of a coarser face: of the finer ones in it, along the greater distance. */
+/* Link of a coarse face: sum of the fine links in it, scaled by the larger distance. */
 static double joined_link(const struct ts_multigrid_level *fine, const struct ts_stencil *coarse, int d, int i,
 			  int j, int k)
 {
@@ -250,7 +250,7 @@ static void add_scaled(const double *restrict x, double scale, double *restrict 
 		y[i] += scale * x[i];
 }
 
-/* p of a row += what lies between the coarser cells. `row`: one of the coarser level, with its ghosts. */
+/* Adds to p of a row the interpolated correction. `row`: work memory for a row of the coarse level, with ghosts. */
 static void prolong_row(const struct ts_multigrid_level *fine, const struct ts_multigrid_level *coarse, int j, int k,
 			double *row)
 {
@@ -272,7 +272,7 @@ static void prolong_row(const struct ts_multigrid_level *fine, const struct ts_m
 		p[i] += (1 - above[i]) * row[below[i] + 1] + above[i] * row[below[i] + 2];
 }
 
-/* The transpose: cells of a coarser row gather from the finer ones beside them. */
+/* The transpose: a row of coarse cells sums over the fine cells beside them. */
 static void restrict_row(const struct ts_multigrid_level *fine, const struct ts_multigrid_level *coarse, int j, int k,
 			 double *row)
 {
@@ -309,7 +309,7 @@ static void ascend(struct ts_multigrid_level *fine, struct ts_multigrid_level *c
 	int rows = ts_stencil_rows(&fine->s);
 
 #pragma omp parallel for num_threads(fine->s.threads) schedule(static)
-	for (int row = 0; row < rows; row++) /* the residual has been used: room for rows */
+	for (int row = 0; row < rows; row++) /* the residual is not needed any more: its memory holds rows */
 		prolong_row(fine, coarse, row % fine->s.n[1], row / fine->s.n[1],
 			    fine->r + ts_stencil_row(&fine->s, row) - 1);
 	ts_stencil_ghosts(&fine->s, fine->p);
@@ -327,7 +327,7 @@ static void sweep_down(const struct ts_multigrid_level *l)
 		ts_stencil_sweep(&l->s, l->p, l->rhs, colour, 1);
 }
 
-/* In reverse as often as forward: symmetric. */
+/* As many sweeps in reverse order as in forward order: symmetric. */
 static void solve_coarsest(const struct ts_multigrid_level *l)
 {
 	for (int k = 0; k < SWEEPS; k++)

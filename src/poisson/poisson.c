@@ -13,7 +13,7 @@ double ts_poisson_conductance(const struct ts_poisson *problem, int d, int i)
 	if (i > 0 && i < n)
 		return 1 / grid->gap[d][i];
 	condition = problem->condition[d][i > 0];
-	if (condition == TS_PRESSURE_PERIODIC) /* a single cell is its own neighbour: nothing flows */
+	if (condition == TS_PRESSURE_PERIODIC) /* a single cell is its own neighbour: no flux */
 		return n == 1 ? 0 : 2 / (grid->width[d][0] + grid->width[d][n - 1]);
 	return condition == TS_PRESSURE_GIVEN ? 2 / grid->width[d][i > 0 ? n - 1 : 0] : 0;
 }

@@ -7,12 +7,12 @@
 
 const char *const ts_preconditioner_names[] = { "auto", "diagonal", "direct", "multigrid", NULL };
 
-/* Where weights differ by more, multigrid takes fewer seconds, by measurement (doc/pressure.md): with the direct
+/* Ratio of weights above which multigrid is faster, by measurement (doc/pressure.md): with the direct
  * solver the iterations for 8 digits are 11 for a ratio of 2.5, 29 for 30, 40 for 100; with multigrid 11 to 14, each
- * twice as dear. */
+ * of twice the time. */
 static const double CONTRAST = 30;
 
-/* The largest weight of a face across which anything flows, by the smallest; INFINITY if that is 0. */
+/* Ratio of the largest to the smallest weight of faces that the flow can cross; INFINITY if the smallest is 0. */
 static double contrast(const struct ts_stencil *s, const struct ts_poisson *problem)
 {
 	double most = 0, least = INFINITY;

@@ -1,14 +1,14 @@
-/* Which solver a problem gets where the script names none. */
+/* Choice of the pressure solver if the script names none. */
 #include "core/life.h"
 #include "core/report.h"
 #include "poisson/poisson.h"
 
 #include "base/banned.h"
 
-/* Its id tells the choice that was made here from the user's, who gives none. */
+/* Id of the solver chosen here; a solver of the script has no id. */
 #define AUTOMATIC "auto"
 
-/* By the seconds that the styles say they will take. */
+/* The applicable style of the smallest estimated time. */
 static const struct ts_pressure_style *cheapest(const struct tsim *sim, const struct ts_poisson *problem)
 {
 	const struct ts_pressure_style *best = NULL;
@@ -62,7 +62,7 @@ void ts_pressure_explain(const struct tsim *sim, const struct ts_poisson *proble
 	struct ts_poisson now = *problem;
 	const struct ts_pressure_style *style;
 
-	/* what the weights are does not matter, only that they are there */
+	/* only the presence of weights matters, not their values */
 	for (int d = 0; d < 3; d++)
 		now.weight[d] = weights ? problem->grid->memory : NULL;
 	style = chosen ? ts_pressure_style_of(chosen) : cheapest(sim, &now);

@@ -10,7 +10,7 @@
 
 struct sor {
 	struct ts_iteration iteration;
-	double relaxation; /* NaN: the best */
+	double relaxation; /* omega; NaN: the optimal value */
 	double omega;
 	double *spare;
 };
@@ -59,7 +59,7 @@ static enum ts_status solve(struct ts_instance *self, struct tsim *sim, const do
 	return ts_iteration_end(it, self, sim, goal, report, p);
 }
 
-/* Nanoseconds of an iteration; so many are needed for each digit: ln 10 / (2 - omega), and a few. */
+/* Time of an iteration in ns per cell; iterations needed per digit: ln 10/(2 - omega), and a few more. */
 static double cost(const struct ts_instance *self, const struct ts_poisson *problem)
 {
 	(void)self;

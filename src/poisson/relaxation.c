@@ -4,7 +4,7 @@
 
 #include "base/banned.h"
 
-enum { LOOK = 8 }; /* iterations from look to look: a look costs as much as one */
+enum { LOOK = 8 }; /* iterations between computations of the residual, each of which costs as much as an iteration */
 
 static const double PI = 3.14159265358979323846;
 
@@ -17,7 +17,7 @@ double ts_relaxation_optimal(const struct ts_poisson *problem)
 		int n = problem->grid->n[d], given;
 		double h = (problem->grid->face[d][n] - problem->grid->face[d][0]) / n, angle;
 
-		/* of the longest wave along the axis that is not constant: a = 2 pi/n, pi/n or pi/2n */
+		/* phase of the longest wave along the axis that is not constant: a = 2 pi/n, pi/n or pi/2n */
 		given = (end[0] == TS_PRESSURE_GIVEN) + (end[1] == TS_PRESSURE_GIVEN);
 		angle = end[0] == TS_PRESSURE_PERIODIC ? 2 * PI / n : given == 1 ? 0.5 * PI / n : PI / n;
 		diagonal += 2 / (h * h);

@@ -9,9 +9,9 @@
 
 #include "base/banned.h"
 
-enum { LANES = 8 }; /* sums in rows have so many parts, whatever the processor does at once */
+enum { LANES = 8 }; /* number of partial sums in a row, on any processor */
 
-/* Rows whose ghosts take as long to copy as it takes to wake a thread. */
+/* Number of rows per thread, below which another thread does not pay. */
 enum { GHOST_ROWS = 512 };
 
 /* An odd period needs a third colour, for its last cell. */
@@ -40,7 +40,7 @@ enum ts_status ts_stencil_shape(struct ts_stencil *s, const int n[3], int axes, 
 		s->periodic[d] = periodic[d];
 		lengths += 3 * (size_t)n[d] + 1;
 	}
-	/* Rows begin on lines of the cache, with room for a ghost on either side. */
+	/* Rows begin on cache lines, and have a ghost on either side. */
 	s->stride[0] = 1;
 	s->stride[1] = (n[0] + 1 + 8 + 7) / 8 * 8;
 	s->stride[2] = s->stride[1] * (n[1] + 2);
@@ -113,7 +113,7 @@ static void weigh_row(struct ts_stencil *s, const struct ts_poisson *problem, in
 		double across = d == 0 ? s->conductance[0][i] : s->width[0][i];
 		int face = d == 0 && s->periodic[0] && i == s->n[0] ? 0 : i;
 
-		/* a face without gradient may have any weight, NaN too */
+		/* the weight of a face with zero gradient may be undefined (NaN) */
 		link[i] = area * across == 0 ? 0 : area * across * (weight ? weight[face] : 1);
 	}
 }
@@ -199,7 +199,7 @@ static void copy_row(const struct ts_stencil *s, double *p, size_t to, size_t fr
 	memcpy(p + to, p + from, (size_t)s->n[0] * sizeof *p);
 }
 
-/* Ghosts read cells only, so that the axes do not wait for one another. */
+/* Ghosts are set from inner cells only, so that the axes are independent. */
 void ts_stencil_ghosts(const struct ts_stencil *s, double *p)
 {
 	int rows = ts_stencil_rows(s), team = 1 + rows / GHOST_ROWS;
@@ -267,7 +267,7 @@ TS_INLINE double dot_row(const double *restrict a, const double *restrict b, int
 	return sum;
 }
 
-/* NaN if there is one: a comparison with it is false. */
+/* NaN if a value is NaN: a comparison with it is false. */
 TS_INLINE double largest_row(const double *restrict r, const double *restrict width, int n)
 {
 	double part[LANES] = { 0 }, most = 0;

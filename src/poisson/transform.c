@@ -11,7 +11,7 @@
 
 enum { HALF = TS_LINES / 2 };
 
-/* T, made symmetric by the square roots of the widths. */
+/* T, symmetrized by the square roots of the widths. */
 static void fill_matrix(gsl_matrix *a, const struct ts_poisson *problem, int d)
 {
 	const double *h = problem->grid->width[d];
@@ -36,7 +36,7 @@ static void fill_matrix(gsl_matrix *a, const struct ts_poisson *problem, int d)
 	}
 }
 
-/* The mode of eigenvalue 0 is known: it does not change. */
+/* The mode of eigenvalue 0 is known: it is constant. */
 static void set_constant(struct ts_transform *t, gsl_vector *values, gsl_matrix *modes, const double *h)
 {
 	size_t n = (size_t)t->n, least = 0;
@@ -118,7 +118,7 @@ static enum ts_status make_waves(struct ts_transform *t, double h)
 			t->turn[k][0] = 1;
 			t->eigenvalue[k] = wave(h, k, n);
 			break;
-		case TS_WAVES_HALF: /* of sines, the first is the last cosine */
+		case TS_WAVES_HALF: /* sines in reverse order of cosines */
 			ts_fourier_root(k, 4 * n, t->turn[k]);
 			t->eigenvalue[k] = wave(h, t->odd ? n - k : k, 2 * n);
 			break;
@@ -181,7 +181,7 @@ size_t ts_transform_work_size(const struct ts_transform *t)
 	}
 }
 
-/* Where cell i of a line goes for Makhoul's cosine transform: the even ones ascending, then the odd ones descending. */
+/* Index of cell i in Makhoul's cosine transform: even cells ascending, then odd cells descending. */
 static int place(const struct ts_transform *t, int i)
 {
 	if (t->waves == TS_WAVES_FOURIER)
@@ -222,7 +222,7 @@ static void unpack(const struct ts_transform *t, const double *re, const double 
 }
 
 /* Z = V + i W, V and W the spectra of two real lines: V_k = (Z_k + Z*_{n-k})/2, i W_k = (Z_k - Z*_{n-k})/2. Turned
- * by exp(-i a_k), real parts are the amounts of modes k, imaginary parts by -1 those of n - k. */
+ * by exp(-i a_k), real parts are the amplitudes of modes k, negative imaginary parts those of n - k. */
 TS_CLONES
 static void separate(const struct ts_transform *t, const double *re, const double *im, double *lines)
 {
@@ -332,7 +332,7 @@ static void quarters(const struct ts_transform *t, double scale, bool from_mirro
 	}
 }
 
-enum { BLOCK = 4 }; /* results made at once: they stay in registers */
+enum { BLOCK = 4 }; /* number of results computed at once, in registers */
 
 TS_CLONES
 static void multiply_block(const double *restrict matrix, int n, const double *restrict lines,

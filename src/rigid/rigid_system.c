@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "core/plan.h"
+#include "core/report.h"
 #include "math/rigid_turn.h"
 #include "rigid/rigid_motion.h"
 
