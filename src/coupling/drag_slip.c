@@ -29,7 +29,7 @@ static double void_at(const struct ts_drag *s, const double place[3], const int 
 	return ts_fluid_value(fluid, fluid->void_fraction, place, NULL);
 }
 
-static double mean(double wa, double wb, double a, double b)
+static double weighted_mean(double wa, double wb, double a, double b)
 {
 	return (wa * a + wb * b) / (wa + wb);
 }
@@ -49,8 +49,8 @@ static void cell_velocity(const struct ts_fluid *fluid, const int cell[3], doubl
 		if (e && s) {
 			const double *width = grid->width[c] + cell[c];
 
-			low *= mean(width[-1], width[0], e[at - s], e[at]) / e[at];
-			high *= mean(width[0], width[1], e[at], e[at + s]) / e[at];
+			low *= weighted_mean(width[-1], width[0], e[at - s], e[at]) / e[at];
+			high *= weighted_mean(width[0], width[1], e[at], e[at + s]) / e[at];
 		}
 		u[c] = 0.5 * (low + high);
 	}

@@ -116,7 +116,7 @@ static enum ts_status store_fluid_acceleration(struct ts_instance *self, struct 
 
 /* Refuses two of these fixes on one particle, as each would count the force of the other as an accelerating force; and
  * members of rigid bodies, whose acceleration is not f/m. */
-static enum ts_status refuse(struct ts_instance *self, struct tsim *sim)
+static enum ts_status check_particles(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_instance *other;
@@ -141,7 +141,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	struct state *s = self->state;
 
 	TS_TRY(ts_coupling_force_init(self, sim));
-	TS_TRY(refuse(self, sim));
+	TS_TRY(check_particles(self, sim));
 	TS_TRY(ts_restraints_find(&s->restraints, sim, self, true));
 	s->mass.force.part.after_substep = s->mass.force.fluid && s->accelerates ? store_fluid_acceleration : NULL;
 	if (!s->mass.force.fluid || s->size != s->mass.force.fluid->grid.size)

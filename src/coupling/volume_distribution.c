@@ -8,7 +8,7 @@
 
 static const double PI = 3.14159265358979323846;
 
-static double extent(const struct ts_coupling_volume *how, double radius)
+static double reach_of(const struct ts_coupling_volume *how, double radius)
 {
 	return how->method == TS_VOLUME_KERNEL	  ? 2 * how->reach * radius
 	       : how->method == TS_VOLUME_DIVIDED ? radius
@@ -22,7 +22,7 @@ int ts_coupling_volume_reach(const struct ts_grid *grid, const struct ts_couplin
 	for (int d = 0; d < grid->dimensions; d++)
 		for (int i = 0; i < grid->n[d]; i++)
 			least = fmin(least, grid->width[d][i]);
-	return (int)fmin(ceil(extent(how, radius) / least), 1e6);
+	return (int)fmin(ceil(reach_of(how, radius) / least), 1e6);
 }
 
 /* Cells along an axis that the particle reaches; face: coordinates of their faces relative to the centre of the particle,
@@ -143,7 +143,7 @@ static void span_one_cell(int d, struct span s[3])
 void ts_coupling_volume_each_cell(const struct ts_grid *grid, const struct ts_coupling_volume *how, const double place[3],
 		    const int cell[3], double radius, ts_coupling_volume_fn *visit, void *context)
 {
-	double reach = extent(how, radius);
+	double reach = reach_of(how, radius);
 	double unit = how->disc ? radius * radius * grid->width[2][cell[2]] : radius * radius * radius;
 	double volume = (how->disc ? PI : 4 * PI / 3) * unit;
 	const struct visitor to = { visit, context };

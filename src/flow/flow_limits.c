@@ -51,17 +51,17 @@ static double decay_of(const struct ts_projection *p)
 
 /* Rates at a cell (1/time), and the largest ones over the grid. */
 struct rates {
-	double turn;  /* C */
+	double frequency;  /* C */
 	double growth; /* 1/(largest step by the limit of slow growth) */
 };
 
-struct weak {
+struct weak_damping {
 	enum { WEAK_NONE, WEAK_EULER, WEAK_FOURTH } kind;
 	double nu, gamma, factor;
 	double most; /* largest Courant number with the damping by QUICK alone */
 };
 
-static double growth_rate(const struct weak *weak, const double u[3], const double h[3], double turn)
+static double growth_rate(const struct weak_damping *weak, const double u[3], const double h[3], double frequency)
 {
 	double sum = 0, least = INFINITY;
 
@@ -75,12 +75,12 @@ static double growth_rate(const struct weak *weak, const double u[3], const doub
 	}
 	if (weak->kind == WEAK_EULER)
 		return sum;
-	return weak->kind == WEAK_FOURTH && turn > 0
-		       ? fmin(turn * cbrt(weak->factor * turn / least), turn / weak->most)
+	return weak->kind == WEAK_FOURTH && frequency > 0
+		       ? fmin(frequency * cbrt(weak->factor * frequency / least), frequency / weak->most)
 		       : 0;
 }
 
-static struct rates look_at_row(const struct ts_fluid *fluid, const struct weak *weak, int j, int k)
+static struct rates look_at_row(const struct ts_fluid *fluid, const struct weak_damping *weak, int j, int k)
 {
 	const struct ts_grid *grid = &fluid->grid;
 	const bool solid = grid->dimensions == 3;
@@ -88,22 +88,22 @@ static struct rates look_at_row(const struct ts_fluid *fluid, const struct weak 
 
 	for (int i = 0; i < grid->n[0]; i++) {
 		size_t at = ts_at(grid, i, j, k);
-		double u[3] = { 0 }, turn = 0;
+		double u[3] = { 0 }, frequency = 0;
 		double h[3] = { grid->width[0][i], grid->width[1][j], solid ? grid->width[2][k] : INFINITY };
 
 		for (int d = 0; d < grid->dimensions; d++) {
 			u[d] = fmax(fabs(fluid->u[d][at]),
 				    fabs(fluid->u[d][at + (size_t)grid->stride[d]]));
-			turn += u[d] / h[d];
+			frequency += u[d] / h[d];
 		}
-		most.turn = fmax(most.turn, turn);
-		most.growth = fmax(most.growth, growth_rate(weak, u, h, turn));
+		most.frequency = fmax(most.frequency, frequency);
+		most.growth = fmax(most.growth, growth_rate(weak, u, h, frequency));
 	}
 	return most;
 }
 
 /* Velocities of moving walls and inlets count as well: a fluid at rest beside them will take them. */
-static struct rates look_at_given(const struct ts_fluid *fluid, const struct weak *weak, int d,
+static struct rates look_at_given(const struct ts_fluid *fluid, const struct weak_damping *weak, int d,
 				  enum ts_grid_side side)
 {
 	const struct ts_grid *grid = &fluid->grid;
@@ -114,22 +114,22 @@ static struct rates look_at_given(const struct ts_fluid *fluid, const struct wea
 	for (int ib = 0; ib < grid->n[b]; ib++)
 		for (int ia = 0; ia < grid->n[a]; ia++) {
 			size_t at = ts_flow_plane_at(grid, d, ia, ib);
-			double u[3] = { 0 }, h[3] = { INFINITY, INFINITY, INFINITY }, turn = 0;
+			double u[3] = { 0 }, h[3] = { INFINITY, INFINITY, INFINITY }, frequency = 0;
 
 			h[d] = grid->width[d][side == TS_LOW ? 0 : grid->n[d] - 1];
 			h[a] = grid->width[a][ia];
 			h[b] = b < grid->dimensions ? grid->width[b][ib] : INFINITY;
 			for (int e = 0; e < grid->dimensions; e++) {
 				u[e] = fabs(given->plane[e] ? given->plane[e][at] : given->constant[e]);
-				turn += u[e] / h[e];
+				frequency += u[e] / h[e];
 			}
-			most.turn = fmax(most.turn, turn);
-			most.growth = fmax(most.growth, growth_rate(weak, u, h, turn));
+			most.frequency = fmax(most.frequency, frequency);
+			most.growth = fmax(most.growth, growth_rate(weak, u, h, frequency));
 		}
 	return most;
 }
 
-static struct rates look_at_faces(const struct ts_fluid *fluid, const struct weak *weak)
+static struct rates look_at_faces(const struct ts_fluid *fluid, const struct weak_damping *weak)
 {
 	struct rates most = { 0 };
 
@@ -139,17 +139,17 @@ static struct rates look_at_faces(const struct ts_fluid *fluid, const struct wea
 
 			if (fluid->face[d][side] == TS_FLOW_WALL || fluid->face[d][side] == TS_FLOW_INLET)
 				face = look_at_given(fluid, weak, d, side);
-			most.turn = fmax(most.turn, face.turn);
+			most.frequency = fmax(most.frequency, face.frequency);
 			most.growth = fmax(most.growth, face.growth);
 		}
 	return most;
 }
 
-static struct weak weak_of(const struct ts_projection *p)
+static struct weak_damping weak_damping_of(const struct ts_projection *p)
 {
 	static const double FOURTH = 1.185 / 8, QUICK_AB2 = 0.58, QUICK_RK2 = 0.79;
 	const struct ts_flow_time_scheme *scheme = &ts_flow_time_schemes[p->time];
-	struct weak weak = { .nu = p->viscosity / p->density,
+	struct weak_damping weak = { .nu = p->viscosity / p->density,
 			     .gamma = p->convection == TS_CONVECTION_DONOR ? p->gamma : 0 };
 
 	if (scheme->order == 1)
@@ -183,24 +183,24 @@ struct ts_flow_limits ts_flow_limits(const struct ts_projection *p)
 	const struct ts_fluid *fluid = &p->fluid;
 	const struct ts_grid *grid = &fluid->grid;
 	const struct ts_flow_time_scheme *scheme = &ts_flow_time_schemes[p->time];
-	const struct weak weak = weak_of(p);
+	const struct weak_damping weak = weak_damping_of(p);
 	const struct rates faces = look_at_faces(fluid, &weak);
 	long rows = (long)grid->n[1] * grid->n[2];
-	double turn = faces.turn, growth = faces.growth, numbers = 0;
+	double frequency = faces.frequency, growth = faces.growth, numbers = 0;
 
-#pragma omp parallel for num_threads(p->poisson.threads) schedule(static) reduction(max : turn, growth)
+#pragma omp parallel for num_threads(p->poisson.threads) schedule(static) reduction(max : frequency, growth)
 	for (long line = 0; line < rows; line++) {
 		struct rates row = look_at_row(fluid, &weak, (int)(line % grid->n[1]),
 					       (int)(line / grid->n[1]));
 
-		turn = fmax(turn, row.turn);
+		frequency = fmax(frequency, row.frequency);
 		growth = fmax(growth, row.growth);
 	}
 	if (p->viscous == TS_VISCOUS_EXPLICIT)
 		numbers = weak.nu * all_numbers(p);
 	return (struct ts_flow_limits){
-		.viscous = scheme->real / (numbers + decay_of(p) * turn),
-		.courant = scheme->courant / turn,
+		.viscous = scheme->real / (numbers + decay_of(p) * frequency),
+		.courant = scheme->courant / frequency,
 		.growth = 1 / growth,
 	};
 }

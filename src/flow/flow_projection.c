@@ -221,7 +221,7 @@ static struct ts_fluid *fluid(const struct ts_instance *self)
 }
 
 /* Whether a wall or a body prescribes the tangential velocity on its surface. */
-static bool sticks(const struct ts_projection *p, const struct tsim *sim)
+static bool has_no_slip_surface(const struct ts_projection *p, const struct tsim *sim)
 {
 	const struct ts_instance *inst;
 
@@ -240,7 +240,7 @@ static void warn_of_walls(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_projection *p = self->state;
 
-	if (p->viscosity > 0 || p->warned_walls || !sticks(p, sim))
+	if (p->viscosity > 0 || p->warned_walls || !has_no_slip_surface(p, sim))
 		return;
 	p->warned_walls = true;
 	ts_warn(&sim->log, ts_instance_word(self, "viscosity"),

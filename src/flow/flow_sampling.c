@@ -129,7 +129,7 @@ static struct stencil stencil_around(const struct axis *a, double x, int count)
 
 typedef double value_fn(const struct ts_fluid *fluid, const void *what, const int cell[3]);
 
-static double combine(const struct stencil s[3], const struct ts_fluid *fluid, value_fn *value,
+static double sum_stencils(const struct stencil s[3], const struct ts_fluid *fluid, value_fn *value,
 		      const void *what)
 {
 	double sum = 0;
@@ -155,13 +155,13 @@ static double of_edge(const struct ts_fluid *fluid, const void *what, const int 
 	return ts_flow_edge_vorticity(fluid, *(const int *)what, cell);
 }
 
-static double centred(const struct ts_fluid *fluid, const double *field, const double x[3], int count)
+static double sample_centred(const struct ts_fluid *fluid, const double *field, const double x[3], int count)
 {
 	struct stencil s[3];
 
 	for (int d = 0; d < 3; d++)
 		s[d] = stencil_around(&(struct axis){ fluid, &fluid->grid, d, IN_CENTRES }, x[d], count);
-	return combine(s, fluid, of_field, field);
+	return sum_stencils(s, fluid, of_field, field);
 }
 
 static double velocity(const struct ts_fluid *fluid, int component, const double x[3], int count)
@@ -175,7 +175,7 @@ static double velocity(const struct ts_fluid *fluid, int component, const double
 
 		s[d] = stencil_around(&(struct axis){ fluid, &fluid->grid, d, nodes }, x[d], count);
 	}
-	return combine(s, fluid, of_field, fluid->u[component]);
+	return sum_stencils(s, fluid, of_field, fluid->u[component]);
 }
 
 static double vorticity(const struct ts_fluid *fluid, int component, const double x[3])
@@ -188,7 +188,7 @@ static double vorticity(const struct ts_fluid *fluid, int component, const doubl
 		s[d] = stencil_around(&(struct axis){ fluid, &fluid->grid, d,
 					      d == component ? IN_CENTRES : ON_FACES },
 			      x[d], 2);
-	return combine(s, fluid, of_edge, &component);
+	return sum_stencils(s, fluid, of_edge, &component);
 }
 
 void ts_flow_sample(const struct ts_flow_sampler *sampler, const struct ts_fluid *fluid,
@@ -203,7 +203,7 @@ void ts_flow_sample(const struct ts_flow_sampler *sampler, const struct ts_fluid
 		int what = sampler->list.item[k];
 
 		if (what == TS_FLOW_SCALAR)
-			out[k] = centred(fluid, sampler->carried[k], x, count);
+			out[k] = sample_centred(fluid, sampler->carried[k], x, count);
 		else if (what <= Z)
 			out[k] = x[what];
 		else if (what == S)
@@ -213,9 +213,9 @@ void ts_flow_sample(const struct ts_flow_sampler *sampler, const struct ts_fluid
 		else if (what == SPEED)
 			out[k] = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
 		else if (what == P)
-			out[k] = centred(fluid, fluid->p, x, count);
+			out[k] = sample_centred(fluid, fluid->p, x, count);
 		else if (what == VOID)
-			out[k] = fluid->void_fraction ? centred(fluid, fluid->void_fraction, x, count) : 1;
+			out[k] = fluid->void_fraction ? sample_centred(fluid, fluid->void_fraction, x, count) : 1;
 		else
 			out[k] = vorticity(fluid, what - WX, x);
 	}

@@ -34,7 +34,7 @@ static double density(const struct ts_instance *self)
 }
 
 /* Estimates the number of cells of a grid in the box, with cells of two mean diameters. */
-static double cells(const struct tsim *sim)
+static double estimated_cells(const struct tsim *sim)
 {
 	const struct ts_particles *p = sim->particles;
 	const struct ts_box *box = &sim->domain->box;
@@ -57,7 +57,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 
 	ts_report_line(report, "fluid", "uniform velocity (%g %g %g), viscosity %g",
 		       flow->velocity[0], flow->velocity[1], flow->velocity[2], flow->viscosity);
-	ts_report_left_out(report, "fluid solver", 0, FIELDS * sizeof(double) * cells(sim),
+	ts_report_left_out(report, "fluid solver", 0, FIELDS * sizeof(double) * estimated_cells(sim),
 			   "the velocity is imposed, particles do not act on it (cells of two diameters)");
 	return TS_OK;
 }

@@ -60,7 +60,7 @@ static struct stencil beside_wall(const struct ts_grid *grid, int d, enum ts_gri
 	return (struct stencil){ n - 2, 3, { w[2], w[1], w[0] }, { s[2], s[1], s[0] } };
 }
 
-static bool sticks(enum ts_flow_face face)
+static bool gives_tangential_velocity(enum ts_flow_face face)
 {
 	return face == TS_FLOW_WALL || face == TS_FLOW_INLET;
 }
@@ -73,9 +73,9 @@ static struct stencil velocity_stencil(const struct ts_fluid *fluid, int c, int 
 	if (c == d && grid->ghosts[d])
 		return at_faces(grid, d, x);
 	if (!grid->periodic[d] && grid->ghosts[d]) {
-		if (x < grid->centre[d][0] && sticks(fluid->face[d][TS_LOW]))
+		if (x < grid->centre[d][0] && gives_tangential_velocity(fluid->face[d][TS_LOW]))
 			return beside_wall(grid, d, TS_LOW, x, fluid->ghost_weights[d][TS_LOW]);
-		if (x > grid->centre[d][grid->n[d] - 1] && sticks(fluid->face[d][TS_HIGH]))
+		if (x > grid->centre[d][grid->n[d] - 1] && gives_tangential_velocity(fluid->face[d][TS_HIGH]))
 			return beside_wall(grid, d, TS_HIGH, x, fluid->ghost_weights[d][TS_HIGH]);
 	}
 	return at_centres(grid, d, x);

@@ -2,8 +2,9 @@
  * by axes into tridiagonal systems; u* = u + d.
  *
  * theta 1/2 (Crank-Nicolson) is of second order; theta 1 (backward Euler) is of first order and damps short waves
- * best. Neither limits the step. Kim & Moin, J. Comput. Phys. 59 (1985) 308. With the old pressure in the predictor (incremental
- * projection) the projection solves for its change phi, and p <- p + phi - theta mu div u*: Brown, Cortez & Minion, J. Comput. Phys. 168 (2001) 464. */
+ * best. Neither limits the step. Kim & Moin, J. Comput. Phys. 59 (1985) 308. With the old pressure in the predictor
+ * (incremental projection) the projection solves for its change phi, and p <- p + phi - theta mu div u*: Brown, Cortez &
+ * Minion, J. Comput. Phys. 168 (2001) 464. */
 #ifndef TS_FLOW_IMPLICIT_VISCOSITY_H
 #define TS_FLOW_IMPLICIT_VISCOSITY_H
 

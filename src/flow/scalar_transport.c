@@ -151,7 +151,7 @@ double ts_transport_limit(const struct ts_transport *t, const struct ts_fluid *f
 }
 
 /* Returns `part` times T after dt, from the rate of e T; t->void_fraction is not changed. */
-static double after(const struct ts_transport *t, const struct ts_fluid *fluid, size_t k, double part,
+static double value_after(const struct ts_transport *t, const struct ts_fluid *fluid, size_t k, double part,
 		    double content, double dt)
 {
 	double e = t->void_fraction ? t->void_fraction[k] + dt * fluid->void_fraction_rate[k] : 1;
@@ -160,7 +160,7 @@ static double after(const struct ts_transport *t, const struct ts_fluid *fluid, 
 }
 
 /* Heun's method: `stage` is T after an Euler step; the result is the mean of T and of `stage` after a second Euler step. */
-static void advance(struct ts_transport *t, const struct ts_fluid *fluid, double dt, int threads)
+static void heun_step(struct ts_transport *t, const struct ts_fluid *fluid, double dt, int threads)
 {
 	const size_t size = fluid->grid.size;
 	double *e = t->void_fraction;
@@ -169,14 +169,14 @@ static void advance(struct ts_transport *t, const struct ts_fluid *fluid, double
 	find_rate(t, fluid, t->value, threads);
 #pragma omp parallel for num_threads(threads) schedule(static)
 	for (size_t k = 0; k < size; k++)
-		t->stage[k] = after(t, fluid, k, 1, (e ? e[k] : 1) * t->value[k], dt);
+		t->stage[k] = value_after(t, fluid, k, 1, (e ? e[k] : 1) * t->value[k], dt);
 	ts_transport_fill(t, fluid, t->stage);
 	find_rate(t, fluid, t->stage, threads);
 #pragma omp parallel for num_threads(threads) schedule(static)
 	for (size_t k = 0; k < size; k++) {
 		double then = e ? e[k] + dt * fluid->void_fraction_rate[k] : 1;
 
-		t->value[k] = after(t, fluid, k, 0.5, (e ? e[k] : 1) * t->value[k] + then * t->stage[k], dt);
+		t->value[k] = value_after(t, fluid, k, 0.5, (e ? e[k] : 1) * t->value[k] + then * t->stage[k], dt);
 		if (e)
 			e[k] = then;
 	}
@@ -187,7 +187,7 @@ long ts_transport_advance(struct ts_transport *t, const struct ts_fluid *fluid, 
 	long parts = (long)fmin(fmax(ceil(dt / ts_transport_limit(t, fluid)), 1), 1e6);
 
 	for (long k = 0; k < parts; k++)
-		advance(t, fluid, dt / (double)parts, threads);
+		heun_step(t, fluid, dt / (double)parts, threads);
 	ts_transport_fill(t, fluid, t->value);
 	return parts;
 }

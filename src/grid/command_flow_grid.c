@@ -20,7 +20,7 @@ struct state {
 };
 
 /* Faces from 0 to 1 with widths in geometric progression; last width by first width: `ratio`. */
-static void geometric(double *face, int n, double ratio)
+static void set_geometric_faces(double *face, int n, double ratio)
 {
 	double factor = n > 1 ? pow(ratio, 1.0 / (n - 1)) : 1, width = 1;
 
@@ -31,7 +31,7 @@ static void geometric(double *face, int n, double ratio)
 		face[i] /= face[n];
 }
 
-static void mirror(double *face, int n)
+static void mirror_faces(double *face, int n)
 {
 	for (int i = 0; i <= n / 2; i++) {
 		double low = face[i];
@@ -47,15 +47,15 @@ static enum ts_status make_geometric(struct tsim *sim, const struct state *s, do
 	int half = n / 2;
 
 	if (s->fine != FINE_BOTH) {
-		geometric(face, n, s->ratio);
+		set_geometric_faces(face, n, s->ratio);
 		if (s->fine == FINE_HIGH)
-			mirror(face, n);
+			mirror_faces(face, n);
 		return TS_OK;
 	}
 	if (n % 2)
 		return ts_fail(&sim->error, TS_RANGE, where,
 			       "flow_grid: fine at both ends takes an even number of cells, not %d", n);
-	geometric(face, half, s->ratio);
+	set_geometric_faces(face, half, s->ratio);
 	for (int i = 0; i <= half; i++)
 		face[i] *= 0.5;
 	for (int i = 0; i < half; i++)
@@ -72,7 +72,7 @@ static void make_tanh(const struct state *s, double *face, int n)
 }
 
 /* The factor q for which h (q + q^2 + ... + q^n) = length, by bisection; NaN if there is none between 0.2 and 5. */
-static double growth(double h, int64_t n, double length)
+static double growth_factor(double h, int64_t n, double length)
 {
 	double lo = 0.2, hi = 5;
 
@@ -90,7 +90,7 @@ static double growth(double h, int64_t n, double length)
 
 /* Sets n faces beyond face[0] in the direction `sign` (1 or -1), each cell wider than the one before by q; the cell before
  * the first has width h. */
-static void grow(double *face, int64_t n, int sign, double h, double q)
+static void set_growing_faces(double *face, int64_t n, int sign, double h, double q)
 {
 	for (int64_t i = 1; i <= n; i++)
 		face[sign * i] = face[sign * (i - 1)] + sign * (h *= q);
@@ -112,8 +112,8 @@ static enum ts_status make_around(struct tsim *sim, const struct state *s, const
 			       "%d cells from %g to %g",
 			       s->lo, s->hi, (long long)s->before, (long long)s->inside, n, origin,
 			       origin + length);
-	below = growth(h, s->before, lo);
-	above = growth(h, after, 1 - hi);
+	below = growth_factor(h, s->before, lo);
+	above = growth_factor(h, after, 1 - hi);
 	if (isnan(below) || isnan(above))
 		return ts_fail(&sim->error, TS_RANGE, where,
 			       "flow_grid: the %lld cells %s %g cannot fill the rest of the axis",
@@ -121,8 +121,8 @@ static enum ts_status make_around(struct tsim *sim, const struct state *s, const
 			       isnan(below) ? "before" : "after", isnan(below) ? s->lo : s->hi);
 	for (int64_t i = 0; i <= s->inside; i++)
 		face[s->before + i] = lo + (double)i * h;
-	grow(face + s->before, s->before, -1, h, below);
-	grow(face + s->before + s->inside, after, 1, h, above);
+	set_growing_faces(face + s->before, s->before, -1, h, below);
+	set_growing_faces(face + s->before + s->inside, after, 1, h, above);
 	face[0] = 0;
 	face[n] = 1;
 	return TS_OK;
@@ -159,7 +159,7 @@ static enum ts_status read_faces(struct tsim *sim, const struct state *s, const 
 	return TS_OK;
 }
 
-static enum ts_status make(struct tsim *sim, const struct state *s, const struct ts_grid *grid,
+static enum ts_status make_faces(struct tsim *sim, const struct state *s, const struct ts_grid *grid,
 			   double *face, const struct ts_place *where)
 {
 	int n = grid->n[s->axis];
@@ -189,7 +189,7 @@ static enum ts_status run(struct tsim *sim, void *state, const struct ts_place *
 		face = ts_alloc((size_t)p->fluid.grid.n[s->axis] + 1, sizeof *face);
 		if (!face)
 			return ts_nomem(&sim->error);
-		status = make(sim, s, &p->fluid.grid, face, where);
+		status = make_faces(sim, s, &p->fluid.grid, face, where);
 		if (status != TS_OK) {
 			ts_free(face);
 			return status;

@@ -342,7 +342,7 @@ static void body_name(const struct body *body, char *out, size_t size)
 		snprintf(out + n, size - (size_t)n, ")");
 }
 
-static bool is_wide(const struct ts_closed_search *s, const struct region *region)
+static bool is_resolved(const struct ts_closed_search *s, const struct region *region)
 {
 	for (int d = 0; d < s->grid->dimensions; d++)
 		if (region->hi[d] - region->lo[d] + 1 < WIDE && s->grid->n[d] >= WIDE)
@@ -369,7 +369,7 @@ static enum ts_status check_region(const struct ts_closed_search *s, struct tsim
 			       "there balance",
 			       name, ts_flow_face_names[region->face],
 			       x[0], x[1], x[2], region->net < 0 ? "out" : "in", fabs(region->net));
-	if (!is_wide(s, region))
+	if (!is_resolved(s, region))
 		return TS_OK;
 	return ts_fail(&sim->error, TS_PHYSICS, &self->where,
 		       "%s: the body %s fluid at %g per time that it closes off about (%.4g %.4g %.4g), and which "

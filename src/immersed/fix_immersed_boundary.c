@@ -71,7 +71,7 @@ static struct record *record_of(struct state *s, const struct tsim *sim, size_t 
 	return (struct record *)sim->particles->column[s->column].data + row;
 }
 
-static struct ts_net_force *net_of(const struct state *s, const struct tsim *sim, size_t row)
+static struct ts_net_force *net_force_of(const struct state *s, const struct tsim *sim, size_t row)
 {
 	return (struct ts_net_force *)sim->particles->column[s->net_column].data + row;
 }
@@ -383,7 +383,7 @@ static enum ts_status update_forces(struct ts_instance *self, struct tsim *sim, 
 			r->torque[0] = r->torque[1] = 0;
 	}
 	for (size_t k = 0; s->body == SPHERES && k < s->solid->parts; k++)
-		ts_net_force_average(net_of(s, sim, (size_t)ts_solid_sphere_row(s->solid, k)));
+		ts_net_force_average(net_force_of(s, sim, (size_t)ts_solid_sphere_row(s->solid, k)));
 	if (s->body == MESH) {
 		mean_of_corners(&s->surface->mesh, s->lever);
 		ts_sub(s->solid->motion->centre, s->lever, s->lever);
@@ -461,7 +461,7 @@ static double density_of(const struct tsim *sim, size_t i)
 static void stabilize_particle(struct state *s, const struct tsim *sim, size_t i)
 {
 	struct ts_particles *p = sim->particles;
-	struct ts_net_force *net = net_of(s, sim, i);
+	struct ts_net_force *net = net_force_of(s, sim, i);
 	double share = ts_virtual_mass_ratio(density_of(sim, i), s->virtual_mass, s->fluid->density);
 	double change[3] = { -p->f[i][0], -p->f[i][1], -p->f[i][2] };
 

@@ -28,7 +28,7 @@ static double thickest(const struct tsim *sim, size_t i)
 	return most;
 }
 
-static enum ts_status refuse(struct tsim *sim, const struct ts_place *where, const char *what,
+static enum ts_status fail_too_small(struct tsim *sim, const struct ts_place *where, const char *what,
 			     int axis, double cells, double least)
 {
 	return ts_fail(&sim->error, TS_RANGE, where,
@@ -64,7 +64,7 @@ enum ts_status ts_immersed_check_size(struct tsim *sim, const struct ts_place *w
 			snprintf(what, sizeof what, "particle %d of diameter %.4g",
 				 sim->particles->tag[i], 2 * sim->particles->radius[i]);
 		}
-		return refuse(sim, where, what, axis, cells, least);
+		return fail_too_small(sim, where, what, axis, cells, least);
 	}
 	return TS_OK;
 }

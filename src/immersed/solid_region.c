@@ -26,7 +26,7 @@ static struct ts_solid_pose pose_of(const struct ts_region *r, double time)
 }
 
 /* A point y of the shape is at turn (y - pivot) + pivot + shift. */
-static void place(const struct ts_region *r, const struct ts_solid_pose *s, const double y[3], double x[3])
+static void transform_point(const struct ts_region *r, const struct ts_solid_pose *s, const double y[3], double x[3])
 {
 	double arm[3];
 
@@ -41,8 +41,8 @@ static void motion_between(const struct ts_region *r, const struct ts_solid_pose
 {
 	double x[2][3], q[3][3] = { { 0 } }, axis[3], angle, dt = b->time - a->time;
 
-	place(r, a, home, x[0]);
-	place(r, b, home, x[1]);
+	transform_point(r, a, home, x[0]);
+	transform_point(r, b, home, x[1]);
 	for (int i = 0; i < 3; i++)
 		for (int j = 0; j < 3; j++)
 			q[i][j] = ts_dot(b->turn[i], a->turn[j]);
@@ -57,7 +57,7 @@ static void motion_between(const struct ts_region *r, const struct ts_solid_pose
 }
 
 /* Centre of the shape as defined, before it moves. */
-static void home_of(const struct region *s, double home[3])
+static void shape_centre(const struct region *s, double home[3])
 {
 	const struct ts_region_style *style =
 		(const struct ts_region_style *)s->instance->style;
@@ -71,13 +71,13 @@ static void home_of(const struct region *s, double home[3])
 }
 
 /* Whether the shape depends on variables, also through the regions it consists of. */
-static bool varies(const struct tsim *sim, const struct ts_instance *region)
+static bool shape_varies(const struct tsim *sim, const struct ts_instance *region)
 {
 	for (size_t k = 0; k < region->words.n; k++) {
 		const char *word = region->words.word[k].text;
 		const struct ts_instance *member = ts_sim_find(sim, TS_KIND_REGION, word);
 
-		if (strncmp(word, "v_", 2) == 0 || (member && member != region && varies(sim, member)))
+		if (strncmp(word, "v_", 2) == 0 || (member && member != region && shape_varies(sim, member)))
 			return true;
 	}
 	return false;
@@ -94,9 +94,9 @@ static enum ts_status update(struct ts_solid *solid, struct tsim *sim)
 
 	TS_TRY(ts_region_update(s->instance, sim));
 	now = pose_of(r, ts_sim_time(sim));
-	home_of(s, home);
-	place(r, &now, home, m->centre);
-	solid->moved = !s->before->seen || (style->update && varies(sim, s->instance)) ||
+	shape_centre(s, home);
+	transform_point(r, &now, home, m->centre);
+	solid->moved = !s->before->seen || (style->update && shape_varies(sim, s->instance)) ||
 		       memcmp(&now, s->before, offsetof(struct ts_solid_pose, time)) != 0;
 	memset(m->velocity, 0, sizeof m->velocity);
 	memset(m->omega, 0, sizeof m->omega);

@@ -35,7 +35,7 @@ static void multiply(const double *restrict a, const double *restrict b, double 
 
 /* d = z + beta d */
 TS_CLONES
-static void turn(const double *restrict z, double beta, double *restrict d, int n)
+static void update_direction(const double *restrict z, double beta, double *restrict d, int n)
 {
 #pragma omp simd
 	for (int i = 0; i < n; i++)
@@ -44,7 +44,7 @@ static void turn(const double *restrict z, double beta, double *restrict d, int 
 
 /* p += alpha d, r -= alpha q */
 TS_CLONES
-static void advance(double alpha, const double *restrict d, const double *restrict q,
+static void update_solution(double alpha, const double *restrict d, const double *restrict q,
 		    double *restrict p, double *restrict r, int n)
 {
 #pragma omp simd
@@ -60,7 +60,7 @@ static void direction(const struct ts_stencil *s, const double *z, double beta, 
 	for (int row = 0; row < ts_stencil_rows(s); row++) {
 		size_t at = ts_stencil_row(s, row);
 
-		turn(z + at, beta, d + at, s->n[0]);
+		update_direction(z + at, beta, d + at, s->n[0]);
 	}
 	ts_stencil_ghosts(s, d);
 }
@@ -71,7 +71,7 @@ static void step(const struct ts_stencil *s, double alpha, const struct ts_conju
 	for (int row = 0; row < ts_stencil_rows(s); row++) {
 		size_t at = ts_stencil_row(s, row);
 
-		advance(alpha, c->d + at, c->q + at, p + at, c->r + at, s->n[0]);
+		update_solution(alpha, c->d + at, c->q + at, p + at, c->r + at, s->n[0]);
 	}
 }
 

@@ -68,7 +68,7 @@ static enum ts_status make_stencil(const struct ts_multigrid_level *fine, struct
 }
 
 /* Centre of cell i of an axis; of the ghosts: the image, the face with the given value, or the cell's own. */
-static double centre(const struct ts_stencil *s, int d, int i)
+static double cell_centre(const struct ts_stencil *s, int d, int i)
 {
 	double x = 0, length = 0;
 	int n = s->n[d];
@@ -77,7 +77,7 @@ static double centre(const struct ts_stencil *s, int d, int i)
 		length += s->width[d][k];
 	if (i < 0 || i >= n) {
 		if (s->periodic[d])
-			return i < 0 ? centre(s, d, n - 1) - length : centre(s, d, 0) + length;
+			return i < 0 ? cell_centre(s, d, n - 1) - length : cell_centre(s, d, 0) + length;
 		return i < 0 ? 0 : length;
 	}
 	for (int k = 0; k < i; k++)
@@ -91,9 +91,9 @@ static void fill_below(const struct ts_stencil *fine, const struct ts_stencil *c
 {
 	for (int c = 0; c < coarse->n[d]; c++)
 		for (int i = transfer->begin[c]; i < transfer->begin[c + 1]; i++) {
-			double x = centre(fine, d, i), here = centre(coarse, d, c);
+			double x = cell_centre(fine, d, i), here = cell_centre(coarse, d, c);
 			int below = x < here ? c - 1 : c;
-			double low = centre(coarse, d, below), high = centre(coarse, d, below + 1);
+			double low = cell_centre(coarse, d, below), high = cell_centre(coarse, d, below + 1);
 			bool beyond = (below < 0 && coarse->conductance[d][0] == 0) ||
 				      (below + 1 == coarse->n[d] && coarse->conductance[d][below + 1] == 0);
 
@@ -104,7 +104,7 @@ static void fill_below(const struct ts_stencil *fine, const struct ts_stencil *c
 }
 
 /* The coarse cell on one side, and its weight; -1: there is none, or the value beyond is given. */
-static int parent(const struct ts_multigrid_transfer *transfer, const struct ts_stencil *coarse, int d, int i, int side,
+static int coarse_neighbour(const struct ts_multigrid_transfer *transfer, const struct ts_stencil *coarse, int d, int i, int side,
 		  double *share)
 {
 	int at = transfer->below[i] + side, n = coarse->n[d];
@@ -127,7 +127,7 @@ static void fill_cells(const struct ts_stencil *coarse, struct ts_multigrid_tran
 		transfer->first[c] = at;
 		for (int i = 0; i < n; i++)
 			for (int side = 0; side < 2; side++)
-				if (parent(transfer, coarse, d, i, side, &share) == c) {
+				if (coarse_neighbour(transfer, coarse, d, i, side, &share) == c) {
 					transfer->cell[at] = i;
 					transfer->weight[at++] = share;
 				}
@@ -261,8 +261,8 @@ static void prolong_row(const struct ts_multigrid_level *fine, const struct ts_m
 	memset(row, 0, ((size_t)coarse->s.n[0] + 2) * sizeof *row);
 	for (int side = 0; side < 4; side++) {
 		double share[2];
-		int y = parent(&fine->transfer[1], &coarse->s, 1, j, side & 1, &share[0]);
-		int z = parent(&fine->transfer[2], &coarse->s, 2, k, side >> 1, &share[1]);
+		int y = coarse_neighbour(&fine->transfer[1], &coarse->s, 1, j, side & 1, &share[0]);
+		int z = coarse_neighbour(&fine->transfer[2], &coarse->s, 2, k, side >> 1, &share[1]);
 
 		if (y >= 0 && z >= 0)
 			add_scaled(coarse->p + ts_stencil_at(&coarse->s, -1, y, z), share[0] * share[1],
@@ -293,7 +293,7 @@ static void restrict_row(const struct ts_multigrid_level *fine, const struct ts_
 	}
 }
 
-static void descend(struct ts_multigrid_level *fine, struct ts_multigrid_level *coarse)
+static void restrict_residual(struct ts_multigrid_level *fine, struct ts_multigrid_level *coarse)
 {
 	int rows = ts_stencil_rows(&coarse->s);
 
@@ -304,7 +304,7 @@ static void descend(struct ts_multigrid_level *fine, struct ts_multigrid_level *
 			     fine->row + (size_t)row * (size_t)fine->s.n[0]);
 }
 
-static void ascend(struct ts_multigrid_level *fine, struct ts_multigrid_level *coarse)
+static void prolong_correction(struct ts_multigrid_level *fine, struct ts_multigrid_level *coarse)
 {
 	int rows = ts_stencil_rows(&fine->s);
 
@@ -349,11 +349,11 @@ void ts_multigrid_cycle(void *multigrid, const double *r, double *z)
 		if (k == last)
 			break;
 		sweep_up(&l[k]);
-		descend(&l[k], &l[k + 1]);
+		restrict_residual(&l[k], &l[k + 1]);
 	}
 	solve_coarsest(&l[last]);
 	for (int k = last - 1; k >= 0; k--) {
-		ascend(&l[k], &l[k + 1]);
+		prolong_correction(&l[k], &l[k + 1]);
 		sweep_down(&l[k]);
 	}
 	l[0].p = NULL;
