@@ -164,13 +164,14 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-void ts_bond_separation(const struct tsim *sim, size_t i, size_t j, double d[3])
+double ts_bond_separation(const struct tsim *sim, size_t i, size_t j, double d[3])
 {
 	const struct ts_particles *p = sim->particles;
 
 	for (int k = 0; k < 3; k++)
 		d[k] = p->x[i][k] - p->x[j][k];
 	ts_box_nearest(&sim->domain->box, d);
+	return ts_norm(d);
 }
 
 static enum ts_status check_places(struct tsim *sim, const struct ts_bonds *b)
@@ -180,8 +181,7 @@ static enum ts_status check_places(struct tsim *sim, const struct ts_bonds *b)
 	for (size_t k = 0; k < b->n; k++) {
 		size_t i = (size_t)b->row[k][0], j = (size_t)b->row[k][1];
 
-		ts_bond_separation(sim, i, j, d);
-		TS_TRY(ts_coincide_bond(sim, NULL, i, j, ts_norm(d)));
+		TS_TRY(ts_coincide_bond(sim, NULL, i, j, ts_bond_separation(sim, i, j, d)));
 	}
 	return TS_OK;
 }

@@ -81,8 +81,8 @@ void ts_bonds_delete(struct ts_bonds *bonds, const unsigned char *flag);
 /* Makes the lists by particle anew after the list or the particles' rows have changed. */
 enum ts_status ts_bonds_index(struct tsim *sim);
 
-/* Vector from particle j to particle i, by the nearest image. */
-void ts_bond_separation(const struct tsim *sim, size_t i, size_t j, double d[3]);
+/* Vector from particle j to particle i, by the nearest image; its length. */
+double ts_bond_separation(const struct tsim *sim, size_t i, size_t j, double d[3]);
 
 enum ts_status ts_bond_set(struct tsim *sim, struct ts_types types, struct ts_words words,
 			   const struct ts_place *where);

@@ -4,7 +4,6 @@
 #include "bond/bonds.h"
 #include "box/domain.h"
 #include "core/life.h"
-#include "math/vec3.h"
 #include "neigh/coincide.h"
 #include "particle/identity.h"
 #include "particle/user_columns.h"
@@ -116,7 +115,7 @@ static enum ts_status make_bonds(struct tsim *sim, const struct ts_data *data,
 		int32_t i = (int32_t)(from->tag[0] + o->tag_offset);
 		int32_t j = (int32_t)(from->tag[1] + o->tag_offset);
 		int64_t type = from->type + o->bond_type_offset;
-		double d[3];
+		double d[3], length;
 		size_t row[2];
 
 		if (type < 1)
@@ -125,9 +124,9 @@ static enum ts_status make_bonds(struct tsim *sim, const struct ts_data *data,
 				       (long long)type);
 		row[0] = (size_t)ts_row_of(&map, i);
 		row[1] = (size_t)ts_row_of(&map, j);
-		ts_bond_separation(sim, row[0], row[1], d);
-		TS_TRY(ts_coincide_bond(sim, &place, row[0], row[1], ts_norm(d)));
-		TS_TRY(ts_bonds_add(sim, i, j, (int)type, ts_norm(d)));
+		length = ts_bond_separation(sim, row[0], row[1], d);
+		TS_TRY(ts_coincide_bond(sim, &place, row[0], row[1], length));
+		TS_TRY(ts_bonds_add(sim, i, j, (int)type, length));
 	}
 	ts_bonds_sort(b);
 	return refuse_repeated(sim, data);
