@@ -413,12 +413,9 @@ static enum ts_status hash_instance(struct tsim *sim, const struct ts_instance *
 	return hash_meaning(sim, inst, inst->style->args, hash);
 }
 
-/* Fixes that only look (averages, prints) may come and go: the forces stay what they are. Systems that have no
- * state and only set function pointers of others say nothing about them either, and older restart files do not know them. */
+/* Fixes that only look (averages, prints) may come and go: the forces stay what they are. */
 static bool only_looks(const struct ts_instance *inst)
 {
-	if (inst->style->kind == TS_KIND_SYSTEM)
-		return !inst->style->state_size && inst->style->init;
 	if (inst->style->kind != TS_KIND_FIX)
 		return false;
 	for (int stage = TS_STAGE_INITIAL_INTEGRATE; stage <= TS_STAGE_FINAL_INTEGRATE; stage++)

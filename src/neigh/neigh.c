@@ -430,6 +430,7 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 	const struct ts_neigh *nb = self->state;
 	size_t rows = nb->rows.n;
 
+	TS_TRY(nb->ask.network(report, sim));
 	if (!nb->wanted) {
 		ts_report_left_out(report, "contact rows", TS_FULL_ROWS, 0, "no pair_style");
 		return TS_OK;

@@ -35,6 +35,8 @@ struct ts_neigh_questions {
 	/* Whether particle i, which has just moved by more than its radius, may have met something on its way; `what`
 	 * says it: " past ...". */
 	bool (*hits)(struct tsim *sim, size_t i, char *what, size_t room);
+	/* Reports the limits of the time step that contacts, walls and bonds have together. */
+	enum ts_status (*network)(struct ts_plan_report *report, struct tsim *sim);
 };
 
 struct ts_neigh {
