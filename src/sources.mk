@@ -766,6 +766,7 @@ library_sources = \
 	src/poisson/preconditioned_cg.h \
 	src/poisson/pressure_cg.c \
 	src/poisson/pressure_choice.c \
+	src/poisson/pressure_choice.h \
 	src/poisson/pressure_direct.c \
 	src/poisson/pressure_hypre.c \
 	src/poisson/pressure_multigrid.c \

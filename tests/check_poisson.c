@@ -10,6 +10,7 @@
 #include "math/rng.h"
 #include "poisson/fourier.h"
 #include "poisson/poisson.h"
+#include "poisson/pressure_choice.h"
 
 enum { MOST = 600 }; /* cells along an axis */
 

@@ -106,7 +106,8 @@ double ts_coupling_interpolate(const struct ts_grid *grid, const struct ts_coupl
 	return sum;
 }
 
-double ts_coupling_interpolate_gradient(const struct ts_grid *grid, const struct ts_coupling_weights *s, int c, const double *field)
+double ts_coupling_interpolate_gradient(const struct ts_grid *grid, const struct ts_coupling_weights *s, int c,
+					const double *field)
 {
 	size_t stride = (size_t)grid->stride[c];
 	double sum = 0;

@@ -33,7 +33,8 @@ void ts_coupling_weights_centre(const struct ts_fluid *fluid, const double place
 /* Returns sum of weight * field. */
 double ts_coupling_interpolate(const struct ts_grid *grid, const struct ts_coupling_weights *s, const double *field);
 /* Returns sum of weight * gradient along axis c of a centred field, taken at the faces of component c. */
-double ts_coupling_interpolate_gradient(const struct ts_grid *grid, const struct ts_coupling_weights *s, int c, const double *field);
+double ts_coupling_interpolate_gradient(const struct ts_grid *grid, const struct ts_coupling_weights *s, int c,
+					const double *field);
 
 /* Distributes the reaction to the force F = `amount` of field q (at faces across axis c, or at centres: c == -1) on a
  * particle, with dF/dq = slope. For each point with weight w and control volume V

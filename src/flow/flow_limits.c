@@ -7,8 +7,8 @@
  * up to that on the imaginary axis.
  *
  * With explicit Euler and central differences waves of too little decay grow slowly: stable for
- * dt sum u^2/(2 nu) <= 1, with nu + gamma |u| h/2 in place of nu for donor cells: A. C. Hindmarsh, P. M. Gresho & D. F. Griffiths,
- * Int. J. Numer. Meth. Fluids 4 (1984) 853. The schemes of second order, ab2 and rk2, amplify by (dt C)^4/4 and
+ * dt sum u^2/(2 nu) <= 1, with nu + gamma |u| h/2 in place of nu for donor cells: A. C. Hindmarsh, P. M. Gresho &
+ * D. F. Griffiths, Int. J. Numer. Meth. Fluids 4 (1984) 853. The schemes of second order, ab2 and rk2, amplify by (dt C)^4/4 and
  * (dt C)^4/8 per step: stable for 1.185/8 (dt C)^4 <= dt nu_least/h^2, rk2 for half of it; QUICK itself damps these
  * waves, of wave number k, at the rate C (k h)^4/16: sufficient for (dt C)^3 <= 0.2 (measured), 1/2 with rk2. */
 #include <math.h>

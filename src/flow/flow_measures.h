@@ -12,8 +12,8 @@ extern const char *const ts_flow_face_names[];
  * central differences with exact projection conserve. */
 double ts_flow_kinetic_energy(const struct ts_fluid *fluid);
 
-/* Momentum along axis d: sum over cells of V times the mean of rho e u at their two faces. With form conservative e is that of
- * the product e u (flow/void_fraction.c). */
+/* Momentum along axis d: sum over cells of V times the mean of rho e u at their two faces. With form conservative e is
+ * that of the product e u (flow/void_fraction.c). */
 double ts_flow_momentum(const struct ts_fluid *fluid, int d);
 
 /* Velocity and vorticity at the centre of a cell: mean over its faces, mean over its edges. */

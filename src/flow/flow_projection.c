@@ -6,6 +6,7 @@
 #include "flow/implicit_viscosity.h"
 #include "flow/flow_limits.h"
 #include "flow/flow_resolution.h"
+#include "poisson/pressure_choice.h"
 
 #include "base/banned.h"
 

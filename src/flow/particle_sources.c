@@ -9,7 +9,9 @@
 /* The void fraction that multiplies du/dt in the momentum equation of a stage; NULL: 1. */
 static const double *momentum_void_fraction(const struct ts_projection *p, int d)
 {
-	return ts_projection_conservative(p) && p->fluid.momentum_void_fraction[d] && !p->initial_projection ? p->fluid.momentum_void_fraction[d]
+	const double *momentum = p->fluid.momentum_void_fraction[d];
+
+	return ts_projection_conservative(p) && momentum && !p->initial_projection ? momentum
 									  : p->fluid.void_fraction_face[d];
 }
 

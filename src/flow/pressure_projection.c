@@ -4,6 +4,7 @@
 
 #include "base/clones.h"
 #include "flow/projection.h"
+#include "poisson/pressure_choice.h"
 
 #include "base/banned.h"
 

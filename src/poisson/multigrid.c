@@ -86,7 +86,8 @@ static double cell_centre(const struct ts_stencil *s, int d, int i)
 }
 
 /* Prolongation: the coarse cells beside each fine cell. */
-static void fill_below(const struct ts_stencil *fine, const struct ts_stencil *coarse, struct ts_multigrid_transfer *transfer,
+static void fill_below(const struct ts_stencil *fine, const struct ts_stencil *coarse,
+		       struct ts_multigrid_transfer *transfer,
 		       int d)
 {
 	for (int c = 0; c < coarse->n[d]; c++)
@@ -118,7 +119,8 @@ static int coarse_neighbour(const struct ts_multigrid_transfer *transfer, const 
 }
 
 /* Restriction: the transpose, for each coarse cell. */
-static void fill_cells(const struct ts_stencil *coarse, struct ts_multigrid_transfer *transfer, int d, int n)
+static void fill_cells(const struct ts_stencil *coarse,
+		       struct ts_multigrid_transfer *transfer, int d, int n)
 {
 	double share;
 	int at = 0;

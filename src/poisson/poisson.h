@@ -39,7 +39,7 @@ struct ts_poisson_report {
 };
 
 /* A style of kind "pressure": one solver. `pressure_style auto` (no style of its own) is resolved by
- * ts_pressure_choose. */
+ * ts_pressure_choose (poisson/pressure_choice.h). */
 struct ts_pressure_style {
 	struct ts_style style;
 	/* Whether the solver is applicable; if not, *why is set to the reason ("weights vary"). NULL: always. */
@@ -68,20 +68,6 @@ static inline bool ts_pressure_suits(const struct ts_pressure_style *style, cons
 {
 	return !style->suits || style->suits(problem, why);
 }
-
-/* ---- pressure_choice.c */
-
-/* The live pressure style, or the default style for this problem, which is made at the first call (command
- * pressure_style documents the rules). */
-enum ts_status ts_pressure_choose(struct tsim *sim, const struct ts_poisson *problem,
-				  const struct ts_place *where, struct ts_instance **out);
-
-/* Adds a line to the plan: the solver, the reason, and the estimated time of a solve. `weights`: faces have weights. */
-struct ts_plan_report;
-void ts_pressure_explain(const struct tsim *sim, const struct ts_poisson *problem, bool weights,
-			 struct ts_plan_report *report);
-
-/* ---- poisson.c */
 
 /* out = div(w grad p) in the inner cells, for residuals and tests. Reads p in inner cells only. */
 void ts_poisson_apply(const struct ts_poisson *problem, const double *p, double *out);

@@ -1,7 +1,8 @@
 /* Choice of the pressure solver if the script names none. */
+#include "poisson/pressure_choice.h"
+
 #include "core/life.h"
 #include "core/report.h"
-#include "poisson/poisson.h"
 
 #include "base/banned.h"
 

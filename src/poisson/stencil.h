@@ -19,7 +19,8 @@ struct ts_stencil {
 	double *conductance[3];  /* 1/d of lower faces 0 .. n; 0 with zero gradient */
 	double *link[3];     /* fields: links of lower faces, including the upper boundary */
 	double *inverse;     /* field: 1/sum of the links of a cell; 0 if it has none */
-	int colours;         /* number of colours, such that neighbours differ: 2, or 3 with an odd number of cells along a periodic axis */
+	int colours;         /* number of colours, such that neighbours differ: 2, or 3 if a periodic axis has an odd
+			      * number of cells */
 	double *colour[3];   /* 0, 1 or 2 by index along each axis; the colour of a cell is their sum modulo `colours` */
 	double *rows;        /* partial sums, one for each row of cells */
 	double *memory, *fields; /* of the arrays and of the fields above; owned */
