@@ -10,7 +10,7 @@ calls='fopen|freopen|open|openat|openat2|creat|gzopen|gzopen64|opendir|scandir|n
 calls="$calls|mkdtemp|mkstemp|tmpfile|rename|renameat|unlink|unlinkat|remove|rmdir|chdir|fchdir|stat|lstat|fstatat|statx"
 calls="$calls|access|faccessat|statvfs|realpath|readlink|symlink|link|truncate|chmod|chown|utimensat|mkfifo|mknod|dlopen"
 found=$(grep -rnE "(^|[^_a-zA-Z.>])($calls)\(" --include='*.[ch]' . |
-	grep -vE '^\./(base/(files|sandbox|process)\.[ch]|crosscheck/(folder|inputs)\.c|advise/advise\.c|program/sandbox\.c|io/replace\.c):' |
+	grep -vE '^\./(base/(files|sandbox|process)\.[ch]|crosscheck/(folder|inputs)\.c|advise/advise\.c|program/sandbox_options\.c|io/replace\.c):' |
 	grep -vE '^[^:]*:[0-9]+:[[:space:]]*(/\*|\*)')
 if [ -n "$found" ]; then
 	echo 'files are opened through base/files.h alone:'
@@ -20,7 +20,7 @@ fi
 
 calls='system|popen|fork|vfork|execvp|execv|execl|execlp|execve|posix_spawn|posix_spawnp|socket|connect'
 found=$(grep -rnE "(^|[^_a-zA-Z.>])($calls)\(" --include='*.[ch]' . |
-	grep -vE '^\./(base/process\.c|script/shell\.c|core/price\.c|advise/(advise|trial)\.c):')
+	grep -vE '^\./(base/process\.c|script/shell\.c|explain/price\.c|advise/(advise|trial)\.c):')
 if [ -n "$found" ]; then
 	echo 'processes are started by base/process.c, shell, -explain and -advise alone:'
 	echo "$found"
@@ -28,7 +28,7 @@ if [ -n "$found" ]; then
 fi
 
 found=$(grep -rnE "(^|[^_a-zA-Z.>])(getenv|secure_getenv|setenv|putenv|unsetenv|clearenv)\(" --include='*.[ch]' . |
-	grep -vE '^\./(base/process\.c|core/(sim|coeff)\.c|crosscheck/folder\.c|advise/advise\.c|program/(options|sandbox)\.c|base/input_limit\.c|script/(shell|variable_text)\.c):')
+	grep -vE '^\./(base/process\.c|core/(life|coeff)\.c|crosscheck/folder\.c|advise/advise\.c|program/(options|sandbox_options)\.c|base/input_limit\.c|script/(shell|variable_text)\.c):')
 if [ -n "$found" ]; then
 	echo 'who reads the environment must do without it in -sandbox:'
 	echo "$found"

@@ -140,16 +140,16 @@ syn keyword tsimName  id type radius diameter
 syn match tsimName /\<mass\>/ 
 syn keyword tsimName  density mol x y z vx vy vz fx fy fz omegax omegay omegaz tqx tqy
 syn keyword tsimName  tqz xu yu zu xs ys zs xsu ysu zsu ix iy iz proc thread angmomx
-syn keyword tsimName  angmomy angmomz nbuild ndanger press pxx pyy pzz pxy pxz pyz bonds
-syn keyword tsimName  numbonds numbond brokenbonds gonebonds flow_ke flow_px flow_py
-syn keyword tsimName  flow_pz flow_div flow_cfl flow_iter flow_res flow_dt flow_time
-syn keyword tsimName  flow_steps step elapsed elaplong part time dt cpu tpcpu spcpu
-syn keyword tsimName  cpuremain timeremain cu atoms ke erotate pe etotal epair evdwl
-syn keyword tsimName  emol ebond enthalpy ecouple econserve ecoul elong etail eangle
-syn keyword tsimName  edihed eimp angles dihedrals impropers temp fmax fnorm vol lx ly
-syn keyword tsimName  lz xlo xhi ylo yhi zlo zhi xy xz yz xlat ylat zlat cella cellb
-syn keyword tsimName  cellc cellalpha cellbeta cellgamma stable_fraction PI yes no true
-syn keyword tsimName  false on off
+syn keyword tsimName  angmomy angmomz nbuild ndanger bonds numbonds numbond brokenbonds
+syn keyword tsimName  gonebonds flow_ke flow_px flow_py flow_pz flow_div flow_cfl
+syn keyword tsimName  flow_iter flow_res flow_dt flow_time flow_steps step elapsed
+syn keyword tsimName  elaplong part time dt cpu tpcpu spcpu cpuremain timeremain cu
+syn keyword tsimName  atoms ke erotate pe etotal epair evdwl emol ebond enthalpy ecouple
+syn keyword tsimName  econserve ecoul elong etail eangle edihed eimp angles dihedrals
+syn keyword tsimName  impropers temp fmax fnorm vol lx ly lz xlo xhi ylo yhi zlo zhi xy
+syn keyword tsimName  xz yz xlat ylat zlat cella cellb cellc cellalpha cellbeta
+syn keyword tsimName  cellgamma stable_fraction press pxx pyy pzz pxy pxz pyz PI yes no
+syn keyword tsimName  true false on off
 
 syn match tsimFunction /\<\%(sqrt\|exp\|ln\|log\|abs\|sign\|sin\|cos\|tan\|asin\|acos\|atan\|atan2\|ceil\|floor\|round\|ternary\|random\|normal\|ramp\|vdisplace\|swiggle\|cwiggle\|stagger\|logfreq\|logfreq2\|logfreq3\|stride\|stride2\|sum\|ave\|min\|max\|trap\|slope\|stderr\|sort\|rsort\|next\|is_file\|is_os\|is_defined\|is_active\|is_available\|extract_setting\|volume\|count\|mass\|ke\|gyration\|xcm\|vcm\|fcm\|angmom\|torque\|inertia\|omega\|bound\|property\|gmask\|rmask\|grmask\)\ze(/
 
