@@ -115,20 +115,20 @@ static void print_bill(struct tsim *sim)
 {
 	struct ts_str text = { 0 };
 
-	ts_str_add(&text, sim->bill.open ? "at least " : "about ");
-	ts_price_time(sim->bill.seconds, &text);
-	if (sim->bill.most > 1.15 * sim->bill.seconds) {
+	ts_str_add(&text, sim->cost.open ? "at least " : "about ");
+	ts_price_time(sim->cost.seconds, &text);
+	if (sim->cost.most > 1.15 * sim->cost.seconds) {
 		ts_str_add(&text, " to ");
-		ts_price_time(sim->bill.most, &text);
+		ts_price_time(sim->cost.most, &text);
 	}
 	ts_str_add(&text, " and ");
-	ts_price_bytes(sim->bill.bytes, &text);
+	ts_price_bytes(sim->cost.bytes, &text);
 	ts_log(&sim->log,
 	       "\nAll runs together: %s of files%s.\nNothing was run: values that only a run can give are unknown, "
 	       "and a run is priced from the state that\n"
 	       "the script has without the runs before it, and for the case that its particles come to "
 	       "lie together.\n",
-	       ts_str_text(&text), sim->bill.open ? " (how many turns loops take, or how long a run is, only a run can tell)" : "");
+	       ts_str_text(&text), sim->cost.open ? " (how many turns loops take, or how long a run is, only a run can tell)" : "");
 	ts_str_release(&text);
 }
 
@@ -137,7 +137,7 @@ static int report_check(struct tsim *sim)
 {
 	struct ts_str errors = { 0 }, report = { 0 };
 	int n = 0;
-	bool bad = ts_script_check_report(sim->host_data, &errors, &report, &n) != TS_OK;
+	bool bad = ts_script_check_report(sim->script_api_data, &errors, &report, &n) != TS_OK;
 
 	bad |= errors.failed || report.failed;
 	sim->log.quiet = false;
@@ -259,8 +259,8 @@ static int run(struct tsim *sim, struct ts_setup *setup)
 	} else {
 		if (setup->explain)
 			print_bill(sim);
-		ts_script_warn_unused(sim->host_data);
-		ts_script_quit(sim->host_data, &quit);
+		ts_script_warn_unused(sim->script_api_data);
+		ts_script_quit(sim->script_api_data, &quit);
 		if (setup->check)
 			quit = report_check(sim);
 		if (ts_log_close(&sim->log, &sim->error) != TS_OK) {

@@ -64,8 +64,6 @@ library_sources = \
 	src/base/four.h \
 	src/base/hash.c \
 	src/base/hash.h \
-	src/base/hold.c \
-	src/base/hold.h \
 	src/base/inline.h \
 	src/base/input_limit.c \
 	src/base/input_limit.h \
@@ -81,6 +79,8 @@ library_sources = \
 	src/base/process.h \
 	src/base/sandbox.c \
 	src/base/sandbox.h \
+	src/base/shared_buffer.c \
+	src/base/shared_buffer.h \
 	src/base/sort.c \
 	src/base/sort.h \
 	src/base/status.c \
@@ -146,14 +146,24 @@ library_sources = \
 	src/contact/compute_pressure.c \
 	src/contact/compute_property_local.c \
 	src/contact/compute_stress_atom.c \
+	src/contact/contact_batch.h \
 	src/contact/contact_columns.c \
 	src/contact/contact_columns.h \
 	src/contact/contact_energy.c \
 	src/contact/contact_energy.h \
-	src/contact/contact_list.c \
-	src/contact/contact_list.h \
+	src/contact/contact_loop.c \
+	src/contact/contact_loop.h \
+	src/contact/contact_models.c \
+	src/contact/contact_models.h \
+	src/contact/contact_pass.c \
+	src/contact/contact_pass.h \
+	src/contact/contact_stages.c \
+	src/contact/contact_stages.h \
+	src/contact/contact_sums.c \
 	src/contact/contact_system.c \
 	src/contact/contact_system.h \
+	src/contact/contact_view.c \
+	src/contact/contact_view.h \
 	src/contact/fix_multicontact_halfspace.c \
 	src/contact/gran_coeff.c \
 	src/contact/gran_coeff.h \
@@ -181,16 +191,6 @@ library_sources = \
 	src/contact/pair_gran_hooke_history.c \
 	src/contact/pair_granular.c \
 	src/contact/pair_spring_dashpot.c \
-	src/contact/row_batch.h \
-	src/contact/row_gather.c \
-	src/contact/row_loop.c \
-	src/contact/row_loop.h \
-	src/contact/row_models.c \
-	src/contact/row_models.h \
-	src/contact/row_stages.c \
-	src/contact/row_stages.h \
-	src/contact/row_walk.c \
-	src/contact/row_walk.h \
 	src/contact/substep_contacts.c \
 	src/contact/substep_contacts.h \
 	src/core/archive.c \
@@ -212,21 +212,18 @@ library_sources = \
 	src/core/command_modify_timing.c \
 	src/core/command_uncompute.c \
 	src/core/command_unfix.c \
+	src/core/deferred_loops.c \
+	src/core/deferred_loops.h \
 	src/core/definition.c \
 	src/core/definition.h \
-	src/core/each.c \
-	src/core/each.h \
 	src/core/group.c \
 	src/core/group.h \
-	src/core/host.h \
-	src/core/known.c \
-	src/core/known.h \
 	src/core/life.c \
 	src/core/life.h \
 	src/core/name_list.c \
 	src/core/name_list.h \
-	src/core/pending.c \
-	src/core/pending.h \
+	src/core/number_or_peratom.c \
+	src/core/number_or_peratom.h \
 	src/core/plan.c \
 	src/core/plan.h \
 	src/core/ref_list.c \
@@ -238,6 +235,7 @@ library_sources = \
 	src/core/review.h \
 	src/core/saver.c \
 	src/core/saver.h \
+	src/core/script_api.h \
 	src/core/settings.c \
 	src/core/settings.h \
 	src/core/sim.c \
@@ -247,10 +245,12 @@ library_sources = \
 	src/core/stepping.c \
 	src/core/stepping.h \
 	src/core/style.h \
-	src/core/sweep.c \
-	src/core/sweep.h \
 	src/core/tables.h \
+	src/core/unclaimed_state.c \
+	src/core/unclaimed_state.h \
 	src/core/units.h \
+	src/core/unsupported_names.c \
+	src/core/unsupported_names.h \
 	src/core/uses.c \
 	src/core/uses.h \
 	src/core/value.c \
@@ -291,6 +291,7 @@ library_sources = \
 	src/crosscheck/compare.h \
 	src/crosscheck/crosscheck.c \
 	src/crosscheck/crosscheck.h \
+	src/crosscheck/difference_report.c \
 	src/crosscheck/folder.c \
 	src/crosscheck/folder.h \
 	src/crosscheck/frame.c \
@@ -304,7 +305,6 @@ library_sources = \
 	src/crosscheck/reader.h \
 	src/crosscheck/reader_text.c \
 	src/crosscheck/reader_vtk.c \
-	src/crosscheck/report.c \
 	src/dump/command_dump.c \
 	src/dump/command_dump_modify.c \
 	src/dump/command_undump.c \
@@ -334,9 +334,9 @@ library_sources = \
 	src/energy/ledger.c \
 	src/energy/ledger.h \
 	src/energy/ledger_heat.c \
-	src/energy/ledger_kick.c \
 	src/energy/ledger_parts.c \
 	src/energy/ledger_values.c \
+	src/energy/ledger_work.c \
 	src/energy/potential_energy.c \
 	src/energy/potential_energy.h \
 	src/explain/command_info.c \
@@ -575,17 +575,17 @@ library_sources = \
 	src/library/library_state.c \
 	src/library/library_value.c \
 	src/library/style_table.c \
-	src/library/tables.c \
-	src/library/tables.h \
+	src/library/tsim_tables.c \
+	src/library/tsim_tables.h \
 	src/limits/fix_check_timestep_gran.c \
+	src/limits/lanczos.c \
+	src/limits/lanczos.h \
 	src/limits/limits_system.c \
 	src/limits/limits_system.h \
-	src/limits/linkage.c \
-	src/limits/linkage.h \
 	src/limits/network.c \
 	src/limits/network.h \
-	src/limits/pace.c \
-	src/limits/pace.h \
+	src/limits/tunnelling.c \
+	src/limits/tunnelling.h \
 	src/manual/grammar.c \
 	src/manual/help.c \
 	src/manual/help.h \
@@ -600,6 +600,7 @@ library_sources = \
 	src/material/material.h \
 	src/material/property.c \
 	src/material/property.h \
+	src/math/constants.h \
 	src/math/exactsum.c \
 	src/math/exactsum.h \
 	src/math/fit.c \
@@ -668,6 +669,8 @@ library_sources = \
 	src/mesh/region_mesh_tet.c \
 	src/mesh/triangles.c \
 	src/mesh/triangles.h \
+	src/neigh/active_pairs.c \
+	src/neigh/active_pairs.h \
 	src/neigh/cells.c \
 	src/neigh/cells.h \
 	src/neigh/coincide.c \
@@ -677,6 +680,16 @@ library_sources = \
 	src/neigh/compute_coord_atom.c \
 	src/neigh/compute_neighbor_atom.c \
 	src/neigh/compute_rdf.c \
+	src/neigh/contact_history.c \
+	src/neigh/contact_history.h \
+	src/neigh/contact_list.c \
+	src/neigh/contact_list.h \
+	src/neigh/contact_memory.c \
+	src/neigh/contact_memory.h \
+	src/neigh/contact_search.c \
+	src/neigh/contact_search.h \
+	src/neigh/force_slots.c \
+	src/neigh/force_slots.h \
 	src/neigh/gather.c \
 	src/neigh/gather.h \
 	src/neigh/leaving.c \
@@ -685,23 +698,10 @@ library_sources = \
 	src/neigh/neigh.h \
 	src/neigh/order.c \
 	src/neigh/order.h \
-	src/neigh/row_history.c \
-	src/neigh/row_history.h \
-	src/neigh/row_memory.c \
-	src/neigh/row_memory.h \
-	src/neigh/row_near.c \
-	src/neigh/row_near.h \
-	src/neigh/row_search.c \
-	src/neigh/row_search.h \
-	src/neigh/row_slots.c \
-	src/neigh/row_slots.h \
-	src/neigh/rows.c \
-	src/neigh/rows.h \
 	src/neigh/skin.c \
 	src/particle/assign.c \
 	src/particle/assign_words.c \
 	src/particle/assign_words.h \
-	src/particle/body.h \
 	src/particle/columns.c \
 	src/particle/command_atom_modify.c \
 	src/particle/command_atom_style.c \
@@ -743,6 +743,7 @@ library_sources = \
 	src/particle/quantity.c \
 	src/particle/reference.c \
 	src/particle/reference.h \
+	src/particle/sphere_shape.h \
 	src/particle/style_column.c \
 	src/particle/style_column.h \
 	src/particle/type_factors.c \
@@ -905,8 +906,8 @@ library_sources = \
 	src/wall/mesh_stress.h \
 	src/wall/mesh_wall.c \
 	src/wall/mesh_wall.h \
-	src/wall/mesh_wall_push.c \
-	src/wall/mesh_wall_push.h \
+	src/wall/mesh_wall_queue.c \
+	src/wall/mesh_wall_queue.h \
 	src/wall/primitive_wall.c \
 	src/wall/primitive_wall.h \
 	src/wall/region_wall.c \
@@ -925,8 +926,8 @@ library_sources = \
 	src/wall/wall_models.c \
 	src/wall/wall_multicontact.c \
 	src/wall/wall_multicontact.h \
-	src/wall/wall_push.c \
-	src/wall/wall_push.h \
+	src/wall/wall_queue.c \
+	src/wall/wall_queue.h \
 	src/wall/wall_stages.c \
 	src/wall/wall_stages.h \
 	src/wall/wall_system.c \

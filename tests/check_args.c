@@ -9,7 +9,7 @@
 #include "deck.h"
 
 #include "core/sim.h"
-#include "library/tables.h"
+#include "library/tsim_tables.h"
 
 enum { MOST_ITEMS = 64 };
 

@@ -12,7 +12,7 @@
 #include "crosscheck/inputs.h"
 #include "crosscheck/meaning.h"
 #include "base/process.h"
-#include "library/tables.h"
+#include "library/tsim_tables.h"
 
 static struct tsim *sim;
 static struct ts_str root;

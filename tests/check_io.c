@@ -9,14 +9,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "core/pending.h"
+#include "core/unclaimed_state.h"
 #include "core/life.h"
 #include "box/domain.h"
 #include "particle/particles.h"
 #include "io/decimal.h"
 #include "io/format.h"
 #include "io/replace.h"
-#include "library/tables.h"
+#include "library/tsim_tables.h"
 #include "restart/restart.h"
 #include "io/textfile.h"
 #include "io/vtk.h"

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "contact/contact_loop.h"
 #include "contact/law_stages.h"
-#include "contact/row_loop.h"
 #include "wall/wall_stages.h"
 
 enum { N = 24 };
@@ -60,7 +60,7 @@ static void same(const char *what, int k, const double *one, const double *colum
 
 /* ---- particles */
 
-static void draw_ends(struct ts_row_ends *e, bool touches)
+static void draw_ends(struct ts_contact_ends *e, bool touches)
 {
 	double length;
 
@@ -79,16 +79,16 @@ static void draw_ends(struct ts_row_ends *e, bool touches)
 struct pairs {
 	struct ts_stages s;
 	struct ts_touch touch[N];
-	double radius[2][TS_COLUMN], mass[2][TS_COLUMN];
-	double column[TS_GRANULAR_MEMORY][TS_COLUMN], memory[N][TS_GRANULAR_MEMORY], *at[TS_GRANULAR_MEMORY];
-	long long marks[TS_COLUMN];
+	double radius[2][TS_BATCH], mass[2][TS_BATCH];
+	double column[TS_GRANULAR_MEMORY][TS_BATCH], memory[N][TS_GRANULAR_MEMORY], *at[TS_GRANULAR_MEMORY];
+	long long marks[TS_BATCH];
 };
 
 static void draw_pairs(struct pairs *p, const struct ts_granular_model *m)
 {
 	for (int k = 0; k < N; k++) {
 		bool touches = k % 5 != 3;
-		struct ts_row_ends e;
+		struct ts_contact_ends e;
 
 		draw_ends(&e, touches);
 		ts_ends_touch(&e, m, &p->touch[k]);

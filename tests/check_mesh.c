@@ -115,7 +115,7 @@ START_TEST(beyond_an_obtuse_corner)
 	static const double corner[3][3] = { { -1, 0, 0 }, { 0, 0, 0 }, { 1, 1, 0 } };
 	static const double x[3] = { -0.0385, -0.2385, 0.3 }; /* -0.0385 from the corner along the first edge */
 	double soup[1][3][3];
-	struct ts_mesh_spot at;
+	struct ts_mesh_contact_point at;
 	struct ts_mesh m = { 0 };
 
 	for (int first = 0; first < 3; first++) {
@@ -149,7 +149,7 @@ START_TEST(no_touch_is_nearer_than_the_triangle)
 	make_cuboid(&m);
 	for (int k = 0; k < 20000; k++) {
 		size_t t = (size_t)k % 12;
-		struct ts_mesh_spot s;
+		struct ts_mesh_contact_point s;
 		double x[3], far;
 
 		next_place(&seed, 1.6, x);

@@ -105,7 +105,7 @@ static void brute_force(const struct tsim *sim, struct contacts *c)
 
 static void from_rows(const struct tsim *sim, struct contacts *c)
 {
-	const struct ts_rows *rows = &sim->neigh->rows;
+	const struct ts_contact_list *rows = &sim->neigh->rows;
 	const struct ts_particles *p = sim->particles;
 
 	memset(c, 0, sizeof *c);
@@ -250,13 +250,13 @@ static void rebuild(struct tsim *sim)
 	ts_particles_inverse_mass(p);
 	memcpy(p->xhold, p->x, p->n * sizeof *p->xhold);
 	ck_assert_int_eq(ts_exchange_borders(sim, 0.4, 0.4), TS_OK);
-	ck_assert_int_eq(ts_rows_build(sim, &sim->neigh->rows, 0.05, NULL), TS_OK);
+	ck_assert_int_eq(ts_contact_list_build(sim, &sim->neigh->rows, 0.05, NULL), TS_OK);
 }
 
 /* Marks rows and their history: a label of the pair, and one that changes sign with the view. */
 static int mark(struct tsim *sim)
 {
-	struct ts_rows *rows = &sim->neigh->rows;
+	struct ts_contact_list *rows = &sim->neigh->rows;
 	int marked = 0;
 
 	for (size_t r = 0; r < rows->n; r++) {
@@ -272,7 +272,7 @@ static int mark(struct tsim *sim)
 
 static void check_marks(const struct tsim *sim, int marked)
 {
-	const struct ts_rows *rows = &sim->neigh->rows;
+	const struct ts_contact_list *rows = &sim->neigh->rows;
 
 	for (size_t r = 0; r < rows->n; r++) {
 		int a = rows->tag[0][r], b = rows->tag[1][r];
@@ -314,7 +314,7 @@ START_TEST(history)
 	int marked;
 
 	deck(sim, "timestep 1e-9\nrun 0");
-	ck_assert_int_eq(ts_rows_set_history(sim, &sim->neigh->rows, 2, sign), TS_OK);
+	ck_assert_int_eq(ts_contact_list_set_history(sim, &sim->neigh->rows, 2, sign), TS_OK);
 	rebuild(sim);
 	marked = mark(sim);
 	ck_assert_int_gt(marked, 50);
@@ -348,9 +348,9 @@ START_TEST(history_through_face)
 				     "pair_style spring/dashpot\n"
 				     "pair_coeff * * stiffness 100 restitution 0.5\n"
 				     "timestep 1e-5\nrun 0");
-	struct ts_rows *rows = &sim->neigh->rows;
+	struct ts_contact_list *rows = &sim->neigh->rows;
 
-	ck_assert_int_eq(ts_rows_set_history(sim, rows, 2, sign), TS_OK);
+	ck_assert_int_eq(ts_contact_list_set_history(sim, rows, 2, sign), TS_OK);
 	rebuild(sim);
 	ck_assert_int_eq(mark(sim), 0); /* 1 + 2 is not marked: do it by hand */
 	ck_assert_uint_eq(rows->n, 1);

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "core/life.h"
-#include "library/tables.h"
+#include "library/tsim_tables.h"
 #include "math/rng.h"
 #include "poisson/fourier.h"
 #include "poisson/poisson.h"

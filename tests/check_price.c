@@ -40,9 +40,9 @@ static void no_trace(int threads)
 	sim->explain = false;
 	state(sim, after);
 	ck_assert_mem_eq(before, after, sizeof before);
-	ck_assert_msg(sim->bill.last.seconds > 0 && sim->bill.last.seconds < 1, "a step takes %g s",
-		      sim->bill.last.seconds);
-	ck_assert(fabs(sim->bill.seconds / (1000 * sim->bill.last.seconds) - 1) < 1e-9);
+	ck_assert_msg(sim->cost.last.seconds > 0 && sim->cost.last.seconds < 1, "a step takes %g s",
+		      sim->cost.last.seconds);
+	ck_assert(fabs(sim->cost.seconds / (1000 * sim->cost.last.seconds) - 1) < 1e-9);
 	tsim_close(sim);
 }
 

@@ -189,10 +189,10 @@ START_TEST(variable_rules)
 	expect_output("variable n loop 8 10 pad\nprint $n\nnext n\nprint $n\n", "08\n09\n");
 	expect_output("variable n delete\nvariable n loop 2\nprint $n\n", "1\n");
 	expect_error("shell putenv TS_TEST=north", 1, 7, 6, "only with the option -shell yes");
-	ts_script_allow_programs(sim->host_data, true);
+	ts_script_allow_programs(sim->script_api_data, true);
 	expect_output("shell putenv TS_TEST=north\nvariable e getenv TS_TEST\nprint $e\n",
 		      "north\n");
-	ts_script_allow_programs(sim->host_data, false);
+	ts_script_allow_programs(sim->script_api_data, false);
 	expect_output("variable u universe 4\nprint $u\n", "4\n");
 	expect_error("variable wob equal 3", 1, 10, 3, "exists with style index");
 	expect_error("variable a-b index 3", 1, 10, 3, "letters, digits and _");
@@ -281,7 +281,7 @@ START_TEST(quit_ends_all)
 	int status;
 
 	expect_output("print a\nif \"1\" then \"quit 3\"\nprint b\n", "a\n");
-	ck_assert(ts_script_quit(sim->host_data, &status));
+	ck_assert(ts_script_quit(sim->script_api_data, &status));
 	ck_assert_int_eq(status, 3);
 }
 END_TEST
@@ -331,13 +331,13 @@ START_TEST(files)
 	expect_error("shell cd nowhere", 1, 10, 7, "failed: No such file");
 	expect_error("shell mkdir /dev/null/x", 1, 13, 11, "failed");
 	expect_error("shell touch program", 1, 7, 5, "only with the option -shell yes");
-	ts_script_allow_programs(sim->host_data, true);
+	ts_script_allow_programs(sim->script_api_data, true);
 	expect_output("shell echo written >program\nshell rm program\n", "");
-	ts_script_allow_programs(sim->host_data, false);
+	ts_script_allow_programs(sim->script_api_data, false);
 	file = fopen("stdin.in", "w+");
 	fputs("print a\njump SELF\n", file);
 	rewind(file);
-	ck_assert_int_ne(ts_script_stream(sim->host_data, file, "stdin"), TS_OK);
+	ck_assert_int_ne(ts_script_stream(sim->script_api_data, file, "stdin"), TS_OK);
 	ck_assert_ptr_nonnull(strstr(tsim_error(sim), "stdin:2:6: error: a script on standard input"));
 	tsim_error_clear(sim);
 	fclose(file);
@@ -352,7 +352,7 @@ START_TEST(unused_variables)
 	ck_assert_int_eq(tsim_variable(sim, "viscosty", "3"), 0);
 	ck_assert_int_eq(tsim_variable(sim, "used", "3"), 0);
 	expect_output("variable used index 1\nprint ${used}\n", "3\n");
-	ts_script_warn_unused(sim->host_data);
+	ts_script_warn_unused(sim->script_api_data);
 	ck_assert_int_eq(sim->log.warnings, 1);
 }
 END_TEST

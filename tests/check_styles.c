@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/known.h"
 #include "core/life.h"
-#include "library/tables.h"
+#include "core/unsupported_names.h"
+#include "library/tsim_tables.h"
 
 /* Names of the row being looked at, for messages. */
 static char here[256];
@@ -200,7 +200,7 @@ START_TEST(not_known_as_missing)
 	const struct ts_style *s = ts_style_table[_i];
 
 	at(s, NULL);
-	EXPECT(!ts_known_find(s->kind, s->name), "core/known.c says tsim does not have it");
+	EXPECT(!ts_unsupported_find(s->kind, s->name), "core/unsupported_names.c says tsim does not have it");
 }
 END_TEST
 
@@ -209,7 +209,7 @@ START_TEST(missing_words)
 	struct tsim *sim = ts_sim_new(&ts_tables);
 	const struct ts_style *found;
 
-	for (const struct ts_known *k = ts_known_table; k->name; k++) {
+	for (const struct ts_unsupported *k = ts_unsupported_table; k->name; k++) {
 		struct ts_word word = { .text = k->name };
 
 		snprintf(here, sizeof here, "%s %s", ts_kind_name(k->kind), k->name);

@@ -183,9 +183,9 @@ START_TEST(set_by_the_program)
 	struct ts_place here = { .line = 0 };
 
 	expect_output("variable x internal 2.5\nvariable y equal v_x^2\nprint $y\n", "6.25\n");
-	ck_assert_int_eq(sim->host->set(sim->host_data, "x", &here, 3), TS_OK);
+	ck_assert_int_eq(sim->script_api->set(sim->script_api_data, "x", &here, 3), TS_OK);
 	expect_value("v_y", 9);
-	ck_assert_int_eq(sim->host->set(sim->host_data, "y", &here, 3), TS_STATE);
+	ck_assert_int_eq(sim->script_api->set(sim->script_api_data, "y", &here, 3), TS_STATE);
 	tsim_error_clear(sim);
 	expect_error("variable q internal a", 1, 21, 1, "expected a number");
 }
@@ -205,14 +205,14 @@ START_TEST(random_numbers)
 	first = value("v_a[2]");
 	value("random(0,1,17)");
 	value("normal(0,1,4711)");
-	ck_assert_int_eq(sim->host->archive(sim->host_data, archive), TS_OK);
+	ck_assert_int_eq(sim->script_api->archive(sim->script_api_data, archive), TS_OK);
 	ck_assert_int_eq(ts_archive_bytes(archive, &bytes, &n), TS_OK);
 	second = value("v_a[3]");
 	third = value("random(0,1,17)");
 	ck_assert(first < second || first > second);
 	copy = ts_archive_new(sim, false);
 	ck_assert_int_eq(ts_archive_from(copy, bytes, n), TS_OK);
-	ck_assert_int_eq(sim->host->archive(sim->host_data, copy), TS_OK);
+	ck_assert_int_eq(sim->script_api->archive(sim->script_api_data, copy), TS_OK);
 	again[2] = value("v_a[3]");
 	ck_assert(again[2] <= second && again[2] >= second);
 	first_sim = sim;
@@ -223,7 +223,7 @@ START_TEST(random_numbers)
 	ts_archive_free(copy);
 	copy = ts_archive_new(sim, false);
 	ck_assert_int_eq(ts_archive_from(copy, bytes, n), TS_OK);
-	ck_assert_int_eq(sim->host->archive(sim->host_data, copy), TS_OK);
+	ck_assert_int_eq(sim->script_api->archive(sim->script_api_data, copy), TS_OK);
 	again[0] = value("v_a[3]");
 	again[1] = value("random(0,1,17)");
 	ck_assert(again[0] <= second && again[0] >= second);

@@ -35,7 +35,7 @@ $(find src -name '*.[ch]' ! -path 'src/base/alloc.*')
 LIST
 
 # A moving region is where it was when it was last asked, so who asks brings it up to date.
-for file in $(grep -lE '\<ts_(region_contains|region_bounds|chosen)\(' src/*/*.c src/*/*/*.c); do
+for file in $(grep -lE '\<ts_(region_contains|region_bounds|chosen)\(' src/*/*.c); do
 	case $file in src/region/region.c | src/insert/sites.c | src/*/region_*) continue ;; esac
 	if ! grep -q 'ts_region_update(' "$file"; then
 		echo "$file: asks a region about points without ts_region_update"
@@ -87,6 +87,19 @@ found=$(awk 'function told() { if (FNR_of && last != "\"base/banned.h\"")
 	END { told() }' $(find src -name '*.c'))
 if [ -n "$found" ]; then
 	echo "$found"
+	status=1
+fi
+# A tag names one thing in all of src/.
+found=$(grep -rhoE --include='*.[ch]' '^(struct|enum|union) ts_[a-z0-9_]+ \{' src | sort | uniq -d)
+if [ -n "$found" ]; then
+	echo "defined twice: $found"
+	status=1
+fi
+
+# So does the name of a file.
+found=$(find src -name '*.[ch]' | sed 's|.*/||' | sort | uniq -d)
+if [ -n "$found" ]; then
+	echo "in two folders: $found"
 	status=1
 fi
 exit $status

@@ -176,12 +176,14 @@ unit_tests = \
 	tests/check_contact_parts \
 	tests/check_coupling \
 	tests/check_crosscheck \
+	tests/check_deferred_loops \
 	tests/check_drag \
 	tests/check_drag_order \
 	tests/check_energy \
 	tests/check_files \
 	tests/check_flow \
 	tests/check_flow_measures \
+	tests/check_force_slots \
 	tests/check_formulas \
 	tests/check_geom \
 	tests/check_insertion \
@@ -203,11 +205,9 @@ unit_tests = \
 	tests/check_poisson \
 	tests/check_price \
 	tests/check_rigid \
-	tests/check_row_slots \
 	tests/check_scalar \
 	tests/check_script \
 	tests/check_styles \
-	tests/check_sweep \
 	tests/check_unbreakable \
 	tests/check_variables \
 	tests/check_wear \
@@ -284,6 +284,10 @@ tests_check_crosscheck_SOURCES = tests/check_crosscheck.c
 tests_check_crosscheck_CFLAGS = $(tests_cflags)
 tests_check_crosscheck_LDADD = $(tests_ldadd)
 
+tests_check_deferred_loops_SOURCES = tests/check_deferred_loops.c
+tests_check_deferred_loops_CFLAGS = $(tests_cflags)
+tests_check_deferred_loops_LDADD = $(tests_ldadd)
+
 tests_check_drag_SOURCES = tests/check_drag.c
 tests_check_drag_CFLAGS = $(tests_cflags)
 tests_check_drag_LDADD = $(tests_ldadd)
@@ -307,6 +311,10 @@ tests_check_flow_LDADD = $(tests_ldadd)
 tests_check_flow_measures_SOURCES = tests/check_flow_measures.c
 tests_check_flow_measures_CFLAGS = $(tests_cflags)
 tests_check_flow_measures_LDADD = $(tests_ldadd)
+
+tests_check_force_slots_SOURCES = tests/check_force_slots.c
+tests_check_force_slots_CFLAGS = $(tests_cflags)
+tests_check_force_slots_LDADD = $(tests_ldadd)
 
 tests_check_formulas_SOURCES = tests/check_formulas.c
 tests_check_formulas_CFLAGS = $(tests_cflags)
@@ -392,10 +400,6 @@ tests_check_rigid_SOURCES = tests/check_rigid.c
 tests_check_rigid_CFLAGS = $(tests_cflags)
 tests_check_rigid_LDADD = $(tests_ldadd)
 
-tests_check_row_slots_SOURCES = tests/check_row_slots.c
-tests_check_row_slots_CFLAGS = $(tests_cflags)
-tests_check_row_slots_LDADD = $(tests_ldadd)
-
 tests_check_scalar_SOURCES = tests/check_scalar.c
 tests_check_scalar_CFLAGS = $(tests_cflags)
 tests_check_scalar_LDADD = $(tests_ldadd)
@@ -407,10 +411,6 @@ tests_check_script_LDADD = $(tests_ldadd)
 tests_check_styles_SOURCES = tests/check_styles.c
 tests_check_styles_CFLAGS = $(tests_cflags)
 tests_check_styles_LDADD = $(tests_ldadd)
-
-tests_check_sweep_SOURCES = tests/check_sweep.c
-tests_check_sweep_CFLAGS = $(tests_cflags)
-tests_check_sweep_LDADD = $(tests_ldadd)
 
 tests_check_unbreakable_SOURCES = tests/check_unbreakable.c
 tests_check_unbreakable_CFLAGS = $(tests_cflags)

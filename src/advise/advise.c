@@ -244,7 +244,7 @@ static void be_child(struct advise *a, const char *place, int64_t wanted)
 	w.deadline = w.at < 0 && wanted < 0 ? ts_clock() + WAY * a->o.seconds : 0;
 	ts_log_progress(&screen, "on the way to where trials start");
 	keep_potentials();
-	status = chdir(place) == 0 ? ts_script_file(sim->host_data, a->in->script)
+	status = chdir(place) == 0 ? ts_script_file(sim->script_api_data, a->in->script)
 				   : ts_fail(&sim->error, TS_IO, NULL, "cannot work in '%s': %s", place,
 					     strerror(errno));
 	if (a->board->arrived) {

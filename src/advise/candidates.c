@@ -235,7 +235,7 @@ static enum ts_status run_line(struct tsim *sim, const char *format, ...)
 	ts_str_vaddf(&line, format, args);
 	va_end(args);
 	status = line.failed ? ts_nomem(&sim->error)
-			     : sim->host->execute(sim->host_data, line.text, &here);
+			     : sim->script_api->execute(sim->script_api_data, line.text, &here);
 	ts_str_release(&line);
 	return status;
 }

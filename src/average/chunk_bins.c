@@ -3,6 +3,7 @@
 
 #include "average/chunk_bins.h"
 #include "box/domain.h"
+#include "math/constants.h"
 
 #include "base/banned.h"
 
@@ -193,12 +194,11 @@ double ts_chunks_coordinate(const struct ts_chunks *c, size_t chunk, int k)
 /* Between two radii: a part of a ball, or of a disc. */
 static double shell_volume(const struct ts_chunks *c, int64_t shell, bool ball)
 {
-	const double pi = 3.14159265358979323846;
 	double width = (c->outer - c->inner) / (double)c->shells;
 	double from = c->inner + (double)shell * width, to = c->inner + (double)(shell + 1) * width;
 
-	return ball ? 4 * pi / 3 * (to * to * to - from * from * from)
-		    : pi * (to * to - from * from);
+	return ball ? 4 * TS_PI / 3 * (to * to * to - from * from * from)
+		    : TS_PI * (to * to - from * from);
 }
 
 double ts_chunks_volume(const struct ts_chunks *c, size_t chunk)

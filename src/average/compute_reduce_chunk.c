@@ -36,15 +36,15 @@ static double reduced(const struct ts_instance *self, const struct ts_chunks *ch
 		      const double *value)
 {
 	const struct state *s = self->state;
-	struct ts_tally tally = ts_tally_start();
+	struct ts_reduction tally = ts_reduction_start();
 
 	for (size_t k = chunks->first[c]; k < chunks->first[c + 1]; k++) {
 		size_t i = (size_t)chunks->member[k];
 
 		if (ts_in_group(s->user.sim->particles, i, self->group))
-			ts_tally_add(&tally, (enum ts_tally_mode)s->mode, value[i]);
+			ts_reduction_add(&tally, (enum ts_reduction_mode)s->mode, value[i]);
 	}
-	return ts_tally_value(&tally, (enum ts_tally_mode)s->mode);
+	return ts_reduction_value(&tally, (enum ts_reduction_mode)s->mode);
 }
 
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
@@ -80,7 +80,7 @@ static const struct ts_value values[] = {
 
 static const struct ts_arg args[] = {
 	TS_CHUNK_USER_ARG(struct state),
-	TS_ENUM("mode", struct state, mode, ts_tally_names, .flags = TS_POSITIONAL,
+	TS_ENUM("mode", struct state, mode, ts_reduction_names, .flags = TS_POSITIONAL,
 		.help = "what is made of the values"),
 	TS_LIST("values", struct state, words,
 		.help = "x, vx, radius ..., c_ID, c_ID[k], c_ID[*], f_ID, f_ID[k] or v_name"),

@@ -1,8 +1,9 @@
 /* Fix ave/euler: what particles are like in each cell of a grid. */
 #include "average/euler.h"
 #include "box/domain.h"
-#include "contact/contact_list.h"
+#include "contact/contact_view.h"
 #include "geom/box.h"
+#include "math/constants.h"
 #include "particle/identity.h"
 #include "particle/moments.h"
 #include "region/region.h"
@@ -145,7 +146,7 @@ static double volume_of(const struct tsim *sim, size_t i)
 {
 	double r = sim->particles->radius[i];
 
-	return sim->dimension == 2 ? TS_REGION_PI * r * r : 4 * TS_REGION_PI / 3 * r * r * r;
+	return sim->dimension == 2 ? TS_PI * r * r : 4 * TS_PI / 3 * r * r * r;
 }
 
 /* Means of count, mass, velocity, radius; the volume of all in TS_EULER_FRACTION. */

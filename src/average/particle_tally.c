@@ -7,7 +7,7 @@
 
 #include "base/banned.h"
 
-enum ts_status ts_tally_start(struct tsim *sim, struct ts_tally *tally)
+enum ts_status ts_particle_tally_start(struct tsim *sim, struct ts_particle_tally *tally)
 {
 	size_t n = sim->particles->n;
 
@@ -20,27 +20,27 @@ enum ts_status ts_tally_start(struct tsim *sim, struct ts_tally *tally)
 	return TS_OK;
 }
 
-const double *ts_tally_sums(struct ts_tally *tally)
+const double *ts_particle_tally_sums(struct ts_particle_tally *tally)
 {
-	for (size_t k = 0; tally->fresh && k < TS_TALLY_MOST; k++)
+	for (size_t k = 0; tally->fresh && k < TS_PARTICLE_TALLY_MOST; k++)
 		tally->sum[k] = tally->n ? ts_exactsum_of(&tally->note[0][k], tally->n,
-							  TS_TALLY_MOST)
+							  TS_PARTICLE_TALLY_MOST)
 					 : 0;
 	tally->fresh = false;
 	return tally->sum;
 }
 
-void ts_tally_release(struct ts_tally *tally)
+void ts_particle_tally_release(struct ts_particle_tally *tally)
 {
 	ts_free(tally->note);
-	*tally = (struct ts_tally){ 0 };
+	*tally = (struct ts_particle_tally){ 0 };
 }
 
-enum ts_status ts_tally_archive(struct ts_archive *archive, struct ts_tally *tally)
+enum ts_status ts_particle_tally_archive(struct ts_archive *archive, struct ts_particle_tally *tally)
 {
 	if (ts_archive_writing(archive))
-		ts_tally_sums(tally);
+		ts_particle_tally_sums(tally);
 	else if (!ts_archive_has(archive, "tally"))
 		return TS_OK; /* files of version 1 */
-	return ts_archive_fixed(archive, "tally", TS_SAVED_F64, tally->sum, TS_TALLY_MOST);
+	return ts_archive_fixed(archive, "tally", TS_SAVED_F64, tally->sum, TS_PARTICLE_TALLY_MOST);
 }

@@ -30,7 +30,7 @@ static enum ts_status read_replace(struct ts_instance *self, struct tsim *sim)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < r->input.n; k++)
 		r->instead[k] = -1;
-	if (rest.n && r->mode != TS_TALLY_MIN && r->mode != TS_TALLY_MAX)
+	if (rest.n && r->mode != TS_REDUCTION_MIN && r->mode != TS_REDUCTION_MAX)
 		return bad_replace(self, sim, "goes with min and max only");
 	while (rest.n) {
 		int64_t m, n;
@@ -82,7 +82,7 @@ static int64_t extreme(const struct ts_instance *self, const struct ts_ref_input
 {
 	const struct ts_reduce *r = self->state;
 	const int32_t *tag = r->sim->particles->tag;
-	double sign = r->mode == TS_TALLY_MIN ? -1 : 1, most = -INFINITY;
+	double sign = r->mode == TS_REDUCTION_MIN ? -1 : 1, most = -INFINITY;
 	int64_t found = -1;
 
 	for (size_t i = 0; i < values->rows; i++) {
@@ -119,8 +119,8 @@ static enum ts_status reduce_one(struct ts_instance *self, size_t k, double *out
 {
 	struct ts_reduce *r = self->state;
 	const struct ts_ref_input *input = &r->input.item[k];
-	enum ts_tally_mode mode = (enum ts_tally_mode)r->mode;
-	struct ts_tally tally = ts_tally_start();
+	enum ts_reduction_mode mode = (enum ts_reduction_mode)r->mode;
+	struct ts_reduction tally = ts_reduction_start();
 
 	TS_TRY(ts_region_update(r->region, r->sim));
 	if (r->instead[k] >= 0)
@@ -128,8 +128,8 @@ static enum ts_status reduce_one(struct ts_instance *self, size_t k, double *out
 	TS_TRY(ts_ref_input_eval(r->sim, input, &r->each));
 	for (size_t i = 0; i < r->each.rows; i++)
 		if (counts(self, input, i))
-			ts_tally_add(&tally, mode, r->each.data[i]);
-	*out = ts_tally_value(&tally, mode);
+			ts_reduction_add(&tally, mode, r->each.data[i]);
+	*out = ts_reduction_value(&tally, mode);
 	return TS_OK;
 }
 

@@ -18,7 +18,7 @@ struct ts_reduce {
 	struct tsim *sim; /* evaluation may need memory */
 };
 #define TS_REDUCE_ARGS(T)                                                                          \
-	TS_ENUM("mode", T, reduce.mode, ts_tally_names, .flags = TS_POSITIONAL,                    \
+	TS_ENUM("mode", T, reduce.mode, ts_reduction_names, .flags = TS_POSITIONAL,                    \
 		.help = "what is made of the values"),                                             \
 		TS_LIST("values", T, reduce.words,                                                 \
 			.help = "x, vx, fx, radius ..., c_ID, c_ID[k], c_ID[*], f_ID, f_ID[k] or " \

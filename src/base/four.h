@@ -49,17 +49,17 @@ TS_INLINE void ts_four_turn(ts_four m[4])
 }
 
 /* Columns of so many numbers, for loops over several elements at once. */
-enum { TS_COLUMN = 64 };
+enum { TS_BATCH = 64 };
 
 /* Four rows of numbers to the places at .. at+3 of four columns, or back. */
-TS_INLINE void ts_four_columns(ts_four row[4], double (*column)[TS_COLUMN], size_t at)
+TS_INLINE void ts_four_columns(ts_four row[4], double (*column)[TS_BATCH], size_t at)
 {
 	ts_four_turn(row);
 	for (int c = 0; c < 4; c++)
 		*(ts_four *)&column[c][at] = row[c];
 }
 
-TS_INLINE void ts_four_rows(const double (*column)[TS_COLUMN], size_t at, ts_four row[4])
+TS_INLINE void ts_four_rows(const double (*column)[TS_BATCH], size_t at, ts_four row[4])
 {
 	for (int c = 0; c < 4; c++)
 		row[c] = *(const ts_four *)&column[c][at];

@@ -128,7 +128,7 @@ static enum ts_status drop_lost(struct tsim *sim, struct ts_bonds *b,
 	if (!lost)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < b->n; k++) {
-		lost[k] = ts_row_of(map, b->tag[k][0]) < 0 || ts_row_of(map, b->tag[k][1]) < 0;
+		lost[k] = ts_contact_of(map, b->tag[k][0]) < 0 || ts_contact_of(map, b->tag[k][1]) < 0;
 		b->gone += lost[k];
 	}
 	ts_bonds_delete(b, lost);
@@ -198,7 +198,7 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(drop_lost(sim, b, &map));
 	for (size_t k = 0; k < b->n; k++)
 		for (int s = 0; s < 2; s++)
-			b->row[k][s] = ts_row_of(&map, b->tag[k][s]);
+			b->row[k][s] = ts_contact_of(&map, b->tag[k][s]);
 	TS_TRY(check_places(sim, b));
 	return ts_bonds_index(sim);
 }

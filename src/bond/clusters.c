@@ -32,7 +32,7 @@ static enum ts_status join_bonds(struct tsim *sim, const struct task *t)
 
 	TS_TRY(ts_identities(sim, false, &map));
 	for (size_t b = 0; b < bonds->n; b++) {
-		int32_t i = ts_row_of(&map, bonds->tag[b][0]), j = ts_row_of(&map, bonds->tag[b][1]);
+		int32_t i = ts_contact_of(&map, bonds->tag[b][0]), j = ts_contact_of(&map, bonds->tag[b][1]);
 
 		if (i >= 0 && j >= 0)
 			join((void *)(uintptr_t)t, i < j ? (size_t)i : (size_t)j,

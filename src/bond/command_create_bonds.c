@@ -114,14 +114,14 @@ static enum ts_status bond_single(struct tsim *sim, const struct create_bonds *c
 
 	TS_TRY(ts_identities(sim, false, &map));
 	for (int k = 0; k < 2; k++)
-		if (ts_row_of(&map, tags[k]) < 0)
+		if (ts_contact_of(&map, tags[k]) < 0)
 			return ts_fail(&sim->error, TS_RANGE, where,
 				       "create_bonds: there is no particle %" PRId64, tags[k]);
 	if (c->tag_a == c->tag_b)
 		return ts_fail(&sim->error, TS_RANGE, where,
 			       "create_bonds: a particle cannot be bonded to itself");
-	i = (size_t)ts_row_of(&map, c->tag_a);
-	j = (size_t)ts_row_of(&map, c->tag_b);
+	i = (size_t)ts_contact_of(&map, c->tag_a);
+	j = (size_t)ts_contact_of(&map, c->tag_b);
 	d = distance(sim, i, j);
 	TS_TRY(ts_coincide_bond(sim, where, i, j, d));
 	return ts_bonds_add(sim, (int32_t)c->tag_a, (int32_t)c->tag_b, (int)c->type, d);

@@ -5,6 +5,7 @@
 
 #include "box/domain.h"
 #include "flow/flow.h"
+#include "math/constants.h"
 #include "particle/particles.h"
 #include "region/region.h"
 
@@ -149,7 +150,7 @@ static enum ts_status target(struct ts_instance *self, struct tsim *sim, int k, 
 		*out = around(lo, hi, length, side->a * length);
 		return TS_OK;
 	case WIGGLE:
-		w = 2 * 3.14159265358979323846 / side->b;
+		w = 2 * TS_PI / side->b;
 		*out = around(lo, hi, hi - lo + scale * side->a * sin(w * t),
 			      w * scale * side->a * cos(w * t));
 		return TS_OK;

@@ -1,4 +1,4 @@
-#include "contact/contact_list.h"
+#include "contact/contact_view.h"
 #include "neigh/neigh.h"
 #include "particle/particles.h"
 
@@ -20,7 +20,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 /* What is counted and listed: contacts whose partners are both in the group. A contact across a
  * periodic face has a row on either side; the one of the smaller identity counts. */
 static bool counts(const struct ts_instance *self, const struct ts_particles *p,
-		   const struct ts_rows *rows, size_t r)
+		   const struct ts_contact_list *rows, size_t r)
 {
 	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
 
@@ -33,7 +33,7 @@ static bool counts(const struct ts_instance *self, const struct ts_particles *p,
 
 static size_t count(const struct ts_instance *self, const struct tsim *sim)
 {
-	const struct ts_rows *rows = &sim->neigh->rows;
+	const struct ts_contact_list *rows = &sim->neigh->rows;
 	size_t n = 0;
 
 	for (size_t r = 0; r < rows->n; r++)
@@ -51,7 +51,7 @@ static enum ts_status eval_count(struct ts_instance *self, const struct tsim *si
 static enum ts_status eval_peratom(struct ts_instance *self, const struct tsim *sim,
 				   struct ts_table *out)
 {
-	const struct ts_rows *rows = &sim->neigh->rows;
+	const struct ts_contact_list *rows = &sim->neigh->rows;
 	const struct ts_particles *p = sim->particles;
 
 	TS_TRY(ts_table_resize(out, p->n, 1));
@@ -72,12 +72,12 @@ enum { COLUMNS = 15 };
 
 static void list_row(const struct tsim *sim, size_t r, double row[COLUMNS])
 {
-	const struct ts_rows *rows = &sim->neigh->rows;
+	const struct ts_contact_list *rows = &sim->neigh->rows;
 	const struct ts_particles *p = sim->particles;
 	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
 	bool swap = rows->tag[0][r] > rows->tag[1][r]; /* the smaller identity first */
 	size_t a = swap ? j : i, b = swap ? i : j;
-	const double *force = ts_row_force(rows, r);
+	const double *force = ts_contact_force(rows, r);
 	double d2 = 0;
 
 	row[0] = p->tag[a];
@@ -97,7 +97,7 @@ static void list_row(const struct tsim *sim, size_t r, double row[COLUMNS])
 static enum ts_status eval_local(struct ts_instance *self, const struct tsim *sim,
 				 struct ts_table *out)
 {
-	const struct ts_rows *rows = &sim->neigh->rows;
+	const struct ts_contact_list *rows = &sim->neigh->rows;
 	size_t n = 0;
 
 	TS_TRY(ts_contacts_kept(((const struct state *)self->state)->sim, self));

@@ -1,6 +1,6 @@
 /* Compute: force between two groups. */
 #include "bond/bonds.h"
-#include "contact/contact_list.h"
+#include "contact/contact_view.h"
 #include "math/exactsum.h"
 
 #include "base/banned.h"
@@ -34,7 +34,7 @@ static void add(const struct ts_instance *self, const struct tsim *sim,
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct state *s = self->state;
-	const struct ts_rows *rows = &sim->neigh->rows;
+	const struct ts_contact_list *rows = &sim->neigh->rows;
 	struct ts_exactsum sum[3];
 	struct ts_contact_view view;
 

@@ -1,7 +1,7 @@
 /* Compute: contacts in the columns of LIGGGHTS. */
 #include "contact/contact_columns.h"
-#include "contact/contact_list.h"
-#include "contact/row_loop.h"
+#include "contact/contact_loop.h"
+#include "contact/contact_view.h"
 #include "heat/heat.h"
 #include "math/vec3.h"
 
@@ -34,11 +34,11 @@ static bool listed(const struct ts_instance *self, const struct tsim *sim, size_
 static void add_torque(const struct tsim *sim, const struct ts_contact_view *v,
 		       struct ts_contact_facts *f)
 {
-	const struct ts_rows *rows = &sim->neigh->rows;
+	const struct ts_contact_list *rows = &sim->neigh->rows;
 
 	for (int k = 0; rows->parts > 1 && k < 3; k++)
-		f->torque[k] = (sim->particles->radius[v->a] - ts_row_force(rows, v->row)[3]) *
-			       ts_row_turn(rows, v->row)[k];
+		f->torque[k] = (sim->particles->radius[v->a] - ts_contact_force(rows, v->row)[3]) *
+			       ts_contact_tangential_torque(rows, v->row)[k];
 }
 
 /* By the conductance of the last step, with the temperatures of now. */
@@ -59,7 +59,7 @@ static void compute_anew(const struct tsim *sim, const struct ts_contact_view *v
 			 struct ts_contact_facts *f)
 {
 	const struct ts_pair *pair = ts_sim_only(sim, TS_KIND_PAIR)->state;
-	const struct ts_rows *rows = &sim->neigh->rows;
+	const struct ts_contact_list *rows = &sim->neigh->rows;
 	const struct ts_particles *p = sim->particles;
 	size_t i = (size_t)rows->i[v->row], j = (size_t)rows->j[v->row];
 	const struct ts_granular_model *model = ts_pair_model(pair, p->type[i], p->type[j]);
@@ -69,7 +69,7 @@ static void compute_anew(const struct tsim *sim, const struct ts_contact_view *v
 
 	for (size_t k = 0; k < rows->history_width; k++)
 		memory[k] = rows->history[v->row * rows->history_width + k];
-	ts_row_touch(p, i, j, model, &t);
+	ts_contact_touch(p, i, j, model, &t);
 	ts_granular_stand_out(model, memory, &t);
 	ts_granular_contact(model, ts_pair_law(pair, p->type[i], p->type[j]), &t,
 			    sim->clock.dt, false, memory, &acting);
@@ -85,7 +85,7 @@ static void compute_anew(const struct tsim *sim, const struct ts_contact_view *v
 static void look(const struct tsim *sim, size_t r, const bool *wanted, struct ts_contact_facts *f)
 {
 	const struct ts_particles *p = sim->particles;
-	const struct ts_rows *rows = &sim->neigh->rows;
+	const struct ts_contact_list *rows = &sim->neigh->rows;
 	struct ts_contact_view v;
 	double a, b;
 

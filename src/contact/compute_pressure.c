@@ -1,5 +1,5 @@
 /* Compute: pressure of the whole system. */
-#include "contact/contact_list.h"
+#include "contact/contact_view.h"
 #include "group/temperature.h"
 
 #include <string.h>

@@ -1,6 +1,6 @@
 /* Compute: who the partners of pairs and bonds are. */
 #include "bond/bonds.h"
-#include "contact/contact_list.h"
+#include "contact/contact_view.h"
 #include "core/name_list.h"
 
 #include "base/banned.h"

@@ -1,5 +1,5 @@
 /* Compute: stress of each particle times its volume. */
-#include "contact/contact_list.h"
+#include "contact/contact_view.h"
 #include "particle/moments.h"
 
 #include "base/banned.h"

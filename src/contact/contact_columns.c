@@ -2,6 +2,7 @@
 
 #include <stdint.h>
 
+#include "math/constants.h"
 #include "math/vec3.h"
 
 #include "base/banned.h"
@@ -155,16 +156,12 @@ void ts_contact_columns_write(const struct ts_contact_columns *c, size_t history
 
 double ts_contact_area(double a, double b, double r)
 {
-	const double pi = 3.14159265358979323846;
-
-	return -pi / 4 * ((r - a - b) * (r + a - b) * (r - a + b) * (r + a + b)) / (r * r);
+	return -TS_PI / 4 * ((r - a - b) * (r + a - b) * (r - a + b) * (r + a + b)) / (r * r);
 }
 
 double ts_contact_area_plane(double radius, double distance)
 {
-	const double pi = 3.14159265358979323846;
-
-	return pi * (radius * radius - distance * distance);
+	return TS_PI * (radius * radius - distance * distance);
 }
 
 size_t ts_contact_columns_arrays(const struct ts_contact_columns *c, size_t width,

@@ -1,7 +1,7 @@
 #include "contact/contact_energy.h"
 
 #include "bond/bonds.h"
-#include "contact/row_loop.h"
+#include "contact/contact_loop.h"
 #include "law/elastic_energy.h"
 #include "particle/moments.h"
 
@@ -9,13 +9,13 @@
 
 static double of_row(const struct tsim *sim, const struct ts_pair *pair, size_t r)
 {
-	const struct ts_rows *rows = &sim->neigh->rows;
+	const struct ts_contact_list *rows = &sim->neigh->rows;
 	const struct ts_particles *p = sim->particles;
 	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r], width = rows->history_width;
 	const struct ts_granular_model *model = ts_pair_model(pair, p->type[i], p->type[j]);
 	struct ts_touch t;
 
-	ts_row_touch(p, i, j, model, &t);
+	ts_contact_touch(p, i, j, model, &t);
 	ts_granular_stand_out(model, width ? rows->history + r * width : NULL, &t);
 	if (!(t.overlap > 0) && !ts_granular_reaches(model))
 		return 0;
@@ -25,7 +25,7 @@ static double of_row(const struct tsim *sim, const struct ts_pair *pair, size_t 
 
 static double of_contacts(const struct tsim *sim, size_t i)
 {
-	const struct ts_rows *rows = &sim->neigh->rows;
+	const struct ts_contact_list *rows = &sim->neigh->rows;
 	const struct ts_instance *inst = ts_sim_only(sim, TS_KIND_PAIR);
 	const struct ts_gather *g = &rows->gather;
 	double sum = 0;

@@ -2,7 +2,7 @@
 #ifndef TS_CONTACT_CONTACT_ENERGY_H
 #define TS_CONTACT_CONTACT_ENERGY_H
 
-#include "contact/contact_list.h"
+#include "contact/contact_view.h"
 
 struct ts_elastic_parts {
 	bool pair, bond;

@@ -1,6 +1,6 @@
 #include "contact/contact_system.h"
 
-#include "contact/contact_list.h"
+#include "contact/contact_view.h"
 #include "contact/pair.h"
 #include "core/standard.h"
 #include "group/temperature.h"

@@ -4,6 +4,7 @@
 
 #include "core/arg.h"
 #include "law/lens.h"
+#include "math/constants.h"
 
 #include "base/banned.h"
 

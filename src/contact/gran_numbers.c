@@ -1,7 +1,7 @@
 #include "contact/gran_numbers.h"
 
-#include "contact/row_loop.h"
-#include "contact/row_models.h"
+#include "contact/contact_loop.h"
+#include "contact/contact_models.h"
 
 #include "base/banned.h"
 
@@ -54,7 +54,7 @@ enum ts_status ts_gran_numbers_force(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_gran_numbers_pair *g = self->state;
 
-	return ts_row_loop(sim, &g->pair, ts_row_share_of(&g->pair, g->generic));
+	return ts_contact_loop(sim, &g->pair, ts_contact_share_of(&g->pair, g->generic));
 }
 
 enum ts_status ts_gran_numbers_complete(struct tsim *sim, void *coeff, const struct ts_place *where)

@@ -154,7 +154,7 @@ static void solve_hooke(struct ts_stages *s, size_t n, const struct ts_granular_
 
 /* The columns of struct ts_jkr_root. */
 struct roots {
-	double slope[TS_COLUMN], root[TS_COLUMN], s[TS_COLUMN], target[TS_COLUMN];
+	double slope[TS_BATCH], root[TS_BATCH], s[TS_BATCH], target[TS_BATCH];
 };
 
 TS_INLINE void start_at(struct roots *q, size_t k)

@@ -17,15 +17,15 @@ struct ts_stages {
 	bool wall;
 
 	/* how they touch: ts_stages_note_touch */
-	double n[3][TS_COLUMN], distance[TS_COLUMN], overlap[TS_COLUMN], r_eff[TS_COLUMN], m_eff[TS_COLUMN];
-	double less[TS_COLUMN]; /* ts_granular_short */
-	double vn[TS_COLUMN], slip[3][TS_COLUMN], roll[3][TS_COLUMN], spin[3][TS_COLUMN];
+	double n[3][TS_BATCH], distance[TS_BATCH], overlap[TS_BATCH], r_eff[TS_BATCH], m_eff[TS_BATCH];
+	double less[TS_BATCH]; /* ts_granular_short */
+	double vn[TS_BATCH], slip[3][TS_BATCH], roll[3][TS_BATCH], spin[3][TS_BATCH];
 
 	/* what stages leave to those that follow */
-	double solved[TS_COLUMN];
-	double kn[TS_COLUMN], kt[TS_COLUMN], gamman[TS_COLUMN], gammat[TS_COLUMN], area[TS_COLUMN];
-	double normal[TS_COLUMN], limit[TS_COLUMN];
-	double tangential[3][TS_COLUMN], rolling[3][TS_COLUMN], twist[TS_COLUMN];
+	double solved[TS_BATCH];
+	double kn[TS_BATCH], kt[TS_BATCH], gamman[TS_BATCH], gammat[TS_BATCH], area[TS_BATCH];
+	double normal[TS_BATCH], limit[TS_BATCH];
+	double tangential[3][TS_BATCH], rolling[3][TS_BATCH], twist[TS_BATCH];
 } __attribute__((aligned(64)));
 
 /* Whether there are stages for all laws of the model: not for contacts that are located, for restitution by the Stokes

@@ -5,8 +5,8 @@
 
 #include "insert/template.h"
 #include "material/property.h"
-#include "particle/body.h"
 #include "particle/prescribed.h"
+#include "particle/sphere_shape.h"
 #include "rigid/rigid.h"
 
 #include "base/banned.h"
@@ -173,7 +173,7 @@ static enum ts_status hertz(struct tsim *sim, const struct ts_lightest *list, do
 static double mass2_by_radius(const struct tsim *sim, size_t i)
 {
 	double radius = sim->particles->radius[i];
-	double mass = ts_material_density(sim, i) * ts_body_volume(sim, radius);
+	double mass = ts_material_density(sim, i) * ts_particle_volume(sim, radius);
 
 	return mass * mass / (0.5 * radius);
 }

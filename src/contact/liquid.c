@@ -6,7 +6,7 @@
 #include "contact/pair.h"
 #include "law/capillary.h"
 #include "material/property.h"
-#include "neigh/row_memory.h"
+#include "neigh/contact_memory.h"
 #include "particle/style_column.h"
 
 #include "base/banned.h"
@@ -117,19 +117,19 @@ static size_t original(const struct ts_particles *p, size_t j)
 	return j < p->n ? j : (size_t)p->ghost_owner[j - p->n];
 }
 
-static double *met_of(const struct ts_rows *rows, const struct ts_pair *pair, size_t r)
+static double *met_of(const struct ts_contact_list *rows, const struct ts_pair *pair, size_t r)
 {
 	return &rows->history[r * rows->history_width + (size_t)ts_granular_met_at(&pair->model)];
 }
 
-static bool broken(const struct ts_rows *rows, const struct ts_pair *pair, size_t r)
+static bool broken(const struct ts_contact_list *rows, const struct ts_pair *pair, size_t r)
 {
 	return *met_of(rows, pair, r) == TS_BRIDGE_BROKEN;
 }
 
 /* The row of the same pair on the other side of a periodic face, which may see the bridge break in
  * another step, as it rounds otherwise; rows->n: there is none. */
-static size_t mirror(const struct ts_rows *rows, const struct ts_particles *p, size_t r)
+static size_t mirror(const struct ts_contact_list *rows, const struct ts_particles *p, size_t r)
 {
 	for (size_t k = 0; rows->image[r] != TS_IMAGE_SELF && k < rows->n; k++)
 		if ((size_t)rows->i[k] == original(p, (size_t)rows->j[r]) &&
@@ -140,7 +140,7 @@ static size_t mirror(const struct ts_rows *rows, const struct ts_particles *p, s
 }
 
 static enum ts_status put(struct parts *list, const struct ts_particles *p,
-			  const struct ts_rows *rows, size_t r, int side, double amount)
+			  const struct ts_contact_list *rows, size_t r, int side, double amount)
 {
 	size_t i = original(p, (size_t)(side ? rows->j[r] : rows->i[r]));
 
@@ -153,7 +153,7 @@ static enum ts_status put(struct parts *list, const struct ts_particles *p,
 
 /* Row r has broken: what both get, or where the row of the other side books its own i, i alone. */
 static enum ts_status book(struct parts *list, const struct ts_particles *p,
-			   const struct ts_rows *rows, const struct ts_pair *pair, size_t r,
+			   const struct ts_contact_list *rows, const struct ts_pair *pair, size_t r,
 			   bool both)
 {
 	size_t i = (size_t)rows->i[r], j = original(p, (size_t)rows->j[r]);
@@ -174,7 +174,7 @@ static enum ts_status book(struct parts *list, const struct ts_particles *p,
 }
 
 /* All that broke; bridges whose other side has not yet are forgotten there. */
-static enum ts_status collect(struct parts *list, struct tsim *sim, struct ts_rows *rows,
+static enum ts_status collect(struct parts *list, struct tsim *sim, struct ts_contact_list *rows,
 			      const struct ts_pair *pair)
 {
 	const struct ts_particles *p = sim->particles;
@@ -191,7 +191,7 @@ static enum ts_status collect(struct parts *list, struct tsim *sim, struct ts_ro
 			return TS_NOMEM;
 		if (other == rows->n || !both || !rows->touching[other])
 			continue;
-		ts_rows_settle(sim, rows);
+		ts_contacts_store_history(sim, rows);
 		*met_of(rows, pair, other) = 0;
 		rows->looked = false; /* what rows remember is read anew */
 	}
@@ -200,7 +200,7 @@ static enum ts_status collect(struct parts *list, struct tsim *sim, struct ts_ro
 
 enum ts_status ts_liquid_share(struct tsim *sim, const struct ts_pair *pair)
 {
-	struct ts_rows *rows = &sim->neigh->rows;
+	struct ts_contact_list *rows = &sim->neigh->rows;
 	double *flux = sim->particles->column[pair->liquid.flux].data;
 	struct parts list = { 0 };
 	enum ts_status status = collect(&list, sim, rows, pair);

@@ -4,6 +4,7 @@
 
 #include "law/granular_force.h"
 #include "material/property.h"
+#include "math/constants.h"
 
 #include "base/banned.h"
 

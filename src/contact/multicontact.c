@@ -4,7 +4,7 @@
 
 #include "base/parallel.h"
 #include "material/property.h"
-#include "neigh/row_memory.h"
+#include "neigh/contact_memory.h"
 
 #include "base/banned.h"
 
@@ -30,7 +30,7 @@ enum ts_status ts_multicontact_prepare(struct ts_multicontact *m, struct tsim *s
 /* ---- the loads on each particle: first its rows, in the order of its partners, then its walls */
 
 /* Whether somebody but the two particles of a row knows of it. */
-static bool loads(const struct ts_pair *pair, const struct ts_rows *rows,
+static bool loads(const struct ts_pair *pair, const struct ts_contact_list *rows,
 		  const struct ts_particles *p, size_t r)
 {
 	return rows->touching[r] &&
@@ -38,7 +38,7 @@ static bool loads(const struct ts_pair *pair, const struct ts_rows *rows,
 }
 
 /* Where the partners of row r touch, as its partner of that side sees it. */
-static void place_of(const struct ts_rows *rows, const struct ts_particles *p, size_t r, int side,
+static void place_of(const struct ts_contact_list *rows, const struct ts_particles *p, size_t r, int side,
 		     double e[3], double point[3], double *gap)
 {
 	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
@@ -51,7 +51,7 @@ static void place_of(const struct ts_rows *rows, const struct ts_particles *p, s
 	ts_scale(-(p->radius[side ? j : i] + 0.5 * *gap), e, point);
 }
 
-static struct ts_multicontact_load row_load(const struct ts_pair *pair, const struct ts_rows *rows,
+static struct ts_multicontact_load row_load(const struct ts_pair *pair, const struct ts_contact_list *rows,
 					    const struct ts_particles *p, size_t r, int side)
 {
 	const struct ts_granular_model *model =
@@ -69,7 +69,7 @@ static struct ts_multicontact_load row_load(const struct ts_pair *pair, const st
 static enum ts_status count(struct ts_multicontact *m, const struct tsim *sim,
 			    const struct ts_pair *pair)
 {
-	const struct ts_rows *rows = &sim->neigh->rows;
+	const struct ts_contact_list *rows = &sim->neigh->rows;
 	const struct ts_gather *g = &rows->gather;
 	size_t n = sim->particles->n;
 
@@ -94,7 +94,7 @@ static enum ts_status count(struct ts_multicontact *m, const struct tsim *sim,
 static enum ts_status collect(struct ts_multicontact *m, struct tsim *sim,
 			      const struct ts_pair *pair, const struct ts_place *where)
 {
-	const struct ts_rows *rows = &sim->neigh->rows;
+	const struct ts_contact_list *rows = &sim->neigh->rows;
 	const struct ts_gather *g = &rows->gather;
 
 	if (count(m, sim, pair) != TS_OK)
@@ -141,7 +141,7 @@ struct task {
 static void rows_share(void *context, size_t from, size_t to)
 {
 	const struct task *t = context;
-	const struct ts_rows *rows = &t->sim->neigh->rows;
+	const struct ts_contact_list *rows = &t->sim->neigh->rows;
 	const struct ts_particles *p = t->sim->particles;
 
 	for (size_t r = from; r < to; r++) {
@@ -150,7 +150,7 @@ static void rows_share(void *context, size_t from, size_t to)
 		double e[3], point[3], gap, a = p->radius[i], b = p->radius[j], ours, theirs;
 
 		place_of(rows, p, r, 0, e, point, &gap);
-		t->m->bulge[r] = (struct ts_row_bulge){ 0, a * b / (a + b) };
+		t->m->bulge[r] = (struct ts_contact_bulge){ 0, a * b / (a + b) };
 		if (gap > TS_BULGE_MOST * (a + b))
 			continue;
 		ours = stands_out(t->m, p, i, e, point, NULL);
@@ -158,7 +158,7 @@ static void rows_share(void *context, size_t from, size_t to)
 		theirs = stands_out(t->m, p, owner, e, point, NULL);
 		a += ours;
 		b += theirs;
-		t->m->bulge[r] = (struct ts_row_bulge){ ours + theirs, a * b / (a + b) };
+		t->m->bulge[r] = (struct ts_contact_bulge){ ours + theirs, a * b / (a + b) };
 	}
 }
 
@@ -166,14 +166,14 @@ enum ts_status ts_multicontact_update(struct ts_multicontact *m, struct tsim *si
 				      const struct ts_place *where)
 {
 	const struct ts_instance *inst = ts_sim_only(sim, TS_KIND_PAIR);
-	struct ts_rows *rows = &sim->neigh->rows;
+	struct ts_contact_list *rows = &sim->neigh->rows;
 	const struct ts_pair *pair = inst ? inst->state : NULL;
 	const struct ts_particles *p = sim->particles;
 	struct task task = { m, sim };
 
 	rows->bulge = NULL;
 	pair = pair && pair->model.multi ? pair : NULL;
-	ts_rows_settle(sim, rows);
+	ts_contacts_store_history(sim, rows);
 	TS_TRY(collect(m, sim, pair, where));
 	if (!pair)
 		return TS_OK;

@@ -34,7 +34,7 @@ struct ts_multicontact {
 	double *compliance, *poisson; /* of each type, from 1 */
 	size_t *first, *next;	      /* the loads on particle i: first[i] .. first[i+1]-1 */
 	struct ts_multicontact_load *load;
-	struct ts_row_bulge *bulge; /* of each row */
+	struct ts_contact_bulge *bulge; /* of each row */
 	size_t compliance_capacity, poisson_capacity, first_capacity, next_capacity, load_capacity,
 		bulge_capacity;
 };

@@ -208,9 +208,9 @@ enum ts_status ts_pair_init(struct ts_instance *self, struct tsim *sim)
 	memory = (size_t)ts_granular_memory(&pair->model);
 	if (!memory && sim->full & TS_FULL_HISTORY)
 		memory = 3;
-	TS_TRY(ts_rows_set_history(sim, &sim->neigh->rows, memory, pair->memory_sign));
+	TS_TRY(ts_contact_list_set_history(sim, &sim->neigh->rows, memory, pair->memory_sign));
 	sim->neigh->rows.bridged = ts_cohesion_bridges(&pair->model) ? (size_t)ts_granular_met_at(&pair->model) + 1 : 0;
-	ts_rows_set_torques(&sim->neigh->rows, ts_granular_turns(&pair->model),
+	ts_contact_list_set_torques(&sim->neigh->rows, ts_granular_turns(&pair->model),
 				   ts_granular_rolls(&pair->model));
 	if (ts_granular_turns(&pair->model))
 		TS_TRY(ts_particles_need(sim, TS_NEED(OMEGA) | TS_NEED(TORQUE)));
@@ -253,7 +253,7 @@ void ts_pair_fingerprint(const struct ts_instance *self, const struct tsim *sim,
 static double *deepest_overlaps(const struct tsim *sim, const struct ts_pair *pair)
 {
 	size_t n = (size_t)pair->ntypes + 1;
-	const struct ts_rows *rows = &sim->neigh->rows;
+	const struct ts_contact_list *rows = &sim->neigh->rows;
 	const struct ts_particles *p = sim->particles;
 	double *most = ts_alloc(n * n, sizeof *most);
 
@@ -299,7 +299,7 @@ enum ts_status ts_pair_plan(struct ts_instance *self, struct tsim *sim,
 	if (status == TS_OK)
 		status = ts_multicontact_check(sim, &pair->model, ts_instance_word(self, "multicontact"));
 	if (status == TS_OK)
-		status = ts_located_check(sim, &pair->model, ts_instance_word(self, "located"));
+		status = ts_substep_check(sim, &pair->model, ts_instance_word(self, "located"));
 
 	for (int a = 1; status == TS_OK && a <= pair->ntypes; a++)
 		for (int b = a; status == TS_OK && b <= pair->ntypes; b++)

@@ -3,7 +3,7 @@
 #ifndef TS_CONTACT_PAIR_COLUMNS_H
 #define TS_CONTACT_PAIR_COLUMNS_H
 
-#include "contact/contact_list.h"
+#include "contact/contact_view.h"
 
 typedef double ts_pair_column_fn(const struct tsim *sim, const struct ts_contact_view *view);
 

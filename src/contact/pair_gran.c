@@ -1,9 +1,9 @@
 #include "contact/contact_energy.h"
+#include "contact/contact_loop.h"
+#include "contact/contact_models.h"
 #include "contact/limits.h"
 #include "contact/materials.h"
 #include "contact/pair.h"
-#include "contact/row_loop.h"
-#include "contact/row_models.h"
 #include "insert/template.h"
 #include "particle/prescribed.h"
 
@@ -96,7 +96,7 @@ static enum ts_status force(struct ts_instance *self, struct tsim *sim)
 {
 	const struct gran *g = self->state;
 
-	return ts_row_loop(sim, &g->pair, ts_row_share_of(&g->pair, g->generic));
+	return ts_contact_loop(sim, &g->pair, ts_contact_share_of(&g->pair, g->generic));
 }
 
 /* What granular codes go by, where the laws know the material. */

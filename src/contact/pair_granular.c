@@ -1,9 +1,9 @@
 /* Pair style granular: LAMMPS' table of contact laws, for each pair of types its own. */
 #include "contact/contact_energy.h"
+#include "contact/contact_loop.h"
+#include "contact/contact_models.h"
 #include "contact/gran_coeff.h"
 #include "contact/pair.h"
-#include "contact/row_loop.h"
-#include "contact/row_models.h"
 
 #include "base/banned.h"
 
@@ -86,7 +86,7 @@ static enum ts_status force(struct ts_instance *self, struct tsim *sim)
 {
 	const struct ts_pair *pair = self->state;
 
-	return ts_row_loop(sim, pair, ts_row_share_of(pair, false));
+	return ts_contact_loop(sim, pair, ts_contact_share_of(pair, false));
 }
 
 static const struct ts_arg args[] = {

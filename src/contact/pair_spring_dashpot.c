@@ -1,9 +1,9 @@
 #include "law/spring_dashpot.h"
 
 #include "contact/contact_energy.h"
+#include "contact/contact_loop.h"
+#include "contact/contact_models.h"
 #include "contact/pair.h"
-#include "contact/row_loop.h"
-#include "contact/row_models.h"
 
 #include "base/banned.h"
 
@@ -43,7 +43,7 @@ static enum ts_status force(struct ts_instance *self, struct tsim *sim)
 {
 	const struct spring_dashpot *s = self->state;
 
-	return ts_row_loop(sim, &s->pair, ts_row_share_of(&s->pair, s->generic));
+	return ts_contact_loop(sim, &s->pair, ts_contact_share_of(&s->pair, s->generic));
 }
 
 static const struct ts_arg args[] = {

@@ -2,14 +2,14 @@
 
 #include "base/banned.h"
 
-enum ts_status ts_located_check(struct tsim *sim, const struct ts_granular_model *model,
+enum ts_status ts_substep_check(struct tsim *sim, const struct ts_granular_model *model,
 				const struct ts_place *where)
 {
 	const char *why = NULL;
 
 	if (!model->located)
 		return TS_OK;
-	if (!ts_located_knows(model))
+	if (!ts_substep_knows(model))
 		why = "the normal law must be spring, hooke, hertz, hooke/stiffness or hertz/stiffness, "
 		      "and not viscous";
 	else if (sim->explicit_euler)

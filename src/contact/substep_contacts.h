@@ -6,7 +6,7 @@
 #include "law/substep.h"
 
 /* Before a run, when all styles are known. A model that is not located is always right. */
-enum ts_status ts_located_check(struct tsim *sim, const struct ts_granular_model *model,
+enum ts_status ts_substep_check(struct tsim *sim, const struct ts_granular_model *model,
 				const struct ts_place *where);
 
 #endif

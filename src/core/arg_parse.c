@@ -1,6 +1,6 @@
 /* Reads the words of a line into a state, guided by argument rows. */
 #include "core/arg_read.h"
-#include "core/known.h"
+#include "core/unsupported_names.h"
 
 #include <string.h>
 
@@ -161,7 +161,7 @@ static enum ts_status unknown_keyword(struct ts_parse *p, const struct ts_arg *r
 				      const struct ts_arg *common, const struct ts_word *word)
 {
 	struct ts_suggest suggest = ts_suggest_start(word->text);
-	const char *remark = ts_known_word_remark(p->what, word->text);
+	const char *remark = ts_unsupported_word_remark(p->what, word->text);
 	bool any = false;
 
 	for (const struct ts_arg *r = rows; r && r->type != TS_ARG_END; r++)
@@ -343,7 +343,7 @@ enum ts_status ts_number_now(struct tsim *sim, const struct ts_number *number,
 			     const struct ts_place *where, double *out)
 {
 	if (number->variable)
-		return sim->host->scalar(sim->host_data, number->variable, where, out);
+		return sim->script_api->scalar(sim->script_api_data, number->variable, where, out);
 	*out = number->value;
 	return TS_OK;
 }

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "core/group.h"
-#include "core/known.h"
+#include "core/unsupported_names.h"
 
 #include "base/banned.h"
 
@@ -129,7 +129,7 @@ enum ts_status ts_arg_read_enum(struct ts_parse *p, const struct ts_arg *row, in
 		}
 	for (int k = 0; word && row->choices[k]; k++)
 		ts_suggest_try(&suggest, row->choices[k]);
-	remark = word ? ts_known_word_remark(row->name, word->text) : NULL;
+	remark = word ? ts_unsupported_word_remark(row->name, word->text) : NULL;
 	ts_str_add(&expected, "one of ");
 	list_choices(row->choices, &expected);
 	if (remark)
@@ -159,7 +159,7 @@ enum ts_status ts_arg_read_coord(struct ts_parse *p, const struct ts_arg *row, d
 enum ts_status ts_arg_read_number(struct ts_parse *p, const struct ts_arg *row, struct ts_number *out)
 {
 	const struct ts_word *word = ts_arg_take(p);
-	const struct ts_host *host = p->sim->host;
+	const struct ts_script_api *host = p->sim->script_api;
 	struct ts_suggest suggest;
 
 	*out = (struct ts_number){ .at = p->next };
@@ -171,9 +171,9 @@ enum ts_status ts_arg_read_number(struct ts_parse *p, const struct ts_arg *row, 
 		suggest = ts_suggest_start(word->text + 2);
 		if (p->sim->unreached)
 			return TS_OK;
-		if (!host || !host->has_variable(p->sim->host_data, word->text + 2)) {
+		if (!host || !host->has_variable(p->sim->script_api_data, word->text + 2)) {
 			if (host)
-				host->suggest_variable(p->sim->host_data, &suggest);
+				host->suggest_variable(p->sim->script_api_data, &suggest);
 			return ts_missing(&p->sim->error, "variable", word->text + 2, &word->place,
 					  "%s: %s names an unknown variable '%s'%s", p->what,
 					  row->name, word->text + 2, ts_suggest_text(&suggest));

@@ -162,14 +162,14 @@ static enum ts_status would_write(struct tsim *sim, const char *what, const char
 	for (size_t k = 0; k < words.n; k++)
 		if (ts_streq(words.word[k].text, path))
 			where = &words.word[k].place;
-	return sim->host->would_write(sim->host_data, where, what, path);
+	return sim->script_api->would_write(sim->script_api_data, where, what, path);
 }
 
 enum ts_status ts_args_outputs(struct tsim *sim, const char *what, const struct ts_arg *rows,
 			       const void *base, struct ts_words words,
 			       const struct ts_place *where)
 {
-	if (!sim->check || !sim->host)
+	if (!sim->check || !sim->script_api)
 		return TS_OK;
 	for (const struct ts_arg *row = rows; row && row->type != TS_ARG_END; row++) {
 		const void *field = (const char *)base + row->offset;

@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "base/clock.h"
-#include "core/pending.h"
 #include "core/settings.h"
+#include "core/unclaimed_state.h"
 #include "math/gsl.h"
 
 #include "base/banned.h"
@@ -75,7 +75,7 @@ static void set_defaults(struct tsim *sim)
 	int64_t n;
 
 	sim->clock = (struct ts_clock){ .dt = 0.005 };
-	sim->bill.last = (struct ts_price){ .seconds = NAN, .crowded = NAN };
+	sim->cost.last = (struct ts_price){ .seconds = NAN, .crowded = NAN };
 	sim->units = TS_UNITS_LJ;
 	sim->dimension = 3;
 	if (sim->grain == 0)
@@ -131,7 +131,7 @@ static void free_instances(struct tsim *sim)
 	for (int kind = TS_NKIND - 1; kind >= 0; kind--)
 		free_list(&sim->instances[kind]);
 	free_list(&sim->retired);
-	ts_pending_free(sim);
+	ts_unclaimed_free(sim);
 }
 
 void ts_sim_free(struct tsim *sim)
@@ -140,7 +140,7 @@ void ts_sim_free(struct tsim *sim)
 		return;
 	free_instances(sim);
 	ts_log_close(&sim->log, &sim->error);
-	ts_holds_end(&sim->holds);
+	ts_shared_buffers_end(&sim->holds);
 	ts_review_release(&sim->review);
 	ts_pool_free(sim->pool);
 	ts_files_release(&sim->files);
@@ -167,7 +167,7 @@ static enum ts_status first_init(struct tsim *sim, struct ts_instance *inst, str
 			TS_TRY(systems->item[k]->style->init(systems->item[k], sim));
 	if (inst->style->init && kind != TS_KIND_PAIR && kind != TS_KIND_BOND)
 		TS_TRY(inst->style->init(inst, sim));
-	return ts_pending_apply(sim, inst, args);
+	return ts_unclaimed_apply(sim, inst, args);
 }
 
 static enum ts_status place_of_new(struct tsim *sim, enum ts_kind kind, const struct ts_style *style,

@@ -5,10 +5,10 @@
 #include <string.h>
 
 #include "base/clock.h"
-#include "core/pending.h"
 #include "core/ref_list.h"
 #include "core/saver.h"
 #include "core/settings.h"
+#include "core/unclaimed_state.h"
 #include "core/uses.h"
 
 #include "base/banned.h"
@@ -30,7 +30,7 @@ static enum ts_status add_action(struct ts_plan *plan, struct tsim *sim, struct 
 		return ts_nomem(&sim->error);
 	plan->actions[stage][plan->n[stage]++] = (struct ts_action){
 		hook, inst, ts_instance_site(inst, stage), watches,
-		usual && inst->style->waits >> stage & 1u, !usual && !watches
+		usual && inst->style->defers >> stage & 1u, !usual && !watches
 	};
 	return TS_OK;
 }
@@ -115,14 +115,14 @@ enum ts_status ts_plan_compile(struct ts_plan *plan, struct tsim *sim)
 		plan->n[stage] = 0;
 	plan->watch = (struct ts_stopwatch){ .first = ts_ticks(), .begin = ts_clock() };
 	sim->explicit_euler = sim->clamped = false; /* their fixes say so in init */
-	TS_TRY(ts_pardon(sim, refuse_retired(sim)));
+	TS_TRY(ts_defer_error(sim, refuse_retired(sim)));
 	for (int k = 0; k < NORDER; k++) {
 		const struct ts_instances *list = &sim->instances[kind_order[k]];
 
 		for (size_t i = 0; i < list->n; i++) {
 			if (list->item[i]->style->init)
-				TS_TRY(ts_pardon(sim, list->item[i]->style->init(list->item[i], sim)));
-			TS_TRY(ts_pardon(sim, ts_refs_read(sim, list->item[i])));
+				TS_TRY(ts_defer_error(sim, list->item[i]->style->init(list->item[i], sim)));
+			TS_TRY(ts_defer_error(sim, ts_refs_read(sim, list->item[i])));
 			TS_TRY(add_actions(plan, sim, list->item[i]));
 		}
 	}
@@ -156,10 +156,10 @@ static void look_at_watch(struct ts_stopwatch *watch, struct tsim *sim, enum ts_
 {
 	uint64_t now = ts_ticks();
 
-	watch->spent[stage] += now - watch->last - sim->sweep.spent;
-	watch->spent[TS_STAGE_INITIAL_INTEGRATE] += sim->sweep.spent;
+	watch->spent[stage] += now - watch->last - sim->deferred.spent;
+	watch->spent[TS_STAGE_INITIAL_INTEGRATE] += sim->deferred.spent;
 	watch->last = now;
-	sim->sweep.spent = 0;
+	sim->deferred.spent = 0;
 }
 
 double ts_plan_seconds(const struct ts_plan *plan, enum ts_stage stage)
@@ -180,8 +180,8 @@ static enum ts_status act(struct ts_plan *plan, struct tsim *sim, enum ts_stage 
 	for (size_t k = 0; k < plan->n[stage] && status == TS_OK; k++) {
 		const struct ts_action *action = &plan->actions[stage][k];
 
-		if (!action->waits)
-			ts_sweep(sim);
+		if (!action->defers)
+			ts_run_deferred_loops(sim);
 		begin_action(sim, action, stage);
 		status = action->hook(action->self, sim);
 		if (!action->watches)
@@ -210,7 +210,7 @@ enum ts_status ts_plan_stages(struct ts_plan *plan, struct tsim *sim, enum ts_st
 {
 	enum ts_status status = act_in(plan, sim, first, last);
 
-	ts_sweep(sim);
+	ts_run_deferred_loops(sim);
 	return status;
 }
 
@@ -259,7 +259,7 @@ enum ts_status ts_plan_step(struct ts_plan *plan, struct tsim *sim)
 /* What holds only inside a run. */
 static enum ts_status leave_run(struct tsim *sim, enum ts_status status)
 {
-	ts_sweep(sim);
+	ts_run_deferred_loops(sim);
 	sim->running = sim->in_setup = sim->resuming = sim->rebuild = sim->saving = false;
 	return status;
 }
@@ -333,7 +333,7 @@ enum ts_status ts_plan_stopped(struct tsim *sim)
 
 enum ts_status ts_plan_run(struct ts_plan *plan, struct tsim *sim, bool setup)
 {
-	ts_pending_report(sim);
+	ts_unclaimed_report(sim);
 	TS_TRY(ts_plan_start(plan, sim, setup));
 	if (!sim->explain) {
 		TS_TRY(ts_plan_steps(plan, sim));
@@ -371,7 +371,7 @@ static enum ts_status hash_variable(struct tsim *sim, const struct ts_instance *
 {
 	double value;
 
-	if (!number->variable || sim->host->is_peratom(sim->host_data, number->variable))
+	if (!number->variable || sim->script_api->is_peratom(sim->script_api_data, number->variable))
 		return TS_OK;
 	TS_TRY(ts_number_now(sim, number, &inst->where, &value));
 	ts_hash_add(hash, &value, sizeof value);

@@ -1,5 +1,4 @@
-/* The plan of a run: who acts in which stage, what is modelled and left out, and the limits of the
- * time step. */
+/* The plan of a run: for each stage the list of functions to call. The one definition of a step. */
 #ifndef TS_CORE_PLAN_H
 #define TS_CORE_PLAN_H
 
@@ -8,9 +7,9 @@
 struct ts_action {
 	ts_hook_fn *hook;
 	struct ts_instance *self;
-	uint64_t site; /* for random numbers: ts_draws in core/sim.h */
-	bool watches;  /* what others do */
-	bool waits;    /* with what it does: see core/sweep.h */
+	uint64_t site; /* key of random numbers: struct ts_draws in core/sim.h */
+	bool watches;  /* a `watch` slot: called around the actions of others */
+	bool defers;   /* may defer its loops: core/deferred_loops.h */
 	bool late;     /* one of the late hooks of struct ts_style */
 };
 
@@ -20,7 +19,7 @@ struct ts_plan {
 	int64_t rebuilds; /* steps that found new rows */
 	struct ts_stopwatch {
 		uint64_t spent[TS_NSTAGE]; /* ticks in each stage of this run */
-		uint64_t last;		   /* when it was last looked at */
+		uint64_t last;		   /* ticks at the last reading */
 		uint64_t first;		   /* when the run began, by ticks and in seconds */
 		double begin;
 	} watch;
@@ -43,8 +42,8 @@ enum ts_status ts_plan_run(struct ts_plan *plan, struct tsim *sim, bool setup);
 enum ts_status ts_plan_start(struct ts_plan *plan, struct tsim *sim, bool setup);
 enum ts_status ts_plan_steps(struct ts_plan *plan, struct tsim *sim);
 enum ts_status ts_plan_finish(struct ts_plan *plan, struct tsim *sim);
-/* The one definition of a step. Passes over the particles may still wait when it returns: ts_sweep() before anybody
- * looks. */
+/* The one definition of a step. Loops may still be deferred when it returns: call ts_run_deferred_loops() before reading
+ * particles. */
 enum ts_status ts_plan_step(struct ts_plan *plan, struct tsim *sim);
 /* What comes before the first one: forces, if they are to be computed anew, and SETUP. */
 enum ts_status ts_plan_first_forces(struct ts_plan *plan, struct tsim *sim, bool anew);

@@ -2,8 +2,8 @@
 
 #include <string.h>
 
-#include "core/known.h"
 #include "core/sim.h"
+#include "core/unsupported_names.h"
 
 #include "base/banned.h"
 
@@ -57,7 +57,7 @@ static enum ts_status unknown_quantity(struct tsim *sim, const char *what, unsig
 				       const struct ts_ref_input *input)
 {
 	struct ts_suggest suggest = ts_suggest_start(input->name);
-	const char *remark = ts_known_word_remark(TS_KNOWN_QUANTITY, input->name);
+	const char *remark = ts_unsupported_word_remark(TS_UNSUPPORTED_QUANTITY, input->name);
 
 	if (remark && shapes & TS_WANT(PERATOM))
 		return ts_fail(&sim->error, TS_UNKNOWN, &input->where,
@@ -246,11 +246,11 @@ enum ts_status ts_refs_read(struct tsim *sim, const struct ts_instance *inst)
 		const struct ts_word *word = &inst->words.word[k];
 		const char *name = word->text + 2;
 
-		if (strncmp(word->text, "v_", 2) != 0 || !sim->host->has_variable(sim->host_data, name))
+		if (strncmp(word->text, "v_", 2) != 0 || !sim->script_api->has_variable(sim->script_api_data, name))
 			continue;
-		TS_TRY(sim->host->reads(sim->host_data, name,
-					sim->host->is_peratom(sim->host_data, name)  ? TS_PERATOM
-					: sim->host->is_vector(sim->host_data, name) ? TS_VECTOR
+		TS_TRY(sim->script_api->reads(sim->script_api_data, name,
+					sim->script_api->is_peratom(sim->script_api_data, name)  ? TS_PERATOM
+					: sim->script_api->is_vector(sim->script_api_data, name) ? TS_VECTOR
 										     : TS_SCALAR,
 					&word->place));
 	}

@@ -1,8 +1,8 @@
 /* The only look-up of styles by name. */
 #include <string.h>
 
-#include "core/known.h"
 #include "core/sim.h"
+#include "core/unsupported_names.h"
 
 #include "base/banned.h"
 
@@ -94,7 +94,7 @@ enum ts_status ts_style_require(struct tsim *sim, enum ts_kind kind, const struc
 				const struct ts_style **out)
 {
 	struct ts_suggest suggest = ts_suggest_start(name->text);
-	const struct ts_known *known = ts_known_find(kind, name->text);
+	const struct ts_unsupported *known = ts_unsupported_find(kind, name->text);
 	const char *suggestion;
 
 	*out = ts_style_find(sim->tables, kind, name->text);

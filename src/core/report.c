@@ -117,7 +117,7 @@ enum ts_status ts_report_collect(struct ts_plan_report *report, struct tsim *sim
 			continue;
 		for (size_t k = 0; k < list->n; k++)
 			if (list->item[k]->style->plan)
-				TS_TRY(ts_pardon(sim, list->item[k]->style->plan(list->item[k], sim,
+				TS_TRY(ts_defer_error(sim, list->item[k]->style->plan(list->item[k], sim,
 										 report)));
 	}
 	return TS_OK;

@@ -98,7 +98,7 @@ static enum ts_status ask_styles(struct tsim *sim)
 
 		for (size_t k = 0; k < list->n; k++)
 			if (list->item[k]->style->review)
-				TS_TRY(ts_pardon(sim,
+				TS_TRY(ts_defer_error(sim,
 						 list->item[k]->style->review(list->item[k], sim)));
 	}
 	return TS_OK;
@@ -113,7 +113,7 @@ enum ts_status ts_review_scene(struct tsim *sim, int64_t steps)
 	r->steps = steps;
 	for (int k = 0; sim->tables->checks[k].name; k++)
 		if (sim->tables->checks[k].look && r->answer[k] != TS_REVIEW_OFF)
-			TS_TRY(ts_pardon(sim, sim->tables->checks[k].look(sim)));
+			TS_TRY(ts_defer_error(sim, sim->tables->checks[k].look(sim)));
 	TS_TRY(ask_styles(sim));
 	r->made = true;
 	r->stale = r->stale || (sim->explain && steps > 0);

@@ -69,11 +69,11 @@ enum ts_status ts_sim_require(struct tsim *sim, enum ts_kind kind, const struct 
 			  ts_suggest_text(&suggest));
 }
 
-enum ts_status ts_pardon(struct tsim *sim, enum ts_status status)
+enum ts_status ts_defer_error(struct tsim *sim, enum ts_status status)
 {
-	if (status == TS_OK || !sim->explain || !sim->host)
+	if (status == TS_OK || !sim->explain || !sim->script_api)
 		return status;
-	return sim->host->pardon(sim->host_data, status);
+	return sim->script_api->defer_error(sim->script_api_data, status);
 }
 
 bool ts_from_run(struct tsim *sim, const char *name)

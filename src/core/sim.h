@@ -6,15 +6,15 @@
 #include <stdint.h>
 
 #include "base/files.h"
-#include "base/hold.h"
 #include "base/log.h"
+#include "base/shared_buffer.h"
 #include "base/status.h"
 #include "base/str.h"
+#include "core/deferred_loops.h"
 #include "core/group.h"
-#include "core/host.h"
 #include "core/review.h"
+#include "core/script_api.h"
 #include "core/style.h"
-#include "core/sweep.h"
 #include "core/tables.h"
 
 /* Systems, owned by the folders of their names; the core knows them by pointer only. */
@@ -39,7 +39,7 @@ struct ts_price {
 };
 
 /* What -explain has found so far that the script will cost. */
-struct ts_bill {
+struct ts_total_cost {
 	double seconds, most, bytes; /* of all runs; most: with the particles together */
 	struct ts_price last;	     /* of the last run */
 	double tried;		     /* seconds spent on trials */
@@ -140,7 +140,7 @@ struct tsim {
 	bool resuming;     /* nothing forces depend on has changed since the last step: the run
 			    * goes on with the forces and the rows of that step */
 	bool looking;      /* a value is read that does not count: next() stays where it is */
-	struct ts_sweep sweep;
+	struct ts_deferred_loops deferred;
 	struct ts_draws draws;
 	struct ts_acted acted;
 	int64_t era; /* how often steps have begun to be counted anew, by reset_timestep or clear: random
@@ -148,7 +148,7 @@ struct tsim {
 	uint64_t epoch; /* while somebody acts in a stage, nothing changes that he reads: outputs are
 			 * evaluated once. 0: something may change at any time */
 	uint64_t epochs;
-	struct ts_bill bill;
+	struct ts_total_cost cost;
 	volatile int stop; /* set from a signal handler: finish the step, then stop */
 	bool stopped_whole; /* it stopped between two steps or commands, and can be saved */
 	volatile int save;  /* set from a signal handler: save the state after this step or command */
@@ -158,7 +158,7 @@ struct tsim {
 			      * move in memory; never goes back, not by `clear` either */
 	const char *restart_on_signal; /* file written when a signal stops the run; "": none,
 					* NULL: tsim.interrupted.restart beside the log */
-	struct ts_holds holds; /* columns that the library has given away */
+	struct ts_shared_buffers holds; /* columns that the library has given away */
 	uint64_t fingerprint; /* of all that forces depend on, at the end of the last run */
 
 	unsigned columns;     /* all that live styles need */
@@ -177,7 +177,7 @@ struct tsim {
 	struct ts_thermo *thermo;
 	struct ts_guard *guard;
 
-	struct ts_pending *pending; /* state from a restart file for styles not yet defined again */
+	struct ts_unclaimed *unclaimed; /* state from a restart file for styles not yet defined again */
 
 	struct ts_instance *outside; /* acts last in its stages: the program around the library */
 	struct ts_run_watch *run_watch; /* or NULL */
@@ -191,8 +191,8 @@ struct tsim {
 
 	const char *settings; /* the last record of settings in the log; core/settings.h */
 	struct ts_words line; /* of the command that runs */
-	const struct ts_host *host;
-	void *host_data;
+	const struct ts_script_api *script_api;
+	void *script_api_data;
 };
 
 /* How many threads are worth it for a loop of n rounds: sharing one among threads costs as much as some
@@ -225,7 +225,7 @@ static inline bool ts_sim_has_box(const struct tsim *sim)
 }
 
 /* For reporting several errors at once: with -check an error is noted and becomes TS_OK. */
-enum ts_status ts_pardon(struct tsim *sim, enum ts_status status);
+enum ts_status ts_defer_error(struct tsim *sim, enum ts_status status);
 /* Whether the value of this name, which is read now, hangs on a run that was only planned; notes that it was. */
 bool ts_from_run(struct tsim *sim, const char *name);
 

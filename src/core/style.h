@@ -61,7 +61,7 @@ bool ts_kind_find(const char *name, enum ts_kind *out);
 #define TS_STAGE_ENUM(name) TS_STAGE_##name,
 enum ts_stage { TS_STAGE_LIST(TS_STAGE_ENUM) TS_NSTAGE };
 #undef TS_STAGE_ENUM
-#define TS_WAITS(stage) (1u << TS_STAGE_##stage)
+#define TS_DEFERS(stage) (1u << TS_STAGE_##stage)
 
 /* The order among late hooks: forces that depend on all others, and last what depends on the acceleration. */
 enum ts_late { TS_LATE_RELAX, TS_LATE_INERTIA, TS_NLATE };
@@ -107,7 +107,7 @@ struct ts_style {
 	bool (*is_late)(const struct ts_instance *self); /* asked after init; NULL: always */
 	/* Fixes: which part of a force on a particle takes effect. See force/restraint.h. */
 	const struct ts_restraint *restraint;
-	unsigned waits; /* TS_WAITS of stages in whose hooks passes over particles may wait: core/sweep.h */
+	unsigned defers; /* TS_DEFERS of stages in whose hooks passes over particles may wait: core/deferred_loops.h */
 	/* Fixes: looks on, from INITIAL_INTEGRATE to END_OF_STEP, as each stage begins and after each action of
 	 * others in it: sim->acted says which. It changes nothing. */
 	ts_hook_fn *watch;

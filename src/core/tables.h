@@ -1,5 +1,5 @@
 /* What a program is made of. The core, the script language and the manual know styles, systems and checks only through
- * these tables, which whoever makes a simulation passes to ts_sim_new (library/tables.h has those of tsim). */
+ * these tables, which whoever makes a simulation passes to ts_sim_new (library/tsim_tables.h has those of tsim). */
 #ifndef TS_CORE_TABLES_H
 #define TS_CORE_TABLES_H
 

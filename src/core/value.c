@@ -186,14 +186,14 @@ static enum ts_status resolve_variable(struct tsim *sim, const char *name,
 	ref->variable = ts_pool_get(sim->pool, plain);
 	if (!ref->variable)
 		return ts_nomem(&sim->error);
-	if (!sim->host || !sim->host->has_variable(sim->host_data, plain)) {
+	if (!sim->script_api || !sim->script_api->has_variable(sim->script_api_data, plain)) {
 		suggest = ts_suggest_start(plain);
-		if (sim->host)
-			sim->host->suggest_variable(sim->host_data, &suggest);
+		if (sim->script_api)
+			sim->script_api->suggest_variable(sim->script_api_data, &suggest);
 		return ts_missing(&sim->error, "variable", plain, where, "unknown variable '%s'%s",
 				  plain, ts_suggest_text(&suggest));
 	}
-	if (ref->index && !sim->host->is_vector(sim->host_data, plain))
+	if (ref->index && !sim->script_api->is_vector(sim->script_api_data, plain))
 		return ts_fail(&sim->error, TS_SYNTAX, where,
 			       "variable '%s' is not of style vector: v_%s[k] has no meaning",
 			       plain, plain);
@@ -321,9 +321,9 @@ static unsigned shape_seen(const struct ts_ref *ref, enum ts_shape shape)
 
 static unsigned variable_shape(const struct tsim *sim, const struct ts_ref *ref)
 {
-	if (sim->host->is_peratom(sim->host_data, ref->variable))
+	if (sim->script_api->is_peratom(sim->script_api_data, ref->variable))
 		return 1u << TS_PERATOM;
-	if (sim->host->is_vector(sim->host_data, ref->variable) && !ref->index)
+	if (sim->script_api->is_vector(sim->script_api_data, ref->variable) && !ref->index)
 		return 1u << TS_VECTOR;
 	return 1u << TS_SCALAR;
 }
@@ -432,8 +432,8 @@ static enum ts_status variable_scalar(struct tsim *sim, const struct ts_ref *ref
 	enum ts_status status;
 
 	if (!ref->index)
-		return sim->host->scalar(sim->host_data, ref->variable, where, out);
-	status = sim->host->vector(sim->host_data, ref->variable, where, &table);
+		return sim->script_api->scalar(sim->script_api_data, ref->variable, where, out);
+	status = sim->script_api->vector(sim->script_api_data, ref->variable, where, &table);
 	if (status == TS_OK && (size_t)ref->index > table.rows)
 		status = ts_fail(&sim->error, TS_RANGE, where,
 				 "element [%ld] asked for, variable '%s' has %zu", ref->index,
@@ -471,7 +471,7 @@ enum ts_status ts_ref_reads(struct tsim *sim, const struct ts_ref *ref, const st
 {
 	if (ref->kind != TS_REF_VARIABLE)
 		return TS_OK;
-	return sim->host->reads(sim->host_data, ref->variable, ref->index ? TS_VECTOR : TS_SCALAR, where);
+	return sim->script_api->reads(sim->script_api_data, ref->variable, ref->index ? TS_VECTOR : TS_SCALAR, where);
 }
 
 static enum ts_status one_column(struct tsim *sim, const struct ts_ref *ref,
@@ -531,7 +531,7 @@ enum ts_status ts_ref_peratom(struct tsim *sim, const struct ts_ref *ref,
 	if (!(ts_ref_shapes(sim, ref) & (1u << TS_PERATOM)))
 		return repeat_scalar(sim, ref, where, out);
 	if (ref->kind == TS_REF_VARIABLE)
-		return sim->host->peratom(sim->host_data, ref->variable, where, out);
+		return sim->script_api->peratom(sim->script_api_data, ref->variable, where, out);
 	if (now.kind == TS_REF_COLUMN)
 		return ts_quantity_eval(sim, now.quantity, out);
 	return one_column(sim, &now, where, TS_PERATOM, out);
@@ -544,7 +544,7 @@ enum ts_status ts_ref_vector(struct tsim *sim, const struct ts_ref *ref,
 	struct ts_ref now;
 
 	if (ref->kind == TS_REF_VARIABLE)
-		return sim->host->vector(sim->host_data, ref->variable, where, out);
+		return sim->script_api->vector(sim->script_api_data, ref->variable, where, out);
 	TS_TRY(refresh(sim, ref, where, &now));
 	if (now.inst && now.index)
 		return one_column(sim, &now, where, TS_ARRAY, out);

@@ -140,7 +140,7 @@ enum ts_status ts_coupling_force_post_force(struct ts_instance *self, struct tsi
 	int64_t tag = INT64_MAX;
 	size_t outside = 0;
 
-	TS_TRY(ts_tally_start(sim, &s->total));
+	TS_TRY(ts_particle_tally_start(sim, &s->total));
 #pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)                         \
 	reduction(+ : outside) reduction(min : tag)
 	for (size_t i = 0; i < p->n; i++) {
@@ -170,13 +170,13 @@ enum ts_status ts_coupling_force_post_force(struct ts_instance *self, struct tsi
 enum ts_status ts_coupling_force_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
 	(void)sim;
-	return ts_tally_archive(a, &((struct ts_coupling_force *)self->state)->total);
+	return ts_particle_tally_archive(a, &((struct ts_coupling_force *)self->state)->total);
 }
 
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	(void)sim;
-	memcpy(out->data, ts_tally_sums(&((struct ts_coupling_force *)self->state)->total),
+	memcpy(out->data, ts_particle_tally_sums(&((struct ts_coupling_force *)self->state)->total),
 	       3 * sizeof *out->data);
 	return TS_OK;
 }
@@ -192,5 +192,5 @@ void ts_coupling_force_fini(struct ts_instance *self)
 	struct ts_coupling_force *s = self->state;
 
 	ts_cell_order_release(&s->order);
-	ts_tally_release(&s->total);
+	ts_particle_tally_release(&s->total);
 }

@@ -17,7 +17,7 @@ struct ts_coupling_force {
 	struct ts_instance *flow;
 	struct ts_fluid *fluid; /* NULL: the flow is imposed, not solved for */
 	struct ts_cell_order order;
-	struct ts_tally total;
+	struct ts_particle_tally total;
 };
 
 /* The flow at the centre of a particle. */

@@ -6,8 +6,8 @@
 #include "core/sim.h"
 #include "coupling/outside_grid.h"
 #include "integrate/integrators.h"
-#include "particle/body.h"
 #include "particle/particles.h"
+#include "particle/sphere_shape.h"
 #include "rigid/rigid.h"
 
 #include "base/banned.h"
@@ -160,7 +160,7 @@ static enum ts_status allocate_work(struct ts_drag *s, struct tsim *sim)
 {
 	size_t n = sim->particles->n;
 
-	TS_TRY(ts_tally_start(sim, &s->total));
+	TS_TRY(ts_particle_tally_start(sim, &s->total));
 	s->nexchange = 0;
 	if (s->scheme != TS_DRAG_EXPLICIT) {
 		if (TS_GROW(s->relaxation, s->relaxation_capacity, n) != TS_OK)
@@ -342,7 +342,7 @@ enum ts_status ts_drag_archive(struct ts_instance *self, struct tsim *sim, struc
 	struct ts_drag *s = self->state;
 
 	(void)sim;
-	TS_TRY(ts_tally_archive(a, &s->total));
+	TS_TRY(ts_particle_tally_archive(a, &s->total));
 	if (!ts_archive_writing(a) && !ts_archive_has(a, "reynolds"))
 		return TS_OK;
 	return ts_archive_fixed(a, "reynolds", TS_SAVED_F64, &s->reynolds, 1);
@@ -353,7 +353,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	struct ts_drag *s = self->state;
 
 	(void)sim;
-	memcpy(out->data, ts_tally_sums(&s->total), 3 * sizeof *out->data);
+	memcpy(out->data, ts_particle_tally_sums(&s->total), 3 * sizeof *out->data);
 	out->data[3] = s->reynolds;
 	return TS_OK;
 }
@@ -370,7 +370,7 @@ void ts_drag_fini(struct ts_instance *self)
 	struct ts_drag *s = self->state;
 
 	ts_cell_order_release(&s->order);
-	ts_tally_release(&s->total);
+	ts_particle_tally_release(&s->total);
 	ts_restraints_release(&s->restraints);
 	ts_free(s->exchange);
 	ts_free(s->relaxation);

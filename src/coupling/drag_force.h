@@ -69,7 +69,7 @@ struct ts_drag {
 	struct ts_drag_exchange *exchange; /* of each particle, if the fluid is solved for. Owned */
 	size_t exchange_capacity;
 	size_t nexchange; /* number of particles with a pending exchange; 0: none */
-	struct ts_tally total;
+	struct ts_particle_tally total;
 	double reynolds; /* largest Reynolds number of a particle in the last step */
 };
 

@@ -3,8 +3,8 @@
 
 #include <math.h>
 
-#include "particle/body.h"
 #include "particle/particles.h"
+#include "particle/sphere_shape.h"
 #include "rigid/rigid.h"
 
 #include "base/banned.h"
@@ -85,7 +85,7 @@ double ts_drag_mass(const struct ts_drag *s, const struct tsim *sim, size_t i)
 {
 	const struct ts_particles *p = sim->particles;
 
-	return p->mass[i] + ts_added_mass_density(&s->added, p, i) * ts_body_volume(sim, p->radius[i]);
+	return p->mass[i] + ts_added_mass_density(&s->added, p, i) * ts_particle_volume(sim, p->radius[i]);
 }
 
 bool ts_drag_motion_prescribed(const struct ts_drag *s, const struct tsim *sim, size_t i)

@@ -5,8 +5,8 @@
 #include "base/alloc.h"
 #include "force/restraint.h"
 #include "group/group_members.h"
-#include "particle/body.h"
 #include "particle/particles.h"
+#include "particle/sphere_shape.h"
 #include "rigid/rigid.h"
 
 #include "base/banned.h"
@@ -45,7 +45,7 @@ static double added_to(const struct ts_instance *self, const struct tsim *sim, s
 
 	return s->mass.coefficient *
 	       ts_flow_style_of(s->mass.force.flow)->density(s->mass.force.flow) *
-	       ts_body_volume(sim, sim->particles->radius[i]);
+	       ts_particle_volume(sim, sim->particles->radius[i]);
 }
 
 /* The part C rho V_p Du/Dt, which does not depend on the motion of the particle. */

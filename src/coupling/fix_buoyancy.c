@@ -23,7 +23,7 @@ struct state {
 	struct ts_instance *region;
 	const struct ts_gravity *gravity;
 	double down; /* direction of gravity along the axis, +1 or -1 */
-	struct ts_tally total;
+	struct ts_particle_tally total;
 };
 
 static enum ts_status find_gravity(struct ts_instance *self, struct tsim *sim)
@@ -87,7 +87,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 
 	TS_TRY(ts_number_now(sim, &s->gravity->magnitude, &self->where, &magnitude));
 	TS_TRY(ts_region_update(s->region, sim));
-	TS_TRY(ts_tally_start(sim, &s->total));
+	TS_TRY(ts_particle_tally_start(sim, &s->total));
 	for (size_t i = 0; i < p->n; i++) {
 		double depth = s->down * (p->x[i][s->dim] - s->level) + p->radius[i], force;
 
@@ -120,20 +120,20 @@ static enum ts_status post_build(struct ts_instance *self, struct tsim *sim)
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
 	(void)sim;
-	return ts_tally_archive(a, &((struct state *)self->state)->total);
+	return ts_particle_tally_archive(a, &((struct state *)self->state)->total);
 }
 
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	(void)sim;
-	memcpy(out->data, ts_tally_sums(&((struct state *)self->state)->total),
+	memcpy(out->data, ts_particle_tally_sums(&((struct state *)self->state)->total),
 	       3 * sizeof *out->data);
 	return TS_OK;
 }
 
 static void fini(struct ts_instance *self)
 {
-	ts_tally_release(&((struct state *)self->state)->total);
+	ts_particle_tally_release(&((struct state *)self->state)->total);
 }
 
 static const struct ts_arg args[] = {

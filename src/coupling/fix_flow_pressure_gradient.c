@@ -7,8 +7,8 @@
 #include "coupling/volume_distribution.h"
 #include "flow/projection.h"
 #include "force/restraint.h"
-#include "particle/body.h"
 #include "particle/particles.h"
+#include "particle/sphere_shape.h"
 #include "rigid/rigid.h"
 
 #include "base/banned.h"
@@ -74,7 +74,7 @@ static void add_force(const struct ts_instance *self, const struct tsim *sim, si
 {
 	const struct state *s = self->state;
 	const struct ts_fluid *fluid = s->force.fluid;
-	double volume = ts_body_volume(sim, sim->particles->radius[i]);
+	double volume = ts_particle_volume(sim, sim->particles->radius[i]);
 
 	(void)torque;
 	if (s->how == BY_VOLUME) {

@@ -3,10 +3,9 @@
 #include <math.h>
 
 #include "geom/ball_corner.h"
+#include "math/constants.h"
 
 #include "base/banned.h"
-
-static const double PI = 3.14159265358979323846;
 
 static double reach_of(const struct ts_coupling_volume *how, double radius)
 {
@@ -118,7 +117,7 @@ static double kernel_fraction(const struct span *s, int i)
 {
 	double a = fmax(s->face[i], -1), b = fmin(s->face[i + 1], 1);
 
-	return b > a ? 0.5 * (b - a + (sin(PI * b) - sin(PI * a)) / PI) : 0;
+	return b > a ? 0.5 * (b - a + (sin(TS_PI * b) - sin(TS_PI * a)) / TS_PI) : 0;
 }
 
 static void distribute_by_kernel(const struct ts_grid *grid, const struct span s[3], double volume, const struct visitor *to)
@@ -145,7 +144,7 @@ void ts_coupling_volume_each_cell(const struct ts_grid *grid, const struct ts_co
 {
 	double reach = reach_of(how, radius);
 	double unit = how->disc ? radius * radius * grid->width[2][cell[2]] : radius * radius * radius;
-	double volume = (how->disc ? PI : 4 * PI / 3) * unit;
+	double volume = (how->disc ? TS_PI : 4 * TS_PI / 3) * unit;
 	const struct visitor to = { visit, context };
 	struct span s[3];
 

@@ -21,7 +21,7 @@ static enum ts_status ask_next(struct ts_instance *self, struct tsim *sim)
 	struct ts_dump_common *d = self->state;
 	double next;
 
-	TS_TRY(sim->host->scalar(sim->host_data, d->variable, &self->where, &next));
+	TS_TRY(sim->script_api->scalar(sim->script_api_data, d->variable, &self->where, &next));
 	if (!(next > (double)sim->clock.step) || next > 9e15)
 		return ts_fail(&sim->error, TS_RANGE, &self->where,
 			       "dump_modify every v_%s: the step of the next frame would be %g, but step "
@@ -38,7 +38,7 @@ enum ts_status ts_dump_due(struct ts_instance *self, struct tsim *sim, bool *due
 
 	*due = d->variable ? d->next > 0 && step == d->next : step % d->every == 0;
 	if (*due || d->variable || d->frames == 0)
-		ts_sweep(sim);
+		ts_run_deferred_loops(sim);
 	if (d->variable && (*due || step == sim->clock.first_step || d->next <= step))
 		TS_TRY(ask_next(self, sim));
 	*due = ((*due && step >= d->delay) || (d->first && d->frames == 0)) &&

@@ -56,6 +56,6 @@ const struct ts_style ts_dump_atom = {
 	.archive = ts_dump_archive,
 	.init = init,
 	.hook[TS_STAGE_OUTPUT] = output,
-	.waits = TS_WAITS(OUTPUT),
+	.defers = TS_DEFERS(OUTPUT),
 	.fini = ts_dump_fini,
 };

@@ -60,6 +60,6 @@ const struct ts_style ts_dump_custom = {
 	.init = init,
 	.plan = plan,
 	.hook[TS_STAGE_OUTPUT] = output,
-	.waits = TS_WAITS(OUTPUT),
+	.defers = TS_DEFERS(OUTPUT),
 	.fini = ts_dump_fini,
 };

@@ -60,16 +60,16 @@ static void sources(struct tsim *sim, const struct ts_ledger *l)
 		      a == l->rest ? "forces made before, or changed later, than"
 		      : l->actor[a].pushes == TS_LEDGER_IS_WALL ? "motion of"
 								: "forces of",
-		      l->actor[a].name, ts_running_value(&l->actor[a].work));
-	line(sim, "the box that changes its shape", ts_running_value(&l->box));
+		      l->actor[a].name, ts_compensated_value(&l->actor[a].work));
+	line(sim, "the box that changes its shape", ts_compensated_value(&l->box));
 	for (size_t a = 0; a < l->nactors; a++)
 		named(sim, "motion set, particles made or taken by", l->actor[a].name,
-		      ts_running_value(&l->actor[a].own));
+		      ts_compensated_value(&l->actor[a].own));
 	for (int k = 0; k < TS_NSTORE; k++)
-		came += ts_running_value(&l->moved[k]);
+		came += ts_compensated_value(&l->moved[k]);
 	line(sim, "springs of particles that came or went", came);
-	line(sim, "particles held against forces", ts_running_value(&l->held));
-	line(sim, "commands between runs", ts_running_value(&l->between));
+	line(sim, "particles held against forces", ts_compensated_value(&l->held));
+	line(sim, "commands between runs", ts_compensated_value(&l->between));
 }
 
 static void losses(struct tsim *sim, const double v[])
@@ -92,8 +92,8 @@ static void heat(struct tsim *sim, const struct ts_ledger *l, const double v[])
 	ts_log(&sim->log, "  heat\n    %-52s %16.8g, %.8g more than at the start\n", texts[TS_LEDGER_HEAT_VALUE],
 	       v[TS_LEDGER_HEAT_VALUE], v[TS_LEDGER_HEAT_VALUE] - l->heat.start);
 	for (size_t a = 0; a < l->nactors; a++)
-		named(sim, "from", l->actor[a].name, ts_running_value(&l->actor[a].heat));
-	line(sim, "from sources", ts_running_value(&l->heat.source));
+		named(sim, "from", l->actor[a].name, ts_compensated_value(&l->actor[a].heat));
+	line(sim, "from sources", ts_compensated_value(&l->heat.source));
 	line(sim, texts[TS_LEDGER_HEAT_MOVED_VALUE], v[TS_LEDGER_HEAT_MOVED_VALUE]);
 	line(sim, texts[TS_LEDGER_HEAT_CLOSURE_VALUE], v[TS_LEDGER_HEAT_CLOSURE_VALUE]);
 }

@@ -220,13 +220,13 @@ static double all(const double *value, size_t n)
 }
 
 /* The kinetic energy as it is; what it has gained is booked on who acted. */
-static enum ts_status look(struct tsim *sim, struct ts_ledger *l, struct ts_running *book)
+static enum ts_status look(struct tsim *sim, struct ts_ledger *l, struct ts_compensated_sum *book)
 {
 	double before = l->kinetic[0] + l->kinetic[1];
 
 	ts_ledger_kinetic(sim, l->kinetic);
 	if (book && l->open)
-		ts_running_add(book, l->kinetic[0] + l->kinetic[1] - before);
+		ts_compensated_add(book, l->kinetic[0] + l->kinetic[1] - before);
 	l->most = fmax(l->most, l->kinetic[0] + l->kinetic[1] + all(l->store, TS_NSTORE));
 	return TS_OK;
 }
@@ -352,7 +352,7 @@ static enum ts_status settle(struct tsim *sim, struct ts_ledger *l)
 	l->due = NOTHING_DUE;
 	if (due == NOTHING_DUE || !l->open)
 		return TS_OK;
-	TS_TRY(ts_ledger_kick(sim, l, due == TS_STAGE_FINAL_INTEGRATE));
+	TS_TRY(ts_ledger_work(sim, l, due == TS_STAGE_FINAL_INTEGRATE));
 	TS_TRY(look(sim, l, NULL));
 	return remember(sim, l);
 }
@@ -375,7 +375,7 @@ static enum ts_status begin(struct tsim *sim, struct ts_ledger *l)
 	if (kicks)
 		l->due = stage;
 	if (kicks || (stage >= TS_STAGE_PRE_FORCE && stage <= TS_STAGE_POST_FORCE))
-		return ts_ledger_kick_start(sim, l);
+		return ts_ledger_work_start(sim, l);
 	return TS_OK;
 }
 
@@ -390,7 +390,7 @@ enum ts_status ts_ledger_watch(struct ts_instance *self, struct tsim *sim)
 		return begin(sim, l);
 	if (l->due != NOTHING_DUE) {
 		TS_TRY(ts_ledger_actor(sim, l, by, &actor));
-		ts_ledger_kick_mark(sim, l, actor);
+		ts_ledger_work_mark(sim, l, actor);
 		if (stage == TS_STAGE_FINAL_INTEGRATE)
 			ts_ledger_heat_advance(sim, l, by, actor);
 		return TS_OK;
@@ -458,7 +458,7 @@ static enum ts_status take_rest(struct tsim *sim, struct ts_ledger *l)
 					p->torque[i][d] - parts_of(l, p, i, TS_CAUSE_TORQUE + d);
 		}
 	}
-	TS_TRY(ts_ledger_kick_start(sim, l));
+	TS_TRY(ts_ledger_work_start(sim, l));
 	for (size_t b = 0; b < l->bodies; b++)
 		memset(l->body[b].external, 0, sizeof l->body[b].external);
 	book_external(sim, l, c);
@@ -492,7 +492,7 @@ enum ts_status ts_ledger_setup(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(remember(sim, l));
 	ts_ledger_heat_look(sim, l);
 	for (int k = 0; k < TS_NSTORE && l->open && l->made; k++)
-		ts_running_add(&l->moved[k], l->store[k] - l->store_before[k]);
+		ts_compensated_add(&l->moved[k], l->store[k] - l->store_before[k]);
 	if (!l->open)
 		open_books(sim, l);
 	return TS_OK;

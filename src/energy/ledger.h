@@ -50,11 +50,11 @@ static inline int ts_ledger_store(int side, int store)
 
 /* A sum over many steps that keeps what rounding cuts off (A. Neumaier, ZAMM 54 (1974) 39), and how much has gone
  * through it in either direction. */
-struct ts_running {
+struct ts_compensated_sum {
 	double sum, lost, turnover;
 };
-void ts_running_add(struct ts_running *r, double term);
-static inline double ts_running_value(const struct ts_running *r)
+void ts_compensated_add(struct ts_compensated_sum *r, double term);
+static inline double ts_compensated_value(const struct ts_compensated_sum *r)
 {
 	return r->sum + r->lost;
 }
@@ -65,8 +65,8 @@ struct ts_ledger_actor {
 	struct ts_instance *by; /* NULL: it is gone */
 	int pushes;		/* acts in the stages of forces, has a column: 1; or as a wall that moves: 2 */
 	size_t column;
-	struct ts_running work, own; /* of its forces; what it changed directly */
-	struct ts_running heat;      /* it has brought */
+	struct ts_compensated_sum work, own; /* of its forces; what it changed directly */
+	struct ts_compensated_sum heat;      /* it has brought */
 	double heat_rate;	     /* in this step, heat by time */
 };
 
@@ -76,7 +76,7 @@ enum { TS_LEDGER_PUSHES = 1, TS_LEDGER_IS_WALL = 2 };
 struct ts_ledger_heat {
 	double known; /* 1: there is such a fix, and start and now are of it */
 	double start, now;
-	struct ts_running source, moved; /* of heatSource; come, gone or set with particles */
+	struct ts_compensated_sum source, moved; /* of heatSource; come, gone or set with particles */
 	double seen;			 /* flux into all particles as of the last action */
 };
 
@@ -94,9 +94,9 @@ struct ts_ledger {
 	double first_time;
 	double start_kinetic[2], start_store[TS_NSTORE];
 	double kinetic[2], store[TS_NSTORE]; /* now */
-	struct ts_running work[TS_NCAUSE], drive, box, broken, turning, held, between;
-	struct ts_running slip[TS_LEDGER_SIDES]; /* what it takes of springs */
-	struct ts_running moved[TS_NSTORE];  /* energy of springs that came or went with particles, or between runs */
+	struct ts_compensated_sum work[TS_NCAUSE], drive, box, broken, turning, held, between;
+	struct ts_compensated_sum slip[TS_LEDGER_SIDES]; /* what it takes of springs */
+	struct ts_compensated_sum moved[TS_NSTORE];  /* energy of springs that came or went with particles, or between runs */
 	double most; /* energy at any time */
 	struct ts_ledger_heat heat;
 	int32_t newest; /* the largest identity when forces were last made */
@@ -153,14 +153,14 @@ enum ts_status ts_ledger_hold_walls(struct tsim *sim, struct ts_ledger *l);
 /* Particles are gone: the springs that held them went with them. */
 enum ts_status ts_ledger_take_away(struct tsim *sim, struct ts_ledger *l);
 
-/* ledger_kick.c */
+/* ledger_work.c */
 void ts_ledger_kinetic(struct tsim *sim, double out[2]);
 /* The works of the kicks of this stage; `final`: of the second half of the step. */
-enum ts_status ts_ledger_kick(struct tsim *sim, struct ts_ledger *l, bool final);
+enum ts_status ts_ledger_work(struct tsim *sim, struct ts_ledger *l, bool final);
 /* A stage begins: the velocities of particles and bodies as they are; nobody has kicked yet. */
-enum ts_status ts_ledger_kick_start(struct tsim *sim, struct ts_ledger *l);
+enum ts_status ts_ledger_work_start(struct tsim *sim, struct ts_ledger *l);
 /* Who has changed which velocities. */
-void ts_ledger_kick_mark(struct tsim *sim, struct ts_ledger *l, size_t actor);
+void ts_ledger_work_mark(struct tsim *sim, struct ts_ledger *l, size_t actor);
 
 /* ledger_heat.c: what particles have now, that others than conduction have changed; before forces are made; what the
  * last action has added to the fluxes; the temperatures have been advanced. */

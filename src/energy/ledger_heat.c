@@ -50,7 +50,7 @@ void ts_ledger_heat_look(struct tsim *sim, struct ts_ledger *l)
 		return;
 	l->heat.now = content(sim, inst->state);
 	if (l->open && l->heat.known)
-		ts_running_add(&l->heat.moved, l->heat.now - before);
+		ts_compensated_add(&l->heat.moved, l->heat.now - before);
 	else
 		l->heat.start = l->heat.now;
 	l->heat.known = 1;
@@ -87,20 +87,20 @@ void ts_ledger_heat_advance(struct tsim *sim, struct ts_ledger *l, const struct 
 	source = h * sum_of(sim, inst, heat->source);
 	l->heat.now = content(sim, heat);
 	for (size_t a = 0; a < l->nactors; a++) {
-		ts_running_add(&l->actor[a].heat, h * l->actor[a].heat_rate);
+		ts_compensated_add(&l->actor[a].heat, h * l->actor[a].heat_rate);
 		sum += h * l->actor[a].heat_rate;
 	}
-	ts_running_add(&l->heat.source, source);
+	ts_compensated_add(&l->heat.source, source);
 	if (heat->scheme == TS_HEAT_EXACT)
-		ts_running_add(&l->actor[actor].heat, l->heat.now - before - sum - source);
+		ts_compensated_add(&l->actor[actor].heat, l->heat.now - before - sum - source);
 }
 
 double ts_ledger_heat_closure(const struct ts_ledger *l)
 {
-	double sum = l->heat.now - l->heat.start - ts_running_value(&l->heat.source) -
-		     ts_running_value(&l->heat.moved);
+	double sum = l->heat.now - l->heat.start - ts_compensated_value(&l->heat.source) -
+		     ts_compensated_value(&l->heat.moved);
 
 	for (size_t a = 0; a < l->nactors; a++)
-		sum -= ts_running_value(&l->actor[a].heat);
+		sum -= ts_compensated_value(&l->actor[a].heat);
 	return l->heat.known ? sum : 0;
 }

@@ -2,10 +2,10 @@
 #include <string.h>
 
 #include "bond/bonds.h"
-#include "contact/contact_list.h"
-#include "contact/row_loop.h"
+#include "contact/contact_loop.h"
+#include "contact/contact_view.h"
 #include "energy/ledger.h"
-#include "neigh/row_memory.h"
+#include "neigh/contact_memory.h"
 #include "particle/identity.h"
 #include "wall/wall.h"
 
@@ -37,7 +37,7 @@ static void add_energy(struct sums *s, const double energy[], double share, bool
 static void end_sums(const struct sums *s, struct ts_ledger *l, int side, bool first)
 {
 	if (l->stepping)
-		ts_running_add(&l->slip[side], ts_exactsum_value(&s->slip));
+		ts_compensated_add(&l->slip[side], ts_exactsum_value(&s->slip));
 	for (int k = 0; k < TS_NCONTACT_STORE; k++) {
 		int store = ts_ledger_store(side, k);
 
@@ -45,7 +45,7 @@ static void end_sums(const struct sums *s, struct ts_ledger *l, int side, bool f
 			continue;
 		l->store[store] = (first ? 0 : l->store[store]) + ts_exactsum_value(&s->store[k]);
 		if (l->stepping)
-			ts_running_add(&l->moved[store], ts_exactsum_value(&s->brought[k]));
+			ts_compensated_add(&l->moved[store], ts_exactsum_value(&s->brought[k]));
 	}
 }
 
@@ -85,7 +85,7 @@ struct row_work {
 static void book_row(struct row_work *w, size_t r, int side, size_t own)
 {
 	static const double still[3] = { 0 };
-	const struct ts_rows *rows = &w->sim->neigh->rows;
+	const struct ts_contact_list *rows = &w->sim->neigh->rows;
 	const struct ts_particles *p = w->sim->particles;
 	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
 	const struct ts_granular_model *m = ts_pair_model(w->pair, p->type[i], p->type[j]);
@@ -94,10 +94,10 @@ static void book_row(struct row_work *w, size_t r, int side, size_t own)
 	struct ts_contact_parts parts;
 	struct ts_touch t;
 
-	ts_row_touch(p, i, j, m, &t);
+	ts_contact_touch(p, i, j, m, &t);
 	ts_granular_stand_out(m, memory, &t);
-	ts_contact_split(m, ts_pair_law(w->pair, p->type[i], p->type[j]), &t, memory, ts_row_force(rows, r),
-			 rows->parts > 2 ? ts_row_roll(rows, r) : still, &parts);
+	ts_contact_split(m, ts_pair_law(w->pair, p->type[i], p->type[j]), &t, memory, ts_contact_force(rows, r),
+			 rows->parts > 2 ? ts_contact_rolling_torque(rows, r) : still, &parts);
 	if (j >= p->n) { /* an image may move as its original does not; the other half is the mirror row's */
 		ts_sub(p->v[j], p->v[p->ghost_owner[j - p->n]], drive);
 		ts_scale(0.5, drive, drive);
@@ -128,9 +128,9 @@ static enum ts_status hold(struct tsim *sim, const double *from, size_t n, doubl
 
 enum ts_status ts_ledger_hold_rows(struct tsim *sim, struct ts_ledger *l)
 {
-	struct ts_rows *rows = &sim->neigh->rows;
+	struct ts_contact_list *rows = &sim->neigh->rows;
 
-	ts_rows_settle(sim, rows);
+	ts_contacts_store_history(sim, rows);
 	l->memory_n = 0;
 	return hold(sim, rows->history, rows->n * rows->history_width, &l->memory, &l->memory_n,
 		    &l->memory_capacity);
@@ -163,13 +163,13 @@ static const double *held_memory(const struct tsim *sim, const struct ts_ledger 
 
 enum ts_status ts_ledger_take_pairs(struct tsim *sim, struct ts_ledger *l)
 {
-	struct ts_rows *rows = &sim->neigh->rows;
+	struct ts_contact_list *rows = &sim->neigh->rows;
 	const struct ts_gather *g = &rows->gather;
 	const struct ts_instance *pair = ts_sim_only(sim, TS_KIND_PAIR);
 	struct row_work w = { .sim = sim, .l = l, .pair = pair ? pair->state : NULL };
 
 	start_sums(&w.sums);
-	ts_rows_settle(sim, rows);
+	ts_contacts_store_history(sim, rows);
 	l->rows = rows->n;
 	if (TS_GROW(l->row_energy, l->row_capacity, rows->n + 1) != TS_OK)
 		return ts_nomem(&sim->error);
@@ -280,7 +280,7 @@ static void find_broken(struct tsim *sim, struct ts_ledger *l)
 		if (b == bonds->n || bonds->tag[b][0] != tag[0] || bonds->tag[b][1] != tag[1])
 			ts_exactsum_add(&broken, broken_energy(sim, &l->bond[k]));
 	}
-	ts_running_add(&l->broken, ts_exactsum_value(&broken));
+	ts_compensated_add(&l->broken, ts_exactsum_value(&broken));
 }
 
 static enum ts_status book_bond(struct tsim *sim, struct ts_ledger *l, size_t b, struct ts_exactsum *sum)
@@ -330,7 +330,7 @@ enum ts_status ts_ledger_take_bonds(struct tsim *sim, struct ts_ledger *l)
 
 static void take_rows(struct tsim *sim, struct ts_ledger *l, const struct ts_identities *map)
 {
-	const struct ts_rows *rows = &sim->neigh->rows;
+	const struct ts_contact_list *rows = &sim->neigh->rows;
 	struct ts_exactsum gone[TS_NCONTACT_STORE];
 
 	for (int k = 0; k < TS_NCONTACT_STORE; k++)
@@ -339,14 +339,14 @@ static void take_rows(struct tsim *sim, struct ts_ledger *l, const struct ts_ide
 		/* the contact across a periodic face has two rows */
 		double share = (size_t)rows->j[r] < rows->particles ? -1 : -0.5;
 
-		if (ts_row_of(map, rows->tag[0][r]) >= 0 && ts_row_of(map, rows->tag[1][r]) >= 0)
+		if (ts_contact_of(map, rows->tag[0][r]) >= 0 && ts_contact_of(map, rows->tag[1][r]) >= 0)
 			continue;
 		for (int k = 0; k < TS_NCONTACT_STORE; k++)
 			ts_exactsum_add(&gone[k], share * l->row_energy[r][k]);
 		memset(l->row_energy[r], 0, sizeof l->row_energy[r]);
 	}
 	for (int k = 0; k < TS_NCONTACT_STORE; k++)
-		ts_running_add(&l->moved[ts_ledger_store(TS_LEDGER_PAIR, k)],
+		ts_compensated_add(&l->moved[ts_ledger_store(TS_LEDGER_PAIR, k)],
 			       ts_exactsum_value(&gone[k]));
 }
 
@@ -361,7 +361,7 @@ static void take_notes(struct ts_ledger *l, struct ts_ledger_note *list, size_t 
 		gone[k] = ts_exactsum_start();
 	for (size_t e = 0; e < *n; e++) {
 		const int32_t *tag = list[e].tag;
-		bool here = ts_row_of(map, tag[0]) >= 0 && (!tag[1] || ts_row_of(map, tag[1]) >= 0);
+		bool here = ts_contact_of(map, tag[0]) >= 0 && (!tag[1] || ts_contact_of(map, tag[1]) >= 0);
 
 		for (int k = 0; k < count && !here; k++)
 			ts_exactsum_add(&gone[k], -list[e].energy[k]);
@@ -370,7 +370,7 @@ static void take_notes(struct ts_ledger *l, struct ts_ledger_note *list, size_t 
 	}
 	*n = kept;
 	for (int k = 0; k < count; k++)
-		ts_running_add(&l->moved[store + k], ts_exactsum_value(&gone[k]));
+		ts_compensated_add(&l->moved[store + k], ts_exactsum_value(&gone[k]));
 }
 
 enum ts_status ts_ledger_take_away(struct tsim *sim, struct ts_ledger *l)

@@ -10,12 +10,12 @@
 /* Change of the springs of a store, but for what came or went with particles. */
 static double gain(const struct ts_ledger *l, int store)
 {
-	return l->store[store] - l->start_store[store] - ts_running_value(&l->moved[store]);
+	return l->store[store] - l->start_store[store] - ts_compensated_value(&l->moved[store]);
 }
 
 static double work(const struct ts_ledger *l, int side, int part)
 {
-	return ts_running_value(&l->work[ts_ledger_cause(side, part)]);
+	return ts_compensated_value(&l->work[ts_ledger_cause(side, part)]);
 }
 
 /* What springs store less what was put in. */
@@ -26,14 +26,14 @@ static double spring(const struct ts_ledger *l, int side)
 
 static double bond_drift(const struct ts_ledger *l)
 {
-	return gain(l, TS_LEDGER_BOND) + ts_running_value(&l->work[TS_CAUSE_BOND]) +
-	       ts_running_value(&l->broken);
+	return gain(l, TS_LEDGER_BOND) + ts_compensated_value(&l->work[TS_CAUSE_BOND]) +
+	       ts_compensated_value(&l->broken);
 }
 
 /* Springs of slip and rolling store a part of what is put in, the rest is friction. */
 static void side_values(const struct ts_ledger *l, int side, double out[])
 {
-	double slip = ts_running_value(&l->slip[side]);
+	double slip = ts_compensated_value(&l->slip[side]);
 
 	out[TS_LEDGER_NORMAL_DASHPOTS_VALUE] -= work(l, side, TS_PART_DASHPOT);
 	out[TS_LEDGER_TANGENTIAL_DASHPOTS_VALUE] -= work(l, side, TS_PART_VISCOUS);
@@ -56,11 +56,11 @@ static double closure(const struct ts_ledger *l, const double v[])
 		     v[TS_LEDGER_ROTATION_VALUE] - l->start_kinetic[1];
 
 	for (int c = 0; c < TS_NCAUSE; c++)
-		sum -= ts_running_value(&l->work[c]);
+		sum -= ts_compensated_value(&l->work[c]);
 	for (size_t a = 0; a < l->nactors; a++)
-		sum -= ts_running_value(&l->actor[a].work) + ts_running_value(&l->actor[a].own);
-	return sum - ts_running_value(&l->box) - ts_running_value(&l->held) -
-	       ts_running_value(&l->between) - ts_running_value(&l->turning);
+		sum -= ts_compensated_value(&l->actor[a].work) + ts_compensated_value(&l->actor[a].own);
+	return sum - ts_compensated_value(&l->box) - ts_compensated_value(&l->held) -
+	       ts_compensated_value(&l->between) - ts_compensated_value(&l->turning);
 }
 
 static double turnover(const struct ts_ledger *l)
@@ -81,16 +81,16 @@ void ts_ledger_drifts(const struct ts_ledger *l, double out[TS_NSTORE + 1])
 		if (!l->plastic[side])
 			out[ts_ledger_store(side, TS_STORE_NORMAL)] = spring(l, side);
 	out[TS_LEDGER_BOND] = bond_drift(l);
-	out[TS_NSTORE] = ts_running_value(&l->turning);
+	out[TS_NSTORE] = ts_compensated_value(&l->turning);
 }
 
 static void heat_values(const struct ts_ledger *l, double out[])
 {
 	out[TS_LEDGER_HEAT_VALUE] = l->heat.now;
-	out[TS_LEDGER_HEAT_IN_VALUE] = ts_running_value(&l->heat.source);
+	out[TS_LEDGER_HEAT_IN_VALUE] = ts_compensated_value(&l->heat.source);
 	for (size_t a = 0; a < l->nactors; a++)
-		out[TS_LEDGER_HEAT_IN_VALUE] += ts_running_value(&l->actor[a].heat);
-	out[TS_LEDGER_HEAT_MOVED_VALUE] = ts_running_value(&l->heat.moved);
+		out[TS_LEDGER_HEAT_IN_VALUE] += ts_compensated_value(&l->actor[a].heat);
+	out[TS_LEDGER_HEAT_MOVED_VALUE] = ts_compensated_value(&l->heat.moved);
 	out[TS_LEDGER_HEAT_CLOSURE_VALUE] = ts_ledger_heat_closure(l);
 }
 
@@ -107,20 +107,20 @@ void ts_ledger_values(const struct ts_ledger *l, double out[TS_LEDGER_VALUES])
 	for (int k = TS_LEDGER_TRANSLATION_VALUE; k <= TS_LEDGER_BONDS_VALUE; k++)
 		out[TS_LEDGER_TOTAL_VALUE] += out[k];
 	for (size_t a = 0; a < l->nactors; a++) {
-		out[TS_LEDGER_FORCES_VALUE] += ts_running_value(&l->actor[a].work);
-		out[TS_LEDGER_MOVED_VALUE] += ts_running_value(&l->actor[a].own);
+		out[TS_LEDGER_FORCES_VALUE] += ts_compensated_value(&l->actor[a].work);
+		out[TS_LEDGER_MOVED_VALUE] += ts_compensated_value(&l->actor[a].own);
 	}
-	out[TS_LEDGER_FORCES_VALUE] -= ts_running_value(&l->drive);
-	out[TS_LEDGER_DRIVE_VALUE] = ts_running_value(&l->drive) + ts_running_value(&l->box);
-	out[TS_LEDGER_MOVED_VALUE] += ts_running_value(&l->held) + ts_running_value(&l->between);
+	out[TS_LEDGER_FORCES_VALUE] -= ts_compensated_value(&l->drive);
+	out[TS_LEDGER_DRIVE_VALUE] = ts_compensated_value(&l->drive) + ts_compensated_value(&l->box);
+	out[TS_LEDGER_MOVED_VALUE] += ts_compensated_value(&l->held) + ts_compensated_value(&l->between);
 	for (int k = 0; k < TS_NSTORE; k++)
-		out[TS_LEDGER_MOVED_VALUE] += ts_running_value(&l->moved[k]);
-	out[TS_LEDGER_BOND_DASHPOTS_VALUE] = -ts_running_value(&l->work[TS_CAUSE_BOND_DASHPOT]);
-	out[TS_LEDGER_BROKEN_VALUE] = ts_running_value(&l->broken);
+		out[TS_LEDGER_MOVED_VALUE] += ts_compensated_value(&l->moved[k]);
+	out[TS_LEDGER_BOND_DASHPOTS_VALUE] = -ts_compensated_value(&l->work[TS_CAUSE_BOND_DASHPOT]);
+	out[TS_LEDGER_BROKEN_VALUE] = ts_compensated_value(&l->broken);
 	for (int k = TS_LEDGER_NORMAL_DASHPOTS_VALUE; k <= TS_LEDGER_BROKEN_VALUE; k++)
 		out[TS_LEDGER_LOST_VALUE] += out[k];
 	out[TS_LEDGER_CLOSURE_VALUE] = closure(l, out);
-	out[TS_LEDGER_DRIFT_VALUE] += bond_drift(l) + ts_running_value(&l->turning);
+	out[TS_LEDGER_DRIFT_VALUE] += bond_drift(l) + ts_compensated_value(&l->turning);
 	out[TS_LEDGER_TURNOVER_VALUE] = turnover(l);
 	heat_values(l, out);
 }
@@ -163,9 +163,9 @@ static enum ts_status archive_actor(struct ts_archive *a, struct tsim *sim, stru
 	TS_TRY(ts_archive_string(a, name, &actor->name));
 	snprintf(name, sizeof name, "books %zu", k);
 	TS_TRY(ts_archive_fixed(a, name, TS_SAVED_F64, number, 10));
-	actor->work = (struct ts_running){ number[0], number[1], number[2] };
-	actor->own = (struct ts_running){ number[3], number[4], number[5] };
-	actor->heat = (struct ts_running){ number[6], number[7], number[8] };
+	actor->work = (struct ts_compensated_sum){ number[0], number[1], number[2] };
+	actor->own = (struct ts_compensated_sum){ number[3], number[4], number[5] };
+	actor->heat = (struct ts_compensated_sum){ number[6], number[7], number[8] };
 	if (!(number[9] >= 0 && number[9] <= INT32_MAX))
 		return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible books of an energy ledger");
 	actor->pushes = (int)number[9];

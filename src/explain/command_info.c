@@ -123,7 +123,7 @@ static void communication(struct tsim *sim, struct ts_str *out)
 static enum ts_status variables(struct tsim *sim, struct ts_str *out)
 {
 	ts_str_add(out, "Variables:\n");
-	return sim->host ? sim->host->list_variables(sim->host_data, out) : TS_OK;
+	return sim->script_api ? sim->script_api->list_variables(sim->script_api_data, out) : TS_OK;
 }
 
 static void times(struct tsim *sim, struct ts_str *out)
@@ -269,8 +269,8 @@ static enum ts_status deliver(struct tsim *sim, const struct target *target, con
 		ts_log(&sim->log, "%s", ts_str_text(text));
 		return TS_OK;
 	}
-	if (sim->host)
-		TS_TRY(sim->host->would_write(sim->host_data, &target->file->place, "info",
+	if (sim->script_api)
+		TS_TRY(sim->script_api->would_write(sim->script_api_data, &target->file->place, "info",
 					      target->file->text));
 	TS_TRY(ts_textfile_open(&file, sim, &target->file->place, target->file->text, target->append));
 	status = ts_textfile_write(&file, ts_str_text(text), text->length);

@@ -196,7 +196,7 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	}
 	if (sim->clock.step < g->next)
 		return TS_OK;
-	ts_sweep(sim);
+	ts_run_deferred_loops(sim);
 	status = limits_now(sim, ts_guard_enough(sim), g->interval == FIRST / 2 || g->interval == LONGEST, &report);
 	if (status == TS_OK)
 		status = look(sim, &report);
@@ -244,7 +244,7 @@ const struct ts_system_style ts_guard_system = {
 		   .state_size = sizeof(struct ts_guard),
 		   .saved = saved,
 		   .hook = { [TS_STAGE_END_OF_STEP] = end_of_step },
-		   .waits = TS_WAITS(END_OF_STEP) },
+		   .defers = TS_DEFERS(END_OF_STEP) },
 	.slot = offsetof(struct tsim, guard),
 	.keywords = keywords,
 };

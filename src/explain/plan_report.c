@@ -50,7 +50,7 @@ static void print_outputs(const struct ts_plan_report *report, struct tsim *sim)
 		ts_price_bytes(o->bytes, &text);
 		ts_str_add(&text, "\n");
 	}
-	sim->bill.bytes += bytes;
+	sim->cost.bytes += bytes;
 	if (text.length) {
 		ts_str_add(&text, "  in all ");
 		ts_price_bytes(bytes, &text);
@@ -99,8 +99,8 @@ static void print_price(const struct ts_plan *plan, struct tsim *sim, const stru
 
 	if (isfinite(price->seconds)) {
 		add_price(&text, price, steps, plan->n[TS_STAGE_PRE_EXCHANGE] > 0);
-		sim->bill.seconds += price->seconds * (double)steps + price->frames;
-		sim->bill.most += price->crowded * (double)steps + price->frames;
+		sim->cost.seconds += price->seconds * (double)steps + price->frames;
+		sim->cost.most += price->crowded * (double)steps + price->frames;
 	} else {
 		ts_str_add(&text, "not known, the first steps could not be tried");
 	}

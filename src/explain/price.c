@@ -74,7 +74,7 @@ static enum ts_status try_for(struct trial *t, double budget, double *seconds, i
 		TS_TRY(ts_plan_step(t->plan, t->sim));
 		*seconds = (ts_clock() - first) / (double)(*steps)++;
 	}
-	ts_sweep(t->sim);
+	ts_run_deferred_loops(t->sim);
 	return TS_OK;
 }
 
@@ -198,15 +198,15 @@ enum ts_status ts_price_steps(struct ts_plan *plan, struct tsim *sim, struct ts_
 	double start = ts_clock();
 
 	t.steps = sim->clock.last_step - sim->clock.step;
-	t.budget = fmin(TRIAL, TRIALS - sim->bill.tried);
-	*out = sim->bill.last;
+	t.budget = fmin(TRIAL, TRIALS - sim->cost.tried);
+	*out = sim->cost.last;
 	out->steps = 0;
 	out->frames = 0;
-	if (t.steps < 1 || (t.budget <= 0 && isfinite(sim->bill.last.seconds)))
+	if (t.steps < 1 || (t.budget <= 0 && isfinite(sim->cost.last.seconds)))
 		return TS_OK;
 	try_in_copy(&t, out);
-	sim->bill.tried += ts_clock() - start;
-	sim->bill.last = *out;
+	sim->cost.tried += ts_clock() - start;
+	sim->cost.last = *out;
 	return TS_OK;
 }
 
@@ -217,12 +217,12 @@ enum ts_status ts_price_full(struct ts_plan *plan, struct tsim *sim, unsigned pa
 	struct ts_price price;
 
 	t.steps = sim->clock.last_step - sim->clock.step;
-	t.budget = fmin(PART, TRIALS - sim->bill.tried);
+	t.budget = fmin(PART, TRIALS - sim->cost.tried);
 	*out = NAN;
 	if (t.steps < 1 || t.budget <= 0)
 		return TS_OK;
 	try_in_copy(&t, &price);
-	sim->bill.tried += ts_clock() - start;
+	sim->cost.tried += ts_clock() - start;
 	if (price.steps > 2) /* the first one finds cold memory */
 		*out = price.seconds;
 	return TS_OK;

@@ -12,6 +12,7 @@
 #include "heat/heat.h"
 #include "law/drag.h"
 #include "law/lift.h"
+#include "math/constants.h"
 #include "math/exactsum.h"
 
 #include "base/banned.h"

@@ -60,6 +60,6 @@ enum ts_status ts_flow_set_coordinates(struct tsim *sim, const char *const set[3
 {
 	for (int d = 0; d < 3; d++)
 		if (set[d])
-			TS_TRY(sim->host->set(sim->host_data, set[d], where, x[d]));
+			TS_TRY(sim->script_api->set(sim->script_api_data, set[d], where, x[d]));
 	return TS_OK;
 }

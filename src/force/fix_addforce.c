@@ -1,5 +1,5 @@
 #include "average/particle_tally.h"
-#include "core/each.h"
+#include "core/number_or_peratom.h"
 #include "energy/potential_energy.h"
 #include "group/chosen.h"
 #include "particle/moments.h"
@@ -14,8 +14,8 @@ struct addforce {
 	struct ts_number f[3], energy;
 	int64_t every;
 	struct ts_instance *region;
-	struct ts_each now[3], energy_now;
-	struct ts_tally before; /* forces before, and the energy of each particle */
+	struct ts_number_or_peratom now[3], energy_now;
+	struct ts_particle_tally before; /* forces before, and the energy of each particle */
 };
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -33,9 +33,9 @@ static enum ts_status evaluate(struct ts_instance *self, struct tsim *sim)
 	struct addforce *s = self->state;
 
 	for (int k = 0; k < 3; k++)
-		TS_TRY(ts_each_now(sim, &s->f[k], &self->where, &s->now[k]));
+		TS_TRY(ts_number_or_peratom_now(sim, &s->f[k], &self->where, &s->now[k]));
 	if (s->energy.variable)
-		return ts_each_now(sim, &s->energy, &self->where, &s->energy_now);
+		return ts_number_or_peratom_now(sim, &s->energy, &self->where, &s->energy_now);
 	return TS_OK;
 }
 
@@ -45,7 +45,7 @@ static double energy_of(const struct addforce *s, const struct tsim *sim, size_t
 	double x[3], energy = 0;
 
 	if (s->energy.variable)
-		return ts_each_of(&s->energy_now, i);
+		return ts_number_or_peratom_of(&s->energy_now, i);
 	ts_unwrapped(sim, i, x);
 	for (int k = 0; k < 3; k++)
 		energy -= s->f[k].variable ? 0 : s->f[k].value * x[k];
@@ -60,7 +60,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	if (sim->clock.step % s->every != 0)
 		return TS_OK;
 	TS_TRY(ts_region_update(s->region, sim));
-	TS_TRY(ts_tally_start(sim, &s->before));
+	TS_TRY(ts_particle_tally_start(sim, &s->before));
 	TS_TRY(evaluate(self, sim));
 #pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
 	for (size_t i = 0; i < p->n; i++) {
@@ -69,7 +69,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 		memcpy(s->before.note[i], p->f[i], sizeof p->f[i]);
 		s->before.note[i][ENERGY] = energy_of(s, sim, i);
 		for (int k = 0; k < 3; k++)
-			p->f[i][k] += ts_each_of(&s->now[k], i);
+			p->f[i][k] += ts_number_or_peratom_of(&s->now[k], i);
 	}
 	return TS_OK;
 }
@@ -79,7 +79,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	struct addforce *s = self->state;
 
 	(void)sim;
-	return ts_tally_archive(a, &s->before);
+	return ts_particle_tally_archive(a, &s->before);
 }
 
 static enum ts_status eval_energy(struct ts_instance *self, const struct tsim *sim,
@@ -88,7 +88,7 @@ static enum ts_status eval_energy(struct ts_instance *self, const struct tsim *s
 	struct addforce *s = self->state;
 
 	(void)sim;
-	out->data[0] = ts_tally_sums(&s->before)[ENERGY];
+	out->data[0] = ts_particle_tally_sums(&s->before)[ENERGY];
 	return TS_OK;
 }
 
@@ -98,7 +98,7 @@ static enum ts_status eval_before(struct ts_instance *self, const struct tsim *s
 	struct addforce *s = self->state;
 
 	(void)sim;
-	memcpy(out->data, ts_tally_sums(&s->before), 3 * sizeof *out->data);
+	memcpy(out->data, ts_particle_tally_sums(&s->before), 3 * sizeof *out->data);
 	return TS_OK;
 }
 
@@ -107,9 +107,9 @@ static void fini(struct ts_instance *self)
 	struct addforce *s = self->state;
 
 	for (int k = 0; k < 3; k++)
-		ts_each_release(&s->now[k]);
-	ts_each_release(&s->energy_now);
-	ts_tally_release(&s->before);
+		ts_number_or_peratom_release(&s->now[k]);
+	ts_number_or_peratom_release(&s->energy_now);
+	ts_particle_tally_release(&s->before);
 }
 
 static const struct ts_arg args[] = {

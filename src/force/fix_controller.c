@@ -22,7 +22,7 @@ static enum ts_status set_control(struct ts_instance *self, struct tsim *sim)
 {
 	const struct state *s = self->state;
 
-	return sim->host->set(sim->host_data, s->control, &self->where, s->value);
+	return sim->script_api->set(sim->script_api_data, s->control, &self->where, s->value);
 }
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -39,7 +39,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 			       s->process);
 	if (s->started) /* also after a restart file */
 		return set_control(self, sim);
-	return sim->host->scalar(sim->host_data, s->control, &self->where, &s->value);
+	return sim->script_api->scalar(sim->script_api_data, s->control, &self->where, &s->value);
 }
 
 static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)

@@ -13,7 +13,7 @@
 struct state {
 	struct ts_number at[3]; /* NULL: free in this direction */
 	double size, delta;
-	struct ts_tally force;
+	struct ts_particle_tally force;
 };
 
 static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
@@ -22,7 +22,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	struct ts_particles *p = sim->particles;
 	double at[3] = { 0 };
 
-	TS_TRY(ts_tally_start(sim, &s->force));
+	TS_TRY(ts_particle_tally_start(sim, &s->force));
 	for (int k = 0; k < 3; k++)
 		if (!s->at[k].null)
 			TS_TRY(ts_number_now(sim, &s->at[k], &self->where, &at[k]));
@@ -52,7 +52,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	struct state *s = self->state;
 
 	(void)sim;
-	return ts_tally_archive(a, &s->force);
+	return ts_particle_tally_archive(a, &s->force);
 }
 
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
@@ -60,7 +60,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	struct state *s = self->state;
 
 	(void)sim;
-	memcpy(out->data, ts_tally_sums(&s->force), 3 * sizeof *out->data);
+	memcpy(out->data, ts_particle_tally_sums(&s->force), 3 * sizeof *out->data);
 	return TS_OK;
 }
 
@@ -68,7 +68,7 @@ static void fini(struct ts_instance *self)
 {
 	struct state *s = self->state;
 
-	ts_tally_release(&s->force);
+	ts_particle_tally_release(&s->force);
 }
 
 static const struct ts_arg args[] = {

@@ -1,5 +1,5 @@
 #include "average/particle_tally.h"
-#include "core/sweep.h"
+#include "core/deferred_loops.h"
 #include "group/group_members.h"
 #include "particle/particles.h"
 
@@ -8,7 +8,7 @@
 #include "base/banned.h"
 
 struct freeze {
-	struct ts_tally before; /* forces that were cancelled */
+	struct ts_particle_tally before; /* forces that were cancelled */
 };
 
 /* Before the contact rows are built: pairs of frozen particles are no pairs. */
@@ -24,7 +24,7 @@ static enum ts_status exchange(struct ts_instance *self, struct tsim *sim)
 
 struct task {
 	const struct ts_particles *p;
-	const struct ts_tally *before;
+	const struct ts_particle_tally *before;
 	int group;
 };
 
@@ -50,8 +50,8 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	struct freeze *s = self->state;
 	struct task task = { sim->particles, &s->before, self->group };
 
-	TS_TRY(ts_tally_start(sim, &s->before));
-	TS_SWEEP_ADD(sim, sim->particles->n, share, &task);
+	TS_TRY(ts_particle_tally_start(sim, &s->before));
+	TS_DEFER_LOOP(sim, sim->particles->n, share, &task);
 	return TS_OK;
 }
 
@@ -60,7 +60,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	struct freeze *s = self->state;
 
 	(void)sim;
-	return ts_tally_archive(a, &s->before);
+	return ts_particle_tally_archive(a, &s->before);
 }
 
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
@@ -68,7 +68,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	struct freeze *s = self->state;
 
 	(void)sim;
-	memcpy(out->data, ts_tally_sums(&s->before), 3 * sizeof *out->data);
+	memcpy(out->data, ts_particle_tally_sums(&s->before), 3 * sizeof *out->data);
 	return TS_OK;
 }
 
@@ -76,7 +76,7 @@ static void fini(struct ts_instance *self)
 {
 	struct freeze *s = self->state;
 
-	ts_tally_release(&s->before);
+	ts_particle_tally_release(&s->before);
 }
 
 static const char *const components[] = { "x", "y", "z" };
@@ -100,6 +100,6 @@ const struct ts_style ts_fix_freeze = {
 	.archive = archive,
 	.values = values,
 	.hook = { [TS_STAGE_EXCHANGE] = exchange, [TS_STAGE_POST_FORCE] = post_force },
-	.waits = TS_WAITS(POST_FORCE),
+	.defers = TS_DEFERS(POST_FORCE),
 	.fini = fini,
 };

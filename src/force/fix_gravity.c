@@ -1,11 +1,12 @@
+#include "core/deferred_loops.h"
 #include "core/sim.h"
-#include "core/sweep.h"
 #include "energy/potential_energy.h"
 
 #include <math.h>
 
 #include "base/clones.h"
 #include "force/gravity.h"
+#include "math/constants.h"
 #include "math/vec3.h"
 #include "particle/moments.h"
 #include "rigid/rigid.h"
@@ -23,7 +24,7 @@ struct gravity {
 
 static void direction(const struct gravity *g, double d[3])
 {
-	const double degree = 3.14159265358979323846 / 180;
+	const double degree = TS_PI / 180;
 	double theta = g->theta * degree, phi = g->phi * degree, tilt = g->angle * degree;
 
 	if (g->mode == VECTOR) {
@@ -50,7 +51,7 @@ static void direction_in_plane(const struct gravity *g, double d[3])
 	d[1] = d[2];
 	d[2] = 0;
 	if (g->mode == SPHERICAL)
-		d[0] = sin(g->theta * 3.14159265358979323846 / 180);
+		d[0] = sin(g->theta * TS_PI / 180);
 }
 
 static enum ts_status init(struct ts_instance *self, struct tsim *sim)
@@ -113,10 +114,10 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	double magnitude;
 
 	if (g->base.magnitude.variable) /* it may look at forces */
-		ts_sweep(sim);
+		ts_run_deferred_loops(sim);
 	TS_TRY(ts_number_now(sim, &g->base.magnitude, &self->where, &magnitude));
 	ts_scale(magnitude, g->base.direction, task.a);
-	TS_SWEEP_ADD(sim, p->n, self->group == 0 && !p->body ? add_to_all : add_to_some, &task);
+	TS_DEFER_LOOP(sim, p->n, self->group == 0 && !p->body ? add_to_all : add_to_some, &task);
 	return ts_rigid_accelerate(sim, self->group, task.a); /* of bodies alone */
 }
 
@@ -199,6 +200,6 @@ const struct ts_style ts_fix_gravity = {
 	.values = values,
 	.init = init,
 	.hook = { [TS_STAGE_POST_FORCE] = post_force },
-	.waits = TS_WAITS(POST_FORCE),
+	.defers = TS_DEFERS(POST_FORCE),
 	.energy = ts_energy_output,
 };

@@ -2,10 +2,11 @@
 #include "core/sim.h"
 
 #include "box/domain.h"
-#include "core/each.h"
-#include "core/sweep.h"
+#include "core/deferred_loops.h"
+#include "core/number_or_peratom.h"
 #include "force/restraint.h"
 #include "group/group_members.h"
+#include "math/constants.h"
 #include "math/vec3.h"
 #include "particle/moments.h"
 #include "particle/prescribed.h"
@@ -22,7 +23,7 @@ struct state {
 	struct ts_number velocity[3], amplitude[3], shift[3], rate[3]; /* NULL: moves freely */
 	double drift[3], point[3], axis[3], period;
 	double unit[3]; /* along the axis */
-	struct ts_each shift_now[3], rate_now[3];
+	struct ts_number_or_peratom shift_now[3], rate_now[3];
 	struct ts_reference start; /* where each particle would be at t = 0, not wrapped */
 	double origin;	   /* saved: time when the fix was made */
 	int64_t started;   /* saved */
@@ -55,7 +56,7 @@ static struct moment moment_of(const struct state *s, const struct tsim *sim)
 {
 	struct moment m = { .t = ts_sim_time(sim) - s->origin };
 
-	m.omega = s->mode == LINEAR || s->mode == VARIABLE ? 0 : 2 * 3.14159265358979323846 / s->period;
+	m.omega = s->mode == LINEAR || s->mode == VARIABLE ? 0 : 2 * TS_PI / s->period;
 	m.sine = sin(m.omega * m.t);
 	m.cosine = cos(m.omega * m.t);
 	return m;
@@ -154,9 +155,9 @@ static enum ts_status evaluate(struct ts_instance *self, struct tsim *sim)
 
 	for (int k = 0; k < 3; k++) {
 		if (!s->shift[k].null)
-			TS_TRY(ts_each_now(sim, &s->shift[k], &self->where, &s->shift_now[k]));
+			TS_TRY(ts_number_or_peratom_now(sim, &s->shift[k], &self->where, &s->shift_now[k]));
 		if (!s->rate[k].null)
-			TS_TRY(ts_each_now(sim, &s->rate[k], &self->where, &s->rate_now[k]));
+			TS_TRY(ts_number_or_peratom_now(sim, &s->rate[k], &self->where, &s->rate_now[k]));
 	}
 	return TS_OK;
 }
@@ -192,9 +193,9 @@ static void move_component(const struct state *s, const struct tsim *sim, const 
 		*v = scale * s->amplitude[k].value * m->omega * m->cosine;
 	} else {
 		if (s->mode == VARIABLE && !s->rate[k].null)
-			*v = scale * ts_each_of(&s->rate_now[k], i);
+			*v = scale * ts_number_or_peratom_of(&s->rate_now[k], i);
 		if (s->mode == VARIABLE && !s->shift[k].null)
-			*x = start + scale * ts_each_of(&s->shift_now[k], i);
+			*x = start + scale * ts_number_or_peratom_of(&s->shift_now[k], i);
 		else
 			*x += sim->clock.dt * *v;
 	}
@@ -253,10 +254,10 @@ static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *s
 	struct task task = { s, sim, moment_of(s, sim), self->group };
 
 	if (s->mode == VARIABLE) {
-		ts_sweep(sim); /* variables may look at anything */
+		ts_run_deferred_loops(sim); /* variables may look at anything */
 		TS_TRY(evaluate(self, sim));
 	}
-	TS_SWEEP_ADD(sim, sim->particles->n, move_share, &task);
+	TS_DEFER_LOOP(sim, sim->particles->n, move_share, &task);
 	return TS_OK;
 }
 
@@ -266,7 +267,7 @@ static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim
 	struct task task = { .s = s, .sim = sim, .group = self->group };
 
 	if (s->motion.free)
-		TS_SWEEP_ADD(sim, sim->particles->n, kick_share, &task);
+		TS_DEFER_LOOP(sim, sim->particles->n, kick_share, &task);
 	return TS_OK;
 }
 
@@ -315,8 +316,8 @@ static void fini(struct ts_instance *self)
 	struct state *s = self->state;
 
 	for (int k = 0; k < 3; k++) {
-		ts_each_release(&s->shift_now[k]);
-		ts_each_release(&s->rate_now[k]);
+		ts_number_or_peratom_release(&s->shift_now[k]);
+		ts_number_or_peratom_release(&s->rate_now[k]);
 	}
 }
 
@@ -423,7 +424,7 @@ const struct ts_style ts_fix_move = {
 		[TS_STAGE_POST_BUILD] = take_in,
 		[TS_STAGE_FINAL_INTEGRATE] = final_integrate,
 	},
-	.waits = TS_WAITS(INITIAL_INTEGRATE) | TS_WAITS(FINAL_INTEGRATE),
+	.defers = TS_DEFERS(INITIAL_INTEGRATE) | TS_DEFERS(FINAL_INTEGRATE),
 	.restraint = &restraint,
 	.fini = fini,
 };

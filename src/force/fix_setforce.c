@@ -1,5 +1,5 @@
 #include "average/particle_tally.h"
-#include "core/each.h"
+#include "core/number_or_peratom.h"
 #include "force/restraint.h"
 #include "group/chosen.h"
 
@@ -10,8 +10,8 @@
 struct setforce {
 	struct ts_number f[3];
 	struct ts_instance *region;
-	struct ts_each now[3];
-	struct ts_tally before; /* forces before they were set */
+	struct ts_number_or_peratom now[3];
+	struct ts_particle_tally before; /* forces before they were set */
 };
 
 static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
@@ -20,10 +20,10 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	struct ts_particles *p = sim->particles;
 
 	TS_TRY(ts_region_update(s->region, sim));
-	TS_TRY(ts_tally_start(sim, &s->before));
+	TS_TRY(ts_particle_tally_start(sim, &s->before));
 	for (int k = 0; k < 3; k++)
 		if (!s->f[k].null)
-			TS_TRY(ts_each_now(sim, &s->f[k], &self->where, &s->now[k]));
+			TS_TRY(ts_number_or_peratom_now(sim, &s->f[k], &self->where, &s->now[k]));
 #pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
 	for (size_t i = 0; i < p->n; i++) {
 		if (!ts_chosen(p, i, self->group, s->region))
@@ -31,7 +31,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 		memcpy(s->before.note[i], p->f[i], sizeof p->f[i]);
 		for (int k = 0; k < 3; k++)
 			if (!s->f[k].null)
-				p->f[i][k] = ts_each_of(&s->now[k], i);
+				p->f[i][k] = ts_number_or_peratom_of(&s->now[k], i);
 	}
 	return TS_OK;
 }
@@ -57,7 +57,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	struct setforce *s = self->state;
 
 	(void)sim;
-	return ts_tally_archive(a, &s->before);
+	return ts_particle_tally_archive(a, &s->before);
 }
 
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
@@ -65,7 +65,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	struct setforce *s = self->state;
 
 	(void)sim;
-	memcpy(out->data, ts_tally_sums(&s->before), 3 * sizeof *out->data);
+	memcpy(out->data, ts_particle_tally_sums(&s->before), 3 * sizeof *out->data);
 	return TS_OK;
 }
 
@@ -74,8 +74,8 @@ static void fini(struct ts_instance *self)
 	struct setforce *s = self->state;
 
 	for (int k = 0; k < 3; k++)
-		ts_each_release(&s->now[k]);
-	ts_tally_release(&s->before);
+		ts_number_or_peratom_release(&s->now[k]);
+	ts_particle_tally_release(&s->before);
 }
 
 static const struct ts_arg args[] = {

@@ -17,7 +17,7 @@ struct state {
 	double stiffness;
 	int direction;
 	struct ts_reference anchor;
-	struct ts_tally energy;
+	struct ts_particle_tally energy;
 };
 
 static const char *const directions[] = { "xyz", "xy", "yz", "xz", "x", "y", "z", NULL };
@@ -56,7 +56,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	struct state *s = self->state;
 	struct ts_particles *p = sim->particles;
 
-	TS_TRY(ts_tally_start(sim, &s->energy));
+	TS_TRY(ts_particle_tally_start(sim, &s->energy));
 #pragma omp parallel for num_threads(ts_team(sim, p->n)) schedule(static)
 	for (size_t i = 0; i < p->n; i++) {
 		double d[3];
@@ -95,7 +95,7 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 {
 	struct state *s = self->state;
 
-	TS_TRY(ts_tally_archive(a, &s->energy));
+	TS_TRY(ts_particle_tally_archive(a, &s->energy));
 	return ts_reference_archive(a, sim, &s->anchor);
 }
 
@@ -104,7 +104,7 @@ static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, str
 	struct state *s = self->state;
 
 	(void)sim;
-	out->data[0] = ts_tally_sums(&s->energy)[ENERGY];
+	out->data[0] = ts_particle_tally_sums(&s->energy)[ENERGY];
 	return TS_OK;
 }
 
@@ -112,7 +112,7 @@ static void fini(struct ts_instance *self)
 {
 	struct state *s = self->state;
 
-	ts_tally_release(&s->energy);
+	ts_particle_tally_release(&s->energy);
 }
 
 static const struct ts_arg args[] = {

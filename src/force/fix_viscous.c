@@ -4,7 +4,7 @@
 
 #include "base/clones.h"
 #include "base/four.h"
-#include "core/sweep.h"
+#include "core/deferred_loops.h"
 #include "group/group_members.h"
 #include "particle/particles.h"
 #include "particle/type_factors.h"
@@ -55,7 +55,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	const struct viscous *s = self->state;
 	struct task task = { sim->particles, s->factor, s->gamma, self->group };
 
-	TS_SWEEP_ADD(sim, sim->particles->n, share, &task);
+	TS_DEFER_LOOP(sim, sim->particles->n, share, &task);
 	return TS_OK;
 }
 
@@ -92,6 +92,6 @@ const struct ts_style ts_fix_viscous = {
 	.state_size = sizeof(struct viscous),
 	.init = init,
 	.hook = { [TS_STAGE_POST_FORCE] = post_force },
-	.waits = TS_WAITS(POST_FORCE),
+	.defers = TS_DEFERS(POST_FORCE),
 	.plan = plan,
 };

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "particle/body.h"
+#include "particle/sphere_shape.h"
 #include "particle/type_factors.h"
 
 #include "base/banned.h"

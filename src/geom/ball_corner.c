@@ -10,9 +10,9 @@
 
 #include <math.h>
 
-#include "base/banned.h"
+#include "math/constants.h"
 
-static const double PI = 3.14159265358979323846;
+#include "base/banned.h"
 
 static double clamp(double x)
 {
@@ -43,7 +43,7 @@ static double inside(double a, double b, double c)
 		return 0;
 	flat = a * sector(1 - a * a, b, c, &ta) + b * sector(1 - b * b, c, a, &tb) +
 	       c * sector(1 - c * c, a, b, &tc);
-	round = 2 * PI - exterior(a, b) - exterior(b, c) - exterior(c, a) - a * ta - b * tb - c * tc;
+	round = 2 * TS_PI - exterior(a, b) - exterior(b, c) - exterior(c, a) - a * ta - b * tb - c * tc;
 	return fmax((round - flat) / 3, 0);
 }
 
@@ -51,7 +51,7 @@ static double inside(double a, double b, double c)
 static double cap(double a)
 {
 	a = clamp(a);
-	return PI / 3 * (1 - a) * (1 - a) * (2 + a);
+	return TS_PI / 3 * (1 - a) * (1 - a) * (2 + a);
 }
 
 /* x >= a, y >= b */

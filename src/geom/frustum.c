@@ -5,11 +5,11 @@
 #include "base/banned.h"
 
 /* On the segment between the rims. */
-static void side(const struct ts_frustum *f, double r, double s, struct ts_frustum_spot *out)
+static void side(const struct ts_frustum *f, double r, double s, struct ts_frustum_contact_point *out)
 {
 	double dr = f->radius[1] - f->radius[0], ds = f->hi - f->lo, t;
 
-	*out = (struct ts_frustum_spot){ TS_FRUSTUM_SIDE, f->radius[0],
+	*out = (struct ts_frustum_contact_point){ TS_FRUSTUM_SIDE, f->radius[0],
 					 fmin(fmax(s, f->lo), f->hi) };
 	if (dr == 0) /* a cylinder, which may have no ends */
 		return;
@@ -20,23 +20,23 @@ static void side(const struct ts_frustum *f, double r, double s, struct ts_frust
 }
 
 int ts_frustum_faces(const struct ts_frustum *f, unsigned open, double r, double s,
-		     struct ts_frustum_spot out[TS_FRUSTUM_FACES])
+		     struct ts_frustum_contact_point out[TS_FRUSTUM_FACES])
 {
 	int n = 0;
 
 	if (!(open & 1u << TS_FRUSTUM_SIDE))
 		side(f, r, s, &out[n++]);
 	if (!(open & 1u << TS_FRUSTUM_LOW) && isfinite(f->lo))
-		out[n++] = (struct ts_frustum_spot){ TS_FRUSTUM_LOW, fmin(r, f->radius[0]), f->lo };
+		out[n++] = (struct ts_frustum_contact_point){ TS_FRUSTUM_LOW, fmin(r, f->radius[0]), f->lo };
 	if (!(open & 1u << TS_FRUSTUM_HIGH) && isfinite(f->hi))
-		out[n++] = (struct ts_frustum_spot){ TS_FRUSTUM_HIGH, fmin(r, f->radius[1]), f->hi };
+		out[n++] = (struct ts_frustum_contact_point){ TS_FRUSTUM_HIGH, fmin(r, f->radius[1]), f->hi };
 	return n;
 }
 
 int ts_frustum_nearest(const struct ts_frustum *f, unsigned open, double r, double s,
-		       struct ts_frustum_spot *out)
+		       struct ts_frustum_contact_point *out)
 {
-	struct ts_frustum_spot faces[TS_FRUSTUM_FACES];
+	struct ts_frustum_contact_point faces[TS_FRUSTUM_FACES];
 	int n = ts_frustum_faces(f, open, r, s, faces);
 	double least = INFINITY;
 

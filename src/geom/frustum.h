@@ -8,16 +8,16 @@ struct ts_frustum {
 
 enum ts_frustum_face { TS_FRUSTUM_LOW, TS_FRUSTUM_HIGH, TS_FRUSTUM_SIDE, TS_FRUSTUM_FACES };
 
-struct ts_frustum_spot {
+struct ts_frustum_contact_point {
 	enum ts_frustum_face face;
 	double r, s; /* the point of the surface that is nearest */
 };
 
 /* Of each face that is not open (bit of its number) the point nearest to (r, s); returns how many. */
 int ts_frustum_faces(const struct ts_frustum *f, unsigned open, double r, double s,
-		     struct ts_frustum_spot out[TS_FRUSTUM_FACES]);
+		     struct ts_frustum_contact_point out[TS_FRUSTUM_FACES]);
 /* The one of them that is nearest of all, of equal ones that of the side; 0: all faces are open. */
 int ts_frustum_nearest(const struct ts_frustum *f, unsigned open, double r, double s,
-		       struct ts_frustum_spot *out);
+		       struct ts_frustum_contact_point *out);
 
 #endif

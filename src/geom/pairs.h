@@ -1,6 +1,6 @@
 /* All pairs of points nearer than a cutoff, periodic images included, whatever the cutoff: beyond half
  * the box a point meets several images of another, and of itself. For outputs; contacts have their own
- * list (neigh/rows.h). */
+ * list (neigh/contact_list.h). */
 #ifndef TS_GEOM_PAIRS_H
 #define TS_GEOM_PAIRS_H
 

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "core/sweep.h"
+#include "core/deferred_loops.h"
 #include "core/value.h"
 #include "particle/particles.h"
 #include "region/region.h"
@@ -76,7 +76,7 @@ enum ts_status ts_group_choose_due(struct tsim *sim, bool all)
 	for (int bit = 1; bit < TS_MAX_GROUPS; bit++)
 		if (p->dynamic[bit].every &&
 		    (all || sim->clock.step % p->dynamic[bit].every == 0)) {
-			ts_sweep(sim);
+			ts_run_deferred_loops(sim);
 			TS_TRY(ts_group_choose(sim, bit));
 		}
 	return TS_OK;

@@ -1,8 +1,8 @@
 #include "group/kinetic_energy.h"
 
 #include "math/vec3.h"
-#include "particle/body.h"
 #include "particle/moments.h"
+#include "particle/sphere_shape.h"
 #include "rigid/rigid.h"
 
 #include "base/banned.h"

@@ -59,7 +59,7 @@ const struct ts_style ts_fix_heat_gran = {
 	.hook[TS_STAGE_POST_FORCE] = ts_heat_conduct,
 	.hook[TS_STAGE_FINAL_INTEGRATE] = ts_heat_advance,
 	.hook[TS_STAGE_SETUP] = ts_heat_start,
-	.waits = TS_WAITS(PRE_FORCE) | TS_WAITS(POST_FORCE) | TS_WAITS(FINAL_INTEGRATE),
+	.defers = TS_DEFERS(PRE_FORCE) | TS_DEFERS(POST_FORCE) | TS_DEFERS(FINAL_INTEGRATE),
 	.plan = ts_heat_plan,
 	.fini = ts_heat_fini,
 };

@@ -260,7 +260,7 @@ void ts_heat_fini(struct ts_instance *self)
 {
 	struct ts_heat *h = self->state;
 
-	ts_rows_release(&h->held);
+	ts_contact_list_release(&h->held);
 	ts_free(h->work);
 	ts_free(h->inner);
 	for (int k = 0; k < 2; k++) {

@@ -3,10 +3,10 @@
 #ifndef TS_HEAT_HEAT_H
 #define TS_HEAT_HEAT_H
 
-#include "contact/row_walk.h"
+#include "contact/contact_pass.h"
 #include "core/sim.h"
 #include "law/conduction.h"
-#include "neigh/rows.h"
+#include "neigh/contact_list.h"
 #include "particle/particles.h"
 
 /* Heat per time from the partner into the first of a row, and half of it times the vector from the partner. */
@@ -16,7 +16,7 @@ struct ts_heat_flow {
 
 /* Conductances of a list of pairs. */
 struct ts_heat_pairs {
-	const struct ts_rows *rows;
+	const struct ts_contact_list *rows;
 	double *conductance; /* h of each row; 0 where it does not touch. Of a step only if somebody will look */
 	size_t capacity;
 	struct ts_heat_flow *flow; /* of each slot */
@@ -47,9 +47,9 @@ struct ts_heat {
 	double *pair;			 /* 4 k_i k_j / (k_i + k_j), by pair of types */
 	double *softening;		 /* of the overlap, by pair of types; NULL: 1 */
 
-	struct ts_rows held; /* pairs of which neither moves: they have no contact row */
+	struct ts_contact_list held; /* pairs of which neither moves: they have no contact row */
 	struct ts_heat_pairs pairs[2];
-	struct ts_row_follower follower; /* of the forces of contacts */
+	struct ts_fused_pass fused_pass; /* of the forces of contacts */
 	double *inner;			 /* heat per time from particle to particle */
 	size_t inner_capacity;
 	double *work; /* of scheme exact: two numbers a particle */

@@ -1,4 +1,4 @@
-/* Contacts that conduct heat, some dozens at once: what the law needs is brought into columns, as in row_batch.h. */
+/* Contacts that conduct heat, some dozens at once: what the law needs is brought into columns, as in contact_batch.h. */
 #ifndef TS_HEAT_HEAT_BLOCK_H
 #define TS_HEAT_HEAT_BLOCK_H
 
@@ -8,6 +8,7 @@
 #include "base/inline.h"
 #include "heat/heat.h"
 #include "law/conduction.h"
+#include "math/constants.h"
 
 /* What rows are read by, out of the structures: nothing that is written can change it. */
 struct ts_heat_task {
@@ -53,16 +54,16 @@ TS_INLINE double ts_heat_area(const struct ts_heat_task *t, size_t i, size_t j)
 
 /* Rows, filled up to whole vectors with the last one. */
 struct ts_heat_block {
-	double d[4][TS_COLUMN], other[TS_COLUMN];     /* vector from j to i and radius of i; radius of j */
-	double pair[TS_COLUMN], softening[TS_COLUMN]; /* by types */
-	double h[TS_COLUMN], rise[TS_COLUMN];	      /* conductance; T_j - T_i */
-	double flow[4][TS_COLUMN];
-	const struct ts_row_near *near; /* n rows */
+	double d[4][TS_BATCH], other[TS_BATCH];     /* vector from j to i and radius of i; radius of j */
+	double pair[TS_BATCH], softening[TS_BATCH]; /* by types */
+	double h[TS_BATCH], rise[TS_BATCH];	      /* conductance; T_j - T_i */
+	double flow[4][TS_BATCH];
+	const struct ts_active_pair *near; /* n rows */
 	size_t n, whole;
-	struct ts_row_near tail[8]; /* the last, not whole vector */
+	struct ts_active_pair tail[8]; /* the last, not whole vector */
 } __attribute__((aligned(64)));
 
-TS_INLINE const struct ts_row_near *ts_heat_row(const struct ts_heat_block *b, size_t k)
+TS_INLINE const struct ts_active_pair *ts_heat_row(const struct ts_heat_block *b, size_t k)
 {
 	size_t full = b->n & ~(size_t)7;
 
@@ -70,7 +71,7 @@ TS_INLINE const struct ts_row_near *ts_heat_row(const struct ts_heat_block *b, s
 }
 
 /* The rows near[0 .. n-1], n at least 1. */
-TS_INLINE void ts_heat_list(struct ts_heat_block *b, const struct ts_row_near *near, size_t n)
+TS_INLINE void ts_heat_list(struct ts_heat_block *b, const struct ts_active_pair *near, size_t n)
 {
 	size_t full = n & ~(size_t)7;
 
@@ -91,10 +92,10 @@ TS_INLINE void ts_heat_constants(const struct ts_heat_task *t, size_t types, str
 /* Where they are, and how warm; `placed`: the rows' own places are those of now. */
 TS_INLINE void ts_heat_load(const struct ts_heat_task *t, bool placed, struct ts_heat_block *b)
 {
-	const struct ts_row_sphere *sphere = t->pairs->rows->sphere;
+	const struct ts_contact_sphere *sphere = t->pairs->rows->sphere;
 
 	for (size_t at = 0; at < b->whole; at += 4) {
-		const struct ts_row_near *near = ts_heat_row(b, at);
+		const struct ts_active_pair *near = ts_heat_row(b, at);
 		ts_four d[4];
 
 		for (size_t k = 0; k < 4; k++) {
@@ -133,7 +134,7 @@ TS_INLINE void ts_heat_overlaps(struct ts_heat_block *b)
 }
 
 /* Only particles of the group change, but they exchange heat with all. */
-TS_INLINE bool ts_heat_counts(const struct ts_heat_task *t, const struct ts_row_near *near)
+TS_INLINE bool ts_heat_counts(const struct ts_heat_task *t, const struct ts_active_pair *near)
 {
 	return ts_in_group(t->p, (size_t)near->i, t->group) || ts_in_group(t->p, (size_t)near->j, t->group);
 }
@@ -144,7 +145,7 @@ TS_INLINE void ts_heat_find_block(const struct ts_heat_task *t, struct ts_heat_b
 		ts_heat_overlaps(b);
 	} else {
 		for (size_t k = 0; k < b->whole; k++) {
-			const struct ts_row_near *row = ts_heat_row(b, k);
+			const struct ts_active_pair *row = ts_heat_row(b, k);
 
 			b->h[k] = ts_heat_conductance(b->pair[k], ts_heat_area(t, (size_t)row->i, (size_t)row->j));
 		}
@@ -161,18 +162,18 @@ typedef void ts_heat_block_fn(const struct ts_heat_task *t, struct ts_heat_block
 /* The rows from .. to-1 of a list, whether they touch or not. Their slots have their numbers. */
 TS_INLINE void ts_heat_scan(const struct ts_heat_task *t, size_t from, size_t to, ts_heat_block_fn *then)
 {
-	const struct ts_rows *rows = t->pairs->rows;
-	struct ts_row_near near[TS_COLUMN];
+	const struct ts_contact_list *rows = t->pairs->rows;
+	struct ts_active_pair near[TS_BATCH];
 	struct ts_heat_block b;
 
 	for (size_t n; from < to; from += n) {
-		n = to - from < TS_COLUMN ? to - from : TS_COLUMN;
+		n = to - from < TS_BATCH ? to - from : TS_BATCH;
 		for (size_t k = 0; k < n; k++)
-			near[k] = (struct ts_row_near){ (uint32_t)(from + k), (uint32_t)(from + k), rows->i[from + k],
+			near[k] = (struct ts_active_pair){ (uint32_t)(from + k), (uint32_t)(from + k), rows->i[from + k],
 							rows->j[from + k] };
 		ts_heat_list(&b, near, n);
 		for (size_t k = 0; k < b.whole; k++) {
-			const struct ts_row_near *row = ts_heat_row(&b, k);
+			const struct ts_active_pair *row = ts_heat_row(&b, k);
 
 			ts_heat_constants(t, ts_heat_types(t, (size_t)row->i, (size_t)row->j), &b, k);
 		}

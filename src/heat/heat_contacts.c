@@ -16,10 +16,10 @@ static enum ts_status list_held(struct ts_heat *h, struct tsim *sim)
 
 	for (size_t i = 0; i < p->n; i++)
 		held += p->imass[i] == 0;
-	h->held.both_held = true;
+	h->held.both_frozen = true;
 	h->held.n = 0;
 	return held < 2 ? TS_OK
-			: ts_rows_build(sim, &h->held, sim->neigh->built_skin,
+			: ts_contact_list_build(sim, &h->held, sim->neigh->built_skin,
 					ts_neigh_excluded(sim));
 }
 
@@ -71,7 +71,7 @@ typedef void visit_fn(void *context, size_t i, size_t j, double conductance);
 TS_INLINE void each_contact(const struct ts_heat *h, size_t i, visit_fn *visit, void *context)
 {
 	for (int l = 0; l < 2; l++) {
-		const struct ts_rows *rows = h->pairs[l].rows;
+		const struct ts_contact_list *rows = h->pairs[l].rows;
 		const struct ts_gather *g = &rows->gather;
 
 		for (size_t k = rows->n ? g->first[i] : 0; rows->n && k < g->first[i + 1]; k++) {

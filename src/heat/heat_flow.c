@@ -1,7 +1,7 @@
 /* The heat that flows through contacts, and what of it comes to each particle.
  *
  * Temperatures change at the end of a step alone, so heat flows as soon as the forces of a block of rows have been
- * computed (row_walk.h): it is known then which of them touch, and they are near in the caches. It waits for its stage
+ * computed (contact_pass.h): it is known then which of them touch, and they are near in the caches. It waits for its stage
  * in a column of its own, for walls may act before. Without a pair style, and for partners that are both held, all
  * rows are looked at. */
 #include "base/clones.h"
@@ -12,8 +12,8 @@ TS_UNROLLED
 #include <string.h>
 
 #include "base/parallel.h"
-#include "contact/row_walk.h"
-#include "core/sweep.h"
+#include "contact/contact_pass.h"
+#include "core/deferred_loops.h"
 #include "heat/heat_block.h"
 
 #include "base/banned.h"
@@ -35,10 +35,10 @@ TS_INLINE void flow_block(const struct ts_heat_task *t, struct ts_heat_block *b)
 			b->flow[1 + c][k] = 0.5 * q * b->d[c][k];
 	}
 	for (size_t at = 0; at < b->whole; at += 4) {
-		const struct ts_row_near *near = ts_heat_row(b, at);
+		const struct ts_active_pair *near = ts_heat_row(b, at);
 		ts_four row[4];
 
-		ts_four_rows((const double (*)[TS_COLUMN])b->flow, at, row);
+		ts_four_rows((const double (*)[TS_BATCH])b->flow, at, row);
 		for (size_t k = 0; k < 4; k++)
 			flow[near[k].slot] = row[k];
 	}
@@ -53,10 +53,10 @@ TS_CLONES static void scan_share(void *context, size_t from, size_t to)
 }
 
 /* What the active rows of a block will need, so that it comes together; first partners follow each other in memory. */
-TS_INLINE void send_for(const struct ts_heat_task *t, const struct ts_row_block *block)
+TS_INLINE void send_for(const struct ts_heat_task *t, const struct ts_active_block *block)
 {
-	const struct ts_row_near *near = t->pairs->rows->near + block->first, *end = near + block->active;
-	const struct ts_row_sphere *sphere = t->pairs->rows->sphere;
+	const struct ts_active_pair *near = t->pairs->rows->near + block->first, *end = near + block->active;
+	const struct ts_contact_sphere *sphere = t->pairs->rows->sphere;
 	const double *temperature = t->temperature;
 	const struct ts_heat_flow *flow = t->pairs->flow;
 
@@ -71,19 +71,19 @@ TS_INLINE void send_for(const struct ts_heat_task *t, const struct ts_row_block 
 TS_CLONES static void blocks_share(void *context, size_t from, size_t to)
 {
 	const struct ts_heat_task t = ts_heat_task(context, 0);
-	const struct ts_rows *rows = t.pairs->rows;
+	const struct ts_contact_list *rows = t.pairs->rows;
 	struct ts_heat_block b;
 
 	for (size_t l = from; l < to; l++) {
-		const struct ts_row_block *block = &rows->block[l];
-		const struct ts_row_near *near = rows->near + block->first;
+		const struct ts_active_block *block = &rows->block[l];
+		const struct ts_active_pair *near = rows->near + block->first;
 		size_t types = (size_t)(block->type[0] * (t.h->ntypes + 1) + block->type[1]);
 
 		send_for(&t, block + 1);
-		for (size_t k = 0; k < TS_COLUMN; k++)
+		for (size_t k = 0; k < TS_BATCH; k++)
 			ts_heat_constants(&t, types, &b, k);
-		for (size_t at = 0; at < block->active; at += TS_COLUMN) {
-			ts_heat_list(&b, near + at, block->active - at < TS_COLUMN ? block->active - at : TS_COLUMN);
+		for (size_t at = 0; at < block->active; at += TS_BATCH) {
+			ts_heat_list(&b, near + at, block->active - at < TS_BATCH ? block->active - at : TS_BATCH);
 			ts_heat_load(&t, true, &b);
 			ts_heat_find_block(&t, &b);
 			flow_block(&t, &b);
@@ -120,7 +120,7 @@ TS_CLONES static void sum_share(void *context, size_t from, size_t to)
 	const struct ts_heat_pairs *pairs = h->pairs;
 	const uint32_t *first = pairs->rows->sum_first, *sums = pairs->rows->sum;
 	double *inner = h->inner, *directed = ts_heat_column(h->sim, h->directed);
-	bool known = h->follower.begun, held = pairs[1].rows->n > 0;
+	bool known = h->fused_pass.begun, held = pairs[1].rows->n > 0;
 
 	for (size_t i = from; i < to; i++) {
 		ts_four sum = { 0 };
@@ -184,13 +184,13 @@ static enum ts_status start(struct tsim *sim, void *context)
 {
 	const struct ts_instance *self = context;
 	struct ts_heat *h = self->state;
-	const struct ts_rows *rows = h->pairs[0].rows;
+	const struct ts_contact_list *rows = h->pairs[0].rows;
 	struct ts_heat_task held;
 	size_t n = h->held.n;
 
 	h->keeps = h->scheme == TS_HEAT_EXACT || h->store || sim->complete;
 	if (TS_RENEW(h->inner, h->inner_capacity, sim->particles->n) != TS_OK ||
-	    clear_list(h, &h->pairs[0], h->follower.begun ? rows->room / (size_t)rows->parts : rows->n) != TS_OK ||
+	    clear_list(h, &h->pairs[0], h->fused_pass.begun ? rows->room / (size_t)rows->parts : rows->n) != TS_OK ||
 	    clear_list(h, &h->pairs[1], n) != TS_OK)
 		return ts_nomem(&sim->error);
 	held = ts_heat_task(self, 1);
@@ -207,9 +207,9 @@ enum ts_status ts_heat_clear(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_heat_look(self, sim)); /* of the step before */
 	if (sim->in_setup) /* before a run the fluxes stay those of the last step, as in LIGGGHTS */
 		return TS_OK;
-	h->follower = (struct ts_row_follower){ { blocks_share, sum_share, self, true }, start, false };
-	ts_rows_follow(sim, &h->follower);
-	TS_SWEEP_ADD(sim, sim->particles->n, clear_share, &c);
+	h->fused_pass = (struct ts_fused_pass){ { blocks_share, sum_share, self, true }, start, false };
+	ts_contacts_fuse(sim, &h->fused_pass);
+	TS_DEFER_LOOP(sim, sim->particles->n, clear_share, &c);
 	return TS_OK;
 }
 
@@ -234,10 +234,10 @@ enum ts_status ts_heat_conduct(struct ts_instance *self, struct tsim *sim)
 
 	if (sim->in_setup)
 		return TS_OK;
-	if (!h->follower.begun)
+	if (!h->fused_pass.begun)
 		TS_TRY(conduct_alone(self, sim));
 	c = columns_of(h);
-	TS_SWEEP_ADD(sim, sim->particles->n, add_share, &c);
+	TS_DEFER_LOOP(sim, sim->particles->n, add_share, &c);
 	if (h->store)
 		ts_heat_store_contacts(self, sim);
 	return TS_OK;

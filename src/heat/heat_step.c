@@ -13,8 +13,8 @@
 #include <string.h>
 
 #include "base/parallel.h"
+#include "core/deferred_loops.h"
 #include "core/report.h"
-#include "core/sweep.h"
 #include "particle/exchange.h"
 
 #include "base/banned.h"
@@ -154,10 +154,10 @@ static enum ts_status euler(struct ts_instance *self, struct tsim *sim)
 	if (h->examine)
 		examine(self, sim);
 	h->advanced = sim->clock.step;
-	TS_SWEEP_ADD(sim, sim->particles->n, euler_share, &task);
+	TS_DEFER_LOOP(sim, sim->particles->n, euler_share, &task);
 	if (!sim->complete)
 		return TS_OK;
-	ts_sweep(sim);
+	ts_run_deferred_loops(sim);
 	return ts_heat_look(self, sim);
 }
 
@@ -242,7 +242,7 @@ static enum ts_status exact(struct ts_instance *self, struct tsim *sim)
 	s = sim->clock.dt / parts;
 	if (TS_GROW(h->work, h->work_capacity, 2 * sim->particles->n) != TS_OK)
 		return ts_nomem(&sim->error);
-	ts_sweep(sim);
+	ts_run_deferred_loops(sim);
 	first_rate(self, sim);
 	for (int64_t k = 0; k < (int64_t)parts; k++)
 		advance_part(&task, sim, s);

@@ -13,8 +13,8 @@
 #include "math/vec3.h"
 #include "mesh/mesh_distance.h"
 #include "mesh/mesh_surface.h"
-#include "particle/body.h"
 #include "particle/particles.h"
+#include "particle/sphere_shape.h"
 #include "region/region.h"
 #include "rigid/rigid.h"
 
@@ -454,7 +454,7 @@ static double density_of(const struct tsim *sim, size_t i)
 		return ts_material_density(sim, i);
 	b = (size_t)(body - rigid->body);
 	for (size_t k = rigid->start[b]; k < rigid->start[b + 1]; k++)
-		volume += ts_body_volume(sim, sim->particles->radius[rigid->member[k]]);
+		volume += ts_particle_volume(sim, sim->particles->radius[rigid->member[k]]);
 	return body->mass / volume;
 }
 

@@ -4,7 +4,7 @@
 
 #include "io/lines.h"
 #include "math/vec3.h"
-#include "particle/body.h"
+#include "particle/sphere_shape.h"
 
 #include "base/banned.h"
 
@@ -146,7 +146,7 @@ enum ts_status ts_clump_template_init(struct ts_instance *self, struct tsim *sim
 	t->least = INFINITY;
 	for (size_t k = 0; k < c->clump.n; k++)
 		t->least = fmin(t->least, c->clump.sphere[k].radius);
-	t->lightest = t->density.a * ts_body_volume(sim, t->least);
+	t->lightest = t->density.a * ts_particle_volume(sim, t->least);
 	ts_scale(1, centre ? c->clump.centre : c->clump.middle, t->origin);
 	return ts_template_check_volume(self, sim);
 }

@@ -266,9 +266,9 @@ static enum ts_status filter(struct tsim *sim, const struct state *s, struct ts_
 
 		for (int d = 0; d < 3; d++)
 			if (name[d])
-				TS_TRY(sim->host->set(sim->host_data, name[d], where,
+				TS_TRY(sim->script_api->set(sim->script_api_data, name[d], where,
 						      sites->site[k].x[d]));
-		TS_TRY(sim->host->scalar(sim->host_data, s->variable, where, &wanted));
+		TS_TRY(sim->script_api->scalar(sim->script_api_data, s->variable, where, &wanted));
 		if (wanted != 0)
 			sites->site[kept++] = sites->site[k];
 	}

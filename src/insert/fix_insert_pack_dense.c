@@ -4,9 +4,9 @@
 #include "box/domain.h"
 #include "geom/pairs.h"
 #include "math/vec3.h"
-#include "particle/body.h"
 #include "particle/identity.h"
 #include "particle/particles.h"
+#include "particle/sphere_shape.h"
 
 #include "base/banned.h"
 

@@ -1,6 +1,6 @@
 /* Fix insert/stream: particles come through a face, in a stream. */
+#include "core/deferred_loops.h"
 #include "core/sim.h"
-#include "core/sweep.h"
 
 #include "box/domain.h"
 #include "insert/insertion_rate.h"
@@ -486,10 +486,10 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 		return TS_OK;
 	TS_TRY(list_way(s, sim));
 	if (!sim->rigid->n) {
-		TS_SWEEP_ADD(sim, sim->particles->n, steer_share, &task);
+		TS_DEFER_LOOP(sim, sim->particles->n, steer_share, &task);
 		return TS_OK;
 	}
-	ts_sweep(sim); /* a body places spheres anywhere in memory */
+	ts_run_deferred_loops(sim); /* a body places spheres anywhere in memory */
 	TS_TRY(ts_rigid_list(sim));
 	steer_share(&task, 0, sim->particles->n);
 	return TS_OK;
@@ -566,6 +566,6 @@ const struct ts_style ts_fix_insert_stream = {
 		  [TS_STAGE_PRE_EXCHANGE] = pre_exchange,
 		  [TS_STAGE_SETUP] = setup,
 		  [TS_STAGE_END_OF_STEP] = end_of_step },
-	.waits = TS_WAITS(END_OF_STEP),
+	.defers = TS_DEFERS(END_OF_STEP),
 	.fini = fini,
 };

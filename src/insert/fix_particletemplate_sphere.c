@@ -1,7 +1,7 @@
 /* Fix particletemplate/sphere: what spheres look like that other fixes insert. */
 #include "insert/template.h"
 
-#include "particle/body.h"
+#include "particle/sphere_shape.h"
 
 #include "base/banned.h"
 
@@ -18,11 +18,11 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	TS_TRY(ts_template_start(self, sim));
 	TS_TRY(ts_template_spread(self, sim, "fix particletemplate/sphere: radius", t->radius_words,
 				  &t->radius));
-	t->volume = ts_body_volume(sim, 1) * ts_spread_mean(&t->radius, 3);
+	t->volume = ts_particle_volume(sim, 1) * ts_spread_mean(&t->radius, 3);
 	t->mass = t->volume * ts_spread_mean(&t->density, 1);
 	t->least = ts_spread_least(&t->radius);
 	t->largest = ts_spread_largest(&t->radius);
-	t->lightest = ts_spread_least(&t->density) * ts_body_volume(sim, t->least);
+	t->lightest = ts_spread_least(&t->density) * ts_particle_volume(sim, t->least);
 	TS_TRY(ts_template_check_volume(self, sim));
 	t->defined = true;
 	return TS_OK;

@@ -8,8 +8,8 @@
 #include "force/gravity.h"
 #include "insert/insertion.h"
 #include "math/vec3.h"
-#include "particle/body.h"
 #include "particle/particles.h"
+#include "particle/sphere_shape.h"
 #include "region/region.h"
 
 #include "base/banned.h"
@@ -205,10 +205,10 @@ static double volume_of_one(const struct pour *s, const struct tsim *sim)
 	double sum = 0, one, share;
 
 	if (s->spread != POLY)
-		return ts_body_volume(sim, 0.5 * s->diameter[s->spread == RANGE]);
+		return ts_particle_volume(sim, 0.5 * s->diameter[s->spread == RANGE]);
 	for (int64_t k = 0; k < s->nsizes; k++)
 		if (read_size(s, k, &one, &share))
-			sum += share * ts_body_volume(sim, 0.5 * one);
+			sum += share * ts_particle_volume(sim, 0.5 * one);
 	return sum;
 }
 
@@ -342,7 +342,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 			       "fix pour: particle type %lld does not exist, create_box made %d",
 			       (long long)s->base.own.type, sim->particles->ntypes);
 	s->base.own.least = 0.5 * least_diameter(s);
-	s->base.own.lightest = s->density[0] * ts_body_volume(sim, s->base.own.least);
+	s->base.own.lightest = s->density[0] * ts_particle_volume(sim, s->base.own.least);
 	s->each = (int64_t)fmin(s->fraction * room(s) / volume_of_one(s, sim), 1e15);
 	if (first)
 		s->base.every = steps_between(s, sim, g);

@@ -1,9 +1,10 @@
 /* Arguments and events of the fixes that insert particles. */
 #include "insert/insertion.h"
 
+#include "math/constants.h"
 #include "math/quaternion.h"
-#include "particle/body.h"
 #include "particle/particles.h"
+#include "particle/sphere_shape.h"
 
 #include "base/banned.h"
 
@@ -307,8 +308,8 @@ void ts_insertion_draw_orientation(struct ts_insertion *s, struct ts_newcomer *o
 	if (!s->turns)
 		return;
 	u = ts_minstd_uniform(&s->random);
-	a = 2 * TS_BODY_PI * ts_minstd_uniform(&s->random);
-	b = 2 * TS_BODY_PI * ts_minstd_uniform(&s->random);
+	a = 2 * TS_PI * ts_minstd_uniform(&s->random);
+	b = 2 * TS_PI * ts_minstd_uniform(&s->random);
 	one->q[0] = sqrt(1 - u) * sin(a);
 	one->q[1] = sqrt(1 - u) * cos(a);
 	one->q[2] = sqrt(u) * sin(b);

@@ -4,11 +4,12 @@
 #include <inttypes.h>
 
 #include "box/domain.h"
+#include "math/constants.h"
 #include "math/quaternion.h"
 #include "math/rigid_turn.h"
 #include "math/vec3.h"
-#include "particle/body.h"
 #include "particle/particles.h"
+#include "particle/sphere_shape.h"
 
 #include "base/banned.h"
 
@@ -81,10 +82,10 @@ enum ts_status ts_insertion_join(struct tsim *sim, struct ts_spherehash *crowd,
 static double sphere_mass(const struct tsim *sim, const struct ts_newcomer *one, double r)
 {
 	if (sim->dimension == 2)
-		return one->density * ts_body_volume(sim, r);
+		return one->density * ts_particle_volume(sim, r);
 	if (clump_of(one)) /* its 4 pi / 3 */
 		return one->density * (r * r * r * 4.18879020479);
-	return one->density * (r * r * r * 4 * TS_BODY_PI / 3);
+	return one->density * (r * r * r * 4 * TS_PI / 3);
 }
 
 static void fill_in(struct ts_instance *self, struct tsim *sim, const struct ts_newcomer *one,

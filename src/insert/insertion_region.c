@@ -3,8 +3,8 @@
 #include <inttypes.h>
 
 #include "box/domain.h"
-#include "particle/body.h"
 #include "particle/particles.h"
+#include "particle/sphere_shape.h"
 
 #include "base/banned.h"
 
@@ -141,7 +141,7 @@ enum ts_status ts_insertion_region_content(struct ts_instance *self, struct tsim
 			continue;
 		out->number++;
 		out->mass += p->mass[i];
-		out->volume += ts_body_volume(sim, p->radius[i]);
+		out->volume += ts_particle_volume(sim, p->radius[i]);
 	}
 	/* in LIGGGHTS, too, this counts from the next event on */
 	return box_moves(&sim->domain->box) ? measure(self, sim) : TS_OK;

@@ -3,8 +3,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "particle/body.h"
 #include "particle/particles.h"
+#include "particle/sphere_shape.h"
 
 #include "base/banned.h"
 

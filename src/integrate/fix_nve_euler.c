@@ -32,5 +32,5 @@ const struct ts_style ts_fix_nve_euler = {
 	.init = init,
 	.integrates = TS_MOVES | TS_OBEYS,
 	.hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate },
-	.waits = TS_WAITS(INITIAL_INTEGRATE),
+	.defers = TS_DEFERS(INITIAL_INTEGRATE),
 };

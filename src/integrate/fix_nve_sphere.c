@@ -89,5 +89,5 @@ const struct ts_style ts_fix_nve_sphere = {
 	.integrates = TS_MOVES | TS_OBEYS | TS_TURNS,
 	.hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate,
 		  [TS_STAGE_FINAL_INTEGRATE] = final_integrate },
-	.waits = TS_WAITS(INITIAL_INTEGRATE) | TS_WAITS(FINAL_INTEGRATE),
+	.defers = TS_DEFERS(INITIAL_INTEGRATE) | TS_DEFERS(FINAL_INTEGRATE),
 };

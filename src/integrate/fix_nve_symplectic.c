@@ -21,5 +21,5 @@ const struct ts_style ts_fix_nve_symplectic = {
 	.cite = "E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration (2006), I.1",
 	.integrates = TS_MOVES | TS_OBEYS,
 	.hook = { [TS_STAGE_INITIAL_INTEGRATE] = initial_integrate },
-	.waits = TS_WAITS(INITIAL_INTEGRATE),
+	.defers = TS_DEFERS(INITIAL_INTEGRATE),
 };

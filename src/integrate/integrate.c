@@ -2,9 +2,9 @@
 
 #include "base/clones.h"
 #include "base/inline.h"
-#include "core/sweep.h"
+#include "core/deferred_loops.h"
 #include "group/group_members.h"
-#include "particle/body.h"
+#include "particle/sphere_shape.h"
 
 #include "base/banned.h"
 
@@ -119,5 +119,5 @@ void ts_integrate(struct tsim *sim, int group, const struct ts_integration *step
 
 	if (!p->omega || !p->torque)
 		task.step.turn = 0;
-	TS_SWEEP_ADD(sim, p->n, share, &task);
+	TS_DEFER_LOOP(sim, p->n, share, &task);
 }

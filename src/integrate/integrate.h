@@ -4,7 +4,7 @@
 
 #include "core/sim.h"
 
-/* One pass over the particles, which may wait (core/sweep.h); what is 0 is not done. In this order: */
+/* One pass over the particles, which may wait (core/deferred_loops.h); what is 0 is not done. In this order: */
 struct ts_integration {
 	double early;	/* x += early v */
 	double kick;	/* v += kick f/m */

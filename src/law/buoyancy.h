@@ -7,6 +7,7 @@
 #include <stdbool.h>
 
 #include "law/lens.h"
+#include "math/constants.h"
 
 static inline double ts_immersed(double radius, double depth, bool disc)
 {

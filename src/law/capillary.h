@@ -35,6 +35,7 @@
 #include "law/granular.h"
 #include "law/lens.h"
 #include "law/touch.h"
+#include "math/constants.h"
 
 TS_INLINE double ts_sphere_volume(double radius)
 {

@@ -11,6 +11,7 @@
 #include "law/capillary.h"
 #include "law/lens.h"
 #include "law/normal.h"
+#include "math/constants.h"
 
 /* The circle in which two overlapping spheres cut each other, or a sphere and a plane. */
 TS_INLINE double ts_lens_area(const struct ts_touch *t)

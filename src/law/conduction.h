@@ -20,6 +20,7 @@
 #include <math.h>
 
 #include "law/lens.h"
+#include "math/constants.h"
 
 enum ts_heat_area { TS_HEAT_OVERLAP, TS_HEAT_CONSTANT, TS_HEAT_PROJECTION };
 

@@ -16,6 +16,7 @@
 #include <math.h>
 
 #include "law/lens.h"
+#include "math/constants.h"
 
 struct ts_slip {
 	double diameter, speed; /* |w| */

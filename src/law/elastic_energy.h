@@ -19,6 +19,7 @@
 #define TS_LAW_ELASTIC_ENERGY_H
 
 #include "law/granular_force.h"
+#include "math/constants.h"
 
 static inline bool ts_granular_has_energy(const struct ts_granular_model *m)
 {

@@ -108,7 +108,7 @@ enum {
 };
 static inline int ts_granular_multi_at(const struct ts_granular_model *m)
 {
-	return ts_granular_located_at(m) + ts_located_memory(m);
+	return ts_granular_located_at(m) + ts_substep_memory(m);
 }
 
 /* The surfaces stand out as the contact remembers it. */
@@ -147,7 +147,7 @@ TS_INLINE void ts_granular_memory_signs(const struct ts_granular_model *m, signe
 
 	for (int k = 0; k < TS_GRANULAR_MEMORY; k++)
 		sign[k] = k < odd ? -1 : 1;
-	for (int k = 0; k < 3 && ts_located_memory(m) > TS_LOCATED_SLIP; k++)
+	for (int k = 0; k < 3 && ts_substep_memory(m) > TS_LOCATED_SLIP; k++)
 		sign[ts_granular_located_at(m) + TS_LOCATED_SLIP + k] = -1;
 	for (int k = 0; k < 3 && m->multi; k++)
 		sign[ts_granular_multi_at(m) + TS_MULTI_ARM + k] = -1;
@@ -178,11 +178,11 @@ static inline void ts_granular_locate(const struct ts_granular_model *m, const s
 				      struct ts_touch *now)
 {
 	double *own = memory + ts_granular_located_at(m), stage = own[TS_LOCATED_STAGE];
-	struct ts_located l = ts_located_force(m, t, dt, advance, own, n);
+	struct ts_substep l = ts_substep_force(m, t, dt, advance, own, n);
 
 	*now = *t;
 	if (m->tangential != TS_TANGENTIAL_OFF)
-		ts_located_slip(m, n, &l, stage, ts_tangential_remembers(m), advance ? dt : 0, own,
+		ts_substep_slip(m, n, &l, stage, ts_tangential_remembers(m), advance ? dt : 0, own,
 				memory, now);
 }
 
@@ -232,7 +232,7 @@ ts_granular_contact(const struct ts_granular_model *m, const struct ts_granular_
 	if (ts_cohesion_bridges(m))
 		ts_bridge_slip(c, t, tangential);
 	if (m->located && m->tangential != TS_TANGENTIAL_OFF)
-		ts_located_slips(m, t, slip, advance ? dt : 0.5 * dt, tangential,
+		ts_substep_slips(m, t, slip, advance ? dt : 0.5 * dt, tangential,
 				 memory + ts_granular_located_at(m));
 	ts_rolling_torque(m, c, t, &n, dt, advance, memory + ts_granular_rolling_at(m), roll);
 	twist = ts_twisting_torque(m, c, t, &n, advance ? dt : 0, memory + ts_granular_twist_at(m));

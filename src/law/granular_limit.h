@@ -18,6 +18,7 @@
 
 #include "law/capillary.h"
 #include "law/normal.h"
+#include "math/constants.h"
 
 static inline double ts_oscillator_limit(double stiffness, double damping, double mass,
 					 bool explicit_euler)

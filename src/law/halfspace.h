@@ -16,6 +16,7 @@
 #include <math.h>
 
 #include "law/lens.h"
+#include "math/constants.h"
 #include "math/vec3.h"
 
 /* Surfaces that stand out by more than this part of their radius are beyond the theory, and beyond

@@ -3,8 +3,7 @@
 #define TS_LAW_LENS_H
 
 #include "base/inline.h"
-
-#define TS_PI 3.14159265358979323846
+#include "math/constants.h"
 
 /* -pi/4 (r-Ri-Rj)(r+Ri-Rj)(r-Ri+Rj)(r+Ri+Rj)/r^2, r the distance of the centres. */
 TS_INLINE double ts_lens_of_spheres(double r, double ri, double rj)

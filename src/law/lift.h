@@ -18,6 +18,7 @@
 #include <math.h>
 
 #include "law/lens.h"
+#include "math/constants.h"
 
 /* What w x W is multiplied by; 0 where nothing is sheared. */
 static inline double ts_lift_saffman(double diameter, double density, double viscosity,

@@ -20,6 +20,7 @@
 #include "law/lens.h"
 #include "law/normal_area.h"
 #include "law/touch.h"
+#include "math/constants.h"
 
 #define TS_SQRT_5_6 0.91287092917527685576
 

@@ -26,6 +26,7 @@
 #include "law/granular.h"
 #include "law/lens.h"
 #include "law/touch.h"
+#include "math/constants.h"
 
 struct ts_normal {
 	double kn, kt, gamman, gammat;

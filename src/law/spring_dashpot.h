@@ -18,6 +18,7 @@
 
 #include "law/granular.h"
 #include "law/granular_limit.h"
+#include "math/constants.h"
 
 struct ts_spring_dashpot {
 	double stiffness;	     /* k, force/length */
@@ -28,14 +29,13 @@ struct ts_spring_dashpot {
 
 static inline void ts_spring_dashpot_complete(struct ts_spring_dashpot *c)
 {
-	const double pi = 3.14159265358979323846;
 	double log_e = log(c->restitution);
 
 	c->law = (struct ts_granular_pair){ .kn = c->stiffness };
 	if (isnan(c->restitution))
 		c->law.gamman = c->damping;
 	else
-		c->law.gamman_root = -2 * log_e * sqrt(c->stiffness / (pi * pi + log_e * log_e));
+		c->law.gamman_root = -2 * log_e * sqrt(c->stiffness / (TS_PI * TS_PI + log_e * log_e));
 }
 
 static inline double ts_spring_dashpot_beta(const struct ts_granular_pair *c, double mass)

@@ -34,13 +34,13 @@ enum {
 	TS_LOCATED_SLIP, /* what the tangential force aimed at, three numbers, where there is one */
 	TS_LOCATED_MEMORY = TS_LOCATED_SLIP + 3
 };
-static inline int ts_located_memory(const struct ts_granular_model *m)
+static inline int ts_substep_memory(const struct ts_granular_model *m)
 {
 	if (!m->located)
 		return 0;
 	return m->tangential == TS_TANGENTIAL_OFF ? TS_LOCATED_SLIP : TS_LOCATED_MEMORY;
 }
-enum ts_located_stage {
+enum ts_substep_stage {
 	TS_LOCATED_NEW,	    /* no step yet */
 	TS_LOCATED_SET_UP,  /* the force before the first step has aimed half a step ahead */
 	TS_LOCATED_TOUCHES,
@@ -48,13 +48,13 @@ enum ts_located_stage {
 };
 
 /* How much of the step whose force this is the contact lasts. */
-struct ts_located {
+struct ts_substep {
 	double before; /* of the time since the last force: what tangential memory advances by */
 	double around; /* of the time from half a step before to half a step later, or more where a contact begins */
 };
 
 /* Whether the law is one that can be located. */
-static inline bool ts_located_knows(const struct ts_granular_model *m)
+static inline bool ts_substep_knows(const struct ts_granular_model *m)
 {
 	return m->normal > TS_NORMAL_OFF && m->normal < TS_NORMAL_HOOKE_HYSTERESIS && !m->viscous;
 }
@@ -62,7 +62,7 @@ static inline bool ts_located_knows(const struct ts_granular_model *m)
 /* phi and psi. With z = gamma h, y = omega h: |1 - exp(-lambda h)|^2 = 2 exp(-z) (cosh z - cos y), a series of
  * z^2 + y^2 = (omega0 h)^2 that needs no case for overdamped contacts, y^2 < 0. exp(-z) = (even - odd)/(even + odd), Pade's
  * approximation of order (4, 4): exact to 4e-13 for z < 0.3, to 4e-8 for z < 1. */
-static inline void ts_located_factors(double z, double w2, double *phi, double *psi)
+static inline void ts_substep_factors(double z, double w2, double *phi, double *psi)
 {
 	double a = z * z, b = w2 - a, half = 0.5 + a / 84, even = 1 + a * (3.0 / 28 + a / 1680);
 	double inverse = 1 / (even + z * half);
@@ -74,8 +74,8 @@ static inline void ts_located_factors(double z, double w2, double *phi, double *
 }
 
 /* The velocity aimed at in a step that ends with a contact begun for q/u. */
-static inline double ts_located_begin(const struct ts_impact *o, double h, double q, double u,
-				      double *memory, struct ts_located *l)
+static inline double ts_substep_begin(const struct ts_impact *o, double h, double q, double u,
+				      double *memory, struct ts_substep *l)
 {
 	double at = 0, v = u, from, time;
 	bool ended;
@@ -91,7 +91,7 @@ static inline double ts_located_begin(const struct ts_impact *o, double h, doubl
 }
 
 /* Whether the contact may end in the next step, which `force` would begin. */
-static inline bool ts_located_near_end(const struct ts_impact *o, double h, double q, double u,
+static inline bool ts_substep_near_end(const struct ts_impact *o, double h, double q, double u,
 				       double force)
 {
 	double next = u + h * (o->g - force / o->mass), there = q + h * next;
@@ -104,8 +104,8 @@ static inline bool ts_located_near_end(const struct ts_impact *o, double h, doub
 /* The velocity aimed at, if the contact ends; else *ended is false. `u`: as if the flight had not been too far. The velocity
  * at t is the one with which the motion a step back was at q - h u. The velocity v when they part is that of the middle of
  * the step, less what g adds from there on, g (h/2 - time), and without the g h that comes besides. */
-static inline double ts_located_leave(const struct ts_impact *o, double h, double q, double u,
-				      double force, struct ts_located *l, bool *ended)
+static inline double ts_substep_leave(const struct ts_impact *o, double h, double q, double u,
+				      double force, struct ts_substep *l, bool *ended)
 {
 	double at, v = u + 0.5 * h * (o->g - force / o->mass), time;
 
@@ -123,7 +123,7 @@ static inline double ts_located_leave(const struct ts_impact *o, double h, doubl
 }
 
 /* What all else accelerates the contact by, as of the last step. */
-static inline double ts_located_rest(const double *memory, double h, double u)
+static inline double ts_substep_rest(const double *memory, double h, double u)
 {
 	double stage = memory[TS_LOCATED_STAGE], part = stage == TS_LOCATED_SET_UP ? 0.5 : 1;
 
@@ -133,31 +133,31 @@ static inline double ts_located_rest(const double *memory, double h, double u)
 }
 
 /* The force of a step within a contact; aims at *aim. */
-static inline double ts_located_within(struct ts_impact *o, const struct ts_touch *t, double h,
-				       double *memory, struct ts_located *l)
+static inline double ts_substep_within(struct ts_impact *o, const struct ts_touch *t, double h,
+				       double *memory, struct ts_substep *l)
 {
 	double q = t->overlap, v = -t->vn, phi, psi, force, aim = 0;
 	double ahead = memory[TS_LOCATED_AHEAD], u = v + ahead / h;
 	double k = (o->hertz ? 1.5 : 1) * o->k;
 	bool ended = false;
 
-	o->g = ts_located_rest(memory, h, v);
-	ts_located_factors(o->c * h / (2 * o->mass), k * h * h / o->mass, &phi, &psi);
+	o->g = ts_substep_rest(memory, h, v);
+	ts_substep_factors(o->c * h / (2 * o->mass), k * h * h / o->mass, &phi, &psi);
 	force = phi * o->k * q + psi * o->c * u + (1 - phi) * o->mass * o->g;
-	if (ts_located_near_end(o, h, q, u, force))
-		aim = ts_located_leave(o, h, q, u, force, l, &ended);
+	if (ts_substep_near_end(o, h, q, u, force))
+		aim = ts_substep_leave(o, h, q, u, force, l, &ended);
 	memory[TS_LOCATED_STAGE] = ended ? TS_LOCATED_LEFT : TS_LOCATED_TOUCHES;
 	memory[TS_LOCATED_AHEAD] = 0;
 	return ended ? o->mass * (v - aim) / h : force - o->mass * ahead / (h * h);
 }
 
 /* The normal force of a step, instead of that of ts_normal_force, which has filled *n. */
-static inline struct ts_located ts_located_force(const struct ts_granular_model *m,
+static inline struct ts_substep ts_substep_force(const struct ts_granular_model *m,
 						 const struct ts_touch *t, double h, bool advance,
 						 double *memory, struct ts_normal *n)
 {
 	struct ts_impact o = ts_impact_of(m, t, n);
-	struct ts_located l = { advance ? h : 0, 1 };
+	struct ts_substep l = { advance ? h : 0, 1 };
 	double q = t->overlap, v = -t->vn, force = n->force;
 	bool left = memory[TS_LOCATED_STAGE] == TS_LOCATED_LEFT;
 
@@ -170,9 +170,9 @@ static inline struct ts_located ts_located_force(const struct ts_granular_model 
 		memory[TS_LOCATED_AHEAD] = 0;
 		memory[TS_LOCATED_STAGE] = TS_LOCATED_SET_UP;
 	} else if (memory[TS_LOCATED_STAGE] == TS_LOCATED_NEW && q < h * v) {
-		force = o.mass * (v - ts_located_begin(&o, h, q, v, memory, &l)) / h;
+		force = o.mass * (v - ts_substep_begin(&o, h, q, v, memory, &l)) / h;
 	} else {
-		force = ts_located_within(&o, t, h, memory, &l);
+		force = ts_substep_within(&o, t, h, memory, &l);
 	}
 	if (m->no_tension)
 		force = fmax(force, 0);
@@ -183,7 +183,7 @@ static inline struct ts_located ts_located_force(const struct ts_granular_model 
 }
 
 /* What the tangential force moves: the slip of two spheres (or discs) that turn, too. */
-static inline double ts_located_slip_mass(const struct ts_granular_model *m, const struct ts_touch *t)
+static inline double ts_substep_slip_mass(const struct ts_granular_model *m, const struct ts_touch *t)
 {
 	return t->m_eff / (m->plane ? 3 : 3.5);
 }
@@ -191,12 +191,12 @@ static inline double ts_located_slip_mass(const struct ts_granular_model *m, con
 /* The slip s at t, as far as springs and dashpots make it: s = u + h/2 (g + F/m), F = -k_t xi - gamma_t s, with the slip u of
  * half a step before and, as above, g what all else changes it by. The spring xi will be advanced by s for the whole of
  * *step: what is too much is taken back first. `stage`: before this step. */
-static inline void ts_located_slip(const struct ts_granular_model *m, const struct ts_normal *n,
-				   const struct ts_located *l, double stage, bool remembers,
+static inline void ts_substep_slip(const struct ts_granular_model *m, const struct ts_normal *n,
+				   const struct ts_substep *l, double stage, bool remembers,
 				   double step, const double *memory, double *xi,
 				   struct ts_touch *t)
 {
-	double mass = ts_located_slip_mass(m, t), z = 0.5 * step * n->gammat / mass;
+	double mass = ts_substep_slip_mass(m, t), z = 0.5 * step * n->gammat / mass;
 	bool known = stage == TS_LOCATED_SET_UP || stage == TS_LOCATED_TOUCHES;
 	double part = !known ? 0 : stage == TS_LOCATED_SET_UP ? 1 : 0.5;
 
@@ -212,13 +212,13 @@ static inline void ts_located_slip(const struct ts_granular_model *m, const stru
 }
 
 /* Afterwards: the slip that the force on i aims at. `u`: half a step before. */
-static inline void ts_located_slips(const struct ts_granular_model *m, const struct ts_touch *t,
+static inline void ts_substep_slips(const struct ts_granular_model *m, const struct ts_touch *t,
 				    const double u[3], double time, const double force[3],
 				    double *memory)
 {
 	for (int k = 0; k < 3; k++)
 		memory[TS_LOCATED_SLIP + k] =
-			u[k] + time * force[k] / ts_located_slip_mass(m, t);
+			u[k] + time * force[k] / ts_substep_slip_mass(m, t);
 }
 
 #endif

@@ -46,7 +46,7 @@ enum ts_status ts_library_rows(struct tsim *sim, const int32_t *id, size_t n, in
 	for (size_t k = 0; !id && k < map.n; k++)
 		(*rows)[k] = map.row[k];
 	for (size_t k = 0; id && k < n; k++) {
-		(*rows)[k] = ts_row_of(&map, id[k]);
+		(*rows)[k] = ts_contact_of(&map, id[k]);
 		if ((*rows)[k] < 0) {
 			ts_free(*rows);
 			*rows = NULL;
@@ -172,13 +172,13 @@ int tsim_hold(struct tsim *sim, void *data)
 	TS_LIBRARY_NEEDS(sim, sim);
 	if (!data)
 		return TSIM_OK;
-	return ts_library_settle(sim, ts_hold(&sim->holds, data));
+	return ts_library_settle(sim, ts_shared_buffer(&sim->holds, data));
 }
 
 void tsim_release(struct tsim *sim, const void *data)
 {
 	if (sim && data)
-		ts_hold_release(&sim->holds, data);
+		ts_shared_buffer_release(&sim->holds, data);
 }
 
 const char *tsim_column_name(struct tsim *sim, size_t k)

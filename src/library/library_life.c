@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "core/life.h"
-#include "library/tables.h"
+#include "library/tsim_tables.h"
 #include "particle/particles.h"
 #include "script/script.h"
 
@@ -60,7 +60,7 @@ void tsim_close(struct tsim *sim)
 		return;
 	if (sim->library)
 		ts_stepping_end(&sim->library->stepping, sim);
-	ts_script_free(sim->host_data);
+	ts_script_free(sim->script_api_data);
 	release(sim->library);
 	ts_sim_free(sim);
 }
@@ -86,7 +86,7 @@ int tsim_open_with(const struct tsim_options *options, struct tsim **out)
 	tsim_screen(*out, o.screen);
 	tsim_on_log(*out, o.on_log, o.on_log_data);
 	(*out)->log.quiet = o.check && !o.explain;
-	if (o.check && (status = ts_script_check((*out)->host_data)) != TS_OK)
+	if (o.check && (status = ts_script_check((*out)->script_api_data)) != TS_OK)
 		return (int)status;
 	return o.log ? tsim_log(*out, o.log) : TSIM_OK;
 }

@@ -1,7 +1,7 @@
 /* What there is: kinds, styles, their pages and arguments. */
 #include "library/library.h"
 
-#include "library/tables.h"
+#include "library/tsim_tables.h"
 #include "manual/help.h"
 
 #include "base/banned.h"

@@ -38,7 +38,7 @@ int tsim_text(struct tsim *sim, const char *text, const char *name)
 	enum ts_status status = between_runs(sim, "a script line");
 
 	if (status == TS_OK)
-		status = ts_script_string(sim->host_data, text, name);
+		status = ts_script_string(sim->script_api_data, text, name);
 	return ts_library_settle(sim, status);
 }
 
@@ -50,7 +50,7 @@ int tsim_file(struct tsim *sim, const char *path)
 	enum ts_status status = between_runs(sim, "a script");
 
 	if (status == TS_OK)
-		status = ts_script_file(sim->host_data, path);
+		status = ts_script_file(sim->script_api_data, path);
 	return ts_library_settle(sim, status);
 }
 
@@ -63,7 +63,7 @@ int tsim_stream(struct tsim *sim, FILE *stream, const char *name)
 	enum ts_status status = between_runs(sim, "a script");
 
 	if (status == TS_OK)
-		status = ts_script_stream(sim->host_data, stream, name);
+		status = ts_script_stream(sim->script_api_data, stream, name);
 	return ts_library_settle(sim, status);
 }
 
@@ -78,7 +78,7 @@ int tsim_check_report(struct tsim *sim, int *errors, char *out, size_t room, siz
 
 	*errors = 0;
 	if (sim->check)
-		status = ts_script_check_report(sim->host_data, &text, &report, errors);
+		status = ts_script_check_report(sim->script_api_data, &text, &report, errors);
 	else
 		status = ts_fail(&sim->error, TS_STATE, NULL,
 				 "the simulation was not opened with the option check");
@@ -96,7 +96,7 @@ int tsim_has_quit(struct tsim *sim, int *status)
 {
 	int ignored;
 
-	return sim ? ts_script_quit(sim->host_data, status ? status : &ignored) : 0;
+	return sim ? ts_script_quit(sim->script_api_data, status ? status : &ignored) : 0;
 }
 
 void tsim_stop(struct tsim *sim)

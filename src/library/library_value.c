@@ -20,7 +20,7 @@ int tsim_value(struct tsim *sim, const char *formula, double *out)
 	TS_LIBRARY_NEEDS(sim, sim);
 	TS_LIBRARY_NEEDS(sim, formula);
 	TS_LIBRARY_NEEDS(sim, out);
-	return ts_library_settle(sim, ts_script_value(sim->host_data, formula, out));
+	return ts_library_settle(sim, ts_script_value(sim->script_api_data, formula, out));
 }
 
 static enum ts_status whole_output(struct tsim *sim, struct ts_instance *inst, enum ts_shape shape,
@@ -64,7 +64,7 @@ static enum ts_status evaluate(struct tsim *sim, const char *name, enum tsim_sha
 	if (shape == TSIM_SCALAR) {
 		if (ts_table_resize(out, 1, 1) != TS_OK)
 			return ts_nomem(&sim->error);
-		return ts_script_value(sim->host_data, name, out->data);
+		return ts_script_value(sim->script_api_data, name, out->data);
 	}
 	if (shape == TSIM_PER_PARTICLE && ts_quantity_has(sim, name))
 		return ts_quantity_eval(sim, name, out);
@@ -164,7 +164,7 @@ int tsim_variable(struct tsim *sim, const char *name, const char *value)
 	enum ts_status status = before_change(sim);
 
 	if (status == TS_OK)
-		status = ts_script_set(sim->host_data, name, &value, 1, "variable");
+		status = ts_script_set(sim->script_api_data, name, &value, 1, "variable");
 	return ts_library_settle(sim, status);
 }
 
@@ -172,7 +172,7 @@ static enum ts_status define(struct tsim *sim, const char *name, const char *sty
 			     const char *value)
 {
 	TS_TRY(before_change(sim));
-	return ts_script_define(sim->host_data, name, style, value);
+	return ts_script_define(sim->script_api_data, name, style, value);
 }
 
 int tsim_variable_set(struct tsim *sim, const char *name, const char *style, const char *value)
@@ -210,7 +210,7 @@ int tsim_variable_text(struct tsim *sim, const char *name, char *out, size_t roo
 
 	ts_str_addf(&wanted, "${%s}", name);
 	status = wanted.failed ? ts_nomem(&sim->error)
-			       : sim->host->substitute(sim->host_data, ts_str_text(&wanted), NULL,
+			       : sim->script_api->substitute(sim->script_api_data, ts_str_text(&wanted), NULL,
 						       &text);
 	if (status == TS_OK && text.failed)
 		status = ts_nomem(&sim->error);
@@ -223,5 +223,5 @@ int tsim_variable_text(struct tsim *sim, const char *name, char *out, size_t roo
 
 const char *tsim_variable_name(struct tsim *sim, size_t k)
 {
-	return sim ? ts_script_variable(sim->host_data, k) : NULL;
+	return sim ? ts_script_variable(sim->script_api_data, k) : NULL;
 }

@@ -1,14 +1,14 @@
 #include "limits/limits_system.h"
 
 #include "limits/network.h"
-#include "limits/pace.h"
+#include "limits/tunnelling.h"
 #include "neigh/neigh.h"
 
 #include "base/banned.h"
 
 static void connect_limits(struct tsim *sim)
 {
-	sim->neigh->ask.hits = ts_pace_hits;
+	sim->neigh->ask.hits = ts_tunnelling_hits;
 	sim->neigh->ask.network = ts_network_report;
 }
 

@@ -5,7 +5,7 @@
  *
  * (W. N. Anderson, T. D. Morley, Linear Multilinear Algebra 18 (1985) 141). So it is enough to look at a few places: about
  * the bodies with the largest s the modes of those MOST bodies that are nearest, by contacts, are found with the
- * others held (limits/linkage.h). */
+ * others held (limits/lanczos.h). */
 #include "limits/network.h"
 
 #include <math.h>
@@ -14,9 +14,9 @@
 #include "base/parallel.h"
 #include "bond/bonds.h"
 #include "contact/limits.h"
-#include "limits/linkage.h"
+#include "limits/lanczos.h"
 #include "wall/wall.h"
-#include "particle/body.h"
+#include "particle/sphere_shape.h"
 #include "particle/prescribed.h"
 #include "box/domain.h"
 #include "rigid/rigid.h"
@@ -38,7 +38,7 @@ struct network {
 	int n;
 	uint32_t moving, prescribed; /* groups that integrators move, and those that go as they are told */
 	bool turns; /* contacts turn particles */
-	struct ts_linkage linkage;
+	struct ts_lanczos linkage;
 };
 
 /* ---- nodes ---- */
@@ -105,11 +105,11 @@ static void arm_to(const struct network *w, size_t i, double arm[3])
 	ts_rotate(m, p->body_x[local_of(p, i)], arm);
 }
 
-static struct ts_linkage_body body_of(const struct network *w, size_t node)
+static struct ts_lanczos_body body_of(const struct network *w, size_t node)
 {
 	const struct tsim *sim = w->sim;
 	const struct ts_particles *p = sim->particles;
-	struct ts_linkage_body b = { 0 };
+	struct ts_lanczos_body b = { 0 };
 	double m[3][3];
 
 	if (node < p->n) {
@@ -136,7 +136,7 @@ static struct ts_linkage_body body_of(const struct network *w, size_t node)
 static bool row_case(const struct network *w, size_t r, struct ts_contact_case *c, double n[3])
 {
 	const struct ts_particles *p = w->sim->particles;
-	const struct ts_rows *rows = &w->sim->neigh->rows;
+	const struct ts_contact_list *rows = &w->sim->neigh->rows;
 	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
 	double sum = p->radius[i] + p->radius[j], distance;
 
@@ -239,7 +239,7 @@ static void score_walls(struct network *w)
 /* Of the two rows of a pair across a periodic face each counts on its own side. */
 static void score_rows(struct network *w)
 {
-	const struct ts_rows *rows = &w->sim->neigh->rows;
+	const struct ts_contact_list *rows = &w->sim->neigh->rows;
 	size_t n = w->sim->particles->n;
 
 	for (size_t r = 0; w->pair && r < rows->n; r++) {
@@ -276,7 +276,7 @@ static void take_node(struct network *w, size_t node)
 
 static void take_partners(struct network *w, size_t i)
 {
-	const struct ts_rows *rows = &w->sim->neigh->rows;
+	const struct ts_contact_list *rows = &w->sim->neigh->rows;
 	const struct ts_bonds *bonds = w->sim->bonds;
 
 	for (size_t e = w->pair ? rows->gather.first[i] : 0; w->pair && e < rows->gather.first[i + 1]; e++) {
@@ -294,7 +294,7 @@ static void take_partners(struct network *w, size_t i)
 
 static enum ts_status add_link(struct network *w, struct ts_link link)
 {
-	struct ts_linkage *m = &w->linkage;
+	struct ts_lanczos *m = &w->linkage;
 
 	if (TS_GROW(m->link, m->link_capacity, m->nlinks + 1) != TS_OK)
 		return ts_nomem(&w->sim->error);
@@ -331,7 +331,7 @@ static void take_law(const struct network *w, const struct ts_contact_case *c, s
 
 static enum ts_status add_row(struct network *w, int a, size_t i, uint32_t entry)
 {
-	const struct ts_rows *rows = &w->sim->neigh->rows;
+	const struct ts_contact_list *rows = &w->sim->neigh->rows;
 	const struct ts_particles *p = w->sim->particles;
 	size_t r = entry >> 1, j = (size_t)(entry & 1 ? rows->i[r] : rows->j[r]);
 	struct ts_link link = { .a = a, .b = w->place[node_of(w, j)] - 1 };
@@ -403,9 +403,9 @@ static enum ts_status add_member(struct network *w, int a, size_t i)
 /* Those about the node: it, its partners, theirs ... */
 static enum ts_status gather_place(struct network *w, size_t node)
 {
-	struct ts_linkage *m = &w->linkage;
+	struct ts_lanczos *m = &w->linkage;
 
-	ts_linkage_clear(m);
+	ts_lanczos_clear(m);
 	for (w->n = 0, take_node(w, node); m->nbodies < (size_t)w->n; m->nbodies++) {
 		size_t n;
 		const int32_t *member = members_of(w, &w->list[m->nbodies], &n);
@@ -432,7 +432,7 @@ static enum ts_status gather_place(struct network *w, size_t node)
  * it stiffens or resists rolling. */
 static bool tells_more(const struct network *w, bool slip)
 {
-	const struct ts_linkage *l = &w->linkage;
+	const struct ts_lanczos *l = &w->linkage;
 	bool joined[MOST] = { false };
 
 	for (size_t k = 0; k < l->nlinks; k++) {
@@ -453,7 +453,7 @@ static enum ts_status report_place(struct network *w, struct ts_plan_report *rep
 
 	if (!tells_more(w, slip))
 		return TS_OK;
-	if (ts_linkage_limit(&w->linkage, slip, w->sim->clock.dt, &limit, &worst) != TS_OK)
+	if (ts_lanczos_limit(&w->linkage, slip, w->sim->clock.dt, &limit, &worst) != TS_OK)
 		return ts_nomem(&w->sim->error);
 	i = (size_t)*members_of(w, &w->list[worst], &n);
 	for (size_t k = 0; k < w->linkage.nlinks; k++)
@@ -530,7 +530,7 @@ enum ts_status ts_network_report(struct ts_plan_report *report, struct tsim *sim
 	status = find(&w);
 	if (status == TS_OK)
 		status = look(&w, report);
-	ts_linkage_release(&w.linkage);
+	ts_lanczos_release(&w.linkage);
 	ts_free(w.k);
 	ts_free(w.score);
 	ts_free(w.place);

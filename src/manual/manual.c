@@ -2,8 +2,8 @@
 
 #include <string.h>
 
-#include "core/known.h"
 #include "core/sim.h"
+#include "core/unsupported_names.h"
 #include "manual/help.h"
 #include "manual/topics.h"
 #include "script/expr.h"
@@ -62,7 +62,7 @@ static void find_words(const struct ts_tables *tables, const char *name, struct 
 	for (const struct ts_variable_style *const *v = ts_variable_styles; *v; v++)
 		if (ts_streq((*v)->name, name))
 			ts_topic_entry((*v)->name, NULL, (*v)->help, "style of variables", false, out);
-	for (const struct ts_known *w = ts_known_table; w->name; w++)
+	for (const struct ts_unsupported *w = ts_unsupported_table; w->name; w++)
 		if (ts_glob(w->name, name))
 			ts_str_addf(out, "  %s %s of LIGGGHTS or LAMMPS: %s\n", ts_kind_name(w->kind),
 				    name, w->remark);
@@ -106,7 +106,7 @@ static void suggest(const struct ts_tables *tables, const char *name, const char
 /* A style of a kind: its page, or why there is none. */
 static bool find_style(const struct ts_tables *tables, const char *name, enum ts_kind kind, struct ts_str *out)
 {
-	const struct ts_known *known = ts_known_find(kind, name);
+	const struct ts_unsupported *known = ts_unsupported_find(kind, name);
 
 	find_pages(tables, name, &kind, out);
 	if (!out->length && known)

@@ -3,14 +3,14 @@
 #include "base/banned.h"
 
 #define NAME(name, text) text,
-const char *const ts_tally_names[] = { TS_TALLY_LIST(NAME) NULL };
+const char *const ts_reduction_names[] = { TS_REDUCTION_LIST(NAME) NULL };
 #undef NAME
 
-void ts_tally_add(struct ts_tally *tally, enum ts_tally_mode mode, double value)
+void ts_reduction_add(struct ts_reduction *tally, enum ts_reduction_mode mode, double value)
 {
-	if (mode == TS_TALLY_SUMSQ || mode == TS_TALLY_AVESQ)
+	if (mode == TS_REDUCTION_SUMSQ || mode == TS_REDUCTION_AVESQ)
 		value *= value;
-	if (mode >= TS_TALLY_SUMABS)
+	if (mode >= TS_REDUCTION_SUMABS)
 		value = fabs(value);
 	ts_exactsum_add(&tally->sum, value);
 	tally->least = fmin(tally->least, value);
@@ -18,20 +18,20 @@ void ts_tally_add(struct ts_tally *tally, enum ts_tally_mode mode, double value)
 	tally->n++;
 }
 
-double ts_tally_value(const struct ts_tally *tally, enum ts_tally_mode mode)
+double ts_reduction_value(const struct ts_reduction *tally, enum ts_reduction_mode mode)
 {
 	if (tally->n == 0)
 		return 0;
 	switch (mode) {
-	case TS_TALLY_MIN:
-	case TS_TALLY_MINABS:
+	case TS_REDUCTION_MIN:
+	case TS_REDUCTION_MINABS:
 		return tally->least;
-	case TS_TALLY_MAX:
-	case TS_TALLY_MAXABS:
+	case TS_REDUCTION_MAX:
+	case TS_REDUCTION_MAXABS:
 		return tally->most;
-	case TS_TALLY_AVE:
-	case TS_TALLY_AVESQ:
-	case TS_TALLY_AVEABS:
+	case TS_REDUCTION_AVE:
+	case TS_REDUCTION_AVESQ:
+	case TS_REDUCTION_AVEABS:
 		return ts_exactsum_value(&tally->sum) / (double)tally->n;
 	default:
 		return ts_exactsum_value(&tally->sum);

@@ -6,7 +6,7 @@
 
 #include "math/exactsum.h"
 
-#define TS_TALLY_LIST(X)                                                                           \
+#define TS_REDUCTION_LIST(X)                                                                           \
 	X(SUM, "sum")                                                                              \
 	X(MIN, "min")                                                                              \
 	X(MAX, "max")                                                                              \
@@ -17,24 +17,24 @@
 	X(AVEABS, "aveabs")                                                                        \
 	X(MINABS, "minabs")                                                                        \
 	X(MAXABS, "maxabs")
-#define TS_TALLY_ENUM(name, text) TS_TALLY_##name,
-enum ts_tally_mode { TS_TALLY_LIST(TS_TALLY_ENUM) TS_NTALLY };
-#undef TS_TALLY_ENUM
-extern const char *const ts_tally_names[]; /* for argument rows, closed by NULL */
+#define TS_REDUCTION_ENUM(name, text) TS_REDUCTION_##name,
+enum ts_reduction_mode { TS_REDUCTION_LIST(TS_REDUCTION_ENUM) TS_NREDUCTION };
+#undef TS_REDUCTION_ENUM
+extern const char *const ts_reduction_names[]; /* for argument rows, closed by NULL */
 
-struct ts_tally {
+struct ts_reduction {
 	struct ts_exactsum sum;
 	double least, most;
 	size_t n;
 };
 
-static inline struct ts_tally ts_tally_start(void)
+static inline struct ts_reduction ts_reduction_start(void)
 {
-	return (struct ts_tally){ ts_exactsum_start(), INFINITY, -INFINITY, 0 };
+	return (struct ts_reduction){ ts_exactsum_start(), INFINITY, -INFINITY, 0 };
 }
 
-void ts_tally_add(struct ts_tally *tally, enum ts_tally_mode mode, double value);
+void ts_reduction_add(struct ts_reduction *tally, enum ts_reduction_mode mode, double value);
 /* Of no values: 0. */
-double ts_tally_value(const struct ts_tally *tally, enum ts_tally_mode mode);
+double ts_reduction_value(const struct ts_reduction *tally, enum ts_reduction_mode mode);
 
 #endif

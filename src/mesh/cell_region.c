@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "geom/motion.h"
+#include "math/constants.h"
 #include "mesh/mesh_read.h"
 
 #include "base/banned.h"
@@ -73,7 +74,7 @@ static enum ts_status take(struct ts_instance *self, struct tsim *sim, const str
 	for (int d = 0; d < 3; d++) {
 		turn[d] = ts_motion_none();
 		ts_motion_set_turn(&turn[d], (double[3]){ d == 0, d == 1, d == 2 },
-				   r->angle[d] * TS_REGION_PI / 180);
+				   r->angle[d] * TS_PI / 180);
 		r->lo[d] = INFINITY;
 		r->hi[d] = -INFINITY;
 	}

@@ -249,7 +249,7 @@ static enum ts_status pass(struct state *s, struct tsim *sim, size_t i)
 }
 
 /* On the side where particles that have passed are? `at`: the point of the mesh that is nearest to x. */
-static bool is_outside(const struct state *s, const double x[3], const struct ts_mesh_spot *at)
+static bool is_outside(const struct state *s, const double x[3], const struct ts_mesh_contact_point *at)
 {
 	double towards[3], side;
 
@@ -301,7 +301,7 @@ static enum ts_status look(struct state *s, struct tsim *sim, size_t i)
 	if (ts_mesh_tree_near(&s->tree, &s->surface->mesh, p->x[i], reach, &s->list) != TS_OK)
 		return ts_nomem(&sim->error);
 	for (size_t k = 0; k < s->list.n; k++) {
-		struct ts_mesh_spot at;
+		struct ts_mesh_contact_point at;
 		enum ts_mesh_part part =
 			ts_mesh_nearest(&s->surface->mesh, (size_t)s->list.item[k], p->x[i], &at);
 

@@ -3,11 +3,10 @@
 #include <math.h>
 
 #include "box/domain.h"
+#include "math/constants.h"
 #include "mesh/mesh_motion.h"
 
 #include "base/banned.h"
-
-#define PI 3.14159265358979323846
 
 enum { MOST_TERMS = 30 };
 
@@ -62,7 +61,7 @@ static enum ts_status rotate(struct ts_instance *self, struct tsim *sim, double 
 
 	(void)sim;
 	(void)t;
-	r->spin = 2 * PI / s->period;
+	r->spin = 2 * TS_PI / s->period;
 	return TS_OK;
 }
 
@@ -78,7 +77,7 @@ static enum ts_status rotate_variable(struct ts_instance *self, struct tsim *sim
 static enum ts_status wiggle(struct ts_instance *self, struct tsim *sim, double t, struct rate *r)
 {
 	const struct state *s = self->state;
-	double omega = 2 * PI / s->period;
+	double omega = 2 * TS_PI / s->period;
 
 	(void)sim;
 	ts_scale(omega * cos(omega * t), s->amplitude, r->drift);
@@ -88,10 +87,10 @@ static enum ts_status wiggle(struct ts_instance *self, struct tsim *sim, double 
 static enum ts_status riggle(struct ts_instance *self, struct tsim *sim, double t, struct rate *r)
 {
 	const struct state *s = self->state;
-	double omega = 2 * PI / s->period;
+	double omega = 2 * TS_PI / s->period;
 
 	(void)sim;
-	r->spin = s->swing * PI / 180 * omega * cos(omega * t);
+	r->spin = s->swing * TS_PI / 180 * omega * cos(omega * t);
 	return TS_OK;
 }
 
@@ -172,7 +171,7 @@ static enum ts_status read_terms(struct ts_instance *self, struct tsim *sim)
 		if (!(s->term[k].omega > 0))
 			return ts_fail(&sim->error, TS_RANGE, &s->periods.word[k].place,
 				       "fix move/mesh: a period must be > 0");
-		s->term[k].omega = 2 * PI / s->term[k].omega;
+		s->term[k].omega = 2 * TS_PI / s->term[k].omega;
 	}
 	return TS_OK;
 }

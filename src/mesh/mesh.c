@@ -7,6 +7,7 @@ TS_UNROLLED
 
 #include "base/alloc.h"
 #include "base/four.h"
+#include "math/constants.h"
 #include "math/vec3.h"
 #include "mesh/mesh_links.h"
 
@@ -37,7 +38,7 @@ enum ts_status ts_mesh_build(struct ts_mesh *m, const double (*soup)[3][3], size
 {
 	enum ts_status status = TS_RANGE;
 
-	*m = (struct ts_mesh){ .n = n, .flat = cos(curvature * TS_MESH_PI / 180) };
+	*m = (struct ts_mesh){ .n = n, .flat = cos(curvature * TS_PI / 180) };
 	if (n <= INT32_MAX / 64)
 		status = reserve(m);
 	if (status == TS_OK) {
@@ -100,8 +101,8 @@ TS_INLINE double reach_of(const double x[9], const double centre[3])
 
 /* What a mesh knows of some triangles, in columns. */
 struct columns {
-	double x[9][TS_COLUMN], along[9][TS_COLUMN], length[3][TS_COLUMN], normal[3][TS_COLUMN], centre[3][TS_COLUMN];
-	double area[TS_COLUMN], reach[TS_COLUMN];
+	double x[9][TS_BATCH], along[9][TS_BATCH], length[3][TS_BATCH], normal[3][TS_BATCH], centre[3][TS_BATCH];
+	double area[TS_BATCH], reach[TS_BATCH];
 };
 
 /* Without branches, so that several triangles are computed at once. */
@@ -155,8 +156,8 @@ TS_CLONES static void some_moved(struct ts_mesh *m, size_t t, size_t n)
 
 void ts_mesh_triangles_moved(struct ts_mesh *m, size_t from, size_t to)
 {
-	for (; from < to; from += TS_COLUMN)
-		some_moved(m, from, to - from < TS_COLUMN ? to - from : TS_COLUMN);
+	for (; from < to; from += TS_BATCH)
+		some_moved(m, from, to - from < TS_BATCH ? to - from : TS_BATCH);
 }
 
 void ts_mesh_moved(struct ts_mesh *m)

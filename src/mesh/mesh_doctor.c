@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/alloc.h"
+#include "math/constants.h"
 #include "math/vec3.h"
 #include "mesh/mesh_cracks.h"
 
@@ -53,7 +54,7 @@ static double smallest_angle(const struct ts_mesh *m, size_t t)
 		ts_cross(back, on, c);
 		smallest = fmin(smallest, atan2(ts_norm(c), -ts_dot(on, back)));
 	}
-	return smallest * (180 / 3.14159265358979323846);
+	return smallest * (180 / TS_PI);
 }
 
 static enum ts_status examine_shape(struct doctor *d, int32_t t)

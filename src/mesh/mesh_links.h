@@ -5,8 +5,6 @@
 #include "geom/box.h"
 #include "mesh/mesh.h"
 
-#define TS_MESH_PI 3.14159265358979323846
-
 /* Fills vertex, neighbour and active of a mesh whose shape is known. `box`: corners that differ by lengths of
  * its periodic dimensions are the same; NULL: they are not. */
 enum ts_status ts_mesh_link(struct ts_mesh *mesh, double precision, const struct ts_box *box);

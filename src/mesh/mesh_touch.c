@@ -20,7 +20,7 @@ static void weights(const struct ts_mesh *m, size_t t, const double arm[3], doub
 	w[0] = 1 - w[1] - w[2];
 }
 
-static void look_from(const double point[3], const double x[3], struct ts_mesh_spot *s)
+static void look_from(const double point[3], const double x[3], struct ts_mesh_contact_point *s)
 {
 	ts_sub(x, point, s->n);
 	s->distance = ts_norm(s->n);
@@ -28,7 +28,7 @@ static void look_from(const double point[3], const double x[3], struct ts_mesh_s
 }
 
 static enum ts_mesh_part at_face(const struct ts_mesh *m, size_t t, const double x[3],
-				 const double arm[3], struct ts_mesh_spot *s)
+				 const double arm[3], struct ts_mesh_contact_point *s)
 {
 	double foot[3] = { x[0], x[1], x[2] };
 
@@ -38,7 +38,7 @@ static enum ts_mesh_part at_face(const struct ts_mesh *m, size_t t, const double
 }
 
 static enum ts_mesh_part at_corner(const struct ts_mesh *m, size_t t, int k, const double x[3],
-				   struct ts_mesh_spot *s)
+				   struct ts_mesh_contact_point *s)
 {
 	if (!ts_mesh_corner_active(m, t, k))
 		return TS_MESH_NOTHING;
@@ -49,7 +49,7 @@ static enum ts_mesh_part at_corner(const struct ts_mesh *m, size_t t, int k, con
 }
 
 static enum ts_mesh_part at_edge(const struct ts_mesh *m, size_t t, int k, const double x[3],
-				 struct ts_mesh_spot *s)
+				 struct ts_mesh_contact_point *s)
 {
 	const double *along = m->along[t][k];
 	double length = m->length[t][k], tolerance = ts_mesh_tolerance(m, t), arm[3], way, point[3];
@@ -74,7 +74,7 @@ static enum ts_mesh_part at_edge(const struct ts_mesh *m, size_t t, int k, const
 /* Beyond both edges of a corner; if its angle is obtuse the nearest point may still be in one of them. LIGGGHTS
  * looks for it at the last corner of a triangle only: where the corner is not active, a contact ends there. */
 static enum ts_mesh_part beyond_corner(const struct ts_mesh *m, size_t t, int k, const double x[3],
-				       struct ts_mesh_spot *s)
+				       struct ts_mesh_contact_point *s)
 {
 	int before = (k + 2) % 3;
 	double arm[3];
@@ -90,7 +90,7 @@ static enum ts_mesh_part beyond_corner(const struct ts_mesh *m, size_t t, int k,
 }
 
 enum ts_mesh_part ts_mesh_nearest(const struct ts_mesh *m, size_t t, const double x[3],
-				  struct ts_mesh_spot *s)
+				  struct ts_mesh_contact_point *s)
 {
 	double arm[3], least = -ts_mesh_tolerance(m, t) / (2 * m->reach[t]);
 	int inside = 0, negative = 0;

@@ -11,7 +11,7 @@ enum ts_mesh_part {
 	TS_MESH_CORNER
 };
 
-struct ts_mesh_spot {
+struct ts_mesh_contact_point {
 	double weight[3]; /* of the corners: the point is the sum of weight[k] * corner k */
 	double n[3];	  /* unit vector from the point to x; 0 if they coincide */
 	double distance;
@@ -26,6 +26,6 @@ static inline double ts_mesh_tolerance(const struct ts_mesh *mesh, size_t t)
 
 /* The point of the triangle nearest to x. */
 enum ts_mesh_part ts_mesh_nearest(const struct ts_mesh *mesh, size_t t, const double x[3],
-				  struct ts_mesh_spot *spot);
+				  struct ts_mesh_contact_point *spot);
 
 #endif

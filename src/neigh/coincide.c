@@ -25,7 +25,7 @@ static bool held(const struct ts_particles *p, size_t i, uint32_t prescribed)
 
 /* Whether row a comes before row b by identities: what is told must not depend on the order in
  * memory. */
-static bool before(const struct ts_rows *rows, size_t a, size_t b)
+static bool before(const struct ts_contact_list *rows, size_t a, size_t b)
 {
 	int32_t p[2], q[2];
 
@@ -40,7 +40,7 @@ static bool before(const struct ts_rows *rows, size_t a, size_t b)
 	return p[0] != q[0] ? p[0] < q[0] : p[1] < q[1];
 }
 
-enum ts_status ts_coincide_rows(struct tsim *sim, const struct ts_rows *rows)
+enum ts_status ts_coincide_rows(struct tsim *sim, const struct ts_contact_list *rows)
 {
 	const struct ts_particles *p = sim->particles;
 	const uint32_t prescribed = ts_prescribed(sim);

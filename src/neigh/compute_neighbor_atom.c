@@ -1,5 +1,5 @@
 /* Compute: how many neighbours each particle has. */
-#include "contact/contact_list.h"
+#include "contact/contact_view.h"
 #include "neigh/neigh.h"
 
 #include "base/banned.h"
@@ -19,7 +19,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 static enum ts_status eval(struct ts_instance *self, const struct tsim *sim, struct ts_table *out)
 {
 	const struct ts_particles *p = sim->particles;
-	const struct ts_rows *rows = &sim->neigh->rows;
+	const struct ts_contact_list *rows = &sim->neigh->rows;
 
 	TS_TRY(ts_contacts_require(((const struct state *)self->state)->sim, self));
 	TS_TRY(ts_table_resize(out, p->n, 1));

@@ -1,6 +1,7 @@
 /* Compute: radial distribution of pairs. */
 #include "box/domain.h"
 #include "geom/pairs.h"
+#include "math/constants.h"
 #include "particle/particles.h"
 
 #include <math.h>
@@ -100,14 +101,13 @@ static void populations(const struct ts_instance *self, const struct ts_particle
 /* Part of the box between two radii. */
 static double shell(const struct tsim *sim, double inner, double outer)
 {
-	const double pi = 3.14159265358979323846;
 	double box = 1;
 
 	for (int d = 0; d < sim->dimension; d++)
 		box *= ts_box_length(&sim->domain->box, d);
 	if (sim->dimension == 2)
-		return pi * (outer * outer - inner * inner) / box;
-	return 4 * pi / 3 * (outer * outer * outer - inner * inner * inner) / box;
+		return TS_PI * (outer * outer - inner * inner) / box;
+	return 4 * TS_PI / 3 * (outer * outer * outer - inner * inner * inner) / box;
 }
 
 static void fill(const struct ts_instance *self, const struct tsim *sim, double cutoff,

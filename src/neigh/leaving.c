@@ -62,7 +62,7 @@ void ts_leaving_watch(struct tsim *sim, long *moved)
 	struct watch w = { sim->particles, half * half, moved };
 
 	if (ts_leaving_apart(sim) && sim->neigh->built_skin > sim->neigh->given_skin)
-		TS_SWEEP_ADD(sim, sim->particles->n, share, &w);
+		TS_DEFER_LOOP(sim, sim->particles->n, share, &w);
 }
 
 /* Of each look some is lost, as it comes in the step after half the skin has been passed; from one to the next there is

@@ -12,7 +12,7 @@ bool ts_leaving_apart(const struct tsim *sim);
 
 /* With a rebuild the watch begins anew. */
 void ts_leaving_hold(struct tsim *sim);
-/* Adds a pass (core/sweep.h) that counts particles which have moved half the skin given. */
+/* Adds a pass (core/deferred_loops.h) that counts particles which have moved half the skin given. */
 void ts_leaving_watch(struct tsim *sim, long *moved);
 /* The skin, for one that is wanted larger than given, in which whole numbers of looks have room. */
 double ts_leaving_skin(double given, double wanted);

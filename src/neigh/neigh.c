@@ -7,14 +7,14 @@
 #include "base/clones.h"
 #include "base/parallel.h"
 #include "box/domain.h"
+#include "core/deferred_loops.h"
 #include "core/report.h"
 #include "core/settings.h"
-#include "core/sweep.h"
 #include "math/vec3.h"
+#include "neigh/active_pairs.h"
+#include "neigh/contact_memory.h"
 #include "neigh/leaving.h"
 #include "neigh/order.h"
-#include "neigh/row_memory.h"
-#include "neigh/row_near.h"
 #include "particle/exchange.h"
 #include "particle/particles.h"
 #include "rigid/rigid.h"
@@ -23,7 +23,7 @@
 
 static void describe_contacts(struct tsim *sim, size_t i, struct ts_str *out)
 {
-	const struct ts_rows *rows = &sim->neigh->rows;
+	const struct ts_contact_list *rows = &sim->neigh->rows;
 	const struct ts_particles *p = sim->particles;
 
 	for (size_t r = 0; r < rows->n; r++) {
@@ -33,7 +33,7 @@ static void describe_contacts(struct tsim *sim, size_t i, struct ts_str *out)
 			continue;
 		ts_str_addf(out, "%sparticle %d", out->length ? ", " : "", rows->tag[is_i ? 1 : 0][r]);
 		if (rows->results == TS_RESULTS_KEPT)
-			ts_str_addf(out, " (force %g)", ts_norm(ts_row_force(rows, r)));
+			ts_str_addf(out, " (force %g)", ts_norm(ts_contact_force(rows, r)));
 	}
 }
 
@@ -161,10 +161,10 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 
 	ts_exchange_limits(sim, limits.lo, limits.hi);
 	sim->rebuild |= nb->stale;
-	TS_SWEEP_ADD(sim, p->n, check_share, &limits);
-	ts_rows_place_locals(sim, &sim->neigh->rows);
+	TS_DEFER_LOOP(sim, p->n, check_share, &limits);
+	ts_contact_list_locate_locals(sim, &sim->neigh->rows);
 	ts_leaving_watch(sim, &moved);
-	ts_sweep(sim);
+	ts_run_deferred_loops(sim);
 	sim->rebuild |= moved && ts_leaving_due(sim);
 	if (!beyond)
 		return TS_OK;
@@ -260,10 +260,10 @@ static enum ts_status build(struct ts_instance *self, struct tsim *sim)
 	nb->stale &= sim->resuming; /* a run that goes on rebuilds where the whole would */
 	if (!nb->wanted)
 		return TS_OK;
-	TS_TRY(ts_rows_build(sim, &nb->rows, nb->built_skin + reach, ts_neigh_excluded(sim)));
+	TS_TRY(ts_contact_list_build(sim, &nb->rows, nb->built_skin + reach, ts_neigh_excluded(sim)));
 	if (nb->saved.n && nb->saved.width == nb->rows.history_width)
-		TS_TRY(ts_row_history_give(sim, &nb->saved, &nb->rows));
-	ts_row_history_release(&nb->saved);
+		TS_TRY(ts_contact_history_give(sim, &nb->saved, &nb->rows));
+	ts_contact_history_release(&nb->saved);
 	return TS_OK;
 }
 
@@ -300,13 +300,13 @@ static enum ts_status forward(struct ts_instance *self, struct tsim *sim)
 static enum ts_status clear_forces(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_particles *p = sim->particles;
-	struct ts_rows *rows = &sim->neigh->rows;
+	struct ts_contact_list *rows = &sim->neigh->rows;
 
 	(void)self;
 	sim->complete = shows(sim);
-	sim->neigh->follower = NULL; /* who wants to says so in each step */
+	sim->neigh->fused_pass = NULL; /* who wants to says so in each step */
 	if (sim->outside) { /* the program around may do anything */
-		ts_rows_settle(sim, rows);
+		ts_contacts_store_history(sim, rows);
 		rows->looked = rows->placed = false;
 	}
 	rows->sets = sim->neigh->rows_first && rows->n;
@@ -367,7 +367,7 @@ static bool exclusions_possible(const struct ts_neigh *nb)
 static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *a)
 {
 	struct ts_neigh *nb = self->state;
-	struct ts_row_history h = { 0 };
+	struct ts_contact_history h = { 0 };
 	enum ts_status status;
 
 	TS_TRY(archive_bonded(nb, a));
@@ -377,10 +377,10 @@ static enum ts_status archive(struct ts_instance *self, struct tsim *sim, struct
 	if (!exclusions_possible(nb))
 		return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible exclusions of neighbors");
 	if (!ts_archive_writing(a) || nb->saved.n)
-		return ts_row_history_archive(a, sim, &nb->saved);
-	TS_TRY(ts_row_history_take(sim, &nb->rows, true, &h));
-	status = ts_row_history_archive(a, sim, &h);
-	ts_row_history_release(&h);
+		return ts_contact_history_archive(a, sim, &nb->saved);
+	TS_TRY(ts_contact_history_take(sim, &nb->rows, true, &h));
+	status = ts_contact_history_archive(a, sim, &h);
+	ts_contact_history_release(&h);
 	return status;
 }
 
@@ -435,12 +435,12 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 		ts_report_left_out(report, "contact rows", TS_FULL_ROWS, 0, "no pair_style");
 		return TS_OK;
 	}
-	report->bytes += (double)ts_rows_bytes(&nb->rows);
+	report->bytes += (double)ts_contact_list_bytes(&nb->rows);
 	ts_report_line(
 		report, "contact rows", "%zu within the skin %g (%.1f a particle), %zu bytes each",
 		rows, nb->built_skin,
 		sim->particles->n ? (double)rows / (double)sim->particles->n : 0.0,
-		rows ? ts_rows_bytes(&nb->rows) / rows : 0);
+		rows ? ts_contact_list_bytes(&nb->rows) / rows : 0);
 	if (!nb->rows.history_width)
 		ts_report_left_out(report, "contact history", TS_FULL_HISTORY,
 				   3.0 * sizeof(double) * (double)rows,
@@ -464,8 +464,8 @@ static void fini(struct ts_instance *self)
 {
 	struct ts_neigh *nb = self->state;
 
-	ts_rows_release(&nb->rows);
-	ts_row_history_release(&nb->saved);
+	ts_contact_list_release(&nb->rows);
+	ts_contact_history_release(&nb->saved);
 }
 
 static enum ts_status count_builds(struct tsim *sim, double *out)
@@ -521,7 +521,7 @@ const struct ts_system_style ts_neigh_system = {
 			     [TS_STAGE_BUILD] = build,
 			     [TS_STAGE_FORWARD] = forward,
 			     [TS_STAGE_PRE_FORCE] = clear_forces },
-		   .waits = TS_WAITS(CHECK),
+		   .defers = TS_DEFERS(CHECK),
 		   .plan = plan,
 		   .fini = fini },
 	.slot = offsetof(struct tsim, neigh),

@@ -4,8 +4,8 @@
 #ifndef TS_NEIGH_NEIGH_H
 #define TS_NEIGH_NEIGH_H
 
-#include "neigh/row_history.h"
-#include "neigh/rows.h"
+#include "neigh/contact_history.h"
+#include "neigh/contact_list.h"
 
 enum { TS_MAX_EXCLUDE = 16 };
 
@@ -17,7 +17,7 @@ struct ts_exclude {
 	int32_t a, b; /* types or group bits */
 };
 
-struct ts_row_follower;
+struct ts_fused_pass;
 struct ts_multicontact;
 struct ts_multicontact_walls;
 
@@ -56,11 +56,11 @@ struct ts_neigh {
 	bool skin_counts;   /* an output depends on the skin: it is the one given */
 	bool shown;	    /* an output may look at the forces of contacts at any step: they are kept */
 	int64_t show_every; /* at these steps too; 0: none */
-	struct ts_rows rows;
+	struct ts_contact_list rows;
 	struct ts_multicontact *multicontact; /* how contacts of one grain act on each other; NULL: not at all */
 	const struct ts_multicontact_walls *multicontact_walls; /* the part of walls in it; set by their system */
-	struct ts_row_follower *follower; /* of the forces of this step, see row_walk.h; NULL: none */
-	struct ts_row_history saved; /* from a restart file, for the next build */
+	struct ts_fused_pass *fused_pass; /* of the forces of this step, see contact_pass.h; NULL: none */
+	struct ts_contact_history saved; /* from a restart file, for the next build */
 	struct ts_neigh_questions ask;
 };
 

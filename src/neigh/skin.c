@@ -42,7 +42,7 @@ static bool surroundings_move(const struct tsim *sim)
 }
 
 /* Where a particle goes v dt in a step, a rebuild is due after s/2. Rows that do not touch, 10 s/d a particle in a dense
- * bed, are looked at in a part of the steps only, the rarer the slower particles are (see choose_gap in row_near.c):
+ * bed, are looked at in a part of the steps only, the rarer the slower particles are (see choose_inner_skin in active_pairs.c):
  * the sum of rebuilds and looks is least about BEST d (v dt/d)^(1/4), and changes little below. As rows take memory,
  * the skin is smaller than that, sqrt(ROWS v dt d), where rebuilds are seldom, and never more than the one given; but
  * where one would be due every few steps, it is larger. */

@@ -12,11 +12,11 @@
 enum ts_status ts_assign_values(struct tsim *sim, const struct ts_number *number,
 				const struct ts_place *where, struct ts_table *out)
 {
-	const struct ts_host *host = sim->host;
+	const struct ts_script_api *host = sim->script_api;
 	double constant;
 
-	if (number->variable && host->is_peratom(sim->host_data, number->variable))
-		return host->peratom(sim->host_data, number->variable, where, out);
+	if (number->variable && host->is_peratom(sim->script_api_data, number->variable))
+		return host->peratom(sim->script_api_data, number->variable, where, out);
 	TS_TRY(ts_number_now(sim, number, where, &constant));
 	if (ts_table_resize(out, sim->particles->n, 1) != TS_OK)
 		return ts_nomem(&sim->error);
@@ -197,7 +197,7 @@ static enum ts_status read_value(struct tsim *sim, const struct ts_word *word,
 	const char *name = strncmp(word->text, "v_", 2) == 0 ? word->text + 2 : NULL;
 
 	*out = (struct ts_number){ .variable = name };
-	if (name ? sim->host && sim->host->has_variable(sim->host_data, name)
+	if (name ? sim->script_api && sim->script_api->has_variable(sim->script_api_data, name)
 		 : ts_parse_real(word->text, &out->value))
 		return TS_OK;
 	return ts_fail(&sim->error, TS_SYNTAX, &word->place,

@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-#include "particle/body.h"
+#include "particle/sphere_shape.h"
 
 #include "base/banned.h"
 
@@ -27,7 +27,7 @@ static enum ts_status enlarge(struct tsim *sim, struct ts_column *c, size_t rows
 		return ts_nomem(&sim->error);
 	if (c->data)
 		memcpy(data, c->data, rows * c->width * c->element);
-	ts_hold_free(&sim->holds, c->data);
+	ts_shared_buffer_free(&sim->holds, c->data);
 	c->data = data;
 	bind(c);
 	sim->generation++;
@@ -121,8 +121,8 @@ static enum ts_status distribute(struct tsim *sim, const struct ts_column *c, co
 
 	TS_TRY(ts_identities(sim, false, &map));
 	for (size_t k = 0; k < n; k++)
-		if (ts_row_of(&map, tag[k]) >= 0)
-			memcpy(column_row(c, (size_t)ts_row_of(&map, tag[k])), data + k * c->width,
+		if (ts_contact_of(&map, tag[k]) >= 0)
+			memcpy(column_row(c, (size_t)ts_contact_of(&map, tag[k])), data + k * c->width,
 			       c->width * c->element);
 	return TS_OK;
 }
@@ -185,7 +185,7 @@ enum ts_status ts_particles_add(struct tsim *sim, size_t n, size_t *first)
 		p->type[i] = 1;
 		p->mask[i] = 1;
 		p->radius[i] = 0.5;
-		p->mass[i] = ts_body_volume(sim, 0.5);
+		p->mass[i] = ts_particle_volume(sim, 0.5);
 	}
 	p->n += n;
 	if (sim->running) /* inserted, by who looks at overlaps himself */
@@ -238,7 +238,7 @@ enum ts_status ts_particles_reorder(struct tsim *sim, const int32_t *order)
 			return ts_nomem(&sim->error);
 		for (size_t i = 0; i < p->n; i++)
 			memcpy(data + i * row, column_row(c, (size_t)order[i]), row);
-		ts_hold_free(&sim->holds, c->data);
+		ts_shared_buffer_free(&sim->holds, c->data);
 		c->data = data;
 		bind(c);
 	}

@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "box/domain.h"
-#include "core/each.h"
+#include "core/number_or_peratom.h"
 #include "math/rng.h"
 #include "math/vec3.h"
 #include "particle/exchange.h"
@@ -28,16 +28,16 @@ struct state {
 static enum ts_status move(struct tsim *sim, const struct state *s, const struct ts_place *where)
 {
 	struct ts_particles *p = sim->particles;
-	struct ts_each each[3] = { { 0 } };
+	struct ts_number_or_peratom each[3] = { { 0 } };
 	enum ts_status status = TS_OK;
 
 	for (int d = 0; d < 3 && status == TS_OK; d++)
-		status = ts_each_now(sim, &s->shift[d], where, &each[d]);
+		status = ts_number_or_peratom_now(sim, &s->shift[d], where, &each[d]);
 	for (size_t i = 0; i < p->n && status == TS_OK; i++)
 		for (int d = 0; ts_in_group(p, i, s->group) && d < 3; d++)
-			p->x[i][d] += ts_domain_scale(sim, s->units, d) * ts_each_of(&each[d], i);
+			p->x[i][d] += ts_domain_scale(sim, s->units, d) * ts_number_or_peratom_of(&each[d], i);
 	for (int d = 0; d < 3; d++)
-		ts_each_release(&each[d]);
+		ts_number_or_peratom_release(&each[d]);
 	return status;
 }
 

@@ -5,9 +5,9 @@
 
 #include "bond/bonds.h"
 #include "particle/assign_words.h"
-#include "particle/body.h"
 #include "particle/identity.h"
 #include "particle/particles.h"
+#include "particle/sphere_shape.h"
 #include "region/region.h"
 
 #include "base/banned.h"
@@ -79,7 +79,7 @@ static const char *problem(const struct ts_particles *p, int what, double value)
 static void apply(struct tsim *sim, size_t i, int what, double value)
 {
 	struct ts_particles *p = sim->particles;
-	double density = p->mass[i] / ts_body_volume(sim, p->radius[i]);
+	double density = p->mass[i] / ts_particle_volume(sim, p->radius[i]);
 
 	switch (what) {
 	case TO_TYPE:
@@ -87,11 +87,11 @@ static void apply(struct tsim *sim, size_t i, int what, double value)
 		break;
 	case DIAMETER: /* at constant density */
 		p->radius[i] = 0.5 * value;
-		p->mass[i] = density * ts_body_volume(sim, p->radius[i]);
+		p->mass[i] = density * ts_particle_volume(sim, p->radius[i]);
 		break;
 	case DENSITY:
 	case DENSITY_DISC:
-		p->mass[i] = value * ts_body_volume(sim, p->radius[i]);
+		p->mass[i] = value * ts_particle_volume(sim, p->radius[i]);
 		break;
 	case MASS:
 		p->mass[i] = value;
@@ -184,7 +184,7 @@ static enum ts_status set_bond(struct tsim *sim, struct ts_words words, const un
 			       "set: bond takes a type of bonds from 1 to %d", b->ntypes);
 	TS_TRY(ts_identities(sim, false, &map));
 	for (size_t k = *count = 0; k < b->n; k++) {
-		int32_t i = ts_row_of(&map, b->tag[k][0]), j = ts_row_of(&map, b->tag[k][1]);
+		int32_t i = ts_contact_of(&map, b->tag[k][0]), j = ts_contact_of(&map, b->tag[k][1]);
 
 		if (i < 0 || j < 0 || !chosen[i] || !chosen[j])
 			continue;

@@ -166,11 +166,11 @@ static enum ts_status set(struct tsim *sim, const struct state *s, const struct 
 	for (int d = 0; d < 3 && status == TS_OK; d++) {
 		const char *variable = s->value[d].variable;
 		double constant = 0, scale = scale_of(sim, s, d);
-		bool each = variable && sim->host->is_peratom(sim->host_data, variable);
+		bool each = variable && sim->script_api->is_peratom(sim->script_api_data, variable);
 
 		if (s->value[d].null)
 			continue;
-		status = each ? sim->host->peratom(sim->host_data, variable, where, &table)
+		status = each ? sim->script_api->peratom(sim->script_api_data, variable, where, &table)
 			      : ts_number_now(sim, &s->value[d], where, &constant);
 		for (size_t i = 0; i < p->n && status == TS_OK; i++)
 			if (ts_in_group(p, i, s->group))

@@ -29,8 +29,8 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	if (name && strncmp(name, "v_", 2) == 0)
 		s->variable = name += 2;
 	if (name && !sim->unreached &&
-	    !(sim->host && sim->host->has_variable(sim->host_data, name) &&
-	      sim->host->is_peratom(sim->host_data, name)))
+	    !(sim->script_api && sim->script_api->has_variable(sim->script_api_data, name) &&
+	      sim->script_api->is_peratom(sim->script_api_data, name)))
 		return ts_fail(&sim->error, TS_UNKNOWN, ts_instance_word(self, name),
 			       "compute displace/atom: refresh takes an atom-style variable, there is no "
 			       "such variable '%s'",
@@ -52,7 +52,7 @@ static enum ts_status refresh(struct ts_instance *self, struct tsim *sim)
 
 	TS_TRY(new_particles(self, sim));
 	if (s->variable)
-		status = sim->host->peratom(sim->host_data, s->variable, &self->where, &chosen);
+		status = sim->script_api->peratom(sim->script_api_data, s->variable, &self->where, &chosen);
 	for (size_t i = 0; i < sim->particles->n && status == TS_OK; i++)
 		if (!s->variable || chosen.data[i] != 0)
 			place(self, sim, i, ts_reference_of(sim, &s->start, i));

@@ -4,10 +4,10 @@
 #include <math.h>
 
 #include "contact/pair.h"
-#include "core/each.h"
-#include "particle/body.h"
+#include "core/number_or_peratom.h"
 #include "particle/first_size.h"
 #include "particle/particles.h"
+#include "particle/sphere_shape.h"
 
 #include "base/banned.h"
 
@@ -29,7 +29,7 @@ struct state {
 	bool scale, reset, mass;
 	struct change change[MOST];
 	size_t n, column;
-	struct ts_each now;
+	struct ts_number_or_peratom now;
 	double *first; /* saved: coefficients as they were, of all changes */
 	size_t first_n, first_capacity;
 	int64_t applied, epoch; /* saved; the epoch makes forces be computed anew */
@@ -61,10 +61,10 @@ static enum ts_status take_variable(struct ts_instance *self, struct tsim *sim,
 	if (!name)
 		return expected(sim, self, word, "v_NAME");
 	c->value.variable = name;
-	if (sim->host && sim->host->has_variable(sim->host_data, name))
+	if (sim->script_api && sim->script_api->has_variable(sim->script_api_data, name))
 		return TS_OK;
-	if (sim->host)
-		sim->host->suggest_variable(sim->host_data, &suggest);
+	if (sim->script_api)
+		sim->script_api->suggest_variable(sim->script_api_data, &suggest);
 	return ts_missing(&sim->error, "variable", name, &word->place,
 			  "fix adapt: unknown variable '%s'%s", name, ts_suggest_text(&suggest));
 }
@@ -187,16 +187,16 @@ static void set_particle(const struct state *s, struct tsim *sim, size_t i, int 
 {
 	struct ts_particles *p = sim->particles;
 	const double *first = ts_first_size(sim, s->column, i);
-	double volume = ts_body_volume(sim, p->radius[i]);
+	double volume = ts_particle_volume(sim, p->radius[i]);
 
 	if (what == DIAMETER) {
 		p->radius[i] = s->scale ? value * first[TS_FIRST_RADIUS] : 0.5 * value;
 		if (s->mass)
-			p->mass[i] *= ts_body_volume(sim, p->radius[i]) / volume;
+			p->mass[i] *= ts_particle_volume(sim, p->radius[i]) / volume;
 	} else if (what == MASS) {
 		p->mass[i] = s->scale ? value * first[TS_FIRST_MASS] : value;
 	} else {
-		p->mass[i] = s->scale ? value * first[TS_FIRST_MASS] / ts_body_volume(sim, first[TS_FIRST_RADIUS]) *
+		p->mass[i] = s->scale ? value * first[TS_FIRST_MASS] / ts_particle_volume(sim, first[TS_FIRST_RADIUS]) *
 						volume
 				      : value * volume;
 	}
@@ -210,9 +210,9 @@ static enum ts_status change_particles(struct ts_instance *self, struct tsim *si
 	struct state *s = self->state;
 	const struct ts_particles *p = sim->particles;
 
-	TS_TRY(ts_each_now(sim, &c->value, &self->where, &s->now));
+	TS_TRY(ts_number_or_peratom_now(sim, &c->value, &self->where, &s->now));
 	for (size_t i = 0; i < p->n; i++) {
-		double value = ts_each_of(&s->now, i);
+		double value = ts_number_or_peratom_of(&s->now, i);
 
 		if (!ts_in_group(p, i, self->group))
 			continue;
@@ -349,7 +349,7 @@ static void fini(struct ts_instance *self)
 {
 	struct state *s = self->state;
 
-	ts_each_release(&s->now);
+	ts_number_or_peratom_release(&s->now);
 	ts_free(s->first);
 }
 

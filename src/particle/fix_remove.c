@@ -4,7 +4,7 @@
 #include "core/sim.h"
 #include "group/chosen.h"
 #include "math/rng.h"
-#include "particle/body.h"
+#include "particle/sphere_shape.h"
 #include "rigid/rigid.h"
 
 #include "base/banned.h"
@@ -46,11 +46,11 @@ static enum ts_status find_variable(struct ts_instance *self, struct tsim *sim)
 	struct ts_suggest suggest = ts_suggest_start(s->rate_variable);
 
 	s->rate = (struct ts_number){ .variable = s->rate_variable };
-	if (!sim->host || sim->host->has_variable(sim->host_data, s->rate_variable)) {
+	if (!sim->script_api || sim->script_api->has_variable(sim->script_api_data, s->rate_variable)) {
 		s->rate_variable = NULL;
 		return TS_OK;
 	}
-	sim->host->suggest_variable(sim->host_data, &suggest);
+	sim->script_api->suggest_variable(sim->script_api_data, &suggest);
 	return ts_missing(
 		&sim->error, "variable", s->rate_variable, ts_instance_word(self, s->rate_variable),
 		"fix remove: unknown variable '%s'%s", s->rate_variable, ts_suggest_text(&suggest));

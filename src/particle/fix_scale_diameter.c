@@ -2,9 +2,9 @@
 #include <math.h>
 
 #include "core/sim.h"
-#include "particle/body.h"
 #include "particle/first_size.h"
 #include "particle/particles.h"
+#include "particle/sphere_shape.h"
 #include "region/region.h"
 #include "rigid/rigid.h"
 
@@ -58,7 +58,7 @@ static void resize(const struct state *s, struct tsim *sim, size_t i, double f)
 	double volume;
 
 	ts_first_size_note(sim, s->column, i);
-	volume = ts_body_volume(sim, f * first[TS_FIRST_RADIUS]) / ts_body_volume(sim, first[TS_FIRST_RADIUS]);
+	volume = ts_particle_volume(sim, f * first[TS_FIRST_RADIUS]) / ts_particle_volume(sim, first[TS_FIRST_RADIUS]);
 	p->radius[i] = f * first[TS_FIRST_RADIUS];
 	p->mass[i] = f < 1 || f > 1 ? volume * first[TS_FIRST_MASS] : first[TS_FIRST_MASS];
 	if (p->imass[i] > 0)

@@ -68,7 +68,7 @@ static void fini(struct ts_instance *self)
 	struct ts_particles *p = self->state;
 
 	for (size_t k = 0; k < p->ncolumns; k++) {
-		ts_hold_free(p->holds, p->column[k].data);
+		ts_shared_buffer_free(p->holds, p->column[k].data);
 		ts_free(p->column[k].initial);
 	}
 	ts_free(p->column);
@@ -297,7 +297,7 @@ const struct ts_system_style ts_particles_system = {
 		   .hook = { [TS_STAGE_POST_INTEGRATE] = choose_due,
 			     [TS_STAGE_EXCHANGE] = choose_all,
 			     [TS_STAGE_SETUP] = settle },
-		   .waits = TS_WAITS(POST_INTEGRATE),
+		   .defers = TS_DEFERS(POST_INTEGRATE),
 		   .fini = fini },
 	.slot = offsetof(struct tsim, particles),
 	.crowd = ts_particles_crowd,

@@ -65,7 +65,7 @@ struct ts_dynamic_group {
 	const char *region, *variable; /* or NULL */
 };
 
-/* Of rotation; see particle/body.h. */
+/* Of rotation; see particle/sphere_shape.h. */
 enum ts_inertia { TS_INERTIA_BY_DIMENSION, TS_INERTIA_SPHERE, TS_INERTIA_DISC };
 
 struct ts_particles {
@@ -107,7 +107,7 @@ struct ts_particles {
 	int lost_policy; /* enum ts_lost */
 	bool lost_warned;
 
-	struct ts_holds *holds; /* of the simulation: columns that are looked at from outside */
+	struct ts_shared_buffers *holds; /* of the simulation: columns that are looked at from outside */
 	int32_t *map; /* row of tag, and the tags there are with their rows: particle/identity.h */
 	size_t map_capacity;
 	int32_t *by_tag;

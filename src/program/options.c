@@ -95,7 +95,7 @@ static int set_shell(struct tsim *sim, const char *text)
 {
 	if (!ts_streq(text, "yes") && !ts_streq(text, "no"))
 		return ts_usage_error("expected yes or no after -shell, found '%s'%s", text, "");
-	ts_script_allow_programs(sim->host_data, ts_streq(text, "yes"));
+	ts_script_allow_programs(sim->script_api_data, ts_streq(text, "yes"));
 	return 0;
 }
 
@@ -149,7 +149,7 @@ static int set_variable(struct tsim *sim, char *const *value, int n)
 		return ts_usage_error("too many values for variable '%s'%s", value[0], "");
 	for (int k = 1; k < n; k++)
 		list[k - 1] = value[k];
-	if (ts_script_set(sim->host_data, value[0], list, (size_t)n - 1, "-var") == TS_OK)
+	if (ts_script_set(sim->script_api_data, value[0], list, (size_t)n - 1, "-var") == TS_OK)
 		return 0;
 	fputs(tsim_error(sim), stderr);
 	return TS_EXIT_USAGE;
@@ -231,7 +231,7 @@ static int apply(struct tsim *sim, struct ts_setup *setup, enum option_id id, ch
 		return set_full(sim, value, n);
 	case OPT_CHECK:
 		setup->check = true;
-		return ts_script_check(sim->host_data) == TS_OK ? 0 : TS_EXIT_USAGE;
+		return ts_script_check(sim->script_api_data) == TS_OK ? 0 : TS_EXIT_USAGE;
 	case OPT_ADVISE:
 		setup->advised = true;
 		return add_words(&setup->advise, NULL, value, n);

@@ -5,7 +5,7 @@
 
 #include "advise/advise.h"
 #include "base/files.h"
-#include "library/tables.h"
+#include "library/tsim_tables.h"
 #include "manual/help.h"
 #include "crosscheck/crosscheck.h"
 #include "program/program.h"

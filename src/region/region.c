@@ -146,8 +146,8 @@ int ts_region_movers(const struct ts_instance *region, const struct ts_instance 
 	return n;
 }
 
-int ts_region_spots_all(const struct ts_instance *region, const double x[3],
-			struct ts_region_spot *out)
+int ts_region_contact_points_all(const struct ts_instance *region, const double x[3],
+			struct ts_region_contact_point *out)
 {
 	const struct ts_region *r = region->state;
 	double y[3];
@@ -169,13 +169,13 @@ int ts_region_spots_all(const struct ts_instance *region, const double x[3],
 	return n;
 }
 
-int ts_region_spots(const struct ts_instance *region, const double x[3], struct ts_region_spot *out)
+int ts_region_contact_points(const struct ts_instance *region, const double x[3], struct ts_region_contact_point *out)
 {
 	const struct ts_region *r = region->state;
 
 	if (!r->open && !ts_region_contains(region, x))
 		return 0;
-	return ts_region_spots_all(region, x, out);
+	return ts_region_contact_points_all(region, x, out);
 }
 
 bool ts_region_varies(const struct ts_instance *region)

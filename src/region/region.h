@@ -58,7 +58,7 @@ struct ts_region {
 extern const char *const ts_region_sides[], *const ts_region_units[];
 
 /* Where the surface is nearest to a point. */
-struct ts_region_spot {
+struct ts_region_contact_point {
 	double distance, n[3]; /* n: unit vector towards the point; 0 on the surface where none is distinguished */
 	double curvature;      /* mean curvature of the surface, > 0: bulging towards the point */
 	int face;	       /* counted from 0 */
@@ -82,7 +82,7 @@ struct ts_region_style {
 	/* The spots of x on faces that are not open: seen from inside the nearest of each face, from outside
 	 * the nearest of all, with face 0. NULL: not known. */
 	int (*spots)(const struct ts_instance *self, const double x[3], bool inside,
-		     struct ts_region_spot *out);
+		     struct ts_region_contact_point *out);
 	/* Of regions made of others the k-th one, NULL: there are no more. */
 	const struct ts_instance *(*member)(const struct ts_instance *self, int64_t k);
 	/* Evaluates variables of the shape. NULL: nothing to do. */
@@ -103,10 +103,10 @@ double ts_region_volume(const struct ts_instance *region);
 /* The surface of a region as a wall. How many spots a point may have on it; 0: it cannot be a wall. */
 int ts_region_faces(const struct ts_instance *region);
 /* The spots of x on the surface; returns how many. A region without open faces is met from its side only. */
-int ts_region_spots(const struct ts_instance *region, const double x[3], struct ts_region_spot *out);
+int ts_region_contact_points(const struct ts_instance *region, const double x[3], struct ts_region_contact_point *out);
 /* The same from whatever side x is on. */
-int ts_region_spots_all(const struct ts_instance *region, const double x[3],
-			struct ts_region_spot *out);
+int ts_region_contact_points_all(const struct ts_instance *region, const double x[3],
+			struct ts_region_contact_point *out);
 bool ts_region_varies(const struct ts_instance *region);
 /* Whether it may otherwise than by moving. */
 bool ts_region_reshapes(const struct ts_instance *region);
@@ -122,7 +122,6 @@ enum ts_status ts_region_coord(struct ts_instance *self, struct tsim *sim, doubl
 enum ts_status ts_region_length(struct ts_instance *self, struct tsim *sim,
 				const struct ts_number *given, int dim, double *out);
 
-#define TS_REGION_PI 3.14159265358979323846
 extern const char *const ts_region_axes[];
 
 /* Functions of formulas over regions: volume(region). */

@@ -54,7 +54,7 @@ static double depth(const struct ts_instance *self, const double x[3])
 }
 
 /* The faces from within, each with its plane. */
-static int from_within(const struct block *b, const double x[3], struct ts_region_spot *out)
+static int from_within(const struct block *b, const double x[3], struct ts_region_contact_point *out)
 {
 	int n = 0;
 
@@ -63,7 +63,7 @@ static int from_within(const struct block *b, const double x[3], struct ts_regio
 
 		if (b->region.open & 1u << face)
 			continue;
-		out[n] = (struct ts_region_spot){ .face = face };
+		out[n] = (struct ts_region_contact_point){ .face = face };
 		out[n].distance = face % 2 ? b->hi[d] - x[d] : x[d] - b->lo[d];
 		out[n++].n[d] = face % 2 ? -1 : 1;
 	}
@@ -79,7 +79,7 @@ static double nearest_on(const struct block *b, int face, const double x[3], dou
 	return ts_distance2(x, at);
 }
 
-static int from_without(const struct block *b, const double x[3], struct ts_region_spot *out)
+static int from_without(const struct block *b, const double x[3], struct ts_region_contact_point *out)
 {
 	double at[3], d2, least = INFINITY;
 
@@ -90,7 +90,7 @@ static int from_without(const struct block *b, const double x[3], struct ts_regi
 		if (!(d2 < least))
 			continue;
 		least = d2;
-		*out = (struct ts_region_spot){ .distance = sqrt(d2) };
+		*out = (struct ts_region_contact_point){ .distance = sqrt(d2) };
 		for (int d = 0; d < 3 && d2 > 0; d++)
 			out->n[d] = (x[d] - at[d]) / out->distance;
 	}
@@ -98,7 +98,7 @@ static int from_without(const struct block *b, const double x[3], struct ts_regi
 }
 
 static int spots(const struct ts_instance *self, const double x[3], bool inside,
-		 struct ts_region_spot *out)
+		 struct ts_region_contact_point *out)
 {
 	return inside ? from_within(self->state, x, out) : from_without(self->state, x, out);
 }

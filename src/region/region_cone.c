@@ -1,4 +1,5 @@
 /* Region: a truncated cone along an axis. */
+#include "math/constants.h"
 #include "region/region_frustum.h"
 
 #include <math.h>
@@ -69,12 +70,12 @@ static double depth(const struct ts_instance *self, const double x[3])
 }
 
 static int spots(const struct ts_instance *self, const double x[3], bool inside,
-		 struct ts_region_spot *out)
+		 struct ts_region_contact_point *out)
 {
 	const struct cone *z = self->state;
 	struct ts_frustum shape = { z->lo, z->hi, { z->radius[0], z->radius[1] } };
 
-	return ts_region_frustum_spots(&z->region, &shape, z->axis, z->c, z->center, x, inside, out);
+	return ts_region_frustum_contact_points(&z->region, &shape, z->axis, z->c, z->center, x, inside, out);
 }
 
 static void bounds(const struct ts_instance *self, double lo[3], double hi[3])
@@ -96,7 +97,7 @@ static double volume(const struct ts_instance *self)
 	const struct cone *z = self->state;
 	double a = z->radius[0], b = z->radius[1];
 
-	return TS_REGION_PI / 3 * (z->hi - z->lo) * (a * a + a * b + b * b);
+	return TS_PI / 3 * (z->hi - z->lo) * (a * a + a * b + b * b);
 }
 
 static const struct ts_arg args[] = {

@@ -1,4 +1,5 @@
 /* Region: a cylinder along an axis. */
+#include "math/constants.h"
 #include "region/region_frustum.h"
 
 #include "base/banned.h"
@@ -66,12 +67,12 @@ static double radial(const struct ts_instance *self, const double x[3])
 }
 
 static int spots(const struct ts_instance *self, const double x[3], bool inside,
-		 struct ts_region_spot *out)
+		 struct ts_region_contact_point *out)
 {
 	const struct cylinder *z = self->state;
 	struct ts_frustum shape = { z->lo, z->hi, { z->radius, z->radius } };
 
-	return ts_region_frustum_spots(&z->region, &shape, z->axis, z->c, z->center, x, inside, out);
+	return ts_region_frustum_contact_points(&z->region, &shape, z->axis, z->c, z->center, x, inside, out);
 }
 
 static void bounds(const struct ts_instance *self, double lo[3], double hi[3])
@@ -90,7 +91,7 @@ static double volume(const struct ts_instance *self)
 {
 	const struct cylinder *z = self->state;
 
-	return TS_REGION_PI * z->radius * z->radius * (z->hi - z->lo);
+	return TS_PI * z->radius * z->radius * (z->hi - z->lo);
 }
 
 static const struct ts_arg args[] = {

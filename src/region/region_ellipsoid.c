@@ -1,4 +1,5 @@
 /* Region: an ellipsoid with its half axes along x, y and z. */
+#include "math/constants.h"
 #include "region/region.h"
 
 #include "base/banned.h"
@@ -57,7 +58,7 @@ static double volume(const struct ts_instance *self)
 {
 	const struct ellipsoid *e = self->state;
 
-	return 4 * TS_REGION_PI / 3 * e->half[0] * e->half[1] * e->half[2];
+	return 4 * TS_PI / 3 * e->half[0] * e->half[1] * e->half[2];
 }
 
 #define NUMBER(name, k, help_, ...)                                                                \

@@ -4,11 +4,11 @@
 
 #include "base/banned.h"
 
-int ts_region_frustum_spots(const struct ts_region *region, const struct ts_frustum *shape, int axis,
+int ts_region_frustum_contact_points(const struct ts_region *region, const struct ts_frustum *shape, int axis,
 			    const int c[2], const double center[2], const double x[3], bool inside,
-			    struct ts_region_spot *out)
+			    struct ts_region_contact_point *out)
 {
-	struct ts_frustum_spot spot[TS_FRUSTUM_FACES];
+	struct ts_frustum_contact_point spot[TS_FRUSTUM_FACES];
 	double a = x[c[0]] - center[0], b = x[c[1]] - center[1], r = sqrt(a * a + b * b);
 	int n = inside ? ts_frustum_faces(shape, region->open, r, x[axis], spot)
 		       : ts_frustum_nearest(shape, region->open, r, x[axis], spot), kept = 0;
@@ -19,7 +19,7 @@ int ts_region_frustum_spots(const struct ts_region *region, const struct ts_frus
 
 		if (!(r > 0) && dr != 0) /* on the axis: no direction */
 			continue;
-		out[kept] = (struct ts_region_spot){ .distance = d, .face = inside ? (int)spot[k].face : 0 };
+		out[kept] = (struct ts_region_contact_point){ .distance = d, .face = inside ? (int)spot[k].face : 0 };
 		if (curved)
 			out[kept].curvature = (inside ? -0.5 : 0.5) / spot[k].r;
 		if (d > 0) {

@@ -50,13 +50,13 @@ static double depth(const struct ts_instance *self, const double x[3])
 }
 
 static int spots(const struct ts_instance *self, const double x[3], bool inside,
-		 struct ts_region_spot *out)
+		 struct ts_region_contact_point *out)
 {
 	const struct plane *p = self->state;
 
 	if (p->region.open)
 		return 0;
-	*out = (struct ts_region_spot){ .distance = fabs(depth(self, x)) };
+	*out = (struct ts_region_contact_point){ .distance = fabs(depth(self, x)) };
 	ts_scale(inside ? 1 : -1, p->normal, out->n);
 	return 1;
 }

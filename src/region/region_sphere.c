@@ -1,4 +1,5 @@
 /* Region: a ball. */
+#include "math/constants.h"
 #include "region/region.h"
 
 #include <math.h>
@@ -54,7 +55,7 @@ static double radial(const struct ts_instance *self, const double x[3])
 }
 
 static int spots(const struct ts_instance *self, const double x[3], bool inside,
-		 struct ts_region_spot *out)
+		 struct ts_region_contact_point *out)
 {
 	const struct ball *b = self->state;
 	double d[3], r, sign = inside ? -1 : 1;
@@ -63,7 +64,7 @@ static int spots(const struct ts_instance *self, const double x[3], bool inside,
 	r = ts_norm(d);
 	if (b->region.open || !(r > 0) || !(b->radius > 0))
 		return 0;
-	*out = (struct ts_region_spot){ .distance = fabs(r - b->radius),
+	*out = (struct ts_region_contact_point){ .distance = fabs(r - b->radius),
 					.curvature = sign / b->radius };
 	ts_scale(sign / r, d, out->n);
 	return 1;
@@ -83,7 +84,7 @@ static double volume(const struct ts_instance *self)
 {
 	double r = ((const struct ball *)self->state)->radius;
 
-	return 4 * TS_REGION_PI / 3 * r * r * r;
+	return 4 * TS_PI / 3 * r * r * r;
 }
 
 static const struct ts_arg args[] = {

@@ -105,7 +105,7 @@ static const struct ts_instance *member(const struct ts_instance *self, int64_t 
 
 /* A spot of a member bounds the whole where all other members have it, or of a union none. */
 static bool bounds_whole(const struct ts_instance *self, int64_t of, const double x[3],
-			 const struct ts_region_spot *spot)
+			 const struct ts_region_contact_point *spot)
 {
 	const struct state *s = self->state;
 	bool all = wants_all(self);
@@ -120,7 +120,7 @@ static bool bounds_whole(const struct ts_instance *self, int64_t of, const doubl
 }
 
 static int spots(const struct ts_instance *self, const double x[3], bool inside,
-		 struct ts_region_spot *out)
+		 struct ts_region_contact_point *out)
 {
 	const struct state *s = self->state;
 	int n = 0, first = 0;
@@ -130,7 +130,7 @@ static int spots(const struct ts_instance *self, const double x[3], bool inside,
 		const struct ts_region *r = one->state;
 		/* from within the whole only members that have x turn faces to it */
 		bool seen = r->open || ts_region_contains(one, x) == inside;
-		int end = n + (seen ? ts_region_spots_all(one, x, out + n) : 0);
+		int end = n + (seen ? ts_region_contact_points_all(one, x, out + n) : 0);
 
 		for (int at = n; at < end; at++) {
 			if (!bounds_whole(self, k, x, &out[at]))

@@ -1,4 +1,5 @@
 /* Region: a sector of a cylinder. */
+#include "math/constants.h"
 #include "region/region.h"
 
 #include <math.h>
@@ -19,7 +20,7 @@ struct wedge {
 /* (cos, sin) of an angle in degrees; exact for multiples of 90. */
 static void direction(double degrees, double out[2])
 {
-	double quarters = rint(degrees / 90), rest = (degrees - 90 * quarters) * TS_REGION_PI / 180;
+	double quarters = rint(degrees / 90), rest = (degrees - 90 * quarters) * TS_PI / 180;
 	int k = (int)fmod(quarters, 4);
 	double c = cos(rest), s = sin(rest);
 
@@ -140,7 +141,7 @@ static double volume(const struct ts_instance *self)
 {
 	const struct wedge *w = self->state;
 
-	return TS_REGION_PI * w->given.angle / 360 * w->radius * w->radius * (w->hi - w->lo);
+	return TS_PI * w->given.angle / 360 * w->radius * w->radius * (w->hi - w->lo);
 }
 
 static const struct ts_arg args[] = {

@@ -4,9 +4,9 @@
 #include <stdio.h>
 
 #include "box/domain.h"
-#include "particle/body.h"
 #include "particle/identity.h"
 #include "particle/particles.h"
+#include "particle/sphere_shape.h"
 #include "restart/data.h"
 
 #include "base/banned.h"
@@ -65,7 +65,7 @@ static enum ts_status check_atoms(struct tsim *sim, const struct ts_data *data,
 			return refuse(sim, data, a->line,
 				      "type %d with its offset is more than the %d there are",
 				      (int)a->type, ntypes);
-		if (ts_row_of(&map, tag) >= 0)
+		if (ts_contact_of(&map, tag) >= 0)
 			return refuse(sim, data, a->line,
 				      "there is a particle %lld already: use `add append`",
 				      (long long)tag);
@@ -97,7 +97,7 @@ static void place_atom(struct tsim *sim, const struct ts_data *data, const struc
 	p->tag[i] = (int32_t)(a->tag + o->tag_offset);
 	p->type[i] = (int32_t)(a->type + o->type_offset);
 	p->radius[i] = 0.5 * a->diameter;
-	p->mass[i] = data->layout.sized ? a->density * ts_body_volume(sim, p->radius[i])
+	p->mass[i] = data->layout.sized ? a->density * ts_particle_volume(sim, p->radius[i])
 					: data->mass[a->type];
 	p->mask[i] |= 1u << o->group;
 	for (int d = 0; d < 3; d++) {

@@ -4,8 +4,8 @@
 #include <math.h>
 
 #include "box/domain.h"
-#include "particle/body.h"
 #include "particle/identity.h"
+#include "particle/sphere_shape.h"
 #include "particle/user_columns.h"
 
 #include "base/banned.h"
@@ -84,7 +84,7 @@ static void add_atom(struct ts_str *out, const struct tsim *sim, size_t i, bool 
 				add_number(out, p->x[i][d]);
 		} else {
 			add_number(out, 2 * p->radius[i]);
-			add_number(out, density_of(p->mass[i], ts_body_volume(sim, p->radius[i])));
+			add_number(out, density_of(p->mass[i], ts_particle_volume(sim, p->radius[i])));
 		}
 	}
 	if (hybrid) /* every particle is a molecule of its own */

@@ -91,7 +91,7 @@ static enum ts_status match(struct use *u, unsigned char *missing)
 	for (size_t r = 0; r < u->f->n; r++) {
 		double tag = at(u, r, id);
 
-		u->row[r] = tag <= p->max_tag ? ts_row_of(&map, (int32_t)tag) : -1;
+		u->row[r] = tag <= p->max_tag ? ts_contact_of(&map, (int32_t)tag) : -1;
 		if (u->row[r] >= 0)
 			missing[u->row[r]] = 0;
 	}

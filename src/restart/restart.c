@@ -8,8 +8,8 @@
 
 #include "box/domain.h"
 #include "core/group.h"
-#include "core/pending.h"
 #include "core/plan.h"
+#include "core/unclaimed_state.h"
 #include "io/replace.h"
 #include "io/textfile.h"
 #include "particle/particles.h"
@@ -123,7 +123,7 @@ static enum ts_status put_host(struct writer *w)
 
 	if (!archive)
 		return ts_nomem(&sim->error);
-	status = sim->host->archive(sim->host_data, archive);
+	status = sim->script_api->archive(sim->script_api_data, archive);
 	if (status == TS_OK)
 		status = put_section(w, HOST_SECTION, no_names, archive);
 	ts_archive_free(archive);
@@ -156,7 +156,7 @@ static enum ts_status put_instance(struct writer *w, struct ts_instance *inst)
 	if (!archive)
 		return ts_nomem(&w->sim->error);
 	status = inst->style->kind == TS_KIND_SYSTEM ? ts_archive_instance(archive, inst, w->sim)
-						     : ts_pending_write(w->sim, inst, archive);
+						     : ts_unclaimed_write(w->sim, inst, archive);
 	if (status == TS_OK)
 		status = put_section(w, (uint32_t)inst->style->kind + 1, names, archive);
 	ts_archive_free(archive);
@@ -171,7 +171,7 @@ static enum ts_status put_all(struct writer *w)
 	TS_TRY(put(w, MAGIC, MAGIC_LENGTH));
 	TS_TRY(put(w, mark, sizeof mark));
 	TS_TRY(put_clock(w));
-	if (w->sim->host && w->sim->host->archive)
+	if (w->sim->script_api && w->sim->script_api->archive)
 		TS_TRY(put_host(w));
 	for (size_t k = 0; k < sizeof saved_kinds / sizeof *saved_kinds; k++) {
 		struct ts_instances *list = &w->sim->instances[saved_kinds[k]];
@@ -380,8 +380,8 @@ static enum ts_status with_archive(struct reader *r, const struct section *s,
 		status = archive_run_state(archive, clock);
 	else if (status == TS_OK && inst)
 		status = ts_archive_instance(archive, inst, r->sim);
-	else if (status == TS_OK && r->sim->host && r->sim->host->archive)
-		status = r->sim->host->archive(r->sim->host_data, archive);
+	else if (status == TS_OK && r->sim->script_api && r->sim->script_api->archive)
+		status = r->sim->script_api->archive(r->sim->script_api_data, archive);
 	ts_archive_free(archive);
 	return status;
 }
@@ -440,7 +440,7 @@ static enum ts_status restore_section(struct reader *r, const struct section *s)
 	if (s->head.kind == 0 || s->head.kind > TS_NKIND)
 		return refuse(r, "holds the state of an unknown kind of style");
 	if (s->head.kind - 1 != TS_KIND_SYSTEM)
-		return ts_pending_add(r->sim, (enum ts_kind)(s->head.kind - 1), s->name[0],
+		return ts_unclaimed_add(r->sim, (enum ts_kind)(s->head.kind - 1), s->name[0],
 				      s->name[1], s->name[2], s->plain, (size_t)s->head.plain);
 	return restore_system(r, s);
 }
@@ -458,7 +458,7 @@ static void forget(struct tsim *sim)
 {
 	sim->has_box = false;
 	sim->particles->n = 0;
-	ts_pending_free(sim);
+	ts_unclaimed_free(sim);
 }
 
 static enum ts_status read_file(struct reader *r)

@@ -6,7 +6,7 @@
 #include "core/sim.h"
 
 enum ts_status ts_restart_write(struct tsim *sim, const char *path, const struct ts_place *where);
-/* Restores the systems; the state of styles waits in sim->pending until the script defines them
+/* Restores the systems; the state of styles waits in sim->unclaimed until the script defines them
  * again. A damaged file changes nothing. */
 enum ts_status ts_restart_read(struct tsim *sim, const char *path, const struct ts_place *where);
 

@@ -6,7 +6,7 @@
 
 #include "force/gravity.h"
 #include "material/property.h"
-#include "particle/body.h"
+#include "particle/sphere_shape.h"
 #include "rigid/rigid.h"
 #include "wall/wall.h"
 
@@ -69,7 +69,7 @@ static bool untouched(const struct tsim *sim, size_t i)
 	const struct ts_particles *p = sim->particles;
 
 	return !(fabs(p->radius[i] - 0.5) > 0) &&
-	       fabs(p->mass[i] / ts_body_volume(sim, 0.5) - 1) < 1e-12;
+	       fabs(p->mass[i] / ts_particle_volume(sim, 0.5) - 1) < 1e-12;
 }
 
 enum ts_status ts_review_diameter(struct tsim *sim)
@@ -96,7 +96,7 @@ static const double LIGHTEST = 10, HEAVIEST = 30000; /* kg/m3: foam, osmium */
 static bool unlikely(const struct tsim *sim, size_t i)
 {
 	const struct ts_particles *p = sim->particles;
-	double density = p->mass[i] / ts_body_volume(sim, p->radius[i]);
+	double density = p->mass[i] / ts_particle_volume(sim, p->radius[i]);
 
 	return !ts_rigid_member(p, i) && p->imass[i] > 0 && !untouched(sim, i) &&
 	       !(density >= LIGHTEST && density <= HEAVIEST);
@@ -120,7 +120,7 @@ enum ts_status ts_review_density(struct tsim *sim)
 		"%zu of %zu particles have densities that no grain has, the first is particle %d (type %d) with %g "
 		"kg/m3; water has 1000, sand 2650, steel 7850 kg/m3: `set type %d density RHO`",
 		n, p->n, p->tag[first], p->type[first],
-		p->mass[first] / ts_body_volume(sim, p->radius[first]), p->type[first]);
+		p->mass[first] / ts_particle_volume(sim, p->radius[first]), p->type[first]);
 }
 
 /* ---- moduli ---- */

@@ -4,9 +4,9 @@
 #include <math.h>
 
 #include "bond/bonds.h"
-#include "contact/contact_list.h"
+#include "contact/contact_loop.h"
+#include "contact/contact_view.h"
 #include "contact/pair.h"
-#include "contact/row_loop.h"
 #include "law/elastic_energy.h"
 #include "review/touching.h"
 
@@ -46,7 +46,7 @@ static bool settled(const struct ts_particles *p, size_t i, size_t j)
 static void look_at_row(const struct tsim *sim, const struct ts_pair *pair, size_t r,
 			struct ts_review_overlaps *o)
 {
-	const struct ts_rows *rows = &sim->neigh->rows;
+	const struct ts_contact_list *rows = &sim->neigh->rows;
 	const struct ts_particles *p = sim->particles;
 	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
 	const struct ts_granular_model *model = ts_pair_model(pair, p->type[i], p->type[j]);
@@ -60,7 +60,7 @@ static void look_at_row(const struct tsim *sim, const struct ts_pair *pair, size
 	at_rest.rolling = TS_ROLLING_OFF;
 	at_rest.twisting = TS_TWISTING_OFF;
 	at_rest.cohesion = ts_cohesion_bridges(model) ? TS_COHESION_OFF : model->cohesion;
-	ts_row_touch(p, i, j, &at_rest, &t);
+	ts_contact_touch(p, i, j, &at_rest, &t);
 	if (!(t.overlap > ts_review_depth * fmin(t.radius[0], t.radius[1])))
 		return;
 	ts_review_add(o, model, ts_pair_law(pair, p->type[i], p->type[j]), &t);

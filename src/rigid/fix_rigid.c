@@ -1,5 +1,5 @@
 /* Fix: particles as one rigid body, or one per group. */
-#include "core/pending.h"
+#include "core/unclaimed_state.h"
 #include "rigid/rigid.h"
 #include "rigid/rigid_motion.h"
 
@@ -95,7 +95,7 @@ static enum ts_status make_bodies(struct ts_instance *self, struct tsim *sim, co
 	TS_TRY(read_freedom(sim, s->force, 0, body, n));
 	TS_TRY(read_freedom(sim, s->torque, 3, body, n));
 	TS_TRY(ts_rigid_dissolve(sim, owner)); /* of a fix of the same id before this one */
-	if (!sim->pending)
+	if (!sim->unclaimed)
 		TS_TRY(ts_rigid_dissolve_orphans(sim));
 	for (size_t b = 0; b < n; b++) {
 		struct ts_body made;
@@ -139,7 +139,7 @@ static enum ts_status init(struct ts_instance *self, struct tsim *sim)
 	enum ts_status status;
 
 	TS_TRY(groups_of(self, sim, &group, &n));
-	if (s->made || ts_pending_waits(sim, self))
+	if (s->made || ts_unclaimed_waits(sim, self))
 		return TS_OK;
 	body = ts_alloc(n, sizeof *body);
 	row = ts_alloc(sim->particles->n, sizeof *row);

@@ -5,8 +5,8 @@
 
 #include "core/report.h"
 #include "math/rigid_turn.h"
-#include "particle/body.h"
 #include "particle/moments.h"
+#include "particle/sphere_shape.h"
 #include "rigid/rigid_motion.h"
 
 #include "base/banned.h"
@@ -144,7 +144,7 @@ double ts_material_density(const struct tsim *sim, size_t i)
 	const struct ts_particles *p = sim->particles;
 
 	return body && body->density > 0 ? body->density
-					 : p->mass[i] / ts_body_volume(sim, p->radius[i]);
+					 : p->mass[i] / ts_particle_volume(sim, p->radius[i]);
 }
 
 /* By identity, so that sums over members do not depend on their order in memory. */

@@ -3,8 +3,8 @@
 #include "box/domain.h"
 #include "math/rigid_turn.h"
 #include "math/symmetric3.h"
-#include "particle/body.h"
 #include "particle/moments.h"
+#include "particle/sphere_shape.h"
 
 #include "base/banned.h"
 

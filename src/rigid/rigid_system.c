@@ -99,7 +99,7 @@ static enum ts_status initial_integrate(struct ts_instance *self, struct tsim *s
 
 	if (!r->n)
 		return TS_OK;
-	ts_sweep(sim);
+	ts_run_deferred_loops(sim);
 	return each_body(sim, begin_step);
 }
 
@@ -119,7 +119,7 @@ static enum ts_status final_integrate(struct ts_instance *self, struct tsim *sim
 
 	if (!r->n)
 		return TS_OK;
-	ts_sweep(sim);
+	ts_run_deferred_loops(sim);
 	return each_body(sim, end_step);
 }
 
@@ -247,7 +247,7 @@ const struct ts_system_style ts_rigid_system = {
 			     [TS_STAGE_PRE_FORCE] = pre_force,
 			     [TS_STAGE_FINAL_INTEGRATE] = final_integrate,
 			     [TS_STAGE_SETUP] = setup },
-		   .waits = TS_WAITS(INITIAL_INTEGRATE) | TS_WAITS(FINAL_INTEGRATE),
+		   .defers = TS_DEFERS(INITIAL_INTEGRATE) | TS_DEFERS(FINAL_INTEGRATE),
 		   .plan = plan,
 		   .fini = fini },
 	.slot = offsetof(struct tsim, rigid),

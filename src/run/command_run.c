@@ -65,8 +65,8 @@ static enum ts_status run_plan(struct ts_plan *plan, struct tsim *sim, int64_t s
 	sim->clock.first_step = sim->clock.step;
 	sim->clock.last_step = sim->clock.step + steps;
 	sim->unsafe = r->unsafe;
-	if (sim->explain && sim->host)
-		TS_TRY(sim->host->planned(sim->host_data, r->where, steps));
+	if (sim->explain && sim->script_api)
+		TS_TRY(sim->script_api->planned(sim->script_api_data, r->where, steps));
 	TS_TRY(ts_plan_compile(plan, sim));
 	TS_TRY(ts_plan_run(plan, sim, r->pre));
 	steps = sim->clock.step - sim->clock.first_step; /* fix halt may have ended it early */
@@ -101,7 +101,7 @@ static enum ts_status each_piece(struct tsim *sim, int64_t last, const struct ru
 	if (sim->explain) /* the commands once */
 		every = last - sim->clock.step;
 	else
-		TS_TRY(sim->host->reads_commands(sim->host_data, ts_words_from(r->pieces, 1)));
+		TS_TRY(sim->script_api->reads_commands(sim->script_api_data, ts_words_from(r->pieces, 1)));
 	while (left > 0 && !sim->halted) {
 		if (!ts_sim_has_box(sim))
 			return ts_fail(&sim->error, TS_STATE, &word[0].place,
@@ -112,7 +112,7 @@ static enum ts_status each_piece(struct tsim *sim, int64_t last, const struct ru
 		left -= every; /* a command may count the steps anew */
 		for (size_t k = 1; k < r->pieces.n; k++)
 			if (!ts_streq(word[k].text, "NULL"))
-				TS_TRY(sim->host->execute(sim->host_data, word[k].text,
+				TS_TRY(sim->script_api->execute(sim->script_api_data, word[k].text,
 							  &word[k].place));
 	}
 	return TS_OK;
@@ -122,9 +122,9 @@ static enum ts_status run_pieces(struct tsim *sim, int64_t last, const struct ru
 {
 	enum ts_status status;
 
-	sim->host->expects(sim->host_data, ts_words_from(r->pieces, 1));
+	sim->script_api->expects(sim->script_api_data, ts_words_from(r->pieces, 1));
 	status = each_piece(sim, last, r);
-	sim->host->expects(sim->host_data, (struct ts_words){ 0 });
+	sim->script_api->expects(sim->script_api_data, (struct ts_words){ 0 });
 	return status;
 }
 

@@ -8,7 +8,7 @@
 #include "base/clock.h"
 #include "bond/bonds.h"
 #include "box/domain.h"
-#include "core/each.h"
+#include "core/number_or_peratom.h"
 #include "neigh/neigh.h"
 #include "particle/identity.h"
 #include "particle/particles.h"
@@ -41,8 +41,8 @@ static enum ts_status longest_bond(struct ts_instance *self, struct tsim *sim, d
 	*out = 0;
 	TS_TRY(ts_identities(sim, false, &map));
 	for (size_t b = 0; b < bonds->n; b++) {
-		const double *x = p->x[ts_row_of(&map, bonds->tag[b][0])];
-		const double *y = p->x[ts_row_of(&map, bonds->tag[b][1])];
+		const double *x = p->x[ts_contact_of(&map, bonds->tag[b][0])];
+		const double *y = p->x[ts_contact_of(&map, bonds->tag[b][1])];
 		double d[3] = { x[0] - y[0], x[1] - y[1], x[2] - y[2] };
 
 		ts_box_nearest(&sim->domain->box, d);
@@ -92,9 +92,9 @@ static enum ts_status use_variable(struct ts_instance *self, struct tsim *sim, c
 	struct state *s = self->state;
 	struct ts_suggest suggest = ts_suggest_start(name);
 
-	if (!sim->host || !sim->host->has_variable(sim->host_data, name)) {
-		if (sim->host)
-			sim->host->suggest_variable(sim->host_data, &suggest);
+	if (!sim->script_api || !sim->script_api->has_variable(sim->script_api_data, name)) {
+		if (sim->script_api)
+			sim->script_api->suggest_variable(sim->script_api_data, &suggest);
 		return ts_missing(&sim->error, "variable", name, &self->where,
 				  "fix halt: unknown variable '%s'%s", name, ts_suggest_text(&suggest));
 	}

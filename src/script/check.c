@@ -169,7 +169,7 @@ enum ts_status ts_check_keep_error(struct ts_script *script, const char *remark)
 	return TS_OK;
 }
 
-enum ts_status ts_check_pardon(struct ts_script *script, enum ts_status status)
+enum ts_status ts_check_defer_error(struct ts_script *script, enum ts_status status)
 {
 	const struct ts_error *error = &script->sim->error;
 
@@ -275,7 +275,7 @@ enum ts_status ts_check_recover(struct ts_script *script, const struct ts_line *
 	if (error->status == TS_OK)
 		ts_fail(error, status, line->rows ? &line->row[0] : NULL, "%s",
 			ts_status_text(status));
-	status = ts_check_pardon(script, error->status);
+	status = ts_check_defer_error(script, error->status);
 	if (status == TS_OK && !words.n && line->rows)
 		status = ts_words_split(&arena, line->row[0].text, &line->row[0], &words);
 	if (status == TS_OK && words.n)

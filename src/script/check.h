@@ -49,7 +49,7 @@ struct ts_check_loop {
 	bool open;	      /* how many turns it takes is not known */
 	/* as the last turn began */
 	int64_t reached, nexts, branches, step;
-	struct ts_bill bill;
+	struct ts_total_cost cost;
 	struct ts_check_sum *run;
 	size_t nruns, run_capacity;
 };
@@ -90,7 +90,7 @@ enum ts_status ts_check_recover(struct ts_script *script, const struct ts_line *
 /* The message of sim->error is kept, if it is not a consequence of others, and cleared. */
 enum ts_status ts_check_keep_error(struct ts_script *script, const char *remark);
 /* The same, but -explain goes on only if the error may be there because a value is not known. */
-enum ts_status ts_check_pardon(struct ts_script *script, enum ts_status status);
+enum ts_status ts_check_defer_error(struct ts_script *script, enum ts_status status);
 /* A line with an unknown value is about to be run. */
 enum ts_status ts_check_guess(struct ts_script *script, const struct ts_line *line, struct ts_words words);
 /* What is not there any more, or may not be: messages that miss it are left out. */

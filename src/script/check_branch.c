@@ -80,7 +80,7 @@ static enum ts_status go_through(struct ts_script *script, const struct ts_word 
 	if (status == TS_OK)
 		status = ts_words_split(&arena, ts_str_text(&text), &command->place, &words);
 	else
-		status = ts_check_pardon(script, status);
+		status = ts_check_defer_error(script, status);
 	if (status == TS_OK && words.n && ts_streq(words.word[0].text, "jump")) {
 		status = note_jump(script, command, words, ways);
 		stays = false;
@@ -125,7 +125,7 @@ static enum ts_status may_hold(struct ts_script *script, const struct ts_word *c
 	if (status == TS_OK)
 		status = ts_expr_condition(script, ts_str_text(&text), &condition->place, truth);
 	ts_str_release(&text);
-	return ts_check_pardon(script, status);
+	return ts_check_defer_error(script, status);
 }
 
 static enum ts_status all_branches(struct ts_script *script, struct ts_words words, size_t k, struct ways *ways)

@@ -25,7 +25,7 @@ static enum ts_status begin_turn(struct ts_script *script, struct ts_check_loop 
 	loop->nexts = check->nexts;
 	loop->branches = check->branches;
 	loop->step = script->sim->clock.step;
-	loop->bill = script->sim->bill;
+	loop->cost = script->sim->cost;
 	if (TS_GROW(loop->run, loop->run_capacity, check->nruns) != TS_OK)
 		return ts_nomem(&script->sim->error);
 	for (const struct ts_check_event *e = check->first; e; e = e->next)
@@ -76,7 +76,7 @@ void ts_check_open(struct ts_script *script, struct ts_check_loop *loop)
 {
 	loop->open = true;
 	script->sim->open_clock |= script->sim->planned;
-	script->sim->bill.open = true;
+	script->sim->cost.open = true;
 }
 
 /* Does it end by a value that only a run can give? */
@@ -100,7 +100,7 @@ static bool has_run(const struct ts_check *check, const struct ts_check_loop *lo
 static void multiply(struct ts_script *script, const struct ts_check_loop *loop, int64_t left)
 {
 	struct tsim *sim = script->sim;
-	struct ts_bill *bill = &sim->bill;
+	struct ts_total_cost *cost = &sim->cost;
 
 	for (struct ts_check_event *e = script->check->first; e; e = e->next) {
 		struct ts_check_sum before = { 0 };
@@ -113,9 +113,9 @@ static void multiply(struct ts_script *script, const struct ts_check_loop *loop,
 		e->count += left * (e->count - before.count);
 	}
 	sim->clock.step += left * (sim->clock.step - loop->step);
-	bill->seconds += (double)left * (bill->seconds - loop->bill.seconds);
-	bill->most += (double)left * (bill->most - loop->bill.most);
-	bill->bytes += (double)left * (bill->bytes - loop->bill.bytes);
+	cost->seconds += (double)left * (cost->seconds - loop->cost.seconds);
+	cost->most += (double)left * (cost->most - loop->cost.most);
+	cost->bytes += (double)left * (cost->bytes - loop->cost.bytes);
 }
 
 /* As if `next` had found no further value. */

@@ -99,7 +99,7 @@ enum ts_status ts_check_run(struct ts_script *script, const struct ts_place *whe
 	event->steps += steps;
 	script->check->runs++;
 	sim->open_clock |= event->open;
-	sim->bill.open |= event->open;
+	sim->cost.open |= event->open;
 	sim->planned = true;
 	return TS_OK;
 }

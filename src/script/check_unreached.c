@@ -2,7 +2,7 @@
  * on variables is left alone, names of groups, regions and variables are taken as they come. */
 #include <string.h>
 
-#include "core/known.h"
+#include "core/unsupported_names.h"
 #include "script/check.h"
 
 #include "base/banned.h"
@@ -41,7 +41,7 @@ static enum ts_status find(struct ts_script *script, enum ts_kind kind, const st
 			   const struct ts_style **style)
 {
 	*style = ts_style_find(script->sim->tables, kind, name->text);
-	if (*style || strchr(name->text, '$') || ts_known_find(kind, name->text))
+	if (*style || strchr(name->text, '$') || ts_unsupported_find(kind, name->text))
 		return TS_OK;
 	return ts_style_require(script->sim, kind, name, style);
 }

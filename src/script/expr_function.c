@@ -96,7 +96,7 @@ static enum ts_status drawn(struct ts_expr *e, const struct ts_expr_function *f,
 {
 	bool each = e->kind == TS_FORMULA_PERATOM;
 	double number[TS_MOST_ARGUMENTS] = { 0 };
-	struct ts_stream *stream;
+	struct ts_random_stream *stream;
 	size_t n = 1;
 	double *to = &out->scalar;
 	uint64_t at_number;

@@ -3,12 +3,13 @@
 #include <math.h>
 #include <string.h>
 
+#include "math/constants.h"
 #include "script/expr.h"
 
 #include "base/banned.h"
 
 const struct ts_constant ts_constants[] = {
-	{ "PI", 3.14159265358979323846, "ratio of a circle's circumference to its diameter" },
+	{ "PI", TS_PI, "ratio of a circle's circumference to its diameter" },
 	{ "yes", 1, "1" },
 	{ "no", 0, "0" },
 	{ "true", 1, "1" },

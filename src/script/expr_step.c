@@ -2,11 +2,12 @@
  * (for `dump_modify every`, `thermo v_name` and the like). */
 #include <math.h>
 
+#include "math/constants.h"
 #include "script/expr.h"
 
 #include "base/banned.h"
 
-static const double two_pi = 2 * 3.14159265358979323846;
+static const double two_pi = 2 * TS_PI;
 /* What a sequence that is over gives: a step that never comes. */
 static const double never = 9e18;
 

@@ -10,7 +10,7 @@
 #include "script/variable.h"
 
 /* The random numbers of one seed: those of single numbers, and rounds in which each particle draws one. */
-struct ts_stream {
+struct ts_random_stream {
 	int64_t seed, draws, rounds;
 };
 
@@ -43,7 +43,7 @@ struct ts_script {
 	int formula_depth;	  /* of formulas, over all variables that use each other */
 	struct ts_words current;  /* the command that runs */
 	struct ts_words expected; /* commands of `run every` */
-	struct ts_stream *stream; /* one per seed of random() and normal() */
+	struct ts_random_stream *stream; /* one per seed of random() and normal() */
 	size_t nstreams, stream_capacity;
 	struct ts_variable_state *waiting; /* from a restart file, for variables not yet defined */
 	size_t nwaiting, waiting_capacity;
@@ -105,7 +105,7 @@ enum ts_status ts_later_commands(struct ts_script *script, struct ts_words comma
 enum ts_status ts_later_text(struct ts_script *script, const char *text, const struct ts_place *where);
 
 /* random.c: the stream of a seed; what a restart file keeps of a script, streams and variables. */
-enum ts_status ts_script_stream_of(struct ts_script *script, double seed, struct ts_stream **out);
+enum ts_status ts_script_stream_of(struct ts_script *script, double seed, struct ts_random_stream **out);
 enum ts_status ts_script_archive(struct ts_script *script, struct ts_archive *archive);
 
 #endif

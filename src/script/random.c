@@ -5,7 +5,7 @@
 
 #include "base/banned.h"
 
-enum ts_status ts_script_stream_of(struct ts_script *s, double seed, struct ts_stream **out)
+enum ts_status ts_script_stream_of(struct ts_script *s, double seed, struct ts_random_stream **out)
 {
 	size_t k = 0;
 
@@ -17,7 +17,7 @@ enum ts_status ts_script_stream_of(struct ts_script *s, double seed, struct ts_s
 	if (k == s->nstreams) {
 		if (TS_GROW(s->stream, s->stream_capacity, k + 1) != TS_OK)
 			return ts_nomem(&s->sim->error);
-		s->stream[k] = (struct ts_stream){ .seed = (int64_t)seed };
+		s->stream[k] = (struct ts_random_stream){ .seed = (int64_t)seed };
 		s->nstreams++;
 	}
 	*out = &s->stream[k];
@@ -27,7 +27,7 @@ enum ts_status ts_script_stream_of(struct ts_script *s, double seed, struct ts_s
 /* Streams that the archive does not name go on as they are. */
 static enum ts_status restore(struct ts_script *s, const int64_t *number, size_t n)
 {
-	struct ts_stream *stream;
+	struct ts_random_stream *stream;
 
 	for (size_t k = 0; k + 2 < n; k += 3) {
 		if (number[k] < 1 || number[k + 1] < 0 || number[k + 2] < 0)

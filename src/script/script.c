@@ -168,9 +168,9 @@ static enum ts_status host_list_variables(void *host, struct ts_str *out)
 	return TS_OK;
 }
 
-static enum ts_status host_pardon(void *host, enum ts_status status)
+static enum ts_status host_defer_error(void *host, enum ts_status status)
 {
-	return ts_check_pardon(host, status);
+	return ts_check_defer_error(host, status);
 }
 
 static enum ts_status host_planned(void *host, const struct ts_place *where, int64_t steps)
@@ -191,7 +191,7 @@ static enum ts_status host_would_write(void *host, const struct ts_place *where,
 	return script->check ? ts_check_write(host, where, what, path) : TS_OK;
 }
 
-static const struct ts_host host_table = {
+static const struct ts_script_api host_table = {
 	.execute = host_execute,
 	.substitute = host_substitute,
 	.scalar = host_scalar,
@@ -208,7 +208,7 @@ static const struct ts_host host_table = {
 	.archive = host_archive,
 	.list_variables = host_list_variables,
 	.suggest_variable = host_suggest_variable,
-	.pardon = host_pardon,
+	.defer_error = host_defer_error,
 	.planned = host_planned,
 	.would_write = host_would_write,
 };
@@ -220,8 +220,8 @@ struct ts_script *ts_script_new(struct tsim *sim)
 	if (!script)
 		return NULL;
 	script->sim = sim;
-	sim->host = &host_table;
-	sim->host_data = script;
+	sim->script_api = &host_table;
+	sim->script_api_data = script;
 	return script;
 }
 
@@ -235,14 +235,14 @@ void ts_script_free(struct ts_script *script)
 	ts_free(script->stream);
 	ts_free(script->waiting);
 	ts_map_release(&script->waiting_at);
-	script->sim->host = NULL;
-	script->sim->host_data = NULL;
+	script->sim->script_api = NULL;
+	script->sim->script_api_data = NULL;
 	ts_free(script);
 }
 
 enum ts_status ts_script_of(struct tsim *sim, const struct ts_place *where, struct ts_script **out)
 {
-	*out = sim->host == &host_table ? sim->host_data : NULL;
+	*out = sim->script_api == &host_table ? sim->script_api_data : NULL;
 	if (*out)
 		return TS_OK;
 	return ts_fail(&sim->error, TS_STATE, where, "this command works only in a script");

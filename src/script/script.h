@@ -1,4 +1,4 @@
-/* The script interpreter of a simulation. It puts itself into sim->host and sim->host_data. */
+/* The script interpreter of a simulation. It puts itself into sim->script_api and sim->script_api_data. */
 #ifndef TS_SCRIPT_SCRIPT_H
 #define TS_SCRIPT_SCRIPT_H
 

@@ -56,7 +56,7 @@ static const struct {
 
 static enum ts_status note(struct tsim *sim, const char *what, const struct ts_word *word)
 {
-	return sim->host->would_write(sim->host_data, &word->place, what, word->text);
+	return sim->script_api->would_write(sim->script_api_data, &word->place, what, word->text);
 }
 
 /* Links that lead to the file are resolved; the file itself may be one, which goes as it is. */

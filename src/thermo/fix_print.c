@@ -48,8 +48,8 @@ static enum ts_status end_of_step(struct ts_instance *self, struct tsim *sim)
 	if (sim->clock.step % s->every != 0)
 		return TS_OK;
 	ts_str_clear(&s->line);
-	if (sim->host)
-		TS_TRY(sim->host->substitute(sim->host_data, s->text,
+	if (sim->script_api)
+		TS_TRY(sim->script_api->substitute(sim->script_api_data, s->text,
 					     ts_instance_word(self, s->text), &s->line));
 	else
 		ts_str_add(&s->line, s->text);
@@ -70,8 +70,8 @@ static enum ts_status plan(struct ts_instance *self, struct tsim *sim,
 	const struct state *s = self->state;
 	const char *path = s->file ? s->file : s->append;
 
-	if (sim->host && !report->limits_only)
-		TS_TRY(sim->host->reads_text(sim->host_data, s->text, ts_instance_word(self, s->text)));
+	if (sim->script_api && !report->limits_only)
+		TS_TRY(sim->script_api->reads_text(sim->script_api_data, s->text, ts_instance_word(self, s->text)));
 	if (!sim->explain || !path)
 		return TS_OK;
 	return ts_report_output(report, path, ts_report_times(sim, s->every),

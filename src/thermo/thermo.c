@@ -60,7 +60,7 @@ enum ts_status ts_thermo_columns(struct tsim *sim, struct ts_words names, bool m
 			return ts_nomem(&sim->error);
 	}
 	for (size_t k = 0; k < copy.n; k++)
-		TS_TRY(ts_pardon(sim, read_now(sim, &t->column[k].input)));
+		TS_TRY(ts_defer_error(sim, read_now(sim, &t->column[k].input)));
 	t->n = copy.n;
 	return TS_OK;
 }
@@ -101,7 +101,7 @@ static enum ts_status resolve(struct ts_thermo *t, struct tsim *sim)
 
 		if (status == TS_OK)
 			status = ts_ref_reads(sim, &input->ref, &input->where);
-		TS_TRY(ts_pardon(sim, status));
+		TS_TRY(ts_defer_error(sim, status));
 	}
 	return set_formats(t, sim);
 }
@@ -223,7 +223,7 @@ static enum ts_status ask_next(struct ts_thermo *t, struct tsim *sim)
 {
 	double next;
 
-	TS_TRY(sim->host->scalar(sim->host_data, t->variable, NULL, &next));
+	TS_TRY(sim->script_api->scalar(sim->script_api_data, t->variable, NULL, &next));
 	if (!(next > (double)sim->clock.step) || next > 9e15)
 		return ts_fail(&sim->error, TS_RANGE, NULL,
 			       "thermo v_%s: the step of the next row would be %g, but step %" PRId64
@@ -276,7 +276,7 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 	enum ts_status status;
 
 	if (first || t->variable)
-		ts_sweep(sim);
+		ts_run_deferred_loops(sim);
 	if (first) {
 		t->last_row_step = c->step;
 		t->last_row_time = t->progress_due = 0;
@@ -286,7 +286,7 @@ static enum ts_status output(struct ts_instance *self, struct tsim *sim)
 	}
 	TS_TRY(is_due(t, sim, &due));
 	if (due)
-		ts_sweep(sim);
+		ts_run_deferred_loops(sim);
 	status = due ? row(t, sim) : TS_OK;
 	sim->looking = false;
 	if (sim->log.progress || sim->log.sink)
@@ -335,7 +335,7 @@ const struct ts_system_style ts_thermo_system = {
 			[TS_STAGE_OUTPUT] = output,
 			[TS_STAGE_FINISH] = finish,
 		},
-		.waits = TS_WAITS(OUTPUT),
+		.defers = TS_DEFERS(OUTPUT),
 		.fini = fini,
 	},
 	.slot = offsetof(struct tsim, thermo),

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "core/report.h"
+#include "math/constants.h"
 #include "particle/particles.h"
 
 #include "base/banned.h"
@@ -77,7 +78,7 @@ static double rise(const struct bit *b, const struct ts_particles *p)
 static void place_cutter(const struct bit *b, struct ts_particles *p, int k, double omega)
 {
 	size_t i = (size_t)b->rows.cutter[k];
-	double angle = b->angle + k * (3.14159265358979323846 / 2), r = 0.5 * b->diameter;
+	double angle = b->angle + k * (TS_PI / 2), r = 0.5 * b->diameter;
 
 	p->x[i][0] = b->centre[0] + r * cos(angle);
 	p->x[i][1] = b->centre[1] + r * sin(angle);
@@ -166,7 +167,7 @@ static void measure(struct bit *b, const struct ts_particles *p, double omega)
 	b->tangential = b->radial = b->axial = 0;
 	for (int k = 0; k < NCUTTERS; k++) {
 		size_t i = (size_t)b->rows.cutter[k];
-		double angle = b->angle + k * (3.14159265358979323846 / 2);
+		double angle = b->angle + k * (TS_PI / 2);
 		double c = cos(angle), s = sin(angle);
 
 		b->tangential -= sense * (-s * p->f[i][0] + c * p->f[i][1]);

@@ -1,5 +1,5 @@
 #include "wall/mesh_stress.h"
-#include "wall/mesh_wall_push.h"
+#include "wall/mesh_wall_queue.h"
 #include "wall/primitive_wall.h"
 #include "wall/wall_coincide.h"
 #include "wall/wall_law.h"
@@ -161,8 +161,8 @@ static enum ts_status check(struct ts_instance *self, struct tsim *sim)
 
 	sim->rebuild |= w->mesh_word ? ts_mesh_wall_has_moved(sim, &w->mesh)
 				     : ts_primitive_wall_has_moved(sim, &w->primitive);
-	return w->mesh_word ? ts_mesh_wall_check_pace(self, sim, &w->mesh)
-			    : ts_primitive_wall_check_pace(self, sim, &w->primitive);
+	return w->mesh_word ? ts_mesh_wall_check_displacement(self, sim, &w->mesh)
+			    : ts_primitive_wall_check_displacement(self, sim, &w->primitive);
 }
 
 static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
@@ -171,8 +171,8 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 
 	ts_wall_start(&w->wall, sim);
 	if (!w->mesh_word)
-		return ts_primitive_wall_push(sim, &w->wall, &w->primitive, (int)w->type);
-	TS_TRY(ts_mesh_wall_push(sim, &w->wall, &w->mesh));
+		return ts_primitive_wall_enqueue_contacts(sim, &w->wall, &w->primitive, (int)w->type);
+	TS_TRY(ts_mesh_wall_enqueue_contacts(sim, &w->wall, &w->mesh));
 	return ts_mesh_stress_collect(sim, &w->wall, &w->mesh);
 }
 

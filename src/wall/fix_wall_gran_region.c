@@ -68,7 +68,7 @@ static enum ts_status post_force(struct ts_instance *self, struct tsim *sim)
 	if (far)
 		TS_TRY(list(self, sim));
 	ts_wall_start(&w->wall, sim);
-	return ts_region_wall_push(sim, &w->wall, &w->region, (int)w->type);
+	return ts_region_wall_enqueue_contacts(sim, &w->wall, &w->region, (int)w->type);
 }
 
 static enum ts_status plan(struct ts_instance *self, struct tsim *sim,

@@ -34,8 +34,8 @@ static enum ts_status read_face(struct ts_instance *self, struct tsim *sim, int 
 	s->at[k].variable = NULL;
 	if (ts_streq(word, "EDGE") || ts_parse_real(word, &s->at[k].value))
 		return TS_OK;
-	if (strncmp(word, "v_", 2) == 0 && sim->host &&
-	    sim->host->has_variable(sim->host_data, name)) {
+	if (strncmp(word, "v_", 2) == 0 && sim->script_api &&
+	    sim->script_api->has_variable(sim->script_api_data, name)) {
 		s->at[k].variable = name;
 		return TS_OK;
 	}

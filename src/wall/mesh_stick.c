@@ -55,7 +55,7 @@ static bool comes_nearer(const struct tsim *sim, const struct ts_mesh_wall *mw, 
 }
 
 static bool is_own(const struct tsim *sim, const struct ts_mesh_wall *mw,
-		   const struct ts_mesh_visitor *v, size_t k)
+		   const struct ts_mesh_neighbor *v, size_t k)
 {
 	for (size_t j = v->first; j < v->first + v->n; j++) {
 		if (j == k || mw->near[j].mesh != mw->near[k].mesh)
@@ -69,7 +69,7 @@ static bool is_own(const struct tsim *sim, const struct ts_mesh_wall *mw,
 }
 
 void ts_mesh_places(const struct tsim *sim, const struct ts_mesh_wall *mw,
-		    const struct ts_mesh_visitor *v, double reach)
+		    const struct ts_mesh_neighbor *v, double reach)
 {
 	for (size_t k = v->first; k < v->first + v->n; k++)
 		find_place(sim, mw, v->i, k, v->radius + reach);
@@ -89,7 +89,7 @@ static bool share_corner(const struct ts_mesh_wall *mw, size_t j, size_t k)
 }
 
 size_t ts_mesh_donor(const struct ts_mesh_wall *mw, const struct ts_wall_contacts *c,
-		     const struct ts_mesh_visitor *v, size_t k)
+		     const struct ts_mesh_neighbor *v, size_t k)
 {
 	size_t best = SIZE_MAX;
 	double least = INFINITY;

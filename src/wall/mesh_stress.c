@@ -206,7 +206,7 @@ static void wear_down(struct tsim *sim, const struct ts_wall_contacts *c, size_t
 	const struct ts_particles *p = sim->particles;
 	struct ts_mesh_stress *s = surface->stress;
 	size_t t = (size_t)near->triangle, i = (size_t)c->row[k];
-	struct ts_mesh_spot at;
+	struct ts_mesh_contact_point at;
 	double x[3], v[3];
 
 	into_frame(sim, near, p->x[i], x);

@@ -82,15 +82,15 @@ struct found {
 };
 
 /* The contacts of a particle are added one after the other. */
-static enum ts_status add_visitor(struct tsim *sim, struct ts_mesh_wall *mw, size_t i, size_t first)
+static enum ts_status add_neighbor_triangle(struct tsim *sim, struct ts_mesh_wall *mw, size_t i, size_t first)
 {
 	const struct ts_particles *p = sim->particles;
-	struct ts_mesh_visitor *v;
+	struct ts_mesh_neighbor *v;
 
 	if (!mw->nvisitors || mw->visitor[mw->nvisitors - 1].i != i) {
 		if (TS_GROW(mw->visitor, mw->visitor_capacity, mw->nvisitors + 1) != TS_OK)
 			return ts_nomem(&sim->error);
-		mw->visitor[mw->nvisitors++] = (struct ts_mesh_visitor){
+		mw->visitor[mw->nvisitors++] = (struct ts_mesh_neighbor){
 			.i = i, .first = first, .radius = p->radius[i], .until = -INFINITY,
 			.place = { p->xhold[i][0], p->xhold[i][1], p->xhold[i][2] },
 		};
@@ -121,7 +121,7 @@ static enum ts_status add(struct tsim *sim, struct ts_wall *w, struct ts_mesh_wa
 	mw->near[k] = (struct ts_mesh_near){ f->mesh, f->triangle, { f->shift[0], f->shift[1], f->shift[2] }, false,
 					     ts_mesh_wall_safe_way(mesh, f->triangle, f->distance,
 						      p->radius[f->i] + ts_mesh_wall_outreach(sim, w, p->radius[f->i])) };
-	TS_TRY(add_visitor(sim, mw, f->i, k));
+	TS_TRY(add_neighbor_triangle(sim, mw, f->i, k));
 	return ts_wall_contacts_add(sim, &w->contacts, f->i,
 				    ((int)mw->mesh[f->mesh].first + f->triangle) * IMAGES + code);
 }
@@ -363,7 +363,7 @@ static bool is_slow(const struct tsim *sim, struct ts_mesh_part_of_wall *part, d
 	return *step <= sim->neigh->least_radius;
 }
 
-enum ts_status ts_mesh_wall_check_pace(struct ts_instance *self, struct tsim *sim, struct ts_mesh_wall *mw)
+enum ts_status ts_mesh_wall_check_displacement(struct ts_instance *self, struct tsim *sim, struct ts_mesh_wall *mw)
 {
 	const struct ts_particles *p = sim->particles;
 	struct ts_mesh_list list = { 0 };

@@ -36,14 +36,14 @@ struct ts_mesh_near {
 
 /* Where the surface is met, of a wall that acts beyond the touch; see mesh_stick.h. */
 struct ts_mesh_place {
-	struct ts_mesh_spot at;
+	struct ts_mesh_contact_point at;
 	double point[3], distance; /* as seen from the particle; of the triangle */
 	enum ts_mesh_part part;
 	bool own;
 };
 
 /* A particle near the meshes; its contacts follow one another. */
-struct ts_mesh_visitor {
+struct ts_mesh_neighbor {
 	size_t i, first, n;
 	double place[3], radius; /* as they were last */
 	double way;   /* that it and the meshes have gone since the particles were listed, at most */
@@ -61,7 +61,7 @@ struct ts_mesh_wall {
 	size_t nmeshes;
 	struct ts_mesh_near *near; /* of each contact */
 	struct ts_mesh_place *place; /* of each contact, of a wall that acts beyond the touch */
-	struct ts_mesh_visitor *visitor;
+	struct ts_mesh_neighbor *visitor;
 	size_t nvisitors, near_capacity, place_capacity, visitor_capacity;
 	double length[3]; /* of the box, when contacts were looked at last */
 	struct ts_mesh_touching *touching; /* for sums over contacts */
@@ -80,7 +80,7 @@ enum ts_status ts_mesh_wall_list(struct ts_instance *self, struct tsim *sim, str
 /* Whether a mesh has moved so far since then that particles must be listed anew. */
 bool ts_mesh_wall_has_moved(const struct tsim *sim, const struct ts_mesh_wall *mw);
 /* Refuses a mesh that moves through particles in one step. */
-enum ts_status ts_mesh_wall_check_pace(struct ts_instance *self, struct tsim *sim, struct ts_mesh_wall *mw);
+enum ts_status ts_mesh_wall_check_displacement(struct ts_instance *self, struct tsim *sim, struct ts_mesh_wall *mw);
 void ts_mesh_wall_release(struct ts_mesh_wall *mw);
 
 /* How far particle i is from the triangle of contact k now. */

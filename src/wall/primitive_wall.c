@@ -5,9 +5,10 @@
 
 #include "box/domain.h"
 #include "core/sim.h"
+#include "math/constants.h"
 #include "neigh/coincide.h"
 #include "wall/wall_coincide.h"
-#include "wall/wall_push.h"
+#include "wall/wall_queue.h"
 
 #include "base/banned.h"
 
@@ -282,7 +283,7 @@ bool ts_primitive_wall_between(const struct tsim *sim, const struct ts_primitive
 	return false;
 }
 
-enum ts_status ts_primitive_wall_check_pace(struct ts_instance *self, struct tsim *sim,
+enum ts_status ts_primitive_wall_check_displacement(struct ts_instance *self, struct tsim *sim,
 					    const struct ts_primitive_wall *w)
 {
 	const struct ts_particles *p = sim->particles;
@@ -366,7 +367,7 @@ static void push_share(void *context, size_t from, size_t to)
 	const struct ts_primitive_wall *w = t->w;
 	const struct ts_particles *p = t->sim->particles;
 	struct ts_wall_contacts *c = &t->wall->contacts;
-	struct ts_wall_spot spot = { .type = t->type,
+	struct ts_wall_contact_point spot = { .type = t->type,
 				     .warm = !isnan(w->temperature),
 				     .temperature = w->temperature };
 	struct ts_wall_queue queue;
@@ -383,12 +384,12 @@ static void push_share(void *context, size_t from, size_t to)
 			continue;
 		}
 		surface_velocity(w, t->sim, x, spot.velocity);
-		ts_wall_push(&queue, k, &spot);
+		ts_wall_enqueue_contact(&queue, k, &spot);
 	}
 	ts_wall_queue_end(&queue);
 }
 
-enum ts_status ts_primitive_wall_push(struct tsim *sim, struct ts_wall *wall, const struct ts_primitive_wall *w,
+enum ts_status ts_primitive_wall_enqueue_contacts(struct tsim *sim, struct ts_wall *wall, const struct ts_primitive_wall *w,
 			    int type)
 {
 	struct push push = { sim, wall, w, { { 0 } }, type };

@@ -35,13 +35,13 @@ bool ts_primitive_wall_has_moved(const struct tsim *sim, const struct ts_primiti
 bool ts_primitive_wall_between(const struct tsim *sim, const struct ts_primitive_wall *w, int dim, double a, double b,
 			       double *position);
 /* Refuses a plane that moves through particles in one step. */
-enum ts_status ts_primitive_wall_check_pace(struct ts_instance *self, struct tsim *sim,
+enum ts_status ts_primitive_wall_check_displacement(struct ts_instance *self, struct tsim *sim,
 					    const struct ts_primitive_wall *w);
 /* Between ts_wall_rebuild_start and _finish: lists particles of the group. */
 enum ts_status ts_primitive_wall_list(struct ts_instance *self, struct tsim *sim, struct ts_wall *wall,
 				      struct ts_primitive_wall *w);
 /* All forces; the surface has the material of this type. */
-enum ts_status ts_primitive_wall_push(struct tsim *sim, struct ts_wall *wall, const struct ts_primitive_wall *w,
+enum ts_status ts_primitive_wall_enqueue_contacts(struct tsim *sim, struct ts_wall *wall, const struct ts_primitive_wall *w,
 			    int type);
 /* How far a place is from the wall now, less what this moves in a step. */
 double ts_primitive_wall_gap(const struct ts_primitive_wall *w, const struct tsim *sim, const double x[3]);

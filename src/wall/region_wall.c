@@ -7,7 +7,7 @@
 #include "neigh/coincide.h"
 #include "particle/particles.h"
 #include "wall/wall_coincide.h"
-#include "wall/wall_push.h"
+#include "wall/wall_queue.h"
 
 #include "base/banned.h"
 
@@ -64,7 +64,7 @@ static void look_at_motion(const struct ts_instance *mover, struct ts_region_mot
 
 /* Of the surface at the spot nearest to x. */
 static void surface_velocity(const struct ts_region_wall *w, const struct ts_instance *mover,
-			     const double x[3], struct ts_wall_spot *spot)
+			     const double x[3], struct ts_wall_contact_point *spot)
 {
 	const struct ts_region *r = mover->state;
 	const struct ts_region_motion *m = w->motion;
@@ -247,7 +247,7 @@ enum ts_status ts_region_wall_list(struct ts_instance *self, struct tsim *sim, s
 	return TS_OK;
 }
 
-static const struct ts_region_spot *spot_of(const struct ts_region_spot *spot, int n, int face)
+static const struct ts_region_contact_point *spot_of(const struct ts_region_contact_point *spot, int n, int face)
 {
 	for (int k = 0; k < n; k++)
 		if (spot[k].face == face)
@@ -258,17 +258,17 @@ static const struct ts_region_spot *spot_of(const struct ts_region_spot *spot, i
 double ts_region_wall_distance(const struct ts_region_wall *w, const struct tsim *sim, const struct ts_wall *wall,
 			       size_t k)
 {
-	int n = ts_region_spots(w->region, sim->particles->x[wall->contacts.row[k]], w->spot);
-	const struct ts_region_spot *on = spot_of(w->spot, n, wall->contacts.key[k][1]);
+	int n = ts_region_contact_points(w->region, sim->particles->x[wall->contacts.row[k]], w->spot);
+	const struct ts_region_contact_point *on = spot_of(w->spot, n, wall->contacts.key[k][1]);
 
 	return on ? on->distance : INFINITY;
 }
 
 /* The contact k of a particle with a face that has a spot for it. */
 static void push_face(struct ts_wall_queue *q, struct ts_wall *wall, const struct ts_region_wall *w, size_t k,
-		      const struct ts_region_spot *on, int type)
+		      const struct ts_region_contact_point *on, int type)
 {
-	struct ts_wall_spot spot = { .type = type, .distance = on->distance, .curvature = on->curvature };
+	struct ts_wall_contact_point spot = { .type = type, .distance = on->distance, .curvature = on->curvature };
 
 	for (int d = 0; d < 3; d++)
 		spot.n[d] = on->n[d];
@@ -278,7 +278,7 @@ static void push_face(struct ts_wall_queue *q, struct ts_wall *wall, const struc
 	}
 	if (on->mover)
 		surface_velocity(w, on->mover, q->sim->particles->x[wall->contacts.row[k]], &spot);
-	ts_wall_push(q, k, &spot);
+	ts_wall_enqueue_contact(q, k, &spot);
 }
 
 struct task {
@@ -290,7 +290,7 @@ struct task {
 };
 
 /* The faces of a particle follow one another. */
-static void push_contacts(const struct task *t, size_t from, size_t to, struct ts_region_spot *spot)
+static void push_contacts(const struct task *t, size_t from, size_t to, struct ts_region_contact_point *spot)
 {
 	const struct ts_particles *p = t->sim->particles;
 	struct ts_wall_contacts *c = &t->wall->contacts;
@@ -300,14 +300,14 @@ static void push_contacts(const struct task *t, size_t from, size_t to, struct t
 	ts_wall_queue_start(&queue, t->wall, t->sim);
 	for (size_t k = from; k < to; k++) {
 		const double *x = p->x[c->row[k]];
-		const struct ts_region_spot *on;
+		const struct ts_region_contact_point *on;
 		int face = c->key[k][1];
 
 		ts_wall_look_ahead(c, p, k, to);
 		if (face == 0)
 			n = t->far && !is_near(t->w, t->sim, t->wall, (size_t)c->row[k], x, 0)
 				    ? 0
-				    : ts_region_spots(t->w->region, x, spot);
+				    : ts_region_contact_points(t->w->region, x, spot);
 		on = spot_of(spot, n, face);
 		if (on)
 			push_face(&queue, t->wall, t->w, k, on, t->type);
@@ -322,12 +322,12 @@ enum { SPOTS = 24 };
 
 static void push_share(void *context, size_t from, size_t to)
 {
-	struct ts_region_spot spot[SPOTS];
+	struct ts_region_contact_point spot[SPOTS];
 
 	push_contacts(context, from, to, spot);
 }
 
-enum ts_status ts_region_wall_push(struct tsim *sim, struct ts_wall *wall, struct ts_region_wall *w, int type)
+enum ts_status ts_region_wall_enqueue_contacts(struct tsim *sim, struct ts_wall *wall, struct ts_region_wall *w, int type)
 {
 	struct task task = { sim, wall, w, type, ts_region_varies(w->region) };
 

@@ -20,7 +20,7 @@ struct ts_region_pose {
 
 struct ts_region_wall {
 	struct ts_instance *region;
-	struct ts_region_spot *spot; /* room for those of a particle */
+	struct ts_region_contact_point *spot; /* room for those of a particle */
 	int faces;
 	int nmovers; /* the region or those that it is made of */
 	const struct ts_instance **mover;
@@ -46,7 +46,7 @@ enum ts_status ts_region_wall_follow(struct ts_instance *self, struct tsim *sim,
 double ts_region_wall_distance(const struct ts_region_wall *w, const struct tsim *sim, const struct ts_wall *wall,
 			       size_t k);
 /* All forces; the surface has the material of this type. */
-enum ts_status ts_region_wall_push(struct tsim *sim, struct ts_wall *wall, struct ts_region_wall *w, int type);
+enum ts_status ts_region_wall_enqueue_contacts(struct tsim *sim, struct ts_wall *wall, struct ts_region_wall *w, int type);
 enum ts_status ts_region_wall_archive(struct ts_archive *a, struct ts_region_wall *w);
 
 #endif

@@ -261,7 +261,7 @@ enum ts_status ts_wall_plan(struct ts_instance *self, struct tsim *sim, int type
 
 	TS_TRY(setup_check(self, sim, type));
 	TS_TRY(ts_multicontact_check(sim, ts_wall_model(w, sim), &self->where));
-	TS_TRY(ts_located_check(sim, ts_wall_model(w, sim), ts_instance_word(self, "located")));
+	TS_TRY(ts_substep_check(sim, ts_wall_model(w, sim), ts_instance_word(self, "located")));
 	lightest = ts_lightest(sim, self->group);
 	if (!lightest)
 		return ts_nomem(&sim->error);

@@ -3,7 +3,7 @@
  *
  *   POST_BUILD  ts_wall_rebuild_start, ts_wall_contacts_add for each particle and element (a plane,
  *               a triangle) that may touch before the next rebuild, ts_wall_rebuild_finish
- *   POST_FORCE  ts_wall_start, then for each contact k where it touches ts_wall_push (wall/wall_push.h), where
+ *   POST_FORCE  ts_wall_start, then for each contact k where it touches ts_wall_enqueue_contact (wall/wall_queue.h), where
  *               not ts_wall_contact_part; ts_wall_finish
  *
  * Contacts of different particles may be pushed side by side, in queues of their own: ts_wall_contacts_parallel.
@@ -73,7 +73,7 @@ struct ts_wall {
 			.help = "no effect, as store_force_contact")
 
 /* Where the surface is nearest to a particle. */
-struct ts_wall_spot {
+struct ts_wall_contact_point {
 	double n[3];	    /* unit vector from the surface to the particle's centre; 0 where there is none */
 	double distance;    /* of the centre, >= 0 */
 	double velocity[3]; /* of the surface there */

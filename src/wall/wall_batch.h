@@ -1,4 +1,4 @@
-/* Contacts with walls in columns, as row_batch.h has those of particles: the law, written for one contact, is computed
+/* Contacts with walls in columns, as contact_batch.h has those of particles: the law, written for one contact, is computed
  * for several at once. All contacts of a batch have the same law. Numbers are those of one contact after the other, bit
  * for bit. */
 #ifndef TS_WALL_WALL_BATCH_H
@@ -10,7 +10,7 @@
 /* What the laws need to know of a particle and the wall. */
 struct ts_wall_ends {
 	double n[3], distance; /* from the surface to the centre of the particle */
-	double curvature;      /* of the surface, as struct ts_wall_spot has it */
+	double curvature;      /* of the surface, as struct ts_wall_contact_point has it */
 	double v[3];	       /* of the particle, less that of the surface */
 	double omega[3], radius, mass;
 	double liquid; /* as struct ts_touch has it */
@@ -41,11 +41,11 @@ TS_INLINE void ts_wall_ends_touch(const struct ts_wall_ends *e, const struct ts_
 
 struct ts_wall_batch {
 	/* the ends; the fourth columns: distance, mass, radius */
-	double n[4][TS_COLUMN], v[4][TS_COLUMN], omega[4][TS_COLUMN];
-	double curvature[TS_COLUMN];
-	double memory[TS_GRANULAR_MEMORY][TS_COLUMN];
+	double n[4][TS_BATCH], v[4][TS_BATCH], omega[4][TS_BATCH];
+	double curvature[TS_BATCH];
+	double memory[TS_GRANULAR_MEMORY][TS_BATCH];
 	/* the results; the fourth columns: overlap, R*, 0 */
-	double force[4][TS_COLUMN], torque[4][TS_COLUMN], roll[4][TS_COLUMN];
+	double force[4][TS_BATCH], torque[4][TS_BATCH], roll[4][TS_BATCH];
 } __attribute__((aligned(64)));
 
 /* The contacts 0 .. n-1 of a batch by a model, which may be a constant one; the time step is positive, and memory

@@ -40,7 +40,7 @@ void ts_wall_staged(struct ts_wall_batch *b, size_t n, const struct ts_granular_
 		    const struct ts_granular_pair *law, double dt)
 {
 	double *memory[TS_GRANULAR_MEMORY];
-	long long touch[TS_COLUMN];
+	long long touch[TS_BATCH];
 	struct ts_stages s;
 
 	memset(touch, -1, sizeof touch); /* all do */

@@ -15,7 +15,7 @@ static void report(struct tsim *sim)
 	struct ts_str errors = { 0 }, text = { 0 };
 	int n = 0;
 
-	ts_script_check_report(sim->host_data, &errors, &text, &n);
+	ts_script_check_report(sim->script_api_data, &errors, &text, &n);
 	ts_str_release(&errors);
 	ts_str_release(&text);
 }
@@ -31,14 +31,14 @@ void fuzz_as_script(const uint8_t *data, size_t size, enum fuzz_mode mode)
 	sandbox_enter(sim, data, size);
 	sim->explain = mode == FUZZ_EXPLAIN;
 	if (mode == FUZZ_CHECK)
-		status = ts_script_check(sim->host_data);
+		status = ts_script_check(sim->script_api_data);
 	script = size && !status ? fopen("input", "r") : NULL;
 	if (script) {
 		status = tsim_stream(sim, script, "input");
 		fclose(script);
 		if (mode == FUZZ_CHECK && !status)
 			report(sim);
-		ts_script_warn_unused(sim->host_data);
+		ts_script_warn_unused(sim->script_api_data);
 	}
 	sandbox_report(sim);
 	tsim_close(sim);

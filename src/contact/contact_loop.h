@@ -1,0 +1,142 @@
+/* The loop over contact rows: for any model here, for one that is known when tsim is compiled in contact_batch.h. Both
+ * give the same bits. */
+#ifndef TS_CONTACT_CONTACT_LOOP_H
+#define TS_CONTACT_CONTACT_LOOP_H
+
+#include <math.h>
+
+#include "base/four.h"
+#include "base/parallel.h"
+#include "contact/pair.h"
+#include "law/granular_force.h"
+#include "neigh/contact_memory.h"
+
+struct ts_contact_task {
+	const struct ts_particles *p;
+	struct ts_contact_list *rows;
+	const struct ts_pair *pair;
+	double dt;
+	bool advance; /* contacts remember: false in the set-up of a run */
+	bool keep;    /* a pair that parts remembers until the next rebuild */
+};
+
+/* The waiting row of the block that stands at `at` touches: it becomes the last of the active ones. */
+TS_INLINE void ts_contact_begin(const struct ts_contact_list *rows, struct ts_active_block *block, size_t at)
+{
+	struct ts_active_pair *near = rows->near + block->first, row = near[at];
+
+	near[at] = near[block->active];
+	near[block->active] = row;
+	for (size_t c = 0; c < rows->history_width; c++)
+		*ts_contact_memory(rows, block, block->active, c) = *ts_contact_history(rows, block, block->active, c);
+	block->active++;
+	rows->touching[row.row] = 1;
+}
+
+/* The active row that stands at `at` does not touch any more: it becomes the first of the waiting ones. Its history is
+ * gone; where `keep` says so it stays until the next rebuild. */
+TS_INLINE void ts_contact_end(const struct ts_contact_list *rows, struct ts_active_block *block, size_t at, bool keep)
+{
+	struct ts_active_pair *near = rows->near + block->first, row = near[at];
+
+	block->active--;
+	for (size_t c = 0; c < rows->history_width; c++) {
+		double *memory = ts_contact_memory(rows, block, at, c);
+
+		*ts_contact_history(rows, block, at, c) = keep ? *memory : 0;
+		*memory = *ts_contact_memory(rows, block, block->active, c);
+	}
+	near[at] = near[block->active];
+	near[block->active] = row;
+	rows->touching[row.row] = 0;
+}
+
+/* No force, no torque; `parts` as in struct ts_contact_list. */
+TS_INLINE void ts_contact_still(const struct ts_contact_list *rows, size_t slot, size_t parts)
+{
+	const ts_four zero = { 0 };
+	ts_four *result = (ts_four *)rows->result[slot * parts];
+
+	result[0] = zero;
+	if (parts > 1)
+		result[1] = zero;
+	if (parts > 2)
+		result[2] = zero;
+}
+
+/* What the laws need to know of the partners i and j, as far as the model has laws that ask. */
+struct ts_contact_ends {
+	double d[3], v[3]; /* x_i - x_j, v_i - v_j */
+	double omega[2][3], radius[2], mass[2], liquid[2];
+	double imass; /* 1/m_i + 1/m_j */
+};
+
+TS_INLINE void
+ts_contact_ends(const struct ts_particles *p, size_t i, size_t j, const struct ts_granular_model *m,
+	    struct ts_contact_ends *e)
+{
+	for (int c = 0; c < 3; c++) {
+		e->d[c] = p->x[i][c] - p->x[j][c];
+		e->v[c] = p->v[i][c] - p->v[j][c];
+	}
+	for (int c = 0; ts_granular_turns(m) && c < 3; c++) {
+		e->omega[0][c] = p->omega[i][c];
+		e->omega[1][c] = p->omega[j][c];
+	}
+	if (ts_cohesion_bridges(m)) {
+		e->liquid[0] = p->liquid[i];
+		e->liquid[1] = p->liquid[j];
+	}
+	e->radius[0] = p->radius[i];
+	e->radius[1] = p->radius[j];
+	e->mass[0] = p->mass[i];
+	e->mass[1] = p->mass[j];
+	e->imass = p->imass[i] + p->imass[j];
+}
+
+TS_INLINE void ts_ends_touch(const struct ts_contact_ends *e, const struct ts_granular_model *m,
+			     struct ts_touch *t)
+{
+	double distance = sqrt(ts_dot(e->d, e->d));
+	/* coincident centres: no direction, no force */
+	double inverse = distance > 0 ? 1 / distance : 0;
+
+	t->wall = false;
+	t->solved = 0; /* not known */
+	t->bulge = 0;
+	t->distance = distance;
+	t->radius[0] = e->radius[0];
+	t->radius[1] = e->radius[1];
+	t->overlap = t->radius[0] + t->radius[1] - distance;
+	t->r_eff = t->radius[0] * t->radius[1] / (t->radius[0] + t->radius[1]);
+	t->m_eff = 1 / e->imass;
+	t->mass[0] = e->mass[0];
+	t->mass[1] = e->mass[1];
+	t->liquid[0] = e->liquid[0];
+	t->liquid[1] = e->liquid[1];
+	for (int k = 0; k < 3; k++)
+		t->n[k] = e->d[k] * inverse;
+	ts_granular_arms(m, t);
+	t->vn = ts_dot(e->v, t->n);
+	for (int k = 0; k < 3; k++)
+		t->slip[k] = t->roll[k] = t->spin[k] = 0;
+	if (ts_granular_turns(m))
+		ts_touch_motion(t, e->v, e->omega[0], e->omega[1]);
+}
+
+TS_INLINE void ts_contact_touch(const struct ts_particles *p, size_t i, size_t j,
+			    const struct ts_granular_model *m, struct ts_touch *t)
+{
+	struct ts_contact_ends e = { 0 };
+
+	ts_contact_ends(p, i, j, m, &e);
+	ts_ends_touch(&e, m, t);
+}
+
+/* The blocks from .. to-1, for any model: that of the pair, or those that its types have. */
+void ts_contact_share_generic(void *task, size_t from, size_t to);
+
+/* Forces of all rows by the shares, then the sum of each particle. */
+enum ts_status ts_contact_loop(struct tsim *sim, const struct ts_pair *pair, ts_share_fn *share);
+
+#endif

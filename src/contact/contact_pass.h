@@ -1,0 +1,30 @@
+/* A pass over the active pairs: something is computed for each pair, stored in its slot, and summed over the particles. Forces are
+ * such a pass; another one, such as conduction of heat, can be fused with it, block by block, while the data are in the
+ * caches. */
+#ifndef TS_CONTACT_CONTACT_PASS_H
+#define TS_CONTACT_CONTACT_PASS_H
+
+#include "base/parallel.h"
+#include "neigh/contact_list.h"
+
+struct ts_contacts_pass {
+	ts_share_fn *rows; /* computes the active pairs of the blocks from .. to-1 */
+	ts_share_fn *sums; /* sums over the particles from .. to-1, all of whose pairs are computed */
+	void *context;	   /* argument of both; shared by the threads */
+	bool all;	   /* sums also for particles without active pairs */
+};
+
+/* A pass that is fused with that of the forces, if there are rows: touching pairs come first in each block. */
+struct ts_fused_pass {
+	struct ts_contacts_pass walk;
+	enum ts_status (*start)(struct tsim *sim, void *context); /* called when slots are assigned */
+	bool begun; /* in this step */
+};
+
+/* Fuses a pass with the forces of this step; to be called in PRE_FORCE, by one at most. */
+void ts_contacts_fuse(struct tsim *sim, struct ts_fused_pass *follower);
+
+/* The pass of the forces over the contact list of the simulation, with the fused one. */
+enum ts_status ts_contacts_compute(struct tsim *sim, const struct ts_contacts_pass *forces);
+
+#endif

@@ -1,0 +1,47 @@
+#include "core/deferred_loops.h"
+
+#include <string.h>
+
+#include "base/clock.h"
+#include "core/sim.h"
+
+#include "base/banned.h"
+
+/* Particles of a block: their columns fit into the first-level cache, with room for what is prefetched. */
+enum { BLOCK = 32 };
+
+static void run_fused(void *context, size_t from, size_t to)
+{
+	struct ts_deferred_loops *deferred = context;
+
+	for (; from < to; from += BLOCK) {
+		size_t end = to - from < BLOCK ? to : from + BLOCK;
+
+		for (size_t k = 0; k < deferred->n; k++)
+			deferred->loop[k].body(deferred->loop[k].context, from, end);
+	}
+}
+
+void ts_run_deferred_loops(struct tsim *sim)
+{
+	struct ts_deferred_loops *deferred = &sim->deferred;
+	uint64_t begin;
+
+	if (!deferred->n)
+		return;
+	begin = ts_ticks();
+	ts_parallel(ts_team(sim, deferred->n * deferred->rounds), deferred->rounds, run_fused, deferred);
+	deferred->n = 0;
+	deferred->spent += ts_ticks() - begin;
+}
+
+void ts_defer_loop(struct tsim *sim, size_t rounds, ts_share_fn *body, const void *context, size_t size)
+{
+	struct ts_deferred_loops *deferred = &sim->deferred;
+
+	if (deferred->n == TS_MAX_DEFERRED || rounds != deferred->rounds)
+		ts_run_deferred_loops(sim);
+	deferred->rounds = rounds;
+	deferred->loop[deferred->n].body = body;
+	memcpy(deferred->loop[deferred->n++].context, context, size);
+}

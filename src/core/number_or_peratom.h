@@ -1,0 +1,27 @@
+/* An argument that is one number, or one for each particle (an atom-style variable). */
+#ifndef TS_CORE_NUMBER_OR_PERATOM_H
+#define TS_CORE_NUMBER_OR_PERATOM_H
+
+#include "core/arg.h"
+#include "core/value.h"
+
+/* Zero-initialise; ts_number_or_peratom_release when done. */
+struct ts_number_or_peratom {
+	double value;
+	const double *list; /* by particle, or NULL */
+	struct ts_table table;
+};
+
+/* The number as it is now. */
+enum ts_status ts_number_or_peratom_now(struct tsim *sim, const struct ts_number *number,
+			   const struct ts_place *where, struct ts_number_or_peratom *each);
+static inline double ts_number_or_peratom_of(const struct ts_number_or_peratom *each, size_t i)
+{
+	return each->list ? each->list[i] : each->value;
+}
+static inline void ts_number_or_peratom_release(struct ts_number_or_peratom *each)
+{
+	ts_table_release(&each->table);
+}
+
+#endif

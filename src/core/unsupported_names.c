@@ -1,0 +1,173 @@
+#include "core/unsupported_names.h"
+
+#include <string.h>
+
+#include "base/banned.h"
+
+#define MOLECULAR "force fields of molecules are beyond grains"
+#define SPH "smoothed-particle hydrodynamics is not built; the fluid is solved on a grid (flow_style)"
+#define COUPLING                                                                                   \
+	"of the exchange with other programs there are couple/cfd, couple/cfd/force, /force/implicit and "  \
+	"/convection; a fluid is also solved by tsim (flow_style)"
+#define SHAPES "grains are spheres; other shapes are made of bonded spheres (bond_style)"
+#define CHEMISTRY "chemical reactions are not built"
+#define BONDS                                                                                      \
+	"bonds are made by create_bonds and break as bond_style says (bond_style contact), not by "  \
+	"cohesion models or fixes"
+#define FRAGMENTS "particles do not break into others; bonded spheres do (bond_style)"
+#define OTHER_EDITION "it belongs to another edition of LIGGGHTS: 3.8 does not have it either"
+#define UNPUBLISHED "it belongs to another edition of LIGGGHTS, and no description of it is public"
+#define RESOLUTION                                                                                 \
+	"it belongs to the coupling of coarse and fine grains across the faces of a mesh, which is not built"
+#define ACCELERATORS "all styles use threads by themselves; see -threads"
+
+const struct ts_unsupported ts_unsupported_table[] = {
+	{ TS_KIND_COMMAND, "angle_*", MOLECULAR },
+	{ TS_KIND_COMMAND, "dihedral_*", MOLECULAR },
+	{ TS_KIND_COMMAND, "dielectric", MOLECULAR },
+	{ TS_KIND_COMMAND, "improper_*", MOLECULAR },
+	{ TS_KIND_COMMAND, "kspace_*", MOLECULAR },
+	{ TS_KIND_COMMAND, "minimize", "grains come to rest by their own damping; see fix viscous" },
+	{ TS_KIND_COMMAND, "min_*", "grains come to rest by their own damping; see fix viscous" },
+	{ TS_KIND_COMMAND, "neb", MOLECULAR },
+	{ TS_KIND_COMMAND, "prd", MOLECULAR },
+	{ TS_KIND_COMMAND, "python", "tsim runs no Python; a Python program can run tsim (module tsim)" },
+	{ TS_KIND_COMMAND, "run_style", "there is one way to step; integrators are fixes (nve ...)" },
+	{ TS_KIND_COMMAND, "suffix", ACCELERATORS },
+	{ TS_KIND_COMMAND, "tad", MOLECULAR },
+	{ TS_KIND_COMMAND, "temper", MOLECULAR },
+	{ TS_KIND_FIX, "bond/react", CHEMISTRY },
+	{ TS_KIND_FIX, "chem/*", CHEMISTRY },
+	{ TS_KIND_FIX, "couple/cfd/chemistry*", COUPLING },
+	{ TS_KIND_FIX, "couple/cfd/de*", COUPLING },
+	{ TS_KIND_FIX, "couple/cfd/dissolve*", COUPLING },
+	{ TS_KIND_FIX, "couple/cfd/force/accumulated", COUPLING },
+	{ TS_KIND_FIX, "couple/cfd/force/implicit/accumulated", COUPLING },
+	{ TS_KIND_FIX, "couple/cfd/parscale*", COUPLING },
+	{ TS_KIND_FIX, "couple/cfd/radiation*", COUPLING },
+	{ TS_KIND_FIX, "couple/cfd/species*", COUPLING },
+	{ TS_KIND_FIX, "couple/pascal*", COUPLING },
+	{ TS_KIND_FIX, "nph*", "grains have no thermostat" },
+	{ TS_KIND_FIX, "npt*", "grains have no thermostat" },
+	{ TS_KIND_FIX, "nve/asphere*", SHAPES },
+	{ TS_KIND_FIX, "nve/nonspherical", SHAPES },
+	{ TS_KIND_FIX, "nve/sph", SPH },
+	{ TS_KIND_FIX, "nve/sph/*", SPH },
+	{ TS_KIND_FIX, "nve/superquadric", SHAPES },
+	{ TS_KIND_FIX, "nvt*", "grains have no thermostat" },
+	{ TS_KIND_FIX, "particletemplate/superquadric", SHAPES },
+	{ TS_KIND_FIX, "qeq/*", MOLECULAR },
+	{ TS_KIND_FIX, "shake", MOLECULAR },
+	{ TS_KIND_FIX, "rattle", MOLECULAR },
+	{ TS_KIND_FIX, "sph/*", SPH },
+	{ TS_KIND_FIX, "wall/sph*", SPH },
+	{ TS_KIND_FIX, "wall/region/sph", SPH },
+	{ TS_KIND_PAIR, "eam*", MOLECULAR },
+	{ TS_KIND_PAIR, "lj/*", MOLECULAR },
+	{ TS_KIND_PAIR, "sph/*", SPH },
+	{ TS_KIND_BOND, "fene*", MOLECULAR },
+	{ TS_KIND_REGION, "grid", "there are no grids of computes and fixes" },
+	{ TS_KIND_COMPUTE, "erotate/superquadric", SHAPES },
+	{ TS_KIND_COMPUTE, "erotate/asphere", SHAPES },
+	{ TS_KIND_COMMAND, "coarsegraining", RESOLUTION },
+	{ TS_KIND_COMMAND, "extract_surface", OTHER_EDITION },
+	{ TS_KIND_COMMAND, "extrude_surface", OTHER_EDITION },
+	{ TS_KIND_FIX, "ave/euler/region",
+	  "cells of a mesh of hexahedra are not averaged one by one; `fix ID GROUP ave/euler nevery N cell_size_relative "
+	  "C parallel no` has cells of its own, `compute ID GROUP reduce/region REGION ave vx vy vz` a region" },
+	{ TS_KIND_FIX, "bond/create", BONDS },
+	{ TS_KIND_FIX, "bond/create/gran", BONDS },
+	{ TS_KIND_FIX, "bond/break", BONDS },
+	{ TS_KIND_FIX, "break/particle", FRAGMENTS },
+	{ TS_KIND_FIX, "check/timestep/bond", "each run is refused that steps beyond the stability limit of its bonds" },
+	{ TS_KIND_FIX, "forcecontrol/region", RESOLUTION },
+	{ TS_KIND_FIX, "insert/pack/face", RESOLUTION },
+	{ TS_KIND_FIX, "mesh/surface/stress/6dof",
+	  "write `fix M all mesh/surface/stress file FILE type T` and `fix ID all move/mesh/free mesh M density D`: the "
+	  "body moves in all six degrees of freedom" },
+	{ TS_KIND_FIX, "particletemplate/fragments", FRAGMENTS },
+	{ TS_KIND_FIX, "pour/legacy",
+	  "write `fix ID GROUP pour N TYPE SEED region REGION vol FRACTION TRIES diam range LO HI dens LO HI vel VXLO "
+	  "VXHI VYLO VYHI VZ`" },
+	{ TS_KIND_FIX, "pour/dev",
+	  "write `fix ID GROUP insert/rate/region seed S distributiontemplate D nparticles N particlerate RATE "
+	  "insert_every STEPS region REGION`" },
+	{ TS_KIND_FIX, "property/atom/timetracer", "it is called property/atom/regiontracer/time now" },
+	{ TS_KIND_BOND, "gran", "bonded grains are bond_style contact here" },
+	{ TS_KIND_BOND, "harmonic*", MOLECULAR },
+	{ TS_KIND_COMPUTE, "bond/counter",
+	  "write `compute ID GROUP bonds`: c_ID is the number of bonds that hold; `fix ID GROUP bond/breakage` tells of "
+	  "those that broke" },
+	{ TS_KIND_FIX, "massflow/mesh/face",
+	  "meshes have no faces with numbers of their own; write a `fix mesh/surface` for each face, and for each of them `fix ID "
+	  "GROUP massflow/mesh mesh MESH vec_side X Y Z`" },
+	{ TS_KIND_COMPUTE, "pair/gran/local/bond",
+	  "write `compute ID GROUP bond/local dist force fx fy fz`, and `compute ID2 GROUP property/local batom1 batom2 "
+	  "btype` for the partners" },
+	{ TS_KIND_DUMP, "decomposition/vtk", "there is one process, the box is not cut into parts" },
+	{ TS_KIND_DUMP, "image", "pictures are drawn from dumps by other programs (ParaView, OVITO)" },
+	{ TS_KIND_DUMP, "movie", "pictures are drawn from dumps by other programs (ParaView, OVITO)" },
+	{ .name = NULL },
+};
+
+#define BRIDGES "easo/capillary/viscous and washino/capillary/viscous are its successors"
+
+static const struct {
+	const char *of, *word, *remark;
+} words[] = {
+	{ "model", "hertz/break", FRAGMENTS },
+	{ "model", "hysteretic/nonlinear2", UNPUBLISHED "; hooke/hysteresis is the law of its kind here" },
+	{ "model", "luding", "hooke/hysteresis is the law of its kind here" },
+	{ "rolling_friction", "cdtnonlinear2", UNPUBLISHED "; cdt is the law of its kind here" },
+	{ "cohesion", "bond", BONDS },
+	{ "cohesion", "bond/nonlinear", BONDS },
+	{ "cohesion", "capillary", BRIDGES },
+	{ "surface", "superquadric", SHAPES },
+	{ "pair gran", "createBondAlways", BONDS },
+	{ "pair gran", "stressBreak", BONDS },
+	{ "pair gran", "capillaryModel", BRIDGES },
+	{ "pair gran", "Willett", BRIDGES },
+	{ "fix wall/gran", "createBondAlways", BONDS },
+	{ "fix wall/gran", "stressBreak", BONDS },
+	{ "fix wall/gran", "general_plane",
+	  "planes at any angle are regions: `region W plane PX PY PZ NX NY NZ` and `fix ID GROUP wall/gran/region model "
+	  "... type T region W`" },
+	{ "fix wall/gran", "general_cylinder",
+	  "cylinders along x, y or z are `primitive ... zcylinder R X Y`; one at another angle is a region (region "
+	  "cylinder with rotate, fix wall/gran/region) or a mesh" },
+	{ "set", "blockiness", SHAPES },
+	{ "set", "quat", SHAPES },
+	{ "set", "shape", SHAPES },
+	{ "set", "meso_rho", SPH },
+	{ "set", "sphkernel", SPH },
+	{ TS_UNSUPPORTED_QUANTITY, "p", SPH },
+	{ TS_UNSUPPORTED_QUANTITY, "rho", SPH },
+	{ TS_UNSUPPORTED_QUANTITY, "blockiness*", SHAPES },
+	{ TS_UNSUPPORTED_QUANTITY, "quat*", SHAPES },
+	{ TS_UNSUPPORTED_QUANTITY, "shape*", SHAPES },
+	{ TS_UNSUPPORTED_QUANTITY, "i_cg_level", "grains of several levels of coarse graining are not built" },
+	{ .of = NULL },
+};
+
+static bool matches(const char *pattern, const char *name)
+{
+	size_t n = strlen(pattern);
+
+	return pattern[n - 1] == '*' ? strncmp(pattern, name, n - 1) == 0 : ts_streq(pattern, name);
+}
+
+const struct ts_unsupported *ts_unsupported_find(enum ts_kind kind, const char *name)
+{
+	for (const struct ts_unsupported *k = ts_unsupported_table; k->name; k++)
+		if (k->kind == kind && matches(k->name, name))
+			return k;
+	return NULL;
+}
+
+const char *ts_unsupported_word_remark(const char *of, const char *word)
+{
+	for (size_t k = 0; words[k].of; k++)
+		if (ts_streq(words[k].of, of) && matches(words[k].word, word))
+			return words[k].remark;
+	return NULL;
+}

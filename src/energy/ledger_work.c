@@ -1,0 +1,286 @@
+/* The work of each cause in a kick, by the velocities before and after it. */
+#include <string.h>
+
+#include "energy/ledger.h"
+#include "math/rigid_turn.h"
+#include "particle/sphere_shape.h"
+#include "rigid/rigid_motion.h"
+
+#include "base/banned.h"
+
+/* A kick differs from s F/m by rounding only; what differs more is not only a kick. */
+static const double rounding = 1e-9;
+
+void ts_compensated_add(struct ts_compensated_sum *r, double term)
+{
+	double sum = r->sum + term;
+
+	r->lost += fabs(r->sum) >= fabs(term) ? (r->sum - sum) + term : (term - sum) + r->sum;
+	r->sum = sum;
+	r->turnover += fabs(term);
+}
+
+static double body_rotation(const struct ts_body *b)
+{
+	double omega[3];
+
+	ts_rigid_omega(b->q, b->inertia, b->spin, omega);
+	return 0.5 * ts_dot(b->spin, omega);
+}
+
+static double body_energy(const struct ts_body *b)
+{
+	return 0.5 * b->mass * ts_dot(b->v, b->v) + body_rotation(b);
+}
+
+void ts_ledger_kinetic(struct tsim *sim, double out[2])
+{
+	const struct ts_particles *p = sim->particles;
+	const struct ts_rigid *rigid = sim->rigid;
+	struct ts_exactsum moves = ts_exactsum_start(), turns = ts_exactsum_start();
+
+	for (size_t i = 0; i < p->n; i++) {
+		if (ts_rigid_member(p, i))
+			continue;
+		ts_exactsum_add(&moves, 0.5 * p->mass[i] * ts_dot(p->v[i], p->v[i]));
+		if (p->omega)
+			ts_exactsum_add(&turns, 0.5 * ts_inertia(sim, i) *
+							ts_dot(p->omega[i], p->omega[i]));
+	}
+	for (size_t b = 0; b < rigid->n; b++) {
+		ts_exactsum_add(&moves, 0.5 * rigid->body[b].mass *
+						ts_dot(rigid->body[b].v, rigid->body[b].v));
+		ts_exactsum_add(&turns, body_rotation(&rigid->body[b]));
+	}
+	out[0] = ts_exactsum_value(&moves);
+	out[1] = ts_exactsum_value(&turns);
+}
+
+/* Sums of one kick. */
+struct kick {
+	struct tsim *sim;
+	struct ts_ledger *l;
+	double h; /* half a step */
+	struct ts_exactsum cause[TS_NCAUSE], drive, box, turning, *work, *own; /* of actors; own[nactors]: of nobody */
+};
+
+static enum ts_status start(struct kick *k, struct tsim *sim, struct ts_ledger *l)
+{
+	*k = (struct kick){ .sim = sim, .l = l, .h = 0.5 * sim->clock.dt };
+	for (int c = 0; c < TS_NCAUSE; c++)
+		k->cause[c] = ts_exactsum_start();
+	k->work = ts_alloc(2 * l->nactors + 1, sizeof *k->work);
+	if (!k->work)
+		return ts_nomem(&sim->error);
+	k->own = k->work + l->nactors;
+	return TS_OK;
+}
+
+static void finish(struct kick *k)
+{
+	struct ts_ledger *l = k->l;
+
+	for (int c = 0; c < TS_NCAUSE; c++)
+		ts_compensated_add(&l->work[c], ts_exactsum_value(&k->cause[c]));
+	ts_compensated_add(&l->drive, ts_exactsum_value(&k->drive));
+	ts_compensated_add(&l->box, ts_exactsum_value(&k->box));
+	ts_compensated_add(&l->turning, ts_exactsum_value(&k->turning));
+	ts_compensated_add(&l->held, ts_exactsum_value(&k->own[l->nactors]));
+	for (size_t a = 0; a < l->nactors; a++) {
+		ts_compensated_add(&l->actor[a].work, ts_exactsum_value(&k->work[a]));
+		ts_compensated_add(&l->actor[a].own, ts_exactsum_value(&k->own[a]));
+	}
+	ts_free(k->work);
+}
+
+/* s (F.v + T.omega - drive) of one cause. */
+static double work_of(const double *cause, const double v[3], const double omega[3], double s)
+{
+	return s * (ts_dot(cause + TS_CAUSE_FORCE, v) + ts_dot(cause + TS_CAUSE_TORQUE, omega) -
+		    cause[TS_CAUSE_DRIVE]);
+}
+
+/* Particle i moves at these mean velocities for a time s. */
+static void book(struct kick *k, size_t i, const double v[3], const double omega[3], double s)
+{
+	const struct ts_particles *p = k->sim->particles;
+	const struct ts_ledger *l = k->l;
+	const double *cause = ts_ledger_causes(l, p, i);
+	bool busy = cause[TS_LEDGER_BUSY] > 0;
+
+	for (int c = 0; c < TS_NCAUSE && busy; c++, cause += TS_CAUSE_NUMBERS) {
+		double work = work_of(cause, v, omega, s);
+
+		if (work != 0)
+			ts_exactsum_add(&k->cause[c], work);
+		if (cause[TS_CAUSE_DRIVE] != 0)
+			ts_exactsum_add(c < TS_NPART ? &k->box : &k->drive,
+					s * cause[TS_CAUSE_DRIVE]);
+	}
+	for (size_t a = 0; a < l->nactors; a++) {
+		const struct ts_column *column = &p->column[l->actor[a].column];
+		double work;
+
+		if (!l->actor[a].pushes)
+			continue;
+		work = work_of((const double *)column->data + i * column->width, v, omega, s);
+		if (work != 0)
+			ts_exactsum_add(&k->work[a], work);
+	}
+}
+
+static bool is_kick(const double before[3], const double after[3], const double push[3], double mass,
+		    double s)
+{
+	bool is = true;
+
+	for (int d = 0; d < 3; d++)
+		is &= fabs(mass * (after[d] - before[d]) - s * push[d]) <=
+		      rounding * (mass * (fabs(after[d]) + fabs(before[d])) + s * fabs(push[d]));
+	return is;
+}
+
+static void mean(const double a[3], const double b[3], double out[3])
+{
+	for (int d = 0; d < 3; d++)
+		out[d] = 0.5 * (a[d] + b[d]);
+}
+
+/* What changed a particle's velocity beyond the forces, or held it against them, belongs to who moves it. */
+static void book_particle(struct kick *k, size_t i, double s)
+{
+	static const double still[3] = { 0 };
+	const struct ts_particles *p = k->sim->particles;
+	const struct ts_ledger *l = k->l;
+	const double *w0 = p->omega ? l->omega[i] : still, *w1 = p->omega ? p->omega[i] : still;
+	const double *torque = p->torque ? p->torque[i] : still;
+	double v[3], w[3], mass = p->mass[i], inertia = ts_inertia(k->sim, i), rest;
+	int32_t by = l->kicker[i];
+
+	mean(l->v[i], p->v[i], v);
+	mean(w0, w1, w);
+	book(k, i, v, w, s);
+	if (is_kick(l->v[i], p->v[i], p->f[i], mass, s) && is_kick(w0, w1, torque, inertia, s))
+		return;
+	rest = 0.5 * mass * (ts_dot(p->v[i], p->v[i]) - ts_dot(l->v[i], l->v[i])) +
+	       0.5 * inertia * (ts_dot(w1, w1) - ts_dot(w0, w0)) - s * ts_dot(p->f[i], v) -
+	       s * ts_dot(torque, w);
+	ts_exactsum_add(&k->own[by < 0 ? l->nactors : (size_t)by], rest);
+}
+
+/* The first half kick, before the body moves; the same as it does. */
+static struct ts_body kicked(const struct ts_ledger *l, const struct ts_rigid *rigid, size_t b, bool final,
+			     double h)
+{
+	struct ts_body after = l->body[b];
+
+	if (final)
+		return rigid->body[b];
+	ts_body_kick(&after, h);
+	return after;
+}
+
+static bool is_free(const struct ts_body *b)
+{
+	bool is = true;
+
+	for (int d = 0; d < 6; d++)
+		is &= b->free[d] == 1;
+	return is;
+}
+
+static void book_body(struct kick *k, size_t b, bool final)
+{
+	const struct ts_rigid *rigid = k->sim->rigid;
+	const struct ts_body *before = &k->l->body[b];
+	struct ts_body after = kicked(k->l, rigid, b, final, k->h);
+	const struct ts_particles *p = k->sim->particles;
+	double v[3], w0[3], w[3], m[3][3], arm[3], turn[3], at[3], power;
+
+	ts_rigid_omega(before->q, before->inertia, before->spin, w0);
+	mean(before->v, after.v, v);
+	mean(w0, after.omega, w);
+	ts_quaternion_matrix(before->q, m);
+	power = ts_dot(rigid->body[b].external, v);
+	for (size_t e = rigid->start[b]; e < rigid->start[b + 1]; e++) {
+		size_t i = (size_t)rigid->member[e];
+
+		ts_rotate(m, p->body_x[i], arm);
+		ts_cross(w, arm, turn);
+		ts_add(v, turn, at);
+		book(k, i, at, w, k->h);
+		power += ts_dot(p->f[i], at) + ts_dot(p->torque[i], w);
+	}
+	if (!is_free(before)) /* directions that are held */
+		ts_exactsum_add(&k->own[k->l->nactors],
+				body_energy(&after) - body_energy(before) - k->h * power);
+	ts_exactsum_add(&k->turning, body_energy(&rigid->body[b]) - body_energy(&after));
+}
+
+enum ts_status ts_ledger_work(struct tsim *sim, struct ts_ledger *l, bool final)
+{
+	const struct ts_particles *p = sim->particles;
+	struct kick k;
+
+	TS_TRY(start(&k, sim, l));
+	for (size_t i = 0; i < p->n; i++) {
+		double *whole = ts_ledger_causes(l, p, i) + TS_LEDGER_WHOLE;
+		int32_t by = l->kicker[i];
+
+		if (ts_rigid_member(p, i))
+			continue;
+		if (!final)
+			*whole = by >= 0 && l->actor[by].by &&
+				 !l->actor[by].by->style->hook[TS_STAGE_FINAL_INTEGRATE];
+		if (final && *whole > 0)
+			continue;
+		book_particle(&k, i, *whole > 0 ? sim->clock.dt : k.h);
+	}
+	for (size_t b = 0; b < l->bodies && b < sim->rigid->n; b++)
+		book_body(&k, b, final);
+	finish(&k);
+	return TS_OK;
+}
+
+static void copy(double (*to)[3], double (*from)[3], size_t n)
+{
+	if (from && n)
+		memcpy(to, from, n * sizeof *to);
+}
+
+enum ts_status ts_ledger_work_start(struct tsim *sim, struct ts_ledger *l)
+{
+	const struct ts_particles *p = sim->particles;
+	const struct ts_rigid *rigid = sim->rigid;
+
+	copy(l->v, p->v, p->n);
+	copy(l->omega, p->omega, p->n);
+	copy(l->seen_v, p->v, p->n);
+	copy(l->seen_omega, p->omega, p->n);
+	for (size_t i = 0; i < p->n; i++)
+		l->kicker[i] = -1;
+	if (rigid->n)
+		TS_TRY(ts_rigid_list(sim));
+	if (TS_GROW(l->body, l->body_capacity, rigid->n + 1) != TS_OK)
+		return ts_nomem(&sim->error);
+	l->bodies = rigid->n;
+	if (rigid->n)
+		memcpy(l->body, rigid->body, rigid->n * sizeof *l->body);
+	return TS_OK;
+}
+
+static bool differ(const double a[3], const double b[3])
+{
+	return a[0] != b[0] || a[1] != b[1] || a[2] != b[2];
+}
+
+void ts_ledger_work_mark(struct tsim *sim, struct ts_ledger *l, size_t actor)
+{
+	const struct ts_particles *p = sim->particles;
+
+	for (size_t i = 0; i < p->n; i++)
+		if (differ(l->seen_v[i], p->v[i]) || (p->omega && differ(l->seen_omega[i], p->omega[i])))
+			l->kicker[i] = (int32_t)actor;
+	copy(l->seen_v, p->v, p->n);
+	copy(l->seen_omega, p->omega, p->n);
+}

@@ -1,0 +1,197 @@
+#include "limits/tunnelling.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "bond/bonds.h"
+#include "box/domain.h"
+#include "contact/pair.h"
+#include "mesh/mesh_distance.h"
+#include "mesh/mesh_surface.h"
+#include "neigh/neigh.h"
+#include "particle/exchange.h"
+#include "particle/particles.h"
+#include "wall/primitive_wall.h"
+#include "wall/region_wall.h"
+
+#include "base/banned.h"
+
+/* ---- other particles ---- */
+
+/* The least distance of the origin from the line from m - d/2 to m + d/2. */
+static double nearest(const double m[3], const double d[3])
+{
+	double d2 = ts_dot(d, d), t = d2 > 0 ? -ts_dot(m, d) / d2 : 0, x[3];
+
+	t = fmax(-0.5, fmin(0.5, t));
+	ts_scale(1, m, x);
+	ts_axpy(t, d, x);
+	return ts_norm(x);
+}
+
+/* Whether they act on each other when they touch. */
+static bool meet(const struct tsim *sim, size_t i, size_t j)
+{
+	ts_excluded_fn *excluded = ts_neigh_excluded(sim);
+
+	return ts_pair_interact(sim, i, j) && !(excluded && excluded(sim, i, j));
+}
+
+/* Seen from j the particle i goes along a line, farther than its radius, and comes near enough; or it pulls at a bond. */
+static bool hits(const struct tsim *sim, size_t i, size_t j, double reach)
+{
+	const struct ts_particles *p = sim->particles;
+	double way[3], middle[3], sum = p->radius[i] + p->radius[j] + reach;
+
+	ts_sub(p->v[i], p->v[j], way);
+	ts_scale(sim->clock.dt, way, way);
+	if (!(ts_dot(way, way) > p->radius[i] * p->radius[i]))
+		return false;
+	ts_sub(p->x[i], p->x[j], middle);
+	ts_box_nearest(&sim->domain->box, middle);
+	ts_axpy(-0.5, way, middle);
+	if (!(nearest(middle, way) > sum) && meet(sim, i, j))
+		return true;
+	return sim->bonds->n && ts_bonds_has(sim->bonds, p->tag[i], p->tag[j]);
+}
+
+static bool hits_particle(struct tsim *sim, size_t i, char *what, size_t room)
+{
+	const struct ts_particles *p = sim->particles;
+	double least, largest, reach;
+
+	ts_neigh_radii(p, &least, &largest);
+	reach = sim->neigh->wanted ? ts_pair_reach(sim, largest) : 0;
+	for (size_t j = 0; j < p->n; j++) {
+		if (j == i || !hits(sim, i, j, reach))
+			continue;
+		snprintf(what, room, " past particle %d", p->tag[j]);
+		return true;
+	}
+	return false;
+}
+
+/* ---- surfaces: the sphere goes on by the gap in front of it until there is none or the way is at its end ---- */
+
+typedef double gap_fn(const struct tsim *sim, const void *surface, const double x[3]);
+
+/* A gap of less than this part of the radius is none, and along a surface that is not left it is not followed for ever. */
+static const double CLOSE = 0.01;
+enum { MOST = 10000 };
+
+static bool comes_to(const struct tsim *sim, size_t i, const double end[3], gap_fn *gap, const void *surface)
+{
+	const struct ts_particles *p = sim->particles;
+	double way = ts_norm(p->v[i]) * sim->clock.dt, gone = 0, radius = p->radius[i];
+
+	for (int n = 0; n < MOST; n++) {
+		double x[3], free;
+
+		ts_scale(1, end, x);
+		ts_axpy((gone / way - 1) * sim->clock.dt, p->v[i], x);
+		free = gap(sim, surface, x) - radius;
+		if (!(free > CLOSE * radius))
+			return true;
+		if (gone >= way)
+			return false;
+		gone = fmin(way, gone + free);
+	}
+	return true;
+}
+
+/* The same for its images across periodic faces. */
+static bool meets_surface(const struct tsim *sim, size_t i, gap_fn *gap, const void *surface)
+{
+	const struct ts_particles *p = sim->particles;
+	double reach = ts_norm(p->v[i]) * sim->clock.dt + 2 * p->radius[i], end[3];
+
+	for (int k = 0; k < 27; k++)
+		if (ts_box_image(&sim->domain->box, p->x[i], k, reach, end) &&
+		    comes_to(sim, i, end, gap, surface))
+			return true;
+	return false;
+}
+
+static double gap_of_primitive(const struct tsim *sim, const void *surface, const double x[3])
+{
+	return ts_primitive_wall_gap(surface, sim, x);
+}
+
+/* Where a region moves or changes, its surface may be anywhere. */
+static double gap_of_region(const struct tsim *sim, const void *surface, const double x[3])
+{
+	double depth = ts_region_depth(surface, x);
+
+	(void)sim;
+	return ts_region_varies(surface) || isnan(depth) ? 0 : fabs(depth);
+}
+
+/* Less what its corners move in a step. */
+static double gap_of_mesh(const struct tsim *sim, const void *surface, const double x[3])
+{
+	const struct ts_mesh_surface *s = surface;
+	double least = INFINITY;
+
+	for (size_t t = 0; t < s->mesh.n; t++) {
+		double most = 0;
+
+		for (int k = 0; s->v && k < 3; k++)
+			most = fmax(most, ts_norm(s->v[t][k]));
+		least = fmin(least, ts_mesh_distance(&s->mesh, t, x) - most * sim->clock.dt);
+	}
+	return least;
+}
+
+static bool hits_wall(struct tsim *sim, size_t i, char *what, size_t room)
+{
+	const struct ts_instance *by;
+	const struct ts_wall *w;
+
+	for (size_t k = 0; (w = ts_walls_next(sim, &k, &by));) {
+		if (!ts_wall_meets(by, sim, i, false))
+			continue;
+		if ((w->primitive && meets_surface(sim, i, gap_of_primitive, w->primitive)) ||
+		    (w->region && meets_surface(sim, i, gap_of_region, w->region))) {
+			snprintf(what, room, " past wall %.60s", by->id);
+			return true;
+		}
+	}
+	return false;
+}
+
+/* All meshes: particles that pass some of them are counted. */
+static bool hits_mesh(struct tsim *sim, size_t i, char *what, size_t room)
+{
+	const struct ts_mesh_surface *s;
+	struct ts_instance *by;
+
+	for (size_t k = 0; (s = ts_mesh_surface_next(sim, &k, &by));) {
+		if (!meets_surface(sim, i, gap_of_mesh, s))
+			continue;
+		snprintf(what, room, " past mesh %.60s", by->id);
+		return true;
+	}
+	return false;
+}
+
+/* ---- the box ---- */
+
+/* It has left, which particles may where nobody asks for the lost ones; or so far that images are hard to tell apart. */
+static bool leaves(const struct tsim *sim, size_t i)
+{
+	const struct ts_particles *p = sim->particles;
+	const struct ts_box *box = &sim->domain->box;
+	bool far = false;
+
+	for (int k = 0; k < 3; k++)
+		far |= ts_box_periodic(box, k) &&
+		       fabs(p->v[i][k]) * sim->clock.dt > 0.25 * ts_box_length(box, k);
+	return far || (p->lost_policy != TS_LOST_IGNORE && ts_exchange_left(box, p->x[i]) >= 0);
+}
+
+bool ts_tunnelling_hits(struct tsim *sim, size_t i, char *what, size_t room)
+{
+	what[0] = 0;
+	return leaves(sim, i) || hits_particle(sim, i, what, room) || hits_wall(sim, i, what, room) ||
+	       hits_mesh(sim, i, what, room);
+}

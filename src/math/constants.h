@@ -1,0 +1,7 @@
+/* Constants of mathematics. */
+#ifndef TS_MATH_CONSTANTS_H
+#define TS_MATH_CONSTANTS_H
+
+#define TS_PI 3.14159265358979323846
+
+#endif

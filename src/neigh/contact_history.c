@@ -1,0 +1,293 @@
+#include "neigh/contact_history.h"
+
+#include <string.h>
+
+#include "base/parallel.h"
+#include "math/vec3.h"
+#include "neigh/contact_memory.h"
+#include "neigh/force_slots.h"
+#include "particle/identity.h"
+
+#include "base/banned.h"
+
+static int32_t opposite(int32_t winding)
+{
+	const int32_t turns[3] = { -(winding & 1023), -(winding >> 10 & 1023),
+				   -(winding >> 20 & 1023) };
+
+	return ts_winding(turns);
+}
+
+/* Across a periodic face a pair has two rows, one on either side, equal but for rounding: each keeps its
+ * own. Set in the winding of the row of the larger tag. */
+enum { OTHER_SIDE = 1 << 30 };
+
+/* The key of a row, and whether its i has the larger tag. */
+static struct ts_contact_key key_of(const struct ts_contact_list *rows, size_t r, bool *swapped)
+{
+	int32_t a = rows->tag[0][r], b = rows->tag[1][r];
+	int32_t there = rows->winding[r], back = opposite(there);
+	int32_t side = rows->image[r] == TS_IMAGE_SELF ? 0 : OTHER_SIDE;
+
+	*swapped = a > b || (a == b && there < back);
+	if (*swapped)
+		return (struct ts_contact_key){ { b, a }, back | side };
+	return (struct ts_contact_key){ { a, b }, there };
+}
+
+static void copy_signed(double *to, const double *from, size_t width, const signed char *sign,
+			bool swapped)
+{
+	for (size_t c = 0; c < width; c++)
+		to[c] = swapped && sign[c] < 0 ? -from[c] : from[c];
+}
+
+static enum ts_status allocate(struct tsim *sim, struct ts_contact_history *h, size_t n, bool forces)
+{
+	h->key = ts_alloc(n, sizeof *h->key);
+	h->value = ts_alloc(n * h->width, sizeof *h->value);
+	h->force = forces ? ts_alloc(n, sizeof *h->force) : NULL;
+	if (!h->key || !h->value || (forces && !h->force)) {
+		ts_contact_history_release(h);
+		return ts_nomem(&sim->error);
+	}
+	return TS_OK;
+}
+
+static void copy_force(double to[3], const double from[3], bool swapped)
+{
+	for (int k = 0; k < 3; k++)
+		to[k] = swapped ? -from[k] : from[k];
+}
+
+static bool taken(const struct ts_contact_list *rows, size_t r, bool memories)
+{
+	bool is = rows->touching[r];
+
+	for (size_t c = 0; memories && !is && c < rows->history_width; c++)
+		is = rows->history[r * rows->history_width + c] != 0;
+	return is;
+}
+
+static enum ts_status take(struct tsim *sim, struct ts_contact_list *rows, bool forces, bool memories,
+			   struct ts_contact_history *h)
+{
+	bool kept = rows->results == TS_RESULTS_KEPT; /* not after a step that has failed: zero */
+	size_t n = 0;
+
+	*h = (struct ts_contact_history){ .width = rows->history_width, .overlapping = memories };
+	ts_contacts_store_history(sim, rows);
+	for (size_t r = 0; (h->width || forces) && r < rows->n; r++)
+		n += taken(rows, r, memories);
+	if (!n)
+		return TS_OK;
+	TS_TRY(allocate(sim, h, n, forces));
+	for (size_t r = 0; r < rows->n; r++) {
+		bool swapped;
+
+		if (!taken(rows, r, memories))
+			continue;
+		h->key[h->n] = key_of(rows, r, &swapped);
+		if (forces && kept)
+			copy_force(h->force[h->n], ts_contact_force(rows, r), swapped);
+		if (h->width)
+			copy_signed(h->value + h->n * h->width, rows->history + r * h->width,
+				    h->width, rows->history_sign, swapped);
+		h->n++;
+	}
+	return TS_OK;
+}
+
+enum ts_status ts_contact_history_take(struct tsim *sim, struct ts_contact_list *rows, bool forces,
+				   struct ts_contact_history *h)
+{
+	return take(sim, rows, forces, false, h);
+}
+
+enum ts_status ts_contact_history_take_memories(struct tsim *sim, struct ts_contact_list *rows, bool forces,
+					    struct ts_contact_history *h)
+{
+	return take(sim, rows, forces, true, h);
+}
+
+static bool overlap(const struct ts_particles *p, const struct ts_contact_list *rows, size_t r)
+{
+	size_t i = (size_t)rows->i[r], j = (size_t)rows->j[r];
+	double sum = p->radius[i] + p->radius[j];
+
+	return ts_distance2(p->x[i], p->x[j]) < sum * sum;
+}
+
+/* Number k of the old ones had a bridge of liquid. */
+static bool bridged(const struct ts_contact_list *rows, const struct ts_contact_history *h, size_t k)
+{
+	return rows->bridged && h->value[k * h->width + rows->bridged - 1] > 0;
+}
+
+/* What is remembered, by particles: chains of those whose smaller tag a particle has. Its memory is
+ * near that of its neighbours, as the particles are. */
+struct giving {
+	const struct ts_contact_history *h;
+	const struct ts_particles *p;
+	struct ts_contact_list *rows;
+	int32_t *first; /* of each particle: index of key + 1, 0 none */
+	struct link {
+		int32_t larger, next; /* the other tag; the next key, alike */
+	} *link;	/* of each key */
+};
+
+static enum ts_status make_chains(struct tsim *sim, struct giving *g)
+{
+	struct ts_identities map;
+
+	TS_TRY(ts_identities(sim, false, &map));
+	g->first = ts_alloc(g->p->n, sizeof *g->first);
+	g->link = ts_alloc(g->h->n, sizeof *g->link);
+	if (!g->first || !g->link)
+		return ts_nomem(&sim->error);
+	for (size_t k = g->h->n; k-- > 0;) {
+		int32_t at = ts_contact_of(&map, g->h->key[k].tag[0]);
+
+		if (at < 0) /* it has left */
+			continue;
+		g->link[k] = (struct link){ g->h->key[k].tag[1], g->first[at] };
+		g->first[at] = (int32_t)k + 1;
+	}
+	return TS_OK;
+}
+
+/* The particle itself, or that of which it is an image. */
+static size_t local(const struct giving *g, int32_t i)
+{
+	size_t at = (size_t)i;
+
+	return at < g->p->n ? at : (size_t)g->p->ghost_owner[at - g->p->n];
+}
+
+/* Index + 1 of the key, 0 if it is not there. A pair that has come to a periodic face, or left it, has one
+ * row where it had two or two for one. */
+static int32_t find_either(const struct giving *g, const struct ts_contact_key *key, size_t smaller)
+{
+	int32_t other = 0;
+
+	for (int32_t k = g->first[smaller]; k; k = g->link[k - 1].next) {
+		int32_t winding = g->h->key[k - 1].winding;
+
+		if (g->link[k - 1].larger != key->tag[1])
+			continue;
+		if (winding == key->winding)
+			return k;
+		if (winding == (key->winding ^ OTHER_SIDE))
+			other = k;
+	}
+	return other;
+}
+
+/* Whether the partners of the row, or images of them, have a key: most rows have none. */
+static bool may_have(const struct giving *g, size_t r)
+{
+	const int32_t *const end[2] = { g->rows->i, g->rows->j }; /* a table: which it is cannot be guessed */
+	int32_t a = g->rows->tag[0][r], b = g->rows->tag[1][r], larger = a > b ? a : b;
+	int32_t k = g->first[local(g, end[a > b][r])];
+
+	while (k && g->link[k - 1].larger != larger)
+		k = g->link[k - 1].next;
+	return k != 0;
+}
+
+static void give_share(void *context, size_t from, size_t to)
+{
+	const struct giving *g = context;
+	const struct ts_contact_history *h = g->h;
+	const struct ts_particles *p = g->p;
+	struct ts_contact_list *rows = g->rows;
+
+	for (size_t r = from; r < to; r++) {
+		struct ts_contact_key key;
+		bool swapped;
+		int32_t k;
+
+		if (!may_have(g, r))
+			continue;
+		key = key_of(rows, r, &swapped);
+		k = find_either(g, &key, local(g, swapped ? rows->j[r] : rows->i[r]));
+		if (!k || (h->overlapping && !overlap(p, rows, r) && !bridged(rows, h, (size_t)(k - 1))))
+			continue;
+		rows->touching[r] = 1;
+		if (h->width)
+			copy_signed(rows->history + r * h->width,
+				    h->value + (size_t)(k - 1) * h->width, h->width,
+				    rows->history_sign, swapped);
+		if (h->force)
+			copy_force(ts_contact_force(rows, r), h->force[k - 1], swapped);
+	}
+}
+
+enum ts_status ts_contact_history_give(struct tsim *sim, const struct ts_contact_history *h,
+				   struct ts_contact_list *rows)
+{
+	struct giving g = { .h = h, .p = sim->particles, .rows = rows };
+	enum ts_status status;
+
+	if (!h->n || !rows->n)
+		return TS_OK;
+	if (h->force)
+		TS_TRY(ts_contact_forces_keep(sim, rows));
+	status = make_chains(sim, &g);
+	if (status == TS_OK)
+		ts_parallel(ts_team(sim, rows->n), rows->n, give_share, &g);
+	ts_free(g.first);
+	ts_free(g.link);
+	return status;
+}
+
+void ts_contact_history_release(struct ts_contact_history *h)
+{
+	ts_free(h->key);
+	ts_free(h->value);
+	ts_free(h->force);
+	*h = (struct ts_contact_history){ 0 };
+}
+
+enum ts_status ts_contact_list_set_history(struct tsim *sim, struct ts_contact_list *rows, size_t width,
+				   const signed char *sign)
+{
+	double *history = NULL;
+
+	rows->history_sign = sign;
+	if (width == rows->history_width)
+		return TS_OK;
+	if (width) {
+		history = ts_alloc_aligned(rows->capacity * width, sizeof *history);
+		if (!history)
+			return ts_nomem(&sim->error);
+	}
+	ts_free(rows->history);
+	rows->history = history;
+	rows->looked = rows->unsettled = false;
+	rows->history_width = width;
+	return TS_OK;
+}
+
+enum ts_status ts_contact_history_archive(struct ts_archive *archive, struct tsim *sim,
+				      struct ts_contact_history *h)
+{
+	int64_t size[2] = { (int64_t)h->n, (int64_t)h->width };
+
+	TS_TRY(ts_archive_fixed(archive, "history_size", TS_SAVED_I64, size, 2));
+	if (size[0] < 0 || size[0] > INT32_MAX || size[1] < 0 || size[1] > 1024)
+		return ts_fail(&sim->error, TS_DAMAGED, NULL, "impossible contact history");
+	TS_TRY(ts_archive_expect(archive, "history_keys", TS_SAVED_I32, 3 * (size_t)size[0]));
+	TS_TRY(ts_archive_expect(archive, "history", TS_SAVED_F64,
+				 (size_t)size[0] * (size_t)size[1]));
+	if (!ts_archive_writing(archive)) {
+		ts_contact_history_release(h);
+		h->width = (size_t)size[1];
+		if (size[0])
+			TS_TRY(allocate(sim, h, (size_t)size[0], true));
+		h->n = (size_t)size[0];
+	}
+	TS_TRY(ts_archive_fixed(archive, "history_keys", TS_SAVED_I32, h->key, 3 * h->n));
+	TS_TRY(ts_archive_fixed(archive, "history", TS_SAVED_F64, h->value, h->n * h->width));
+	return ts_archive_fixed(archive, "forces", TS_SAVED_F64, h->force, 3 * h->n);
+}

@@ -1,0 +1,221 @@
+/* Forces of contacts that nobody looks at stand in few slots, each used by one row at a time, and are the same. */
+#include "deck.h"
+
+#include "base/alloc.h"
+#include "core/sim.h"
+#include "neigh/active_pairs.h"
+#include "neigh/force_slots.h"
+#include "neigh/neigh.h"
+#include "particle/particles.h"
+
+enum { N = 6000 };
+
+/* A dense block of N grains that shakes between walls or in periodic images. */
+static struct tsim *shake(const char *boundary, int threads, const char *more)
+{
+	return deck_open("package omp %d grain 1\n"
+			 "atom_style sphere\n"
+			 "boundary %s\n"
+			 "region box block 0 1 0 1 0 2 units box\n"
+			 "create_box 1 box\n"
+			 "fix y all property/global youngsModulus peratomtype 5e6\n"
+			 "fix n all property/global poissonsRatio peratomtype 0.3\n"
+			 "fix e all property/global coefficientRestitution peratomtypepair 1 0.7\n"
+			 "fix c all property/global coefficientFriction peratomtypepair 1 0.4\n"
+			 "pair_style gran model hertz tangential history\n"
+			 "pair_coeff * *\n"
+			 "create_atoms 1 random %d 49979687 box\n"
+			 "set type 1 diameter 0.072 density 2000\n"
+			 "velocity all create 1 15485863\n"
+			 "fix move all nve/limit radius_ratio 0.1\n"
+			 "timestep 2e-5\n"
+			 "%s",
+			 threads, boundary, N, more);
+}
+
+struct watch {
+	const struct ts_contact_list *rows;
+	size_t *place;	  /* in each slot: the place of a near row in the list + 1, 0: none */
+	uint8_t *waiting; /* of each row: partners that have not added it */
+};
+
+/* Entries of the gather without far rows are those of the sum. */
+static void add_chunk(const struct watch *w, size_t c)
+{
+	const struct ts_contact_list *rows = w->rows;
+	size_t last = (c + 1) * TS_CONTACT_CHUNK < rows->particles ? (c + 1) * TS_CONTACT_CHUNK : rows->particles;
+	size_t at = rows->sum_first[c * TS_CONTACT_CHUNK];
+
+	for (size_t k = rows->gather.first[c * TS_CONTACT_CHUNK]; k < rows->gather.first[last]; k++) {
+		size_t r = rows->gather.entry[k] >> 1, slot = rows->sum[at] >> 1;
+
+		if (!w->waiting[r]) /* far */
+			continue;
+		deck_assert((rows->sum[at++] & 1) == (rows->gather.entry[k] & 1));
+		deck_assert(w->place[slot] != 0); /* nobody has written over it */
+		deck_assert(rows->near[w->place[slot] - 1].row == r);
+		if (!--w->waiting[r])
+			w->place[slot] = 0;
+	}
+	deck_assert(at == rows->sum_first[last]);
+}
+
+/* The loop over rows, without forces. */
+static void follow(const struct watch *w, size_t share)
+{
+	const struct ts_contact_list *rows = w->rows;
+	const struct ts_contact_span *span = &rows->span[share];
+	size_t c = 0, done;
+
+	for (size_t b = span->block; b < span->block_end; b++) {
+		const struct ts_active_block *block = &rows->block[b];
+		size_t end = (size_t)block->first + block->n;
+
+		for (size_t k = block->first; k < end; k++) {
+			const struct ts_active_pair *near = &rows->near[k];
+
+			deck_assert(near->slot * (size_t)rows->parts < rows->room);
+			deck_assert(w->place[near->slot] == 0);
+			w->place[near->slot] = k + 1;
+			w->waiting[near->row] = (uint8_t)(1 + ((size_t)near->j < rows->particles));
+		}
+		if (b + 1 < span->block_end && (b + 1 - span->block) % TS_BLOCKS_A_TURN)
+			continue;
+		while ((done = ts_contact_chunk_done(rows, span->near, end, &c)) < rows->chunks)
+			add_chunk(w, done);
+	}
+	ck_assert_uint_eq(span->near_end, span->block_end > span->block
+						  ? (size_t)rows->block[span->block_end - 1].first +
+							    rows->block[span->block_end - 1].n
+						  : span->near);
+}
+
+static void check_slots(struct tsim *sim)
+{
+	struct ts_contact_list *rows = &sim->neigh->rows;
+	struct watch w = { rows, ts_alloc(rows->n, sizeof *w.place), ts_alloc(rows->n, 1) };
+	size_t most = 0;
+
+	ck_assert_int_eq(ts_contact_forces_prepare(sim, rows, false), TS_OK);
+	for (size_t k = rows->span[0].near; k < rows->span[0].near_end; k++)
+		most = rows->near[k].slot >= most ? rows->near[k].slot + 1 : most;
+	if (rows->shares == 1)
+		deck_assert(most < rows->n / 2);
+	for (int share = 0; share < rows->shares; share++)
+		follow(&w, (size_t)share);
+	/* what is left belongs to chunks whose rows are in the shares of several threads */
+	for (size_t r = 0; r < rows->n && rows->shares == 1; r++)
+		deck_assert(w.waiting[r] == 0);
+	ts_free(w.place);
+	ts_free(w.waiting);
+}
+
+static const char *const boundaries[] = { "f f f", "p p p" };
+
+START_TEST(one_row_at_a_time)
+{
+	struct tsim *sim = shake(boundaries[_i / 3], 1 + _i % 3, "run 30");
+
+	ck_assert_uint_gt(sim->neigh->rows.n, N);
+	check_slots(sim);
+	tsim_close(sim);
+}
+END_TEST
+
+/* Of rows that are not looked at none touches, though particles have moved since these were chosen. */
+START_TEST(none_missed)
+{
+	struct tsim *sim = shake(boundaries[_i], 2, "run 1");
+	const struct ts_contact_list *rows = &sim->neigh->rows;
+	size_t far = 0;
+
+	for (int step = 0; step < 40; step++) {
+		deck(sim, "run 1 pre no post no");
+		ck_assert(rows->looked && !ts_active_pairs_outdated(rows));
+		for (size_t r = 0; r < rows->n; r++) {
+			const double *a = sim->particles->x[rows->i[r]], *b = sim->particles->x[rows->j[r]];
+			double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
+
+			deck_assert(rows->touching[r] == (x * x + y * y + z * z < 0.072 * 0.072));
+		}
+		for (int k = 0; k < rows->shares; k++)
+			far += rows->n / (size_t)rows->shares - (rows->span[k].near_end - rows->span[k].near);
+	}
+	ck_assert_uint_gt(far, 40 * rows->n / 20);
+	tsim_close(sim);
+}
+END_TEST
+
+/* Steps are the same whether an output may look at contacts or not. */
+START_TEST(same_bits)
+{
+	struct tsim *passed = shake(boundaries[_i], 2, "run 40");
+	struct tsim *kept = shake(boundaries[_i], 1, "compute c all pair/gran/local force\nrun 40");
+
+	ck_assert_int_gt(kept->neigh->builds, 1);
+	deck_same(kept, passed);
+	tsim_close(passed);
+	tsim_close(kept);
+}
+END_TEST
+
+/* A formula that names the pressure may be asked within a run, and the last step of each run can be looked at. */
+START_TEST(looked_at)
+{
+	struct tsim *kept = shake("f f f", 1, "compute c all pair/local force\nrun 12");
+	struct tsim *late = shake("f f f", 1, "run 5\nrun 7\ncompute c all pair/local force");
+	struct tsim *asked = shake("f f f", 1,
+				   "variable p equal press\nfix m all ave/time 1 1 3 v_p\nrun 12\n"
+				   "variable m equal f_m");
+	struct tsim *table = shake("f f f", 1, "thermo_style custom step enthalpy\nthermo 5\nrun 12");
+
+	deck(kept, "compute s all reduce sum c_c");
+	deck(late, "compute s all reduce sum c_c");
+	ck_assert_double_gt(deck_value(kept, "c_s"), 0);
+	ck_assert_double_eq(deck_value(kept, "c_s"), deck_value(late, "c_s"));
+	ck_assert_double_eq(deck_value(asked, "f_m"), deck_value(late, "press"));
+	ck_assert_double_eq(deck_value(table, "press"), deck_value(late, "press"));
+	tsim_close(kept);
+	tsim_close(late);
+	tsim_close(asked);
+	tsim_close(table);
+}
+END_TEST
+
+static int stop(struct tsim *sim, void *data)
+{
+	(void)data;
+	if (sim->clock.step == 7)
+		tsim_stop(sim);
+	return 0;
+}
+
+/* A run that is stopped does one more step, of which all is there. */
+START_TEST(stopped)
+{
+	struct tsim *sim = shake("f f f", 1, "");
+
+	ck_assert_int_eq(tsim_on_step(sim, TSIM_END_OF_STEP, stop, NULL), 0);
+	sim->shows_contacts = false; /* the function does not look at any */
+	ck_assert(!deck_accepts(sim, "run 40"));
+	tsim_error_clear(sim);
+	ck_assert_int_eq(sim->clock.step, 8);
+	ck_assert_int_eq(sim->neigh->rows.results, TS_RESULTS_KEPT);
+	tsim_close(sim);
+}
+END_TEST
+
+int main(void)
+{
+	Suite *suite = suite_create("slots of rows");
+	TCase *tests = tcase_create("slots");
+
+	tcase_set_timeout(tests, 60);
+	tcase_add_loop_test(tests, one_row_at_a_time, 0, 6);
+	tcase_add_loop_test(tests, none_missed, 0, 2);
+	tcase_add_loop_test(tests, same_bits, 0, 2);
+	tcase_add_test(tests, looked_at);
+	tcase_add_test(tests, stopped);
+	suite_add_tcase(suite, tests);
+	return deck_main(suite);
+}
