@@ -4,6 +4,8 @@
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 99
+# Processes of Open MPI that start at the same time must not share a folder.
+export OMPI_MCA_orte_tmpdir_base=$work
 passed=0
 failed=0
 

@@ -63,7 +63,7 @@ enum ts_stage { TS_STAGE_LIST(TS_STAGE_ENUM) TS_NSTAGE };
 #undef TS_STAGE_ENUM
 #define TS_DEFERS(stage) (1u << TS_STAGE_##stage)
 
-/* The order among late hooks: forces that depend on all others, and last what depends on the acceleration. */
+/* The order of late hooks: first forces that relax velocities, last forces that depend on the acceleration. */
 enum ts_late { TS_LATE_RELAX, TS_LATE_INERTIA, TS_NLATE };
 
 struct ts_restraint;
@@ -80,8 +80,8 @@ struct ts_style {
 	const char *doc;      /* paragraphs for the manual page: what it does, equations */
 	const char *example;  /* script lines */
 	const char *cite;     /* source of the method, or NULL */
-	/* What its state begins with, for others that look for live styles of one sort: "wall",
-	 * "mesh" ...; see ts_sim_next_of. NULL: nothing that others know. */
+	/* The struct that its state begins with, by which other styles find live styles of one sort: "wall",
+	 * "mesh" ...; see ts_sim_next_of. NULL: none. */
 	const char *family;
 	const struct ts_arg *args;
 	size_t state_size;
@@ -101,19 +101,19 @@ struct ts_style {
 	unsigned columns; /* particle columns it needs: bits of particle/particles.h */
 	ts_hook_fn *init;
 	ts_hook_fn *hook[TS_NSTAGE];
-	/* In POST_FORCE once more, after all hooks of it and functions of the outside program, in script order: what
-	 * they have added up to decides what these add. */
+	/* Called at the end of POST_FORCE, after all its hooks and functions of the outside program, in script order: forces
+	 * that depend on the sum of all others. */
 	ts_hook_fn *late[TS_NLATE];
 	bool (*is_late)(const struct ts_instance *self); /* asked after init; NULL: always */
 	/* Fixes: which part of a force on a particle takes effect. See force/restraint.h. */
 	const struct ts_restraint *restraint;
 	unsigned defers; /* TS_DEFERS of stages in whose hooks passes over particles may wait: core/deferred_loops.h */
-	/* Fixes: looks on, from INITIAL_INTEGRATE to END_OF_STEP, as each stage begins and after each action of
-	 * others in it: sim->acted says which. It changes nothing. */
+	/* Fixes: observes each step from INITIAL_INTEGRATE to END_OF_STEP: called when a stage begins and after each action of
+	 * others (sim->acted). It changes nothing. */
 	ts_hook_fn *watch;
 	/* Potential energy; NULL: there is none. Of a fix it counts as far as fix_modify says so. */
 	enum ts_status (*energy)(struct ts_instance *self, struct tsim *sim, double *out);
-	/* Computes: what they keep of the past starts anew (dump_modify refresh). */
+	/* Computes: resets the reference of the past, as initial positions (dump_modify refresh). */
 	ts_hook_fn *refresh;
 	/* The words of fix_modify or compute_modify that are its own: reads the first ones, says how many. */
 	enum ts_status (*modify)(struct ts_instance *self, struct tsim *sim, struct ts_words words,

@@ -79,12 +79,12 @@ struct ts_particles {
 	double (*x)[3], (*v)[3], (*f)[3];
 	double *radius, *mass;
 	double *imass; /* 1/mass; 0 for frozen and prescribed particles: infinite mass */
-	double (*xhold)[3]; /* positions at the last build of the contact rows */
-	double (*xseen)[3]; /* when particles that have left were looked for: neigh/leaving.h */
+	double (*xhold)[3]; /* positions at the last build of the contact list */
+	double (*xseen)[3]; /* positions at the last search for particles that have left: neigh/leaving.h */
 	double (*omega)[3], (*torque)[3];
 	int32_t *body;	     /* id of the rigid body it belongs to, or 0; see rigid/rigid.h */
-	double (*body_x)[3]; /* its place there, along the principal axes */
-	double *liquid; /* on its surface, by its own volume: contact/liquid.h; NULL where nothing is wet */
+	double (*body_x)[3]; /* its position in the body, along the principal axes */
+	double *liquid; /* volume of liquid on its surface by its own volume: contact/liquid.h; NULL: no liquid */
 
 	struct ts_column *column; /* built-in ones first, then those styles add */
 	size_t ncolumns, column_capacity;
@@ -92,7 +92,7 @@ struct ts_particles {
 	const char *atom_style; /* words of the command: columns of data files; NULL: sphere */
 	int ntypes;
 	int32_t max_tag;
-	int32_t settled; /* particles up to this identity have been in a run: they lie as forces have put them */
+	int32_t settled; /* particles up to this identity have been in a run: their overlaps are those of forces */
 	enum ts_inertia inertia; /* as its integrator says */
 	struct ts_materials materials; /* of the types, from files; sim->materials */
 	double *type_mass; /* `mass` command, by type; 0: not given */
@@ -107,14 +107,14 @@ struct ts_particles {
 	int lost_policy; /* enum ts_lost */
 	bool lost_warned;
 
-	struct ts_shared_buffers *holds; /* of the simulation: columns that are looked at from outside */
+	struct ts_shared_buffers *holds; /* of the simulation: columns that callers of the library read */
 	int32_t *map; /* row of tag, and the tags there are with their rows: particle/identity.h */
 	size_t map_capacity;
 	int32_t *by_tag;
 	size_t by_tag_capacity;
-	/* Says whom particle i touches; set by who keeps the contacts. */
+	/* Lists the contacts of particle i for a message; set by the search for neighbours. */
 	void (*describe_contacts)(struct tsim *sim, size_t i, struct ts_str *out);
-	/* Says why particle i may have left through face 2 * dim + side; set by who knows the walls. */
+	/* Explains in a message why particle i may have left through face 2 * dim + side; set by the walls. */
 	void (*explain_loss)(struct tsim *sim, size_t i, int face, struct ts_str *out);
 	/* Chooses the members of all dynamic groups, or of those whose turn it is in this step; set by the groups. */
 	enum ts_status (*choose_members)(struct tsim *sim, bool all);
@@ -142,9 +142,9 @@ enum ts_status ts_particles_need(struct tsim *sim, unsigned columns);
 /* Adds or finds a column of doubles for a style, e.g. "f_heat"; *index into particles->column. */
 enum ts_status ts_particles_add_column(struct tsim *sim, const char *name, size_t width,
 				       unsigned flags, size_t *index);
-/* The numbers that particles made from now on have in it; `width` of them. */
+/* Initial values of the column for particles that are created from now on, `width` numbers. */
 enum ts_status ts_particles_column_initial(struct tsim *sim, size_t index, const double *initial);
-/* Gives them to rows from..to-1. */
+/* Writes the initial values to rows from .. to-1. */
 void ts_particles_fill_initial(struct ts_column *column, size_t from, size_t to);
 
 /* For a style's archive function: the column it has added, by identity, since the style may be defined
@@ -152,11 +152,11 @@ void ts_particles_fill_initial(struct ts_column *column, size_t from, size_t to)
 enum ts_status ts_particles_archive_column(struct ts_archive *archive, struct tsim *sim,
 					   const char *name, size_t index);
 
-/* Moves all that can move together, as in a bed: crowd.c. */
+/* Moves all mobile particles together as in a bed, to estimate its cost: crowd.c. */
 enum ts_status ts_particles_crowd(struct ts_instance *self, struct tsim *sim);
 /* Room for so many rows, ghosts included. */
 enum ts_status ts_particles_reserve(struct tsim *sim, size_t rows);
-/* 1/mass into imass; frozen particles are set to 0 afterwards by who freezes them. */
+/* imass = 1/mass; the fix that freezes particles sets theirs to 0 afterwards. */
 void ts_particles_inverse_mass(struct ts_particles *p);
 
 /* Per-particle quantity by its script name (x, vy, fz, radius, mass, id, type, diameter, density ...):

@@ -1,16 +1,15 @@
-/* Walls: rigid bodies, infinitely heavy, that particles touch with a contact law. The shape belongs to
- * the style; from "the particle touches here" on, all walls are the same:
+/* Walls: rigid bodies of infinite mass that particles touch with a contact law. A style computes the shape, that is the
+ * contact points; everything after that is common to all walls:
  *
- *   POST_BUILD  ts_wall_rebuild_start, ts_wall_contacts_add for each particle and element (a plane,
- *               a triangle) that may touch before the next rebuild, ts_wall_rebuild_finish
- *   POST_FORCE  ts_wall_start, then for each contact k where it touches ts_wall_enqueue_contact (wall/wall_queue.h), where
- *               not ts_wall_contact_part; ts_wall_finish
+ *   POST_BUILD  ts_wall_rebuild_start; ts_wall_contacts_add for each pair of a particle and an element of the wall (a plane,
+ *               a triangle) that may touch before the next rebuild; ts_wall_rebuild_finish
+ *   POST_FORCE  ts_wall_start; for each listed contact k ts_wall_enqueue_contact (wall/wall_queue.h) if it touches, else
+ *               ts_wall_contact_part; ts_wall_finish
  *
- * Contacts of different particles may be pushed side by side, in queues of their own: ts_wall_contacts_parallel.
+ * Contacts of different particles may be enqueued by several threads, each with its own queue: ts_wall_contacts_parallel.
  *
- * Who wants to know each contact - its force, place, overlap - asks for reports:
- * ts_walls_want_reports in its init, then reads them by ts_walls_next and ts_wall_report
- * (wall/wall_contacts.h) from POST_FORCE on. */
+ * Outputs that need the force, the point or the overlap of each contact call ts_walls_want_reports in their init and
+ * read the reports by ts_walls_next and ts_wall_report (wall/wall_contacts.h) from POST_FORCE on. */
 #ifndef TS_WALL_WALL_H
 #define TS_WALL_WALL_H
 
@@ -27,38 +26,39 @@ struct ts_mesh_wall;
 struct ts_wall {
 	struct ts_granular_words words; /* `model ...`; off: the model of the pair style */
 	struct ts_wall_contacts contacts;
-	double force[3]; /* on the wall, in the last step */
-	size_t inside; /* the first contact in the last step whose particle has its centre in the surface; TS_WALL_NONE */
-	const struct ts_primitive_wall *primitive; /* what it is made of, or NULL; set in init */
-	int meshes;	 /* how many it is made of; 0: it is a plane or the like. Set in init */
-	const struct ts_mesh_wall *mesh; /* these, or NULL; set in init */
-	const struct ts_instance *region; /* whose surface it is, or NULL; set in init */
-	/* How far the particle of contact k is from the surface now, and the surface's type; set in init. NULL: not told */
+	double force[3]; /* of all particles on the wall in the last step */
+	size_t inside; /* first contact of the last step whose particle has its centre in the surface, or TS_WALL_NONE */
+	const struct ts_primitive_wall *primitive; /* its planes or cylinders, or NULL; set in init */
+	int meshes;	 /* number of its meshes; 0: not a mesh wall. Set in init */
+	const struct ts_mesh_wall *mesh; /* its meshes, or NULL; set in init */
+	const struct ts_instance *region; /* the region whose surface it is, or NULL; set in init */
+	/* Distance of the centre of the particle of contact k from the surface now, and the type of the surface; set in init.
+	 * NULL: not available */
 	double (*distance)(const struct ts_instance *self, const struct tsim *sim, size_t k, int *type);
 	struct ts_words area_words;
 	bool store_force, store_contacts[2];
-	bool list_contacts; /* of each particle, as an output */
-	size_t stored; /* column of the force on each particle, with store_force */
+	bool list_contacts; /* output: the contact of each particle */
+	size_t stored; /* column of particles: force of the wall, with store_force */
 
-	bool own_model;
-	bool given;	 /* its constants are the same for all types */
-	struct ts_granular_pair numbers; /* these */
-	struct ts_granular_model model; /* the own one */
+	bool own_model;	 /* its contact law is given on its line, else it is that of the pair style */
+	bool given;	 /* the constants of the law are given on the line, the same for all types */
+	struct ts_granular_pair numbers; /* these constants */
+	struct ts_granular_model model; /* the law, with own_model */
 	ts_wall_batch_fn *batch; /* the loop compiled for the model, or NULL */
 	struct ts_granular_pair *law;	/* of the own model: type of the wall * (ntypes + 1) + type
 					 * of the particle */
-	bool warm;  /* some of it has a temperature; set in init */
-	bool moves; /* towards the particles or away, and is no mesh; set in init */
+	bool warm;  /* a part of it has a temperature; set in init */
+	bool moves; /* it moves along its normal and is no mesh wall; set in init */
 	struct ts_heat_contact area;
 	double *conductivity; /* 4 k k'/(k + k'), in the same order */
 	int ntypes;
-	double bridges; /* how far bridges of liquid reach at most, by the radius */
+	double bridges; /* largest length of a liquid bridge, by the radius of the particle */
 };
 
 #define TS_FAMILY_WALL "wall"
 #define TS_WALL_NONE SIZE_MAX
 
-/* Words that all walls take. */
+/* Keywords of all walls. */
 #define TS_WALL_ARGS(T, f)                                                                         \
 	TS_HEAT_AREA_ARG(T, f.area_words),                                                         \
 		TS_BOOL("store_force", T, f.store_force, .fallback = "no",                         \
@@ -72,23 +72,23 @@ struct ts_wall {
 		TS_BOOL("store_force_contact_stress", T, f.store_contacts[1], .fallback = "no",    \
 			.help = "no effect, as store_force_contact")
 
-/* Where the surface is nearest to a particle. */
+/* The contact point: the point of the surface that is nearest to a particle. */
 struct ts_wall_contact_point {
-	double n[3];	    /* unit vector from the surface to the particle's centre; 0 where there is none */
-	double distance;    /* of the centre, >= 0 */
-	double velocity[3]; /* of the surface there */
-	double curvature;   /* 1/radius of the surface, > 0: bulging towards the particle */
-	bool sums;	    /* the wall sums what it feels: held particles push it as well */
-	int type;	    /* particle type whose material the surface has */
+	double n[3];	    /* unit normal, from the surface to the centre of the particle; 0: undefined */
+	double distance;    /* of the centre from the surface, >= 0 */
+	double velocity[3]; /* of the surface */
+	double curvature;   /* 1/radius of the surface, > 0: convex towards the particle */
+	bool sums;	    /* the wall sums its load: immobile particles contribute, too */
+	int type;	    /* type of particles that has the material of the surface */
 	int mesh, triangle; /* from 1 and from 0, for reports; 0, 0: no mesh */
-	bool warm;	    /* it has a temperature and conducts heat */
+	bool warm;	    /* the surface has a temperature and conducts heat */
 	double temperature;
 };
 
-/* In the style's init. */
+/* To be called in the init of the style. */
 enum ts_status ts_wall_init(struct ts_instance *self, struct tsim *sim);
 
-/* Whether particle i may have contacts: one of the group that can move or, at a wall that is warm, take up
+/* Whether contacts of particle i are listed: it belongs to the group and can move or, at a wall with a temperature, exchanges
  * heat. */
 static inline bool ts_wall_meets(const struct ts_instance *self, const struct tsim *sim, size_t i,
 				 bool warm)
@@ -97,9 +97,9 @@ static inline bool ts_wall_meets(const struct ts_instance *self, const struct ts
 	       (sim->particles->imass[i] > 0 || (warm && ts_heat_of(sim)));
 }
 
-/* Forces and what is stored of them are 0. */
+/* Sets the force on the wall and stored forces to 0. */
 void ts_wall_start(struct ts_wall *w, struct tsim *sim);
-/* Adds up the force on the wall, in the order of contacts; notes whether a centre lies in its surface, which
+/* Sums the force on the wall in the order of contacts; finds a centre of a particle in the surface (`inside`), which
  * ts_coincide_wall (wall/wall_coincide.h) refuses. */
 void ts_wall_finish(struct ts_wall *w);
 
@@ -108,41 +108,42 @@ void ts_wall_finish(struct ts_wall *w);
 enum ts_status ts_wall_plan(struct ts_instance *self, struct tsim *sim, int type,
 			    struct ts_plan_report *report);
 
-/* The law and the partners of contact k as they were in the last force computation; false: they did not
- * touch, or the particle cannot move. */
+/* The law, masses and radii of contact k in the last force evaluation; false: it did not touch, or the particle cannot
+ * move. */
 struct ts_contact_case;
 bool ts_wall_case(const struct ts_wall *w, const struct tsim *sim, size_t k, struct ts_contact_case *out);
 
-/* Whether there is a contact law at all; if not, nothing is near and the plan refuses the run. */
+/* Whether there is a contact law; if not, no contacts are listed and the plan refuses the run. */
 bool ts_wall_has_law(const struct ts_wall *w, const struct tsim *sim);
-/* The law for particles that meet a surface of this type; before pushes, after each rebuild. */
+/* Computes the constants of the law for a surface of this type; after each rebuild, before contacts are enqueued. */
 enum ts_status ts_wall_make_law(struct ts_instance *self, struct tsim *sim, int type);
-/* Starts a rebuild of w->contacts, see ts_wall_contacts_start. `own`: how many numbers a contact
- * remembers, after those of its law, for the style. */
+/* Starts a rebuild of w->contacts, see ts_wall_contacts_start. `own`: history numbers of the style for each contact, stored
+ * behind those of the law. */
 void ts_wall_rebuild_start(struct ts_wall *w, const struct tsim *sim, size_t own,
 			   struct ts_wall_rebuild *rebuild);
-/* `status` of listing: if it is an error the old contacts are dropped and it is returned. */
+/* `status` of the listing: if it is an error, the old contacts are dropped and it is returned. */
 enum ts_status ts_wall_rebuild_finish(struct ts_wall *w, struct tsim *sim,
 				      struct ts_wall_rebuild *rebuild, enum ts_status status);
 
-/* Whether surfaces act beyond the touch, or others may stand out; how far beyond that of a particle of this radius at most. */
+/* Whether the law acts at a distance (bridges, adhesion, displaced surfaces), and up to which distance of the surfaces for a
+ * particle of this radius. */
 bool ts_wall_pulls(const struct ts_wall *w, const struct tsim *sim);
 double ts_wall_reach(const struct ts_wall *w, const struct tsim *sim, double radius);
-/* Its laws; those of a particle of a type that meets a surface of the type `wall`. */
+/* Its law, and the constants for a particle of a type and a surface of type `wall`. */
 const struct ts_granular_model *ts_wall_model(const struct ts_wall *w, const struct tsim *sim);
 const struct ts_granular_pair *ts_wall_law(const struct ts_wall *w, const struct tsim *sim, int wall,
 					   int particle);
-/* How many numbers its laws remember of a contact: the first ones of ts_wall_memory. */
+/* History numbers of the law for each contact: the first ones of ts_wall_memory. */
 size_t ts_wall_history(const struct ts_wall *w, const struct tsim *sim);
-/* The contact of a report as its laws see it, at the velocities as they are now. */
+/* The input of the law for the contact of a report, with the present velocities. */
 struct ts_wall_view {
 	const struct ts_granular_model *model;
 	const struct ts_granular_pair *law;
 	struct ts_touch touch;
 };
 void ts_wall_view(const struct ts_wall *w, const struct tsim *sim, size_t k, struct ts_wall_view *view);
-/* Force and torque (without that of rolling) that the contact of a report would have with the velocities as they
- * are now. */
+/* Force and torque (without the rolling torque) that the law gives for the contact of a report with the present
+ * velocities. */
 void ts_wall_force_now(const struct ts_wall *w, const struct tsim *sim, size_t k, double force[3],
 		       double torque[3]);
 

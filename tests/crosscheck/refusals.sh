@@ -16,7 +16,7 @@ while IFS='|' read -r who what edit _; do
 	echo "$who|$what" >$n/case
 done <"$data/refusals.txt"
 # it mostly waits for its message passing to start: many at a time
-seq $n | xargs -P 24 -I {} sh -c 'cd {} && liggghts -in in.case -log none >out 2>&1 </dev/null; echo $? >status'
+seq $n | xargs -P 24 -I {} sh -c 'cd {} && OMPI_MCA_orte_tmpdir_base=$PWD liggghts -in in.case -log none >out 2>&1 </dev/null; echo $? >status'
 for k in $(seq $n); do
 	IFS='|' read -r who what <$k/case
 	case $who in
