@@ -2,6 +2,7 @@
 # The scenes of bench/race, tiny: tsim runs them by the words of LIGGGHTS and of LAMMPS, threads change no digit.
 # shellcheck source=tests/lib_cases.sh
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
+needs /usr/bin/time time
 for scene in "$top_srcdir"/bench/scenes/*/scene; do
 	name=$(basename "$(dirname "$scene")")
 	"$top_srcdir/bench/race" tiny "$name" -programs 'tsim1 tsim2' >out 2>&1 && grep -q "^$name: " out

@@ -4,6 +4,7 @@
 . "$top_srcdir/tests/lib_cases.sh" || exit 99
 needs liggghts
 needs lmp lammps
+needs /usr/bin/time time
 for scene in "$top_srcdir"/bench/scenes/*/scene; do
 	name=$(basename "$(dirname "$scene")")
 	"$top_srcdir/bench/race" tiny "$name" -programs 'tsim1 liggghts lammps' >out 2>&1
