@@ -60,10 +60,11 @@ static struct ts_granular_force contact(const struct ts_granular_model *m, struc
 					double *memory)
 {
 	struct ts_granular_force f;
+	double none[1] = { 0 }; /* of laws without a history */
 
 	ts_granular_arms(m, &t);
 	ts_touch_motion(&t, v, wi, wj);
-	ts_granular_contact(m, &stuff, &t, 1e-5, true, memory, &f);
+	ts_granular_contact(m, &stuff, &t, 1e-5, true, memory ? memory : none, &f);
 	return f;
 }
 

@@ -75,7 +75,7 @@ set atom 1 vy 0.5
 run 300
 print \"f \$(fx[1]:%.12g) \$(fy[1]:%.9g)\"
 clear
-$(pair "* * hooke 2e6 300 tangential linear_history 9e5 0.25 $(echo 'sqrt(0.036)' | bc -l)")
+$(pair "* * hooke 2e6 300 tangential linear_history 9e5 0.25 $(awk 'BEGIN { printf "%.17g", sqrt(0.036) }')")
 set atom 1 vy 0.5
 run 300
 print \"f \$(fx[1]:%.12g) \$(fy[1]:%.9g)\"" >/dev/null
