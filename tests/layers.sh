@@ -10,18 +10,19 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 # the generated table of styles alone names them all
-sources() {
-	find src -mindepth 2 -name '*.[ch]' ! -path src/library/style_table.c | sort
-}
-sources | xargs grep -l '^TS_STYLE(' | grep -v '^src/script/' | sed 's|^src/|style |' >"$work/styles"
+find src -mindepth 2 -name '*.[ch]' ! -path src/library/style_table.c | sort >"$work/sources"
+xargs grep -l '^TS_STYLE(' <"$work/sources" | grep -v '^src/script/' | sed 's|^src/|style |' >"$work/styles"
 
 # "FILE FILE how": the first includes a header of, or links to a symbol of, the second
-sources | while read -r file; do
-	sed -n 's|^[ \t]*#[ \t]*include[ \t]*"\([^"]*\)".*|edge '"${file#src/}"' \1 includes|p' "$file"
-done >"$work/edges"
-sources | sed -n 's|\.c$||p' | while read -r stem; do
-	[ -f "$builddir/$stem.o" ] && nm "$builddir/$stem.o" | sed "s|^|${stem#src/}.c |"
-done | awk '
+xargs awk '/^[ \t]*#[ \t]*include[ \t]*"/ {
+	header = $0
+	sub(/^[^"]*"/, "", header)
+	sub(/".*/, "", header)
+	print "edge", substr(FILENAME, 5), header, "includes"
+}' <"$work/sources" >"$work/edges"
+sed -n "s|^\\(.*\\)\\.c$|$builddir/\\1.o|p" "$work/sources" >"$work/objects"
+xargs ls <"$work/objects" >/dev/null || exit 99
+xargs nm -A <"$work/objects" | sed "s|^$builddir/src/\\(.*\\)\\.o:|\\1.c |" | awk '
 	NF == 3 && $2 ~ /^[Uu]$/ { used[$1 " " $3] = 1 }
 	NF == 4 && $3 ~ /^[TDBRVWCi]$/ { by[$4] = $1 }
 	END {

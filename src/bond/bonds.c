@@ -157,9 +157,14 @@ static bool bonded(const struct tsim *sim, int32_t tag_a, int32_t tag_b)
 	return ts_bonds_has(sim->bonds, tag_a, tag_b);
 }
 
-static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+static void connect_bonds(struct tsim *sim)
 {
 	sim->neigh->ask.bonded = bonded;
+}
+
+static enum ts_status init(struct ts_instance *self, struct tsim *sim)
+{
+	(void)sim;
 	((struct ts_bonds *)self->state)->shown = false; /* outputs say so in theirs */
 	return TS_OK;
 }
@@ -331,5 +336,6 @@ const struct ts_system_style ts_bonds_system = {
 		   .plan = plan,
 		   .fini = fini },
 	.slot = offsetof(struct tsim, bonds),
+	.connect = connect_bonds,
 	.keywords = keywords,
 };

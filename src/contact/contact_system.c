@@ -83,6 +83,6 @@ const struct ts_system_style ts_contact_system = {
 		   .kind = TS_KIND_SYSTEM,
 		   .summary = "what the search for neighbours asks of contact laws; the pressure in the log" },
 	.keywords = keywords,
-	.names_only = true,
+	.no_instance = true,
 	.connect = connect_contacts,
 };

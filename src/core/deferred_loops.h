@@ -29,10 +29,10 @@ struct ts_deferred_loops {
 };
 
 /* Defers body(context, from, to) for 0 .. rounds-1. The context is copied; what it points to must stay. */
-#define TS_DEFER_LOOP(sim, rounds, body, context)                                                            \
-	do {                                                                                                 \
-		_Static_assert(sizeof *(context) <= TS_DEFERRED_CONTEXT * sizeof(double), "room for a context"); \
-		ts_defer_loop(sim, rounds, body, context, sizeof *(context));                                \
+#define TS_DEFER_LOOP(sim, rounds, body, context)									\
+	do {														\
+		_Static_assert(sizeof *(context) <= TS_DEFERRED_CONTEXT * sizeof(double), "room for a context");	\
+		ts_defer_loop(sim, rounds, body, context, sizeof *(context));						\
 	} while (0)
 void ts_defer_loop(struct tsim *sim, size_t rounds, ts_share_fn *body, const void *context, size_t size);
 

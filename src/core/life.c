@@ -61,7 +61,7 @@ static enum ts_status start_system(struct tsim *sim, const struct ts_system_styl
 static enum ts_status start_systems(struct tsim *sim)
 {
 	for (const struct ts_system_style *const *s = sim->tables->systems; *s; s++)
-		if (!(*s)->names_only)
+		if (!(*s)->no_instance)
 			TS_TRY(start_system(sim, *s));
 	for (const struct ts_system_style *const *s = sim->tables->systems; *s; s++)
 		if ((*s)->connect)

@@ -162,8 +162,8 @@ struct ts_command_style {
 struct ts_system_style {
 	struct ts_style style;
 	size_t slot; /* offset of that pointer in struct tsim; 0: it has no state that others see */
-	/* It only gives names to formulas, or functions to other systems: no live instance, state or stages. */
-	bool names_only;
+	/* It only gives names to formulas, or functions to other systems: it has no live instance, state or stages. */
+	bool no_instance;
 	/* Sets the functions of its folder that systems of the folders below call; called when all systems live. */
 	void (*connect)(struct tsim *sim);
 	/* Adds what commands have set, for the record in the log; core/settings.h. */

@@ -83,8 +83,6 @@ enum ts_status ts_dump_set_thresholds(struct ts_instance *self, struct tsim *sim
 				      struct ts_words words);
 /* For the slot archive of dumps of particles: the values at the last frame. */
 enum ts_status ts_dump_archive(struct ts_instance *self, struct tsim *sim, struct ts_archive *archive);
-/* Which particles are written and in which order. */
-enum ts_status ts_dump_select(struct ts_instance *self, struct tsim *sim);
 void ts_dump_release_thresholds(struct ts_dump_common *d);
 
 /* One per-particle input by its name; `c->input` has name and place. */

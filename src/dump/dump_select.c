@@ -226,7 +226,7 @@ static enum ts_status sort(struct ts_instance *self, struct tsim *sim)
 	return TS_OK;
 }
 
-enum ts_status ts_dump_select(struct ts_instance *self, struct tsim *sim)
+static enum ts_status select_particles(struct ts_instance *self, struct tsim *sim)
 {
 	struct ts_dump_common *d = self->state;
 	const struct ts_particles *p = sim->particles;
@@ -328,7 +328,7 @@ enum ts_status ts_dump_gather(struct ts_instance *self, struct tsim *sim, bool l
 
 	for (size_t k = 0; k < d->ncolumns; k++)
 		TS_TRY(ts_dump_evaluate(&d->column[k], sim));
-	TS_TRY(local ? select_rows(d, sim) : ts_dump_select(self, sim));
+	TS_TRY(local ? select_rows(d, sim) : select_particles(self, sim));
 	TS_TRY(number_rows(d, sim));
 	return d->refresh ? refresh(self, sim) : TS_OK;
 }

@@ -2,9 +2,9 @@
 #include <string.h>
 
 #include "dump/dump_vtk.h"
-#include "flow/transported_scalars.h"
 #include "flow/flow.h"
 #include "flow/flow_measures.h"
+#include "flow/transported_scalars.h"
 
 #include "base/banned.h"
 

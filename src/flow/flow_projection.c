@@ -3,9 +3,9 @@
 
 #include "core/report.h"
 #include "coupling/outside_grid.h"
-#include "flow/implicit_viscosity.h"
 #include "flow/flow_limits.h"
 #include "flow/flow_resolution.h"
+#include "flow/implicit_viscosity.h"
 #include "poisson/pressure_choice.h"
 
 #include "base/banned.h"

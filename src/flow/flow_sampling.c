@@ -3,9 +3,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "flow/transported_scalars.h"
 #include "flow/flow.h"
 #include "flow/flow_measures.h"
+#include "flow/transported_scalars.h"
 
 #include "base/banned.h"
 

@@ -430,7 +430,7 @@ static void connect_groups(struct tsim *sim)
 
 const struct ts_system_style ts_groups_system = {
 	.style = { .name = "groups", .kind = TS_KIND_SYSTEM, .summary = "functions of formulas over groups" },
-	.names_only = true,
+	.no_instance = true,
 	.connect = connect_groups,
 	.functions = functions,
 };

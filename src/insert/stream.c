@@ -73,7 +73,7 @@ static enum ts_status quantity(struct tsim *sim, const char *name, struct ts_tab
 
 const struct ts_system_style ts_stream_system = {
 	.style = { .name = "stream", .kind = TS_KIND_SYSTEM, .summary = "quantities of the particles of a stream" },
-	.names_only = true,
+	.no_instance = true,
 	.has_quantity = has_quantity,
 	.keeps_quantity = has_quantity,
 	.quantity = quantity,

@@ -124,6 +124,6 @@ const struct ts_system_style ts_integrators_system = {
 	.style = { .name = "integrators",
 		   .kind = TS_KIND_SYSTEM,
 		   .summary = "no particle is moved by two integrators" },
-	.names_only = true,
+	.no_instance = true,
 	.connect = connect_integrators,
 };

@@ -16,6 +16,6 @@ const struct ts_system_style ts_limits_system = {
 	.style = { .name = "limits",
 		   .kind = TS_KIND_SYSTEM,
 		   .summary = "limits of the time step that contacts, walls and bonds have together" },
-	.names_only = true,
+	.no_instance = true,
 	.connect = connect_limits,
 };

@@ -13,14 +13,14 @@
 
 #include "base/parallel.h"
 #include "bond/bonds.h"
+#include "box/domain.h"
 #include "contact/limits.h"
 #include "limits/lanczos.h"
-#include "wall/wall.h"
-#include "particle/sphere_shape.h"
-#include "particle/prescribed.h"
-#include "box/domain.h"
-#include "rigid/rigid.h"
 #include "math/rigid_turn.h"
+#include "particle/prescribed.h"
+#include "particle/sphere_shape.h"
+#include "rigid/rigid.h"
+#include "wall/wall.h"
 
 #include "base/banned.h"
 

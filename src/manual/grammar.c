@@ -5,8 +5,8 @@
 
 #include "base/map.h"
 #include "core/sim.h"
-#include "script/expr.h"
 #include "manual/manual.h"
+#include "script/expr.h"
 #include "script/variable.h"
 
 #include "base/banned.h"

@@ -10,10 +10,10 @@
 #define TS_MESH_MESH_SURFACE_H
 
 #include "core/sim.h"
-#include "mesh/mesh.h"
+#include "geom/motion.h"
 #include "math/minstd.h"
 #include "math/vec3.h"
-#include "geom/motion.h"
+#include "mesh/mesh.h"
 
 #define TS_FAMILY_MESH "mesh"
 

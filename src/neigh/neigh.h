@@ -21,8 +21,8 @@ struct ts_fused_pass;
 struct ts_multicontact;
 struct ts_multicontact_walls;
 
-/* What the search has to know of contacts, bonds and walls, whose folders stand above this one: each is set by the init
- * of their systems (src/systems.c), and so always there. */
+/* What the search has to know of contacts, bonds and walls, whose folders stand above this one: each is set by the slot
+ * `connect` of their systems, and so always there. */
 struct ts_neigh_questions {
 	/* How far beyond their touch the surfaces of particles of this radius, or smaller ones, may still pull. */
 	double (*reach)(const struct tsim *sim, double radius);

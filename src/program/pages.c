@@ -5,12 +5,12 @@
 
 #include "advise/advise.h"
 #include "base/files.h"
+#include "crosscheck/crosscheck.h"
 #include "library/tsim_tables.h"
 #include "manual/help.h"
-#include "crosscheck/crosscheck.h"
-#include "program/program.h"
 #include "manual/manual.h"
 #include "manual/topics.h"
+#include "program/program.h"
 
 #include "base/banned.h"
 

@@ -384,6 +384,6 @@ static const struct ts_function functions[] = {
 
 const struct ts_system_style ts_regions_system = {
 	.style = { .name = "regions", .kind = TS_KIND_SYSTEM, .summary = "functions of formulas over regions" },
-	.names_only = true,
+	.no_instance = true,
 	.functions = functions,
 };

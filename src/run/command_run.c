@@ -3,8 +3,8 @@
 #include <inttypes.h>
 
 #include "base/clock.h"
-#include "particle/particles.h"
 #include "neigh/neigh.h"
+#include "particle/particles.h"
 
 #include "base/banned.h"
 

@@ -1,6 +1,6 @@
 /* Replaces ${name}, $x and $(formula) in lines and texts. */
-#include "script/unknown.h"
 #include "script/number_format.h"
+#include "script/unknown.h"
 
 #include <string.h>
 

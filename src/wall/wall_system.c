@@ -28,6 +28,6 @@ const struct ts_system_style ts_walls_system = {
 	.style = { .name = "walls",
 		   .kind = TS_KIND_SYSTEM,
 		   .summary = "what others ask of all walls" },
-	.names_only = true,
+	.no_instance = true,
 	.connect = connect_walls,
 };
